@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Every third-party library as one interface target, named after what the rooms use it for.
+
+# CHOLMOD (supernodal module: GPL) on OpenBLAS, used by core/sparse_cholesky.cpp alone.
+find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+add_library(curveups_cholmod INTERFACE)
+target_include_directories(curveups_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE})
+target_link_libraries(curveups_cholmod INTERFACE ${CHOLMOD_LIBRARY} ${OPENBLAS_LIBRARY}
+                                                 OpenMP::OpenMP_CXX)
+
+# CGAL (meshing: GPL), used by geometry alone. Exact constructions need GMP and MPFR.
+find_package(CGAL 5.5 REQUIRED)
+add_library(curveups_cgal INTERFACE)
+target_link_libraries(curveups_cgal INTERFACE CGAL::CGAL)
+
+# Ceres: the soft layout problem.
+find_package(Ceres 2.1 REQUIRED)
+add_library(curveups_ceres INTERFACE)
+target_link_libraries(curveups_ceres INTERFACE Ceres::ceres)
+
+# OpenCASCADE, used by fabrication alone. The toolkits FreeCAD has loaded already.
+find_package(OpenCASCADE REQUIRED)
+add_library(curveups_occt INTERFACE)
+target_include_directories(curveups_occt SYSTEM INTERFACE ${OpenCASCADE_INCLUDE_DIR})
+target_link_libraries(curveups_occt INTERFACE TKernel TKMath TKG2d TKG3d TKGeomBase TKGeomAlgo
+  TKBRep TKTopAlgo TKPrim TKMesh TKShHealing TKXSBase TKSTEPBase TKSTEPAttr TKSTEP209 TKSTEP
+  TKCDF TKLCAF TKCAF TKVCAF TKXCAF TKXDESTEP)
+
+# lib3mf: named bodies in 3MF files.
+find_path(LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
+find_library(LIB3MF_LIBRARY NAMES 3MF 3mf REQUIRED)
+add_library(curveups_lib3mf INTERFACE)
+target_include_directories(curveups_lib3mf SYSTEM INTERFACE ${LIB3MF_INCLUDE})
+target_link_libraries(curveups_lib3mf INTERFACE ${LIB3MF_LIBRARY})

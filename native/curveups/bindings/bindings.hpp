@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// One function per room; module.cpp calls them in the order of dependency.
+//
+// Style: arrays go in and out as numpy arrays (Eigen types by reference where they are row-major, so
+// that nothing is copied on the way in); results are small classes with read-only attributes; long
+// calls take progress=None, a callable (what: str, fraction: float) -> bool, and release the GIL.
+#pragma once
+
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <exception>
+#include <utility>
+
+#include "curveups/core/progress.hpp"
+
+namespace curveups::bindings {
+
+namespace py = pybind11;
+
+// Wraps a Python callable (or None) so that it can be called with the GIL released. What it raises
+// (KeyboardInterrupt above all) is kept and raised again when the native call has returned.
+class PythonProgress {
+ public:
+  explicit PythonProgress(py::object callable);
+  Progress function();
+  // To be called with the GIL held after the native work: raises what the callable raised.
+  void rethrow();
+
+ private:
+  py::object callable_;
+  std::exception_ptr error_;
+};
+
+// Runs work(progress) with the GIL released.
+template <class Work>
+auto without_gil(py::object callable, Work work) {
+  PythonProgress progress(std::move(callable));
+  auto result = [&] {
+    py::gil_scoped_release release;
+    return work(progress.function());
+  }();
+  progress.rethrow();
+  return result;
+}
+
+void bind_core(py::module_& module);
+void bind_geometry(py::module_& module);
+void bind_design(py::module_& module);
+void bind_layout(py::module_& module);
+void bind_physics(py::module_& module);
+void bind_fabrication(py::module_& module);
+
+}  // namespace curveups::bindings

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/bindings/bindings.hpp"
+
+PYBIND11_MODULE(_native, module) {
+  using namespace curveups::bindings;
+  module.doc() = "Native part of CurveUps: layout, truncation, contacts and tile solids.";
+  module.attr("__version__") = CURVEUPS_VERSION;
+  bind_core(module);
+}

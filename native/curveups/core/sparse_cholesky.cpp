@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// This file links CHOLMOD's supernodal module, which is GPL-2.0-or-later (see README, Licence).
+#include "curveups/core/sparse_cholesky.hpp"
+
+#include <cholmod.h>
+#include <omp.h>
+
+#include <cmath>
+#include <utility>
+
+#include "curveups/core/errors.hpp"
+
+extern "C" void openblas_set_num_threads(int);
+
+namespace curveups {
+namespace {
+
+// CHOLMOD opens an OpenMP team of four for every small supernode whatever OMP_NUM_THREADS says:
+// twice as slow on two processors, and sums in an order that varies. No active levels means teams
+// of one; OpenBLAS has threads of its own, held to one as well.
+class OneThread {
+ public:
+  OneThread() : levels_(omp_get_max_active_levels()) {
+    omp_set_max_active_levels(0);
+    openblas_set_num_threads(1);
+  }
+  ~OneThread() { omp_set_max_active_levels(levels_); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  int levels_;
+};
+
+cholmod_sparse view(const SparseMatrix& a) {
+  cholmod_sparse s{};
+  s.nrow = a.rows();
+  s.ncol = a.cols();
+  s.nzmax = a.nonZeros();
+  s.p = const_cast<int*>(a.outerIndexPtr());
+  s.i = const_cast<int*>(a.innerIndexPtr());
+  s.x = const_cast<double*>(a.valuePtr());
+  s.stype = -1;
+  s.itype = CHOLMOD_INT;
+  s.xtype = CHOLMOD_REAL;
+  s.dtype = CHOLMOD_DOUBLE;
+  s.sorted = 1;
+  s.packed = 1;
+  return s;
+}
+
+}  // namespace
+
+struct SparseCholesky::Impl {
+  Impl() {
+    cholmod_start(&common);
+    common.print = 0;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_AMD;
+    common.postorder = 1;
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.final_ll = 1;
+    common.error_handler = nullptr;
+  }
+  ~Impl() {
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  mutable cholmod_common common{};
+  cholmod_factor* factor = nullptr;
+};
+
+SparseCholesky::SparseCholesky() : impl_(std::make_unique<Impl>()) {}
+SparseCholesky::~SparseCholesky() = default;
+SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
+SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
+
+void SparseCholesky::analyze(const SparseMatrix& lower) {
+  const OneThread guard;
+  cholmod_free_factor(&impl_->factor, &impl_->common);
+  cholmod_sparse a = view(lower);
+  impl_->factor = cholmod_analyze(&a, &impl_->common);
+  if (!impl_->factor) {
+    throw SolverFailure("the sparse solver could not order a system of " +
+                            std::to_string(lower.rows()) + " unknowns",
+                        "use a coarser mesh or a machine with more memory");
+  }
+}
+
+bool SparseCholesky::factorize(const SparseMatrix& lower) {
+  if (!impl_->factor) analyze(lower);
+  const OneThread guard;
+  if (!Eigen::Map<const Eigen::ArrayXd>(lower.valuePtr(), lower.nonZeros()).isFinite().all()) {
+    return false;
+  }
+  cholmod_sparse a = view(lower);
+  impl_->common.status = CHOLMOD_OK;
+  cholmod_factorize(&a, impl_->factor, &impl_->common);
+  if (impl_->common.status == CHOLMOD_OUT_OF_MEMORY || impl_->common.status == CHOLMOD_TOO_LARGE) {
+    throw SolverFailure("the sparse solver ran out of memory at " + std::to_string(lower.rows()) +
+                            " unknowns",
+                        "use a coarser mesh or a machine with more memory");
+  }
+  return impl_->common.status == CHOLMOD_OK &&
+         impl_->factor->minor == static_cast<size_t>(lower.rows());
+}
+
+Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {
+  const OneThread guard;
+  cholmod_dense rhs{};
+  rhs.nrow = b.rows();
+  rhs.ncol = b.cols();
+  rhs.nzmax = b.size();
+  rhs.d = b.rows();
+  rhs.x = const_cast<double*>(b.data());
+  rhs.xtype = CHOLMOD_REAL;
+  rhs.dtype = CHOLMOD_DOUBLE;
+  cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &rhs, &impl_->common);
+  if (!x) throw SolverFailure("the sparse solver ran out of memory", "use a coarser mesh");
+  Eigen::MatrixXd out =
+      Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(x->x), b.rows(), b.cols());
+  cholmod_free_dense(&x, &impl_->common);
+  return out;
+}
+
+}  // namespace curveups

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How well a finished design keeps the hard constraints (Eqs. 6 to 8 and the global clearance).
+// Independent of the optimiser's own bookkeeping: it starts from the corners that are saved.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "curveups/design/design.hpp"
+
+namespace curveups {
+
+struct ConstraintReport {
+  double max_rigidity_mm = 0;             // largest difference of flat and actuated edge lengths
+  double max_gap_violation_mm = 0;        // Eq. 7, both sides, both directions, and the clearance of
+                                          // any two tiles (separated by one edge normal)
+  double max_pin_bound_violation_mm = 0;  // bounds and keep-outs
+  std::vector<SmallPin> small_pins;       // sides below A_pin_min, with the area they have
+  std::vector<std::array<int, 2>> close_pairs;  // nearer than d_gap_min - tolerance::constraint
+};
+
+ConstraintReport check_constraints(const DesignGeometry& geometry, const FlatCorners& corners,
+                                   const Array6& q, const Parameters& parameters);
+
+// A pair of tiles and the edge of `tile` whose normal separates it best from `other` on both faces.
+struct Separation {
+  int tile, side_edge, other;
+  double distance;  // the least over both faces; negative where they overlap along it
+};
+
+// All pairs of tiles whose best separation is below `clearance`, found with a grid, in ascending
+// order of the lower and the higher tile.
+std::vector<Separation> find_close_pairs(const TileMesh& tiles, const FlatPoses& poses,
+                                         double clearance);
+
+}  // namespace curveups

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Every parameter of a design: one table that the command line, the design file, the FreeCAD
+// properties and the documentation all read.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace curveups {
+
+struct Parameters {
+  // Target
+  double scale = 1.0;
+  bool flip = false;
+  double L = 7.0;
+  // Tiles
+  double H_body = 3.0;
+  double H_pin = 1.0;
+  // Layout
+  double d_gap_min = 0.6;
+  double p_min = 0.6;
+  double p_max = 3.0;
+  double A_pin_min = 4.0;
+  double A_pin_floor = 1.0;
+  double pin_clearance = 0.05;
+  double tau = 3.0;
+  double w_a = 30.0;
+  double w_p = 30.0;
+  double w_s = 1.0;
+  double w_c = 1000.0;
+  double w_pa = 1000.0;
+  // Bumps
+  std::string bumps = "bumps";
+  double bump_height = 0.25;
+  double bump_diameter = 1.0;
+  int bump_count = 3;
+  int bump_rows = 2;
+  bool bump_recess = true;
+  double dimple_clearance = 0.1;
+  // Support
+  std::string support = "soluble";
+  double support_drop = 0.3;
+  double support_margin = 2.0;
+  double bridge_width = 0.8;
+  double bridge_thickness = 0.6;
+  double bridge_notch = 0.2;
+  double bridge_depth = 0.2;
+  // Anchors
+  bool anchors = true;
+  double anchor_radius = 4.0;
+  double anchor_spacing = 14.0;
+  double anchor_distance = 3.0;
+  bool engrave = true;
+  double engrave_depth = 0.4;
+  // Files
+  std::string printer = "polyjet";
+  double mesh_deviation = 0.02;
+  bool mesh_bumps = true;
+  // Stages
+  bool verify = true;
+  bool repair = true;
+};
+
+// Which stages a change of the parameter makes out of date.
+enum class Affects { target, layout, geometry, files, verification };
+
+struct ParameterInfo {
+  std::string_view name;
+  std::string_view unit;     // "mm", "mm2", "" for pure numbers
+  std::string_view group;    // heading in the property editor
+  std::string_view meaning;  // one sentence, the tooltip
+  Affects affects;
+  std::variant<double Parameters::*, int Parameters::*, bool Parameters::*,
+               std::string Parameters::*>
+      member;
+  double minimum = 0;  // numbers: the closed range
+  double maximum = 0;
+  std::vector<std::string_view> choices = {};  // texts
+};
+
+// In the order in which they are shown.
+const std::vector<ParameterInfo>& parameter_table();
+
+using ParameterValue = std::variant<double, bool, std::string>;
+
+// Sets one parameter by its name. Numbers may come as text. Throws InvalidInput, naming the
+// parameter, its range and the nearest known name: unknown name, value of another type, not finite,
+// or out of range; leaves the parameters as they were.
+void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value);
+ParameterValue get_parameter(const Parameters& parameters, std::string_view name);
+
+// Throws InvalidInput where single values are in range but contradict one another (p_min > p_max,
+// a bump higher than half its diameter, ...).
+void check_parameters(const Parameters& parameters);
+
+}  // namespace curveups

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Tiles as frustums in the actuated configuration: one per triangle of the mesh, its side walls in
+// the bisector planes of neighbouring faces (paper, section 4; method: "Objects").
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "curveups/geometry/triangle_mesh.hpp"
+
+namespace curveups {
+
+enum class Side { front = 0, back = 1 };
+
+// Local coordinates of a tile: origin at its front corner 0, x along its edge 0, z along the outward
+// (front) normal. The tile's body fills -H_body <= z <= 0.
+struct TileFrame {
+  Vec3 origin;
+  Vec3 x, y, z;
+  Vec3 to_world(const Vec3& p) const { return origin + p.x() * x + p.y() * y + p.z() * z; }
+  Vec3 to_local(const Vec3& p) const {
+    const Vec3 d = p - origin;
+    return {d.dot(x), d.dot(y), d.dot(z)};
+  }
+  Vec3 direction_to_local(const Vec3& d) const { return {d.dot(x), d.dot(y), d.dot(z)}; }
+};
+
+// Two tiles that touch when actuated: an interior, uncut edge.
+struct Contact {
+  int edge;                  // in topology.edges
+  std::array<int, 2> tile;   // tile[0] < tile[1]
+  std::array<int, 2> side;   // which edge (0 to 2) of each tile
+};
+
+struct TileMesh {
+  TriangleMesh mesh;
+  MeshTopology topology;
+  std::vector<char> cut;       // per edge: 1 where a cut disconnects its tiles
+  std::vector<Contact> contacts;
+  double H_body = 0;
+
+  // Per tile, all in the tile's frame.
+  std::vector<TileFrame> frame;
+  std::vector<std::array<Vec2, 3>> front;  // front corners, counter-clockwise
+  std::vector<std::array<Vec2, 3>> back;   // back corners before truncation
+  Array3 length;                           // of front edges, mm
+  Array3 fold;        // signed dihedral deviation at each edge, rad: convex (ridge) positive, 0 at
+                      // the boundary; kept across cuts, whose lips stand side by side when actuated
+  Array3 back_shift;  // how far each back edge lies inside the front one, mm: H_body tan(fold / 2)
+  Eigen::VectorXd area;  // of front triangles, mm2
+
+  int tile_count() const { return static_cast<int>(mesh.F.rows()); }
+  const std::array<Vec2, 3>& corners(int tile, Side side) const {
+    return side == Side::front ? front[tile] : back[tile];
+  }
+  // Outward unit normal of wall t in the tile's frame (its plane passes through front edge t).
+  Vec3 wall_normal(int tile, int t) const;
+  // Unit vector in the plane, from front edge t into the tile.
+  Vec2 inward(int tile, int t) const;
+};
+
+// The triangle whose edges lie distance[t] inside the edges of `triangle` (negative: outside).
+std::array<Vec2, 3> inset_triangle(const std::array<Vec2, 3>& triangle,
+                                   const std::array<double, 3>& distance);
+
+// cuts: C x 2 vertex pairs. Throws TopologyError (see build_topology), InvalidInput (a cut that is no
+// interior edge, a vertex that is not finite, a face without area), InfeasibleDesign, naming the
+// tiles, where a fold is so sharp that a back face of this thickness vanishes or turns over.
+TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_body);
+
+// The tiles of make_tile_mesh's last error: those whose back triangle is smaller than
+// `least_scale` times their front triangle (1e-3: what can still be made).
+std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale = 1e-3);
+
+}  // namespace curveups

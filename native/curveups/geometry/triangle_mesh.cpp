@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/geometry/triangle_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+
+#include "curveups/core/errors.hpp"
+
+namespace curveups {
+namespace {
+
+std::uint64_t key(int a, int b) {
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::min(a, b))) << 32) |
+         static_cast<std::uint32_t>(std::max(a, b));
+}
+
+}  // namespace
+
+MeshTopology build_topology(const Triangles& F, int vertex_count) {
+  const int face_count = static_cast<int>(F.rows());
+  MeshTopology topology;
+  topology.edge_of.setConstant(face_count, 3, -1);
+  topology.neighbour.setConstant(face_count, 3, -1);
+  std::unordered_map<std::uint64_t, int> index;
+  index.reserve(face_count * 2);
+  std::vector<int> crowded, twisted;
+  for (int f = 0; f < face_count; ++f) {
+    for (int t = 0; t < 3; ++t) {
+      const int a = F(f, t), b = F(f, next3(t));
+      if (a < 0 || a >= vertex_count) {
+        throw TopologyError("face " + std::to_string(f + 1) + " names vertex " + std::to_string(a) +
+                                ", the mesh has " + std::to_string(vertex_count),
+                            "repair the file", {f});
+      }
+      if (a == b) {
+        throw TopologyError("face " + std::to_string(f + 1) + " uses a vertex twice",
+                            "remove degenerate faces", {f});
+      }
+      const auto [it, fresh] = index.emplace(key(a, b), static_cast<int>(topology.edges.size()));
+      if (fresh) {
+        topology.edges.push_back({{a, b}, {f, -1}, {t, -1}});
+      } else {
+        MeshEdge& edge = topology.edges[it->second];
+        if (edge.face[1] >= 0) {
+          crowded.push_back(f);
+          continue;
+        }
+        if (edge.v[0] == a) {
+          twisted.push_back(f);
+          continue;
+        }
+        edge.face[1] = f;
+        edge.side[1] = t;
+        topology.neighbour(f, t) = edge.face[0];
+        topology.neighbour(edge.face[0], edge.side[0]) = f;
+      }
+      topology.edge_of(f, t) = it->second;
+    }
+  }
+  if (!crowded.empty()) {
+    throw TopologyError(std::to_string(crowded.size()) +
+                            " edges have more than two faces (non-manifold)",
+                        "remove duplicate and inner faces", crowded);
+  }
+  if (!twisted.empty()) {
+    throw TopologyError("neighbouring faces are oriented differently at " +
+                            std::to_string(twisted.size()) +
+                            " edges (or the surface has one side only)",
+                        "make the normals consistent", twisted);
+  }
+  return topology;
+}
+
+std::vector<std::vector<int>> boundary_loops(const MeshTopology& topology) {
+  // The boundary runs against its faces' direction or along it alike; the surface is on the left of
+  // v[0] -> v[1].
+  std::unordered_map<int, std::array<int, 2>> next;  // vertex -> next vertex, face
+  std::vector<int> starts;
+  for (const MeshEdge& edge : topology.edges) {
+    if (!edge.boundary()) continue;
+    const bool fresh = next.emplace(edge.v[0], std::array<int, 2>{edge.v[1], edge.face[0]}).second;
+    if (!fresh) {
+      throw TopologyError("the boundary touches itself in vertex " + std::to_string(edge.v[0]),
+                          "split that vertex or fill the hole",
+                          {next[edge.v[0]][1], edge.face[0]});
+    }
+    starts.push_back(edge.v[0]);
+  }
+  std::vector<std::vector<int>> loops;
+  for (int start : starts) {
+    if (next.find(start) == next.end()) continue;
+    std::vector<int> loop;
+    for (auto it = next.find(start); it != next.end(); it = next.find(loop.back())) {
+      if (loop.empty()) loop.push_back(start);
+      const int to = it->second[0];
+      next.erase(it);
+      if (to == start) break;
+      loop.push_back(to);
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+std::vector<int> face_components(const MeshTopology& topology, const std::vector<char>& joined) {
+  const int face_count = static_cast<int>(topology.neighbour.rows());
+  std::vector<int> component(face_count, -1), stack;
+  int count = 0;
+  for (int f = 0; f < face_count; ++f) {
+    if (component[f] >= 0) continue;
+    component[f] = count;
+    stack.assign(1, f);
+    while (!stack.empty()) {
+      const int g = stack.back();
+      stack.pop_back();
+      for (int t = 0; t < 3; ++t) {
+        const int h = topology.neighbour(g, t);
+        if (h < 0 || component[h] >= 0) continue;
+        if (!joined.empty() && !joined[topology.edge_of(g, t)]) continue;
+        component[h] = count;
+        stack.push_back(h);
+      }
+    }
+    ++count;
+  }
+  return component;
+}
+
+double mean_edge_length(const TriangleMesh& mesh) {
+  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  double sum = 0;
+  for (const MeshEdge& edge : topology.edges) {
+    sum += (mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).norm();
+  }
+  return topology.edges.empty() ? 0.0 : sum / static_cast<double>(topology.edges.size());
+}
+
+Vec3 face_area_vector(const TriangleMesh& mesh, int face) {
+  const Vec3 a = mesh.V.row(mesh.F(face, 0)), b = mesh.V.row(mesh.F(face, 1)),
+             c = mesh.V.row(mesh.F(face, 2));
+  return 0.5 * (b - a).cross(c - a);
+}
+
+double surface_area(const TriangleMesh& mesh) {
+  double area = 0;
+  for (int f = 0; f < mesh.F.rows(); ++f) area += face_area_vector(mesh, f).norm();
+  return area;
+}
+
+}  // namespace curveups

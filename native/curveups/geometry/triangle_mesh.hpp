@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// An oriented triangle mesh and its edges.
+#pragma once
+
+#include <vector>
+
+#include "curveups/core/types.hpp"
+
+namespace curveups {
+
+// N x 3 vertices in mm, M x 3 faces, counter-clockwise seen from the front.
+struct TriangleMesh {
+  Points3 V;
+  Triangles F;
+};
+
+// Edge t of a face joins its corners t and t + 1.
+struct MeshEdge {
+  int v[2];           // as its first face runs along it
+  int face[2];        // the second is -1 on the boundary; face[0] < face[1] otherwise
+  int side[2];        // which edge (0 to 2) of those faces it is
+  bool boundary() const { return face[1] < 0; }
+};
+
+struct MeshTopology {
+  std::vector<MeshEdge> edges;  // in the order in which the faces' edges first name them
+  Triangles edge_of;            // M x 3: the edge at each side of each face
+  Triangles neighbour;          // M x 3: the face across each side, -1 on the boundary
+};
+
+// Throws TopologyError, naming the faces, for an index out of range, a face that uses a vertex
+// twice, an edge of more than two faces, and an edge that two faces run along in the same direction.
+MeshTopology build_topology(const Triangles& F, int vertex_count);
+
+// Boundary loops: vertices in the order of the boundary with the surface on its left.
+// Throws TopologyError where the boundary touches itself in a vertex.
+std::vector<std::vector<int>> boundary_loops(const MeshTopology& topology);
+
+// For each face the number of its component, from 0 in the order of the lowest face; two faces are
+// in one component where a chain of edges for which `joined` is true leads from one to the other.
+// An empty `joined` stands for all interior edges.
+std::vector<int> face_components(const MeshTopology& topology, const std::vector<char>& joined);
+
+double mean_edge_length(const TriangleMesh& mesh);
+Vec3 face_area_vector(const TriangleMesh& mesh, int face);  // normal times area
+double surface_area(const TriangleMesh& mesh);              // mm2
+
+}  // namespace curveups
