@@ -64,12 +64,12 @@ std::array<Vec2, 3> inset_triangle(const std::array<Vec2, 3>& triangle,
                                    const std::array<double, 3>& distance);
 
 // cuts: C x 2 vertex pairs. Throws TopologyError (see build_topology), InvalidInput (a cut that is no
-// interior edge, a vertex that is not finite, a face without area), InfeasibleDesign, naming the
-// tiles, where a fold is so sharp that a back face of this thickness vanishes or turns over.
+// interior edge, a vertex that is not finite, a face without area). A fold so sharp that a back face
+// vanishes or turns over is left to tiles_without_back.
 TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_body);
 
-// The tiles of make_tile_mesh's last error: those whose back triangle is smaller than
-// `least_scale` times their front triangle (1e-3: what can still be made).
+// Tiles whose back triangle is smaller than `least_scale` times their front triangle, or turned over:
+// their folds are sharper than a tile of this thickness can have.
 std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale = 1e-3);
 
 }  // namespace curveups

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/design/parameters.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "curveups/core/errors.hpp"
+
+namespace curveups {
+namespace {
+
+using P = Parameters;
+
+// clang-format off
+std::vector<ParameterInfo> make_table() {
+  return {
+    {"scale", "", "Target", "Factor on the coordinates of a file without units (1000 for metres).",
+     Affects::target, &P::scale, 1e-6, 1e6},
+    {"flip", "", "Target", "Turns front and back over, for targets whose normals point inwards.",
+     Affects::target, &P::flip},
+    {"L", "mm", "Target", "Mean edge length of the tiles; with --no-remesh the mesh's own is used.",
+     Affects::target, &P::L, 0.5, 200},
+    {"H_body", "mm", "Tiles", "Thickness of a tile between its front and its back face.",
+     Affects::geometry, &P::H_body, 0.2, 100},
+    {"H_pin", "mm", "Tiles", "Height of the pins on both faces, to whose tops membranes are glued.",
+     Affects::geometry, &P::H_pin, 0.05, 50},
+    {"d_gap_min", "mm", "Layout", "Least distance between any two tiles in the flat layout.",
+     Affects::layout, &P::d_gap_min, 0, 20},
+    {"p_min", "mm", "Layout", "Least inset of a pin's edge from its face's (recessed) edge.",
+     Affects::layout, &P::p_min, 0, 20},
+    {"p_max", "mm", "Layout", "Largest inset of a pin's edge: farther pins pull too weakly.",
+     Affects::layout, &P::p_max, 0, 50},
+    {"A_pin_min", "mm2", "Layout", "Least area of a pin's top, so that the glue holds.",
+     Affects::layout, &P::A_pin_min, 0, 1000},
+    {"A_pin_floor", "mm2", "Layout", "Pins smaller than this make a design invalid.",
+     Affects::verification, &P::A_pin_floor, 0, 1000},
+    {"pin_clearance", "mm", "Layout",
+     "Distance that pins keep from facing pins and truncation planes at sharp folds.",
+     Affects::layout, &P::pin_clearance, 0, 5},
+    {"tau", "", "Layout", "Stretch of the membranes when glued; 3 is nine times the area.",
+     Affects::layout, &P::tau, 1.05, 8},
+    {"w_a", "", "Layout", "Weight of the alignment energy: facing edges opposite one another.",
+     Affects::layout, &P::w_a, 0, 1e6},
+    {"w_p", "", "Layout", "Weight of the packing energy: facing edges near one another.",
+     Affects::layout, &P::w_p, 0, 1e6},
+    {"w_s", "", "Layout", "Weight of the spring energy: membranes evenly and well stretched.",
+     Affects::layout, &P::w_s, 0, 1e6},
+    {"w_c", "", "Layout", "Weight of the collision energy while constraints are soft.",
+     Affects::layout, &P::w_c, 0, 1e9},
+    {"w_pa", "", "Layout", "Weight of the pin area energy while constraints are soft.",
+     Affects::layout, &P::w_pa, 0, 1e9},
+    {"bumps", "", "Bumps",
+     "What holds contacts against sliding: bumps, dimples (bumps that snap into hollows) or none.",
+     Affects::geometry, &P::bumps, 0, 0, {"bumps", "dimples", "none"}},
+    {"bump_height", "mm", "Bumps", "Height of a friction bump over its wall.",
+     Affects::geometry, &P::bump_height, 0.02, 5},
+    {"bump_diameter", "mm", "Bumps", "Diameter of a friction bump where it meets its wall.",
+     Affects::geometry, &P::bump_diameter, 0.1, 10},
+    {"bump_count", "", "Bumps", "Bumps on an interface, both tiles together.",
+     Affects::geometry, &P::bump_count, 3, 40},
+    {"bump_rows", "", "Bumps", "Rows in which the bumps of an interface stand.",
+     Affects::geometry, &P::bump_rows, 2, 10},
+    {"bump_recess", "", "Bumps",
+     "Recesses walls with bumps by half the height, so that bumps do not swell the actuated shape.",
+     Affects::geometry, &P::bump_recess},
+    {"dimple_clearance", "mm", "Bumps", "Fit clearance between a bump and its dimple.",
+     Affects::geometry, &P::dimple_clearance, 0, 2},
+    {"support", "", "Support",
+     "What keeps the layout together after printing: soluble slab, breakaway bridges or none.",
+     Affects::geometry, &P::support, 0, 0, {"soluble", "breakaway", "none"}},
+    {"support_drop", "mm", "Support", "How far the slab stays below the upper pin tops (glue).",
+     Affects::geometry, &P::support_drop, 0, 50},
+    {"support_margin", "mm", "Support", "Width of the slab around tiles and anchors.",
+     Affects::geometry, &P::support_margin, 0.2, 50},
+    {"bridge_width", "mm", "Support", "Width of a breakaway bridge.",
+     Affects::geometry, &P::bridge_width, 0.1, 20},
+    {"bridge_thickness", "mm", "Support", "Thickness of a breakaway bridge.",
+     Affects::geometry, &P::bridge_thickness, 0.1, 20},
+    {"bridge_notch", "mm", "Support", "Depth of the notch at which a bridge breaks.",
+     Affects::geometry, &P::bridge_notch, 0, 10},
+    {"bridge_depth", "mm", "Support", "How deep a bridge enters each body.",
+     Affects::geometry, &P::bridge_depth, 0, 5},
+    {"anchors", "", "Anchors", "Cylinders around the layout that take the surplus membrane's pull.",
+     Affects::geometry, &P::anchors},
+    {"anchor_radius", "mm", "Anchors", "Radius of an anchoring cylinder.",
+     Affects::geometry, &P::anchor_radius, 0.5, 100},
+    {"anchor_spacing", "mm", "Anchors", "Distance between the axes of neighbouring anchors.",
+     Affects::geometry, &P::anchor_spacing, 1, 500},
+    {"anchor_distance", "mm", "Anchors", "Distance of the anchors from the layout's outline.",
+     Affects::geometry, &P::anchor_distance, 0.2, 200},
+    {"engrave", "", "Anchors", "Engraves name, version and piece on one anchor of each piece.",
+     Affects::geometry, &P::engrave},
+    {"engrave_depth", "mm", "Anchors", "Depth of the engraving.",
+     Affects::geometry, &P::engrave_depth, 0.05, 10},
+    {"printer", "", "Files", "Printer whose bed, gaps and features the print is compared with.",
+     Affects::files, &P::printer, 0, 0, {"polyjet", "resin", "fdm"}},
+    {"mesh_deviation", "mm", "Files", "Largest deviation of STL and 3MF from the curved surfaces.",
+     Affects::files, &P::mesh_deviation, 1e-4, 1},
+    {"mesh_bumps", "", "Files", "Whether STL and 3MF have the bumps.",
+     Affects::files, &P::mesh_bumps},
+    {"verify", "", "Stages", "Computes membranes and contact forces and judges the design.",
+     Affects::verification, &P::verify},
+    {"repair", "", "Stages", "Repairs weak contacts after verification.",
+     Affects::layout, &P::repair},
+  };
+}
+// clang-format on
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+const ParameterInfo& find(std::string_view name) {
+  const ParameterInfo* nearest = nullptr;
+  std::size_t least = 0;
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.name == name) return info;
+    const std::size_t distance = edit_distance(info.name, name);
+    if (!nearest || distance < least) {
+      nearest = &info;
+      least = distance;
+    }
+  }
+  throw InvalidInput("unknown parameter '" + std::string(name) + "'",
+                     least <= 3 ? "did you mean '" + std::string(nearest->name) + "'?"
+                                : "list them with 'curveups parameters'");
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string shown(const ParameterValue& value) {
+  if (const double* x = std::get_if<double>(&value)) return number(*x);
+  if (const bool* b = std::get_if<bool>(&value)) return *b ? "on" : "off";
+  return "'" + std::get<std::string>(value) + "'";
+}
+
+[[noreturn]] void refuse(const ParameterInfo& info, const ParameterValue& value,
+                         const std::string& remedy) {
+  throw InvalidInput("parameter " + std::string(info.name) + " can't be " + shown(value), remedy);
+}
+
+double to_number(const ParameterInfo& info, const ParameterValue& value) {
+  const std::string unit = info.unit.empty() ? "" : " " + std::string(info.unit);
+  const std::string range =
+      "give a number from " + number(info.minimum) + " to " + number(info.maximum) + unit;
+  double x = 0;
+  if (const double* given = std::get_if<double>(&value)) {
+    x = *given;
+  } else if (const std::string* text = std::get_if<std::string>(&value)) {
+    const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), x);
+    if (error != std::errc() || end != text->data() + text->size()) refuse(info, value, range);
+  } else {
+    refuse(info, value, range);
+  }
+  if (!std::isfinite(x) || x < info.minimum || x > info.maximum) refuse(info, value, range);
+  return x;
+}
+
+bool to_switch(const ParameterInfo& info, const ParameterValue& value) {
+  if (const bool* b = std::get_if<bool>(&value)) return *b;
+  if (const double* x = std::get_if<double>(&value)) {
+    if (*x == 0 || *x == 1) return *x == 1;
+  } else {
+    const std::string& text = std::get<std::string>(value);
+    for (const char* yes : {"on", "true", "yes", "1"}) {
+      if (text == yes) return true;
+    }
+    for (const char* no : {"off", "false", "no", "0"}) {
+      if (text == no) return false;
+    }
+  }
+  refuse(info, value, "give on or off");
+}
+
+}  // namespace
+
+const std::vector<ParameterInfo>& parameter_table() {
+  static const std::vector<ParameterInfo> table = make_table();
+  return table;
+}
+
+void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value) {
+  const ParameterInfo& info = find(name);
+  if (const auto* member = std::get_if<double P::*>(&info.member)) {
+    parameters.*(*member) = to_number(info, value);
+  } else if (const auto* whole = std::get_if<int P::*>(&info.member)) {
+    const double x = to_number(info, value);
+    if (x != std::floor(x)) {
+      refuse(info, value,
+             "give a whole number from " + number(info.minimum) + " to " + number(info.maximum));
+    }
+    parameters.*(*whole) = static_cast<int>(x);
+  } else if (const auto* flag = std::get_if<bool P::*>(&info.member)) {
+    parameters.*(*flag) = to_switch(info, value);
+  } else {
+    std::string choices;
+    for (std::string_view choice : info.choices) {
+      choices += (choices.empty() ? "" : ", ") + std::string(choice);
+    }
+    const std::string* text = std::get_if<std::string>(&value);
+    if (!text || std::find(info.choices.begin(), info.choices.end(), *text) == info.choices.end()) {
+      refuse(info, value, "give one of " + choices);
+    }
+    parameters.*std::get<std::string P::*>(info.member) = *text;
+  }
+}
+
+ParameterValue get_parameter(const Parameters& parameters, std::string_view name) {
+  const ParameterInfo& info = find(name);
+  if (const auto* member = std::get_if<double P::*>(&info.member)) return parameters.*(*member);
+  if (const auto* whole = std::get_if<int P::*>(&info.member)) {
+    return static_cast<double>(parameters.*(*whole));
+  }
+  if (const auto* flag = std::get_if<bool P::*>(&info.member)) return parameters.*(*flag);
+  return parameters.*std::get<std::string P::*>(info.member);
+}
+
+void check_parameters(const Parameters& p) {
+  if (p.p_min > p.p_max) {
+    throw InvalidInput(
+        "p_min (" + number(p.p_min) + " mm) is larger than p_max (" + number(p.p_max) + " mm)",
+        "lower p_min or raise p_max");
+  }
+  if (p.A_pin_floor > p.A_pin_min) {
+    throw InvalidInput("A_pin_floor (" + number(p.A_pin_floor) + " mm2) is larger than A_pin_min (" +
+                           number(p.A_pin_min) + " mm2)",
+                       "lower A_pin_floor or raise A_pin_min");
+  }
+  if (p.bumps != "none" && p.bump_height > 0.5 * p.bump_diameter) {
+    throw InvalidInput("bump_height (" + number(p.bump_height) +
+                           " mm) is more than half of bump_diameter (" + number(p.bump_diameter) +
+                           " mm)",
+                       "lower bump_height or raise bump_diameter");
+  }
+  if (p.bumps == "bumps" && p.bump_height >= 2 * p.d_gap_min) {
+    throw InvalidInput("bump_height (" + number(p.bump_height) +
+                           " mm) does not fit into the flat gap of d_gap_min (" +
+                           number(p.d_gap_min) + " mm)",
+                       "lower bump_height or raise d_gap_min");
+  }
+  if (p.bumps != "none" && p.bump_rows > p.bump_count) {
+    throw InvalidInput("bump_rows (" + std::to_string(p.bump_rows) + ") is more than bump_count (" +
+                           std::to_string(p.bump_count) + ")",
+                       "lower bump_rows or raise bump_count");
+  }
+  if (p.support == "breakaway" && 2 * p.bridge_notch >= p.bridge_thickness) {
+    throw InvalidInput("bridge_notch (" + number(p.bridge_notch) + " mm) cuts a bridge of " +
+                           number(p.bridge_thickness) + " mm through",
+                       "lower bridge_notch or raise bridge_thickness");
+  }
+  if (p.support == "soluble" && p.support_drop >= 2 * p.H_pin + p.H_body) {
+    throw InvalidInput("support_drop (" + number(p.support_drop) + " mm) leaves no support",
+                       "give less than the whole height, " + number(2 * p.H_pin + p.H_body) + " mm");
+  }
+  if (p.anchors && p.anchor_spacing < 2 * p.anchor_radius + p.d_gap_min) {
+    throw InvalidInput("anchors of radius " + number(p.anchor_radius) + " mm overlap at a spacing of " +
+                           number(p.anchor_spacing) + " mm",
+                       "raise anchor_spacing or lower anchor_radius");
+  }
+  if (p.anchors && p.engrave && p.engrave_depth >= 2 * p.H_pin + p.H_body) {
+    throw InvalidInput("engrave_depth (" + number(p.engrave_depth) + " mm) pierces the anchor",
+                       "give less than its height, " + number(2 * p.H_pin + p.H_body) + " mm");
+  }
+}
+
+}  // namespace curveups

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/design/tile_mesh.hpp"
+
+#include <cmath>
+#include <string>
+#include <unordered_map>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
+
+namespace curveups {
+namespace {
+
+void check_vertices(const TriangleMesh& mesh) {
+  for (int v = 0; v < mesh.V.rows(); ++v) {
+    if (!mesh.V.row(v).allFinite()) {
+      throw InvalidInput("vertex " + std::to_string(v) + " of the mesh is not finite",
+                         "repair the file");
+    }
+  }
+}
+
+std::vector<char> mark_cuts(const MeshTopology& topology, const Edges& cuts) {
+  std::vector<char> cut(topology.edges.size(), 0);
+  if (cuts.rows() == 0) return cut;
+  std::unordered_map<long long, int> index;
+  auto key = [](int a, int b) {
+    return (static_cast<long long>(std::min(a, b)) << 32) | std::max(a, b);
+  };
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    if (!topology.edges[e].boundary()) {
+      index[key(topology.edges[e].v[0], topology.edges[e].v[1])] = static_cast<int>(e);
+    }
+  }
+  for (int c = 0; c < cuts.rows(); ++c) {
+    const auto it = index.find(key(cuts(c, 0), cuts(c, 1)));
+    if (it == index.end()) {
+      throw InvalidInput("cut " + std::to_string(c) + " (" + std::to_string(cuts(c, 0)) + ", " +
+                             std::to_string(cuts(c, 1)) + ") is no interior edge of the mesh",
+                         "give pairs of neighbouring vertices of the remeshed target");
+    }
+    cut[it->second] = 1;
+  }
+  return cut;
+}
+
+TileFrame make_frame(const TriangleMesh& mesh, int tile) {
+  const Vec3 a = mesh.V.row(mesh.F(tile, 0)), b = mesh.V.row(mesh.F(tile, 1)),
+             c = mesh.V.row(mesh.F(tile, 2));
+  TileFrame frame;
+  frame.origin = a;
+  frame.x = (b - a).normalized();
+  frame.z = (b - a).cross(c - a).normalized();
+  frame.y = frame.z.cross(frame.x);
+  return frame;
+}
+
+}  // namespace
+
+std::array<Vec2, 3> inset_triangle(const std::array<Vec2, 3>& triangle,
+                                   const std::array<double, 3>& distance) {
+  std::array<Vec2, 3> direction, out;
+  for (int t = 0; t < 3; ++t) direction[t] = (triangle[next3(t)] - triangle[t]).normalized();
+  for (int t = 0; t < 3; ++t) {
+    const Vec2 along = direction[t], back = -direction[prev3(t)];
+    out[t] = triangle[t] +
+             (distance[prev3(t)] * along + distance[t] * back) / wedge(along, back);
+  }
+  return out;
+}
+
+Vec3 TileMesh::wall_normal(int tile, int t) const {
+  const Vec2 out = -inward(tile, t);
+  const double half = 0.5 * fold(tile, t);
+  // The wall leans inwards by half the fold on a ridge: its back edge lies H tan(half) inside.
+  return Vec3(out.x() * std::cos(half), out.y() * std::cos(half), -std::sin(half));
+}
+
+Vec2 TileMesh::inward(int tile, int t) const {
+  return left_of((front[tile][next3(t)] - front[tile][t]) / length(tile, t));
+}
+
+TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_body) {
+  check_vertices(mesh);
+  TileMesh tiles;
+  tiles.mesh = mesh;
+  tiles.topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  tiles.cut = mark_cuts(tiles.topology, cuts);
+  tiles.H_body = H_body;
+  const int count = tiles.tile_count();
+  if (count == 0) throw InvalidInput("the mesh has no faces", "give a surface with triangles");
+  tiles.frame.resize(count);
+  tiles.front.resize(count);
+  tiles.back.resize(count);
+  tiles.length.resize(count, 3);
+  tiles.fold.setZero(count, 3);
+  tiles.back_shift.setZero(count, 3);
+  tiles.area.resize(count);
+  std::vector<int> flat;
+  for (int i = 0; i < count; ++i) {
+    tiles.area(i) = face_area_vector(mesh, i).norm();
+    const double longest =
+        std::max({(mesh.V.row(mesh.F(i, 0)) - mesh.V.row(mesh.F(i, 1))).norm(),
+                  (mesh.V.row(mesh.F(i, 1)) - mesh.V.row(mesh.F(i, 2))).norm(),
+                  (mesh.V.row(mesh.F(i, 2)) - mesh.V.row(mesh.F(i, 0))).norm()});
+    if (!(tiles.area(i) > 1e-9 * longest * longest)) flat.push_back(i);
+  }
+  if (!flat.empty()) {
+    throw InvalidInput(std::to_string(flat.size()) + " faces have no area",
+                       "remove degenerate faces or let the target be remeshed", flat);
+  }
+  for (int i = 0; i < count; ++i) {
+    tiles.frame[i] = make_frame(mesh, i);
+    for (int t = 0; t < 3; ++t) {
+      const Vec3 p = tiles.frame[i].to_local(mesh.V.row(mesh.F(i, t)));
+      tiles.front[i][t] = p.head<2>();
+      tiles.length(i, t) =
+          (mesh.V.row(mesh.F(i, next3(t))) - mesh.V.row(mesh.F(i, t))).norm();
+    }
+  }
+  for (std::size_t e = 0; e < tiles.topology.edges.size(); ++e) {
+    const MeshEdge& edge = tiles.topology.edges[e];
+    if (edge.boundary()) continue;
+    const Vec3 direction =
+        Vec3(mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).normalized();
+    const Vec3 n0 = tiles.frame[edge.face[0]].z, n1 = tiles.frame[edge.face[1]].z;
+    const double fold = std::atan2(n0.cross(n1).dot(direction), n0.dot(n1));
+    for (int s = 0; s < 2; ++s) {
+      tiles.fold(edge.face[s], edge.side[s]) = fold;
+      tiles.back_shift(edge.face[s], edge.side[s]) = H_body * std::tan(0.5 * fold);
+    }
+    if (!tiles.cut[e]) {
+      tiles.contacts.push_back(
+          {static_cast<int>(e), {edge.face[0], edge.face[1]}, {edge.side[0], edge.side[1]}});
+    }
+  }
+  for (int i = 0; i < count; ++i) {
+    tiles.back[i] = inset_triangle(
+        tiles.front[i],
+        {tiles.back_shift(i, 0), tiles.back_shift(i, 1), tiles.back_shift(i, 2)});
+  }
+  return tiles;
+}
+
+std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale) {
+  std::vector<int> out;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    const double scale =
+        1 - tiles.back_shift.row(i).dot(tiles.length.row(i)) / (2 * tiles.area(i));
+    if (!(scale > least_scale)) out.push_back(i);
+  }
+  return out;
+}
+
+}  // namespace curveups
