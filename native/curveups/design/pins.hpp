@@ -27,11 +27,11 @@ struct PinKeepout {
   double a_prev, a_here, bound;
 };
 
-// A pin side whose area can't reach A_pin_min within its bounds.
+// A pin side whose area is below A_pin_min.
 struct SmallPin {
   int tile;
   Side side;
-  double largest_area;  // the most its bounds allow, mm2 (0 where they contradict one another)
+  double area;  // mm2: the most its bounds allow, or what it has in a finished design
 };
 
 struct PinBounds {
@@ -44,8 +44,10 @@ struct PinBounds {
 // Bounds of every inset: p_min and p_max (p_min counted from the recessed edge where walls are
 // recessed), the limits of sharp folds at pin level (on the concave side facing pins would meet, on
 // the convex side the membrane would cut into the tile's edge), and corners clear of every
-// truncation plane. A side whose bounds allow less than A_pin_min gets what is possible as its
-// least_area and is listed. Never throws for a sharp fold: lower > upper is resolved towards lower.
+// truncation plane. A side whose bounds allow less than A_pin_min is listed and gets what is possible
+// as its least_area; where not even A_pin_floor is possible its p_min is lowered as far as it must be
+// (to a tenth at most). Where lower and upper contradict one another lower wins: pins that meet are
+// worse than a membrane that touches an edge.
 PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation,
                              const Parameters& parameters);
 

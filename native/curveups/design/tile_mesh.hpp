@@ -22,6 +22,7 @@ struct TileFrame {
     const Vec3 d = p - origin;
     return {d.dot(x), d.dot(y), d.dot(z)};
   }
+  Vec3 direction_to_world(const Vec3& d) const { return d.x() * x + d.y() * y + d.z() * z; }
   Vec3 direction_to_local(const Vec3& d) const { return {d.dot(x), d.dot(y), d.dot(z)}; }
 };
 

@@ -20,17 +20,22 @@ struct TruncationPlane {
 
 struct Truncation {
   std::vector<std::vector<TruncationPlane>> of_tile;
-  std::array<int, 5> pairs_of_type{};            // number of pairs settled by each type, from 1
-  std::vector<std::array<int, 2>> unresolved;    // pairs that no plane separates without losing a
-                                                 // contact point: an error of the target
+  // The same above the front faces: these cut no body, they only bound front pins.
+  std::vector<std::vector<TruncationPlane>> front_pins;
+  std::array<int, 5> pairs_of_type{};          // pairs settled by each type, from 1
+  std::vector<std::array<int, 2>> unresolved;  // pairs that no plane separates without losing a
+                                               // contact point: an error of the target
 };
 
 // Planes for every pair of tiles that share a front vertex but no edge (interior vertices, boundary
-// vertices and cut ones alike), then for the pairs without a common vertex whose bodies still
-// overlap, found by spatial search. Closed form: no iteration, no tolerance but tolerance::snap.
-// depth: how far below the front faces tiles must be kept apart, H_body + H_pin, so that the back
-// pins are too. Throws InfeasibleDesign where one tile's cone lies inside another's (folded over).
-Truncation compute_truncation(const TileMesh& tiles, double depth);
+// vertices and cut ones alike). Around a common vertex D a tile is the cone of its two walls and its
+// front face; two cones overlap in a cone whose edges are rays in which a wall of one crosses a wall
+// of the other, towards the paper's points A and B. Any plane through D separates the two tiles at
+// every depth, pins included; the one through those rays takes nothing else away. Where four rays
+// cross (a type that A.2 denies), the diagonal plane that separates the tiles' centroids does.
+// Closed form, linear in the number of tiles. Tiles that are folded over one another at a vertex are
+// listed as unresolved.
+Truncation truncate_at_vertices(const TileMesh& tiles);
 
 // The tile's body in its own frame with its truncation planes applied; each wall t is moved into the
 // body by recess[t] (mm, along its normal) first.

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/design/contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "curveups/core/tolerances.hpp"
+
+namespace curveups {
+namespace {
+
+// In the wall of `edge` of a tile, with u along the edge and w down the wall, the wall of the
+// neighbouring edge and every truncation plane pass through the end of the edge: they leave
+// u >= slope w there. The largest slope counts. `at_start`: the end where the tile's edge begins.
+double slope_at(const TileMesh& tiles, const Truncation& truncation, int tile, int edge,
+                bool at_start) {
+  const int corner = at_start ? edge : next3(edge);
+  const int vertex = tiles.mesh.F(tile, corner);
+  const Vec2 direction =
+      (tiles.front[tile][next3(edge)] - tiles.front[tile][edge]) / tiles.length(tile, edge);
+  const Vec3 along = (at_start ? 1.0 : -1.0) * Vec3(direction.x(), direction.y(), 0);
+  const double half = 0.5 * tiles.fold(tile, edge);
+  const Vec2 in = tiles.inward(tile, edge);
+  const Vec3 down(in.x() * std::sin(half), in.y() * std::sin(half), -std::cos(half));
+  double slope = -std::numeric_limits<double>::infinity();
+  auto add = [&](const Vec3& normal) {
+    const double rise = normal.dot(down), run = -normal.dot(along);
+    if (run > 1e-12) {
+      slope = std::max(slope, rise / run);
+    } else if (rise > 1e-12) {
+      slope = std::numeric_limits<double>::infinity();
+    }
+  };
+  add(tiles.wall_normal(tile, at_start ? prev3(edge) : next3(edge)));
+  for (const TruncationPlane& plane : truncation.of_tile[tile]) {
+    if (plane.vertex == vertex) add(plane.plane.normal);
+  }
+  return slope;
+}
+
+}  // namespace
+
+std::vector<ContactPatch> compute_contact_patches(const TileMesh& tiles,
+                                                  const Truncation& truncation) {
+  std::vector<ContactPatch> patches(tiles.contacts.size());
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const Contact& contact = tiles.contacts[k];
+    ContactPatch& patch = patches[k];
+    const int i = contact.tile[0], t = contact.side[0];
+    const TileFrame& frame = tiles.frame[i];
+    const Vec3 start = tiles.mesh.V.row(tiles.mesh.F(i, t)),
+               end = tiles.mesh.V.row(tiles.mesh.F(i, next3(t)));
+    const double length = tiles.length(i, t);
+    const Vec3 along = (end - start) / length;
+    const double half = 0.5 * tiles.fold(i, t);
+    const Vec2 in = tiles.inward(i, t);
+    const Vec3 down = std::sin(half) * (in.x() * frame.x + in.y() * frame.y) - std::cos(half) * frame.z;
+    const double height = tiles.H_body / std::cos(half);
+    patch.normal = frame.direction_to_world(tiles.wall_normal(i, t));
+    const int j = contact.tile[1], u = contact.side[1];
+    const double at_start = std::max(slope_at(tiles, truncation, i, t, true),
+                                     slope_at(tiles, truncation, j, u, false));
+    const double at_end = std::max(slope_at(tiles, truncation, i, t, false),
+                                   slope_at(tiles, truncation, j, u, true));
+    auto point = [&](double a, double w) { return Vec3(start + a * along + w * down); };
+    const double left = height * at_start, right = length - height * at_end;
+    patch.point[0] = start;
+    patch.point[1] = end;
+    if (right - left >= tolerance::short_interface) {
+      patch.point_count = 4;
+      patch.point[2] = point(right, height);
+      patch.point[3] = point(left, height);
+      patch.polygon = {patch.point[0], patch.point[1], patch.point[2], patch.point[3]};
+    } else if (right > left) {
+      patch.point_count = 3;
+      patch.point[2] = patch.point[3] = point(0.5 * (left + right), height);
+      patch.polygon = {start, end, point(right, height), point(left, height)};
+    } else {
+      // The two ends' rays meet above the back: a triangle, down to nothing where one lies in the
+      // edge itself.
+      const double depth =
+          std::isfinite(at_start + at_end) ? length / (at_start + at_end) : 0.0;
+      patch.point_count = depth < tolerance::short_interface ? 2 : 3;
+      patch.point[2] = patch.point[3] =
+          patch.point_count == 2 ? Vec3(0.5 * (start + end)) : point(depth * at_start, depth);
+      patch.polygon = {start, end};
+      if (patch.point_count == 3) patch.polygon.push_back(patch.point[2]);
+    }
+    // Seen from tile[1] the outline runs the other way round.
+    if (along.cross(down).dot(patch.normal) < 0) std::reverse(patch.polygon.begin(), patch.polygon.end());
+  }
+  return patches;
+}
+
+}  // namespace curveups

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/design/remote_overlaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "curveups/core/tolerances.hpp"
+#include "curveups/design/spatial_pairs.hpp"
+
+namespace curveups {
+namespace {
+
+using Corners = std::array<Vec3, 6>;  // front, then back, in world coordinates
+
+Corners world_corners(const TileMesh& tiles, int tile) {
+  Corners corners;
+  for (int t = 0; t < 3; ++t) {
+    const Vec2 &f = tiles.front[tile][t], &b = tiles.back[tile][t];
+    corners[t] = tiles.frame[tile].to_world(Vec3(f.x(), f.y(), 0));
+    corners[t + 3] = tiles.frame[tile].to_world(Vec3(b.x(), b.y(), -tiles.H_body));
+  }
+  return corners;
+}
+
+bool share_vertex(const Triangles& F, int i, int j) {
+  for (int s = 0; s < 3; ++s) {
+    for (int t = 0; t < 3; ++t) {
+      if (F(i, s) == F(j, t)) return true;
+    }
+  }
+  return false;
+}
+
+std::array<Plane, 5> face_planes(const Corners& c) {
+  std::array<Plane, 5> planes;
+  auto through = [](const Vec3& a, const Vec3& b, const Vec3& d) {
+    const Vec3 normal = (b - a).cross(d - a).normalized();
+    return Plane{normal, normal.dot(a)};
+  };
+  planes[0] = through(c[0], c[1], c[2]);
+  planes[1] = {-planes[0].normal, -planes[0].normal.dot(c[3])};
+  for (int t = 0; t < 3; ++t) planes[2 + t] = through(c[t], c[t + 3], c[next3(t)]);
+  return planes;
+}
+
+bool apart(const std::array<Plane, 5>& planes, const Corners& other) {
+  return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+    return std::all_of(other.begin(), other.end(),
+                       [&](const Vec3& p) { return plane.distance(p) >= -tolerance::snap; });
+  });
+}
+
+// Whether the truncated bodies overlap by more than counts.
+bool bodies_overlap(const TileMesh& tiles, const Truncation& truncation, int i, int j) {
+  ConvexBody body = tile_body(tiles, truncation, i);
+  const ConvexBody other = tile_body(tiles, truncation, j);
+  const TileFrame &to = tiles.frame[i], &from = tiles.frame[j];
+  for (const BodyFace& face : other.faces) {
+    const Vec3 normal = to.direction_to_local(from.direction_to_world(face.plane.normal));
+    const Vec3 point = to.to_local(from.to_world(other.points[face.loop[0]]));
+    clip(body, {normal, normal.dot(point)}, body_tag::cut);
+    if (body.faces.empty()) return false;
+  }
+  return volume(body) > 0.1 * tolerance::overlap_volume;
+}
+
+// The plane half-way between two convex hulls along the separating axis with the largest distance:
+// a face normal of one of them or the cross product of two edges. False where they overlap.
+bool separating_plane(const std::vector<Vec3>& a, const std::vector<Vec3>& b, Plane& plane) {
+  double widest = -std::numeric_limits<double>::infinity();
+  auto test = [&](Vec3 axis) {
+    const double norm = axis.norm();
+    if (norm < 1e-9) return;
+    axis /= norm;
+    auto range = [&](const std::vector<Vec3>& points) {
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for (const Vec3& p : points) {
+        low = std::min(low, axis.dot(p));
+        high = std::max(high, axis.dot(p));
+      }
+      return std::array<double, 2>{low, high};
+    };
+    const auto [a_low, a_high] = range(a);
+    const auto [b_low, b_high] = range(b);
+    if (b_low - a_high > widest) {
+      widest = b_low - a_high;
+      plane = {axis, 0.5 * (b_low + a_high)};
+    }
+    if (a_low - b_high > widest) {
+      widest = a_low - b_high;
+      plane = {-axis, -0.5 * (a_low + b_high)};
+    }
+  };
+  auto edges = [](const std::vector<Vec3>& points) {
+    std::vector<Vec3> out;
+    for (std::size_t m = 0; m < points.size(); ++m) {
+      for (std::size_t n = m + 1; n < points.size(); ++n) out.push_back(points[n] - points[m]);
+    }
+    return out;
+  };
+  const std::vector<Vec3> edges_a = edges(a), edges_b = edges(b);
+  for (const std::vector<Vec3>* own : {&edges_a, &edges_b}) {
+    for (std::size_t m = 0; m < own->size(); ++m) {
+      for (std::size_t n = m + 1; n < own->size(); ++n) test((*own)[m].cross((*own)[n]));
+    }
+  }
+  for (const Vec3& p : edges_a) {
+    for (const Vec3& q : edges_b) test(p.cross(q));
+  }
+  return widest > 0;
+}
+
+}  // namespace
+
+void separate_remote_tiles(const TileMesh& tiles, const std::vector<ContactPatch>& patches,
+                           Truncation& truncation) {
+  const int count = tiles.tile_count();
+  std::vector<Corners> corners(count);
+  std::vector<std::array<Plane, 5>> planes(count);
+  Points3 low(count, 3), high(count, 3);
+  for (int i = 0; i < count; ++i) {
+    corners[i] = world_corners(tiles, i);
+    planes[i] = face_planes(corners[i]);
+    Vec3 least = corners[i][0], most = corners[i][0];
+    for (const Vec3& p : corners[i]) {
+      least = least.cwiseMin(p);
+      most = most.cwiseMax(p);
+    }
+    low.row(i) = least;
+    high.row(i) = most;
+  }
+  std::vector<std::vector<int>> patches_of(count);
+  bool listed = false;
+  for (const std::array<int, 2>& pair : overlapping_boxes(low, high)) {
+    const auto [i, j] = pair;
+    if (share_vertex(tiles.mesh.F, i, j)) continue;
+    if (apart(planes[i], corners[j]) || apart(planes[j], corners[i])) continue;
+    if (!bodies_overlap(tiles, truncation, i, j)) continue;
+    if (!listed) {
+      for (std::size_t k = 0; k < patches.size(); ++k) {
+        for (int tile : tiles.contacts[k].tile) patches_of[tile].push_back(static_cast<int>(k));
+      }
+      listed = true;
+    }
+    std::array<std::vector<Vec3>, 2> keep;
+    for (int s = 0; s < 2; ++s) {
+      const int tile = pair[s];
+      keep[s].assign(corners[tile].begin(), corners[tile].begin() + 3);
+      for (int k : patches_of[tile]) {
+        for (int l = 2; l < patches[k].point_count; ++l) keep[s].push_back(patches[k].point[l]);
+      }
+    }
+    Plane plane{Vec3::Zero(), 0};
+    if (!separating_plane(keep[0], keep[1], plane)) {
+      truncation.unresolved.push_back(pair);
+      continue;
+    }
+    ++truncation.pairs_of_type[4];
+    for (int s = 0; s < 2; ++s) {
+      const TileFrame& frame = tiles.frame[pair[s]];
+      const double sign = s == 0 ? 1.0 : -1.0;
+      const Vec3 normal = frame.direction_to_local(sign * plane.normal);
+      const double offset = sign * (plane.offset - plane.normal.dot(frame.origin));
+      truncation.of_tile[pair[s]].push_back({{normal, offset}, pair[1 - s], -1, 4});
+    }
+  }
+}
+
+}  // namespace curveups

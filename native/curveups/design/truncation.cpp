@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/design/truncation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curveups/core/tolerances.hpp"
+
+namespace curveups {
+namespace {
+
+// A tile at one of its front vertices, which is the origin, in world directions.
+struct Cone {
+  int tile, corner;
+  std::array<Vec3, 2> wall;  // outward normals of edge `corner` and of the one before it
+  Vec3 lid;                  // normal of the front face, away from the cone
+  std::array<Vec3, 2> edge;  // unit directions of the two front edges
+  Vec3 spine;                // unit direction of the edge in which the two walls meet
+  Vec3 middle;               // unit direction to the front face's centroid
+
+  bool contains(const Vec3& ray, double slack) const {
+    return wall[0].dot(ray) <= slack && wall[1].dot(ray) <= slack && lid.dot(ray) <= slack;
+  }
+};
+
+Cone make_cone(const TileMesh& tiles, int tile, int corner, Side side) {
+  const TileFrame& frame = tiles.frame[tile];
+  auto world = [&](const Vec3& d) { return frame.direction_to_world(d); };
+  auto flat = [&](const Vec2& d) { return world(Vec3(d.x(), d.y(), 0)); };
+  const std::array<Vec2, 3>& front = tiles.front[tile];
+  Cone cone;
+  cone.tile = tile;
+  cone.corner = corner;
+  cone.wall = {world(tiles.wall_normal(tile, corner)), world(tiles.wall_normal(tile, prev3(corner)))};
+  const double below = side == Side::back ? 1.0 : -1.0;
+  cone.lid = below * frame.z;
+  cone.edge = {flat((front[next3(corner)] - front[corner]).normalized()),
+               flat((front[prev3(corner)] - front[corner]).normalized())};
+  cone.spine = cone.wall[0].cross(cone.wall[1]).normalized();
+  if (cone.spine.dot(cone.lid) > 0) cone.spine = -cone.spine;
+  cone.middle = (flat((front[0] + front[1] + front[2]) / 3 - front[corner])).normalized();
+  return cone;
+}
+
+struct Crossing {
+  Vec3 ray;
+  int wall_a, wall_b;
+};
+
+// Which plane (through the origin) separates two cones. type 0: they do not overlap; -1: no plane.
+struct Split {
+  int type = 0;
+  Vec3 normal = Vec3::Zero();  // from a to b
+};
+
+Split separate(const Cone& a, const Cone& b, double slack) {
+  std::vector<Crossing> crossings;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      Vec3 ray = a.wall[i].cross(b.wall[j]);
+      const double sine = ray.norm();
+      if (sine < 1e-12) continue;
+      ray /= sine;
+      for (double sign : {1.0, -1.0}) {
+        if (a.contains(sign * ray, slack) && b.contains(sign * ray, slack)) {
+          crossings.push_back({sign * ray, i, j});
+        }
+      }
+    }
+  }
+  if (crossings.size() < 2) {
+    // One of them inside the other, or pierced through its front face: folded over.
+    for (const Cone* inner : {&a, &b}) {
+      const Cone& outer = inner == &a ? b : a;
+      for (const Vec3& ray : {inner->spine, inner->edge[0], inner->edge[1]}) {
+        if (outer.contains(ray, -slack)) return {-1};
+      }
+    }
+    return {};
+  }
+  Split best;
+  double best_margin = 0;
+  for (std::size_t m = 0; m < crossings.size(); ++m) {
+    for (std::size_t n = m + 1; n < crossings.size(); ++n) {
+      const Crossing &p = crossings[m], &q = crossings[n];
+      const bool diagonal = p.wall_a != q.wall_a && p.wall_b != q.wall_b;
+      if (crossings.size() > 2 && !diagonal) continue;
+      Vec3 normal = p.ray.cross(q.ray);
+      const double sine = normal.norm();
+      if (sine < slack) continue;  // the two cones only touch in a ray
+      normal /= sine;
+      if (normal.dot(b.middle) < 0) normal = -normal;
+      const double margin = std::min(normal.dot(b.middle), -normal.dot(a.middle));
+      if (margin <= best_margin) continue;
+      const bool fronts_kept = std::max(normal.dot(a.edge[0]), normal.dot(a.edge[1])) <= slack &&
+                               std::min(normal.dot(b.edge[0]), normal.dot(b.edge[1])) >= -slack;
+      if (!fronts_kept) continue;
+      best_margin = margin;
+      best.normal = normal;
+      best.type = crossings.size() > 2 ? 3 : diagonal ? 2 : 1;
+    }
+  }
+  if (best.type == 0) {
+    const double widest = [&] {
+      double sine = 0;
+      for (const Crossing& p : crossings) {
+        for (const Crossing& q : crossings) sine = std::max(sine, p.ray.cross(q.ray).norm());
+      }
+      return sine;
+    }();
+    if (widest >= slack) best.type = -1;
+  }
+  return best;
+}
+
+Plane plane_in_frame(const TileMesh& tiles, const Cone& cone, const Vec3& normal) {
+  const Vec3 local = tiles.frame[cone.tile].direction_to_local(normal);
+  return {local, local.head<2>().dot(tiles.front[cone.tile][cone.corner])};
+}
+
+}  // namespace
+
+Truncation truncate_at_vertices(const TileMesh& tiles) {
+  const int count = tiles.tile_count();
+  Truncation out;
+  out.of_tile.resize(count);
+  out.front_pins.resize(count);
+  // Corners by vertex, in the order of the tiles.
+  const int vertex_count = static_cast<int>(tiles.mesh.V.rows());
+  std::vector<int> first(vertex_count + 1, 0), corner_of(static_cast<std::size_t>(count) * 3);
+  for (int i = 0; i < count * 3; ++i) ++first[tiles.mesh.F(i / 3, i % 3) + 1];
+  for (int v = 0; v < vertex_count; ++v) first[v + 1] += first[v];
+  std::vector<int> cursor(first.begin(), first.end() - 1);
+  for (int i = 0; i < count * 3; ++i) corner_of[cursor[tiles.mesh.F(i / 3, i % 3)]++] = i;
+
+  std::vector<Cone> cones;
+  for (int v = 0; v < vertex_count; ++v) {
+    const int valence = first[v + 1] - first[v];
+    if (valence < 3) continue;
+    for (Side side : {Side::back, Side::front}) {
+      cones.clear();
+      for (int k = first[v]; k < first[v + 1]; ++k) {
+        cones.push_back(make_cone(tiles, corner_of[k] / 3, corner_of[k] % 3, side));
+      }
+      for (int m = 0; m < valence; ++m) {
+        for (int n = m + 1; n < valence; ++n) {
+          const Cone &a = cones[m], &b = cones[n];
+          const auto neighbours = tiles.topology.neighbour.row(a.tile);
+          if ((neighbours.array() == b.tile).any()) continue;
+          // Rays within this angle of a plane are less than a snap away from it at the back.
+          const Split split = separate(a, b, tolerance::snap / tiles.H_body);
+          if (split.type == 0) continue;
+          if (side == Side::front) {
+            if (split.type < 0) continue;
+            out.front_pins[a.tile].push_back(
+                {plane_in_frame(tiles, a, split.normal), b.tile, v, split.type});
+            out.front_pins[b.tile].push_back(
+                {plane_in_frame(tiles, b, -split.normal), a.tile, v, split.type});
+            continue;
+          }
+          if (split.type < 0) {
+            out.unresolved.push_back({a.tile, b.tile});
+            continue;
+          }
+          ++out.pairs_of_type[split.type];
+          out.of_tile[a.tile].push_back(
+              {plane_in_frame(tiles, a, split.normal), b.tile, v, split.type});
+          out.of_tile[b.tile].push_back(
+              {plane_in_frame(tiles, b, -split.normal), a.tile, v, split.type});
+        }
+      }
+    }
+  }
+  return out;
+}
+
+ConvexBody tile_body(const TileMesh& tiles, const Truncation& truncation, int tile,
+                     const std::array<double, 3>& recess) {
+  std::array<double, 3> at_front, at_back;
+  for (int t = 0; t < 3; ++t) {
+    at_front[t] = recess[t] / std::cos(0.5 * tiles.fold(tile, t));
+    at_back[t] = at_front[t] + tiles.back_shift(tile, t);
+  }
+  ConvexBody body = make_frustum(inset_triangle(tiles.front[tile], at_front), 0,
+                                 inset_triangle(tiles.front[tile], at_back), -tiles.H_body);
+  int tag = body_tag::cut;
+  for (const TruncationPlane& t : truncation.of_tile[tile]) {
+    clip(body, t.plane, tag++);
+    if (body.faces.empty()) break;
+  }
+  return body;
+}
+
+}  // namespace curveups
