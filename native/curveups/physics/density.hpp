@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a membrane's energy density answers. Both densities are per kappa: multiply by kappa h (half
+// the shear modulus times the rest thickness) and the rest area.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace curveups {
+
+using Gradient32 = Eigen::Matrix<double, 3, 2>;  // F: columns f1, f2, rest plane to space
+using Vector6 = Eigen::Matrix<double, 6, 1>;     // (f1, f2)
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+enum class MembraneModel { tension_field, neo_hookean };
+
+// Taut: both principal stresses pull. Wrinkled: one does. Slack: none. (The plain neo-Hookean
+// density carries compression; its states say where the relaxed one would differ.)
+enum class MembraneTension : unsigned char { taut = 0, wrinkled = 1, slack = 2 };
+
+struct Density {
+  double value = 0;
+  Vector6 gradient = Vector6::Zero();
+  Matrix6 hessian = Matrix6::Zero();  // left zero unless asked for
+  MembraneTension tension = MembraneTension::taut;
+};
+
+// Squared principal stretches l1 >= l2 of F: the eigenvalues of C = F^T F.
+struct PrincipalStretches {
+  double l1, l2;
+  Eigen::Vector2d n1;  // unit eigenvector of l1; that of l2 is n1 turned by +90 degrees
+};
+PrincipalStretches principal_stretches(const Gradient32& F);
+
+}  // namespace curveups

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/neo_hookean.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace curveups {
+
+PrincipalStretches principal_stretches(const Gradient32& F) {
+  const double a = F.col(0).squaredNorm(), b = F.col(1).squaredNorm(), c = F.col(0).dot(F.col(1));
+  const double half_difference = 0.5 * (a - b), radius = std::hypot(half_difference, c);
+  PrincipalStretches out;
+  out.l1 = 0.5 * (a + b) + radius;
+  // The product from the cross product: a + b - l1 cancels.
+  out.l2 = out.l1 > 0 ? F.col(0).cross(F.col(1)).squaredNorm() / out.l1 : 0.0;
+  const double angle = 0.5 * std::atan2(c, half_difference);
+  out.n1 = {std::cos(angle), std::sin(angle)};
+  return out;
+}
+
+Density neo_hookean(const Gradient32& F, bool second) {
+  using Eigen::Matrix3d;
+  using Eigen::Vector3d;
+  const Vector3d f1 = F.col(0), f2 = F.col(1), n = f1.cross(f2);
+  // As |f1 x f2|^2: the difference form of det C goes negative by cancellation.
+  const double s = 1 / n.squaredNorm();
+  Vector6 a;  // gradient of |n|^2 / 2
+  a << f2.cross(n), n.cross(f1);
+  Density out;
+  const double norm = F.squaredNorm();
+  out.value = norm + s - 3;
+  out.gradient << f1, f2;
+  out.gradient = 2 * (out.gradient - s * s * a);
+  // l2 < 1 / sqrt(l1), without the eigenvalues: l1 l2^2 < 1, and so on.
+  const PrincipalStretches l = principal_stretches(F);
+  out.tension = l.l1 < 1                 ? MembraneTension::slack
+                : l.l2 * l.l2 * l.l1 < 1 ? MembraneTension::wrinkled
+                                         : MembraneTension::taut;
+  if (!second) return out;
+  const Matrix3d off =
+      2 * f1 * f2.transpose() - f2 * f1.transpose() - f1.dot(f2) * Matrix3d::Identity();
+  Matrix6 bend;  // Hessian of |n|^2 / 2
+  bend.topLeftCorner<3, 3>() = f2.squaredNorm() * Matrix3d::Identity() - f2 * f2.transpose();
+  bend.bottomRightCorner<3, 3>() = f1.squaredNorm() * Matrix3d::Identity() - f1 * f1.transpose();
+  bend.topRightCorner<3, 3>() = off;
+  bend.bottomLeftCorner<3, 3>() = off.transpose();
+  out.hessian = 2 * Matrix6::Identity() + (8 * s * s * s) * a * a.transpose() - (2 * s * s) * bend;
+  return out;
+}
+
+}  // namespace curveups

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/tension_field.hpp"
+
+#include <cmath>
+
+#include "curveups/physics/neo_hookean.hpp"
+
+namespace curveups {
+namespace {
+
+// u(l1) = l1 + 2 l1^-1/2 - 3. With g1 = F n1, g2 = F n2 (orthogonal) and dF = (d1, d2) in the same
+// basis: d l1 = 2 g1 . d1 and d2 l1 = 2 |d1|^2 + 2 (g2 . d1 + g1 . d2)^2 / (l1 - l2).
+Density uniaxial(const Gradient32& F, const PrincipalStretches& l, bool second) {
+  Density out;
+  out.tension = MembraneTension::wrinkled;
+  const double root = std::sqrt(l.l1), slope = 1 - 1 / (l.l1 * root);
+  out.value = l.l1 + 2 / root - 3;
+  const Eigen::Vector3d g1 = F * l.n1;
+  const double c = l.n1.x(), s = l.n1.y();
+  out.gradient << 2 * slope * c * g1, 2 * slope * s * g1;
+  if (!second) return out;
+  const Eigen::Vector3d g2 = F * Eigen::Vector2d(-s, c);
+  // d1 = c df1 + s df2, d2 = -s df1 + c df2.
+  Eigen::Matrix<double, 6, 3> along;
+  along << c * Eigen::Matrix3d::Identity(), s * Eigen::Matrix3d::Identity();
+  Vector6 first, shear;
+  first << c * g1, s * g1;
+  shear << c * g2 - s * g1, s * g2 + c * g1;
+  const double curvature = 1.5 / (l.l1 * l.l1 * root);
+  // slope / (l1 - l2) is below 1 / l1 in this branch.
+  const double turn = slope > 0 ? 2 * slope / (l.l1 - l.l2) : 0.0;
+  out.hessian = 4 * curvature * first * first.transpose() + 2 * slope * along * along.transpose() +
+                turn * shear * shear.transpose();
+  return out;
+}
+
+}  // namespace
+
+Density tension_field(const Gradient32& F, double regularization, bool second) {
+  const PrincipalStretches l = principal_stretches(F);
+  Density out;
+  if (l.l1 < 1) {
+    out.tension = MembraneTension::slack;
+  } else if (l.l2 * l.l2 * l.l1 < 1) {
+    out = uniaxial(F, l, second);
+  } else {
+    out = neo_hookean(F, second);
+  }
+  out.value += regularization * F.squaredNorm();
+  out.gradient.head<3>() += 2 * regularization * F.col(0);
+  out.gradient.tail<3>() += 2 * regularization * F.col(1);
+  if (second) out.hessian.diagonal().array() += 2 * regularization;
+  return out;
+}
+
+}  // namespace curveups
