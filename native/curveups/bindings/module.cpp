@@ -6,4 +6,5 @@ PYBIND11_MODULE(_native, module) {
   module.doc() = "Native part of CurveUps: layout, truncation, contacts and tile solids.";
   module.attr("__version__") = CURVEUPS_VERSION;
   bind_core(module);
+  bind_design(module);
 }

@@ -116,9 +116,8 @@ ConstraintReport check_constraints(const DesignGeometry& geometry, const FlatCor
     }
     for (Side side : {Side::front, Side::back}) {
       const double area = pin_area(tiles, i, side, q.row(i).data());
-      report.max_pin_area_violation_mm2 =
-          std::max(report.max_pin_area_violation_mm2,
-                   bounds.least_area(i, static_cast<int>(side)) - area);
+      report.max_pin_area_violation_mm2 = std::max(
+          report.max_pin_area_violation_mm2, bounds.least_area(i, static_cast<int>(side)) - area);
       if (area < p.A_pin_min - tolerance::constraint) report.small_pins.push_back({i, side, area});
     }
   }

@@ -55,14 +55,15 @@ std::vector<ContactPatch> compute_contact_patches(const TileMesh& tiles,
     const Vec3 along = (end - start) / length;
     const double half = 0.5 * tiles.fold(i, t);
     const Vec2 in = tiles.inward(i, t);
-    const Vec3 down = std::sin(half) * (in.x() * frame.x + in.y() * frame.y) - std::cos(half) * frame.z;
+    const Vec3 down =
+        std::sin(half) * (in.x() * frame.x + in.y() * frame.y) - std::cos(half) * frame.z;
     const double height = tiles.H_body / std::cos(half);
     patch.normal = frame.direction_to_world(tiles.wall_normal(i, t));
     const int j = contact.tile[1], u = contact.side[1];
-    const double at_start = std::max(slope_at(tiles, truncation, i, t, true),
-                                     slope_at(tiles, truncation, j, u, false));
-    const double at_end = std::max(slope_at(tiles, truncation, i, t, false),
-                                   slope_at(tiles, truncation, j, u, true));
+    const double at_start =
+        std::max(slope_at(tiles, truncation, i, t, true), slope_at(tiles, truncation, j, u, false));
+    const double at_end =
+        std::max(slope_at(tiles, truncation, i, t, false), slope_at(tiles, truncation, j, u, true));
     auto point = [&](double a, double w) { return Vec3(start + a * along + w * down); };
     const double left = height * at_start, right = length - height * at_end;
     patch.point[0] = start;
@@ -79,8 +80,7 @@ std::vector<ContactPatch> compute_contact_patches(const TileMesh& tiles,
     } else {
       // The two ends' rays meet above the back: a triangle, down to nothing where one lies in the
       // edge itself.
-      const double depth =
-          std::isfinite(at_start + at_end) ? length / (at_start + at_end) : 0.0;
+      const double depth = std::isfinite(at_start + at_end) ? length / (at_start + at_end) : 0.0;
       patch.point_count = depth < tolerance::short_interface ? 2 : 3;
       patch.point[2] = patch.point[3] =
           patch.point_count == 2 ? Vec3(0.5 * (start + end)) : point(depth * at_start, depth);
@@ -88,9 +88,54 @@ std::vector<ContactPatch> compute_contact_patches(const TileMesh& tiles,
       if (patch.point_count == 3) patch.polygon.push_back(patch.point[2]);
     }
     // Seen from tile[1] the outline runs the other way round.
-    if (along.cross(down).dot(patch.normal) < 0) std::reverse(patch.polygon.begin(), patch.polygon.end());
+    if (along.cross(down).dot(patch.normal) < 0)
+      std::reverse(patch.polygon.begin(), patch.polygon.end());
   }
   return patches;
+}
+
+void clip_patch(ContactPatch& patch, const Plane& plane) {
+  if (patch.point_count == 2) return;
+  std::vector<Vec3> kept;
+  const std::size_t n = patch.polygon.size();
+  bool cuts = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 &a = patch.polygon[k], &b = patch.polygon[(k + 1) % n];
+    const double da = plane.distance(a), db = plane.distance(b);
+    if (da <= tolerance::snap) kept.push_back(a);
+    cuts |= da > tolerance::snap;
+    if ((da > tolerance::snap && db < -tolerance::snap) ||
+        (da < -tolerance::snap && db > tolerance::snap)) {
+      kept.push_back(a + (da / (da - db)) * (b - a));
+    }
+  }
+  if (!cuts) return;
+  patch.polygon = std::move(kept);
+  const Vec3 start = patch.point[0], along = (patch.point[1] - start).normalized();
+  auto depth = [&](const Vec3& p) {
+    const Vec3 d = p - start;
+    return (d - d.dot(along) * along).norm();
+  };
+  double deepest = 0;
+  for (const Vec3& p : patch.polygon) deepest = std::max(deepest, depth(p));
+  // The ends of what is left of the back edge.
+  const Vec3 *first = nullptr, *last = nullptr;
+  for (const Vec3& p : patch.polygon) {
+    if (depth(p) < deepest - tolerance::snap) continue;
+    if (!first || (p - *first).dot(along) < 0) first = &p;
+    if (!last || (p - *last).dot(along) > 0) last = &p;
+  }
+  if (deepest < tolerance::short_interface) {
+    patch.point_count = 2;
+    patch.point[2] = patch.point[3] = 0.5 * (patch.point[0] + patch.point[1]);
+  } else if ((*last - *first).norm() >= tolerance::short_interface) {
+    patch.point_count = 4;
+    patch.point[2] = *last;
+    patch.point[3] = *first;
+  } else {
+    patch.point_count = 3;
+    patch.point[2] = patch.point[3] = 0.5 * (*first + *last);
+  }
 }
 
 }  // namespace curveups

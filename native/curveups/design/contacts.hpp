@@ -22,4 +22,8 @@ struct ContactPatch {
 std::vector<ContactPatch> compute_contact_patches(const TileMesh& tiles,
                                                   const Truncation& truncation);
 
+// Cuts an interface by a plane of one of its tiles (world coordinates) that leaves the front edge
+// alone; the contact points move to the new corners.
+void clip_patch(ContactPatch& patch, const Plane& plane);
+
 }  // namespace curveups

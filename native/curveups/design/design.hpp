@@ -15,10 +15,10 @@ namespace curveups {
 struct Design {
   std::string name;
   Parameters parameters;
-  TriangleMesh mesh;    // actuated front vertices and tiles
-  FlatCorners T;        // M x 6 flat front corners
-  Array6 q;             // M x 6 pin insets
-  Edges cuts;           // C x 2 vertex pairs
+  TriangleMesh mesh;                   // actuated front vertices and tiles
+  FlatCorners T;                       // M x 6 flat front corners
+  Array6 q;                            // M x 6 pin insets
+  Edges cuts;                          // C x 2 vertex pairs
   std::optional<TriangleMesh> target;  // where the mesh has moved away from it
 };
 
@@ -30,8 +30,8 @@ struct DesignGeometry {
   PinBounds pin_bounds;
 };
 
-// Throws what make_tile_mesh throws, and InfeasibleDesign with the tiles where folds leave them no back
-// face. Pairs in truncation.unresolved are left to the caller (report them, or refuse).
+// Throws what make_tile_mesh throws, and InfeasibleDesign with the tiles where folds leave them no
+// back face. Pairs in truncation.unresolved are left to the caller (report them, or refuse).
 DesignGeometry make_geometry(const TriangleMesh& mesh, const Edges& cuts,
                              const Parameters& parameters);
 

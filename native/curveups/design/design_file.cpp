@@ -118,9 +118,9 @@ TriangleMesh read_mesh(const Json& json, const std::string& prefix) {
 void check_congruent(const Design& design) {
   for (int i = 0; i < design.mesh.F.rows(); ++i) {
     for (int t = 0; t < 3; ++t) {
-      const double actuated = (design.mesh.V.row(design.mesh.F(i, next3(t))) -
-                               design.mesh.V.row(design.mesh.F(i, t)))
-                                  .norm();
+      const double actuated =
+          (design.mesh.V.row(design.mesh.F(i, next3(t))) - design.mesh.V.row(design.mesh.F(i, t)))
+              .norm();
       const double flat =
           (design.T.row(i).segment<2>(2 * next3(t)) - design.T.row(i).segment<2>(2 * t)).norm();
       if (std::abs(flat - actuated) > 1e-3) {
@@ -155,8 +155,8 @@ std::string write_design(const Design& design) {
       {"cuts", to_json(design.cuts, 1)},
   };
   if (design.target) {
-    fields.push_back({"target", Json{{"V", to_json(design.target->V, 1)},
-                                     {"F", to_json(design.target->F, 1)}}});
+    fields.push_back(
+        {"target", Json{{"V", to_json(design.target->V, 1)}, {"F", to_json(design.target->F, 1)}}});
   }
   std::string text = "{\n";
   for (std::size_t k = 0; k < fields.size(); ++k) {
@@ -209,11 +209,11 @@ Design read_design(const std::string& text) {
   if (tiles == 0) refuse("\"F\"", "is empty");
   design.T = read_matrix<FlatCorners>(field(json, "T"), "T", 6, 3);
   design.q = read_matrix<Array6>(field(json, "q"), "q", 6, 2);
-  for (const auto& [array, rows] : {std::pair<const char*, Eigen::Index>{"T", design.T.rows()},
-                                    {"q", design.q.rows()}}) {
+  for (const auto& [array, rows] :
+       {std::pair<const char*, Eigen::Index>{"T", design.T.rows()}, {"q", design.q.rows()}}) {
     if (rows != tiles) {
-      refuse("\"" + std::string(array) + "\"", "has " + std::to_string(rows) + " entries, \"F\" has " +
-                                                   std::to_string(tiles));
+      refuse("\"" + std::string(array) + "\"",
+             "has " + std::to_string(rows) + " entries, \"F\" has " + std::to_string(tiles));
     }
   }
   design.cuts = read_matrix<Edges>(field(json, "cuts"), "cuts", 2, 1);

@@ -239,8 +239,8 @@ void check_parameters(const Parameters& p) {
         "lower p_min or raise p_max");
   }
   if (p.A_pin_floor > p.A_pin_min) {
-    throw InvalidInput("A_pin_floor (" + number(p.A_pin_floor) + " mm2) is larger than A_pin_min (" +
-                           number(p.A_pin_min) + " mm2)",
+    throw InvalidInput("A_pin_floor (" + number(p.A_pin_floor) +
+                           " mm2) is larger than A_pin_min (" + number(p.A_pin_min) + " mm2)",
                        "lower A_pin_floor or raise A_pin_min");
   }
   if (p.bumps != "none" && p.bump_height > 0.5 * p.bump_diameter) {
@@ -266,12 +266,13 @@ void check_parameters(const Parameters& p) {
                        "lower bridge_notch or raise bridge_thickness");
   }
   if (p.support == "soluble" && p.support_drop >= 2 * p.H_pin + p.H_body) {
-    throw InvalidInput("support_drop (" + number(p.support_drop) + " mm) leaves no support",
-                       "give less than the whole height, " + number(2 * p.H_pin + p.H_body) + " mm");
+    throw InvalidInput(
+        "support_drop (" + number(p.support_drop) + " mm) leaves no support",
+        "give less than the whole height, " + number(2 * p.H_pin + p.H_body) + " mm");
   }
   if (p.anchors && p.anchor_spacing < 2 * p.anchor_radius + p.d_gap_min) {
-    throw InvalidInput("anchors of radius " + number(p.anchor_radius) + " mm overlap at a spacing of " +
-                           number(p.anchor_spacing) + " mm",
+    throw InvalidInput("anchors of radius " + number(p.anchor_radius) +
+                           " mm overlap at a spacing of " + number(p.anchor_spacing) + " mm",
                        "raise anchor_spacing or lower anchor_radius");
   }
   if (p.anchors && p.engrave && p.engrave_depth >= 2 * p.H_pin + p.H_body) {

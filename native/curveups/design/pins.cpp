@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/design/pins.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <Eigen/LU>
 
 namespace curveups {
 namespace {
@@ -22,8 +21,7 @@ double lower_bound(const TileMesh& tiles, const Parameters& p, int tile, Side si
   const int edge = tiles.topology.edge_of(tile, t);
   const bool interior = tiles.topology.neighbour(tile, t) >= 0;
   const double half = 0.5 * tiles.fold(tile, t);
-  const double recess =
-      interior && !tiles.cut[edge] ? wall_recess(p) / std::cos(half) : 0.0;
+  const double recess = interior && !tiles.cut[edge] ? wall_recess(p) / std::cos(half) : 0.0;
   const double bend = side == Side::front ? -half : half;  // positive: concave on this side
   const double facing = bend > 0 ? p.H_pin * std::tan(bend) + p.pin_clearance : 0.0;
   return std::max(recess + p_min, facing);
@@ -51,12 +49,13 @@ void add_keepouts(const TileMesh& tiles, int tile, Side side, const TruncationPl
     const Vec2 back = (face[prev3(t)] - face[t]).normalized();
     const double sine = wedge(along, back);
     const double level = std::max(plane.normal.z() * levels[0], plane.normal.z() * levels[1]);
-    const PinKeepout keepout{tile,
-                             side,
-                             t,
-                             -normal.dot(along) / sine,
-                             -normal.dot(back) / sine,
-                             normal.dot(face[t]) + level - plane.offset + clearance * normal.norm()};
+    const PinKeepout keepout{
+        tile,
+        side,
+        t,
+        -normal.dot(along) / sine,
+        -normal.dot(back) / sine,
+        normal.dot(face[t]) + level - plane.offset + clearance * normal.norm()};
     const int prev = inset_index(side, prev3(t)), here = inset_index(side, t);
     const double least = keepout.a_prev * (keepout.a_prev > 0 ? lower : upper)[prev] +
                          keepout.a_here * (keepout.a_here > 0 ? lower : upper)[here];
@@ -90,8 +89,8 @@ double least_inset_sum(const Vec3& weight, const double* lower, const double* up
             half_spaces[k].first.transpose();
         const double det = m.determinant();
         if (std::abs(det) < 1e-9) continue;
-        const Vec3 q = m.inverse() * Vec3(half_spaces[i].second, half_spaces[j].second,
-                                          half_spaces[k].second);
+        const Vec3 q =
+            m.inverse() * Vec3(half_spaces[i].second, half_spaces[j].second, half_spaces[k].second);
         if (weight.dot(q) >= best) continue;
         const bool feasible =
             std::all_of(half_spaces.begin(), half_spaces.end(),
@@ -147,8 +146,7 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
       auto largest_area = [&](double p_min) {
         for (int t = 0; t < 3; ++t) {
           lower[first + t] = lower_bound(tiles, p, i, side, t, p_min);
-          upper[first + t] =
-              std::max(lower[first + t] + room, upper_bound(tiles, p, i, side, t));
+          upper[first + t] = std::max(lower[first + t] + room, upper_bound(tiles, p, i, side, t));
         }
         keepouts.clear();
         const auto& planes = side == Side::front ? truncation.front_pins : truncation.of_tile;
@@ -156,9 +154,9 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
           add_keepouts(tiles, i, side, plane, p.pin_clearance, {face_z, top_z}, lower, upper,
                        keepouts);
         }
-        const double sum = keepouts.empty()
-                               ? weight.dot(Eigen::Map<const Vec3>(lower + first))
-                               : least_inset_sum(weight, lower + first, upper + first, keepouts, side);
+        const double sum = keepouts.empty() ? weight.dot(Eigen::Map<const Vec3>(lower + first))
+                                            : least_inset_sum(weight, lower + first, upper + first,
+                                                              keepouts, side);
         const double scale = 1 - (shift + sum) / (2 * tiles.area(i));
         return scale > 0 ? tiles.area(i) * scale * scale : 0.0;
       };

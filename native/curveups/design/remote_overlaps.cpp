@@ -66,7 +66,8 @@ bool bodies_overlap(const TileMesh& tiles, const Truncation& truncation, int i, 
 }
 
 // The plane half-way between two convex hulls along the separating axis with the largest distance:
-// a face normal of one of them or the cross product of two edges. False where they overlap.
+// a face normal of one of them or the cross product of two edges. False where they overlap, true
+// where they touch.
 bool separating_plane(const std::vector<Vec3>& a, const std::vector<Vec3>& b, Plane& plane) {
   double widest = -std::numeric_limits<double>::infinity();
   auto test = [&](Vec3 axis) {
@@ -108,12 +109,23 @@ bool separating_plane(const std::vector<Vec3>& a, const std::vector<Vec3>& b, Pl
   for (const Vec3& p : edges_a) {
     for (const Vec3& q : edges_b) test(p.cross(q));
   }
-  return widest > 0;
+  return widest >= -tolerance::snap;
+}
+
+// Adds the back points of an interface, drawn together to `share` of their distance.
+void keep_back_edge(const ContactPatch& patch, double share, std::vector<Vec3>& points) {
+  if (patch.point_count == 3) {
+    const Vec3 front = 0.5 * (patch.point[0] + patch.point[1]);
+    points.push_back(front + share * (patch.point[2] - front));
+  } else if (patch.point_count == 4) {
+    const Vec3 middle = 0.5 * (patch.point[2] + patch.point[3]);
+    for (int l : {2, 3}) points.push_back(middle + share * (patch.point[l] - middle));
+  }
 }
 
 }  // namespace
 
-void separate_remote_tiles(const TileMesh& tiles, const std::vector<ContactPatch>& patches,
+void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& patches,
                            Truncation& truncation) {
   const int count = tiles.tile_count();
   std::vector<Corners> corners(count);
@@ -143,16 +155,19 @@ void separate_remote_tiles(const TileMesh& tiles, const std::vector<ContactPatch
       }
       listed = true;
     }
-    std::array<std::vector<Vec3>, 2> keep;
-    for (int s = 0; s < 2; ++s) {
-      const int tile = pair[s];
-      keep[s].assign(corners[tile].begin(), corners[tile].begin() + 3);
-      for (int k : patches_of[tile]) {
-        for (int l = 2; l < patches[k].point_count; ++l) keep[s].push_back(patches[k].point[l]);
-      }
-    }
     Plane plane{Vec3::Zero(), 0};
-    if (!separating_plane(keep[0], keep[1], plane)) {
+    bool found = false;
+    for (double share : {1.0, 0.75, 0.5, 0.25}) {
+      std::array<std::vector<Vec3>, 2> keep;
+      for (int s = 0; s < 2; ++s) {
+        const Corners& own = corners[pair[s]];
+        keep[s].assign(own.begin(), own.begin() + 3);
+        for (int k : patches_of[pair[s]]) keep_back_edge(patches[k], share, keep[s]);
+      }
+      found = separating_plane(keep[0], keep[1], plane);
+      if (found) break;
+    }
+    if (!found) {
       truncation.unresolved.push_back(pair);
       continue;
     }
@@ -163,6 +178,8 @@ void separate_remote_tiles(const TileMesh& tiles, const std::vector<ContactPatch
       const Vec3 normal = frame.direction_to_local(sign * plane.normal);
       const double offset = sign * (plane.offset - plane.normal.dot(frame.origin));
       truncation.of_tile[pair[s]].push_back({{normal, offset}, pair[1 - s], -1, 4});
+      const Plane world{sign * plane.normal, sign * plane.offset};
+      for (int k : patches_of[pair[s]]) clip_patch(patches[k], world);
     }
   }
 }

@@ -8,9 +8,12 @@
 namespace curveups {
 
 // Finds them by spatial search and adds to `truncation` a plane (type 4) for each pair, half-way
-// between what the two tiles must keep: their front faces and their contact points. A pair whose
-// kept parts overlap themselves goes to truncation.unresolved. Changes no contact patch.
-void separate_remote_tiles(const TileMesh& tiles, const std::vector<ContactPatch>& patches,
+// between what the two tiles must keep: their front faces and their contact points. Where tiles lie
+// so near that contact points have to give way (along slits of the target, say, whose boundary
+// walls are upright), the interfaces' back edges are shortened as little as possible, to a quarter
+// at most, and `patches` follows. A pair whose kept parts overlap even so goes to
+// truncation.unresolved.
+void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& patches,
                            Truncation& truncation);
 
 }  // namespace curveups

@@ -63,8 +63,7 @@ std::array<Vec2, 3> inset_triangle(const std::array<Vec2, 3>& triangle,
   for (int t = 0; t < 3; ++t) direction[t] = (triangle[next3(t)] - triangle[t]).normalized();
   for (int t = 0; t < 3; ++t) {
     const Vec2 along = direction[t], back = -direction[prev3(t)];
-    out[t] = triangle[t] +
-             (distance[prev3(t)] * along + distance[t] * back) / wedge(along, back);
+    out[t] = triangle[t] + (distance[prev3(t)] * along + distance[t] * back) / wedge(along, back);
   }
   return out;
 }
@@ -99,10 +98,9 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
   std::vector<int> flat;
   for (int i = 0; i < count; ++i) {
     tiles.area(i) = face_area_vector(mesh, i).norm();
-    const double longest =
-        std::max({(mesh.V.row(mesh.F(i, 0)) - mesh.V.row(mesh.F(i, 1))).norm(),
-                  (mesh.V.row(mesh.F(i, 1)) - mesh.V.row(mesh.F(i, 2))).norm(),
-                  (mesh.V.row(mesh.F(i, 2)) - mesh.V.row(mesh.F(i, 0))).norm()});
+    const double longest = std::max({(mesh.V.row(mesh.F(i, 0)) - mesh.V.row(mesh.F(i, 1))).norm(),
+                                     (mesh.V.row(mesh.F(i, 1)) - mesh.V.row(mesh.F(i, 2))).norm(),
+                                     (mesh.V.row(mesh.F(i, 2)) - mesh.V.row(mesh.F(i, 0))).norm()});
     if (!(tiles.area(i) > 1e-9 * longest * longest)) flat.push_back(i);
   }
   if (!flat.empty()) {
@@ -114,15 +112,13 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
     for (int t = 0; t < 3; ++t) {
       const Vec3 p = tiles.frame[i].to_local(mesh.V.row(mesh.F(i, t)));
       tiles.front[i][t] = p.head<2>();
-      tiles.length(i, t) =
-          (mesh.V.row(mesh.F(i, next3(t))) - mesh.V.row(mesh.F(i, t))).norm();
+      tiles.length(i, t) = (mesh.V.row(mesh.F(i, next3(t))) - mesh.V.row(mesh.F(i, t))).norm();
     }
   }
   for (std::size_t e = 0; e < tiles.topology.edges.size(); ++e) {
     const MeshEdge& edge = tiles.topology.edges[e];
     if (edge.boundary()) continue;
-    const Vec3 direction =
-        Vec3(mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).normalized();
+    const Vec3 direction = Vec3(mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).normalized();
     const Vec3 n0 = tiles.frame[edge.face[0]].z, n1 = tiles.frame[edge.face[1]].z;
     const double fold = std::atan2(n0.cross(n1).dot(direction), n0.dot(n1));
     for (int s = 0; s < 2; ++s) {
@@ -136,8 +132,7 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
   }
   for (int i = 0; i < count; ++i) {
     tiles.back[i] = inset_triangle(
-        tiles.front[i],
-        {tiles.back_shift(i, 0), tiles.back_shift(i, 1), tiles.back_shift(i, 2)});
+        tiles.front[i], {tiles.back_shift(i, 0), tiles.back_shift(i, 1), tiles.back_shift(i, 2)});
   }
   return tiles;
 }
@@ -145,8 +140,7 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
 std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale) {
   std::vector<int> out;
   for (int i = 0; i < tiles.tile_count(); ++i) {
-    const double scale =
-        1 - tiles.back_shift.row(i).dot(tiles.length.row(i)) / (2 * tiles.area(i));
+    const double scale = 1 - tiles.back_shift.row(i).dot(tiles.length.row(i)) / (2 * tiles.area(i));
     if (!(scale > least_scale)) out.push_back(i);
   }
   return out;

@@ -12,8 +12,8 @@ namespace curveups {
 
 enum class Side { front = 0, back = 1 };
 
-// Local coordinates of a tile: origin at its front corner 0, x along its edge 0, z along the outward
-// (front) normal. The tile's body fills -H_body <= z <= 0.
+// Local coordinates of a tile: origin at its front corner 0, x along its edge 0, z along the
+// outward (front) normal. The tile's body fills -H_body <= z <= 0.
 struct TileFrame {
   Vec3 origin;
   Vec3 x, y, z;
@@ -28,15 +28,15 @@ struct TileFrame {
 
 // Two tiles that touch when actuated: an interior, uncut edge.
 struct Contact {
-  int edge;                  // in topology.edges
-  std::array<int, 2> tile;   // tile[0] < tile[1]
-  std::array<int, 2> side;   // which edge (0 to 2) of each tile
+  int edge;                 // in topology.edges
+  std::array<int, 2> tile;  // tile[0] < tile[1]
+  std::array<int, 2> side;  // which edge (0 to 2) of each tile
 };
 
 struct TileMesh {
   TriangleMesh mesh;
   MeshTopology topology;
-  std::vector<char> cut;       // per edge: 1 where a cut disconnects its tiles
+  std::vector<char> cut;  // per edge: 1 where a cut disconnects its tiles
   std::vector<Contact> contacts;
   double H_body = 0;
 
@@ -64,13 +64,13 @@ struct TileMesh {
 std::array<Vec2, 3> inset_triangle(const std::array<Vec2, 3>& triangle,
                                    const std::array<double, 3>& distance);
 
-// cuts: C x 2 vertex pairs. Throws TopologyError (see build_topology), InvalidInput (a cut that is no
-// interior edge, a vertex that is not finite, a face without area). A fold so sharp that a back face
-// vanishes or turns over is left to tiles_without_back.
+// cuts: C x 2 vertex pairs. Throws TopologyError (see build_topology), InvalidInput (a cut that is
+// no interior edge, a vertex that is not finite, a face without area). A fold so sharp that a back
+// face vanishes or turns over is left to tiles_without_back.
 TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_body);
 
-// Tiles whose back triangle is smaller than `least_scale` times their front triangle, or turned over:
-// their folds are sharper than a tile of this thickness can have.
+// Tiles whose back triangle is smaller than `least_scale` times their front triangle, or turned
+// over: their folds are sharper than a tile of this thickness can have.
 std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale = 1e-3);
 
 }  // namespace curveups

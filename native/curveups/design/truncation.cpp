@@ -31,7 +31,8 @@ Cone make_cone(const TileMesh& tiles, int tile, int corner, Side side) {
   Cone cone;
   cone.tile = tile;
   cone.corner = corner;
-  cone.wall = {world(tiles.wall_normal(tile, corner)), world(tiles.wall_normal(tile, prev3(corner)))};
+  cone.wall = {world(tiles.wall_normal(tile, corner)),
+               world(tiles.wall_normal(tile, prev3(corner)))};
   const double below = side == Side::back ? 1.0 : -1.0;
   cone.lid = below * frame.z;
   cone.edge = {flat((front[next3(corner)] - front[corner]).normalized()),
@@ -78,37 +79,31 @@ Split separate(const Cone& a, const Cone& b, double slack) {
     }
     return {};
   }
-  Split best;
+  // Two rays span the plane; a third lies next to one of them. Of four, either diagonal pair does.
+  double widest = 0;
+  for (const Crossing& p : crossings) {
+    for (const Crossing& q : crossings) widest = std::max(widest, p.ray.cross(q.ray).norm());
+  }
+  if (widest < slack) return {};  // they only touch in a ray
+  Split best{-1};
   double best_margin = 0;
   for (std::size_t m = 0; m < crossings.size(); ++m) {
     for (std::size_t n = m + 1; n < crossings.size(); ++n) {
       const Crossing &p = crossings[m], &q = crossings[n];
       const bool diagonal = p.wall_a != q.wall_a && p.wall_b != q.wall_b;
-      if (crossings.size() > 2 && !diagonal) continue;
       Vec3 normal = p.ray.cross(q.ray);
       const double sine = normal.norm();
-      if (sine < slack) continue;  // the two cones only touch in a ray
+      if (crossings.size() == 4 ? !diagonal : sine < 0.5 * widest) continue;
       normal /= sine;
       if (normal.dot(b.middle) < 0) normal = -normal;
       const double margin = std::min(normal.dot(b.middle), -normal.dot(a.middle));
-      if (margin <= best_margin) continue;
       const bool fronts_kept = std::max(normal.dot(a.edge[0]), normal.dot(a.edge[1])) <= slack &&
                                std::min(normal.dot(b.edge[0]), normal.dot(b.edge[1])) >= -slack;
-      if (!fronts_kept) continue;
+      if (margin <= best_margin || !fronts_kept) continue;
       best_margin = margin;
       best.normal = normal;
-      best.type = crossings.size() > 2 ? 3 : diagonal ? 2 : 1;
+      best.type = crossings.size() == 4 ? 3 : diagonal ? 2 : 1;
     }
-  }
-  if (best.type == 0) {
-    const double widest = [&] {
-      double sine = 0;
-      for (const Crossing& p : crossings) {
-        for (const Crossing& q : crossings) sine = std::max(sine, p.ray.cross(q.ray).norm());
-      }
-      return sine;
-    }();
-    if (widest >= slack) best.type = -1;
   }
   return best;
 }

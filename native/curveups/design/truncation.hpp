@@ -28,17 +28,17 @@ struct Truncation {
 };
 
 // Planes for every pair of tiles that share a front vertex but no edge (interior vertices, boundary
-// vertices and cut ones alike). Around a common vertex D a tile is the cone of its two walls and its
-// front face; two cones overlap in a cone whose edges are rays in which a wall of one crosses a wall
-// of the other, towards the paper's points A and B. Any plane through D separates the two tiles at
-// every depth, pins included; the one through those rays takes nothing else away. Where four rays
-// cross (a type that A.2 denies), the diagonal plane that separates the tiles' centroids does.
-// Closed form, linear in the number of tiles. Tiles that are folded over one another at a vertex are
-// listed as unresolved.
+// vertices and cut ones alike). Around a common vertex D a tile is the cone of its two walls and
+// its front face; two cones overlap in a cone whose edges are rays in which a wall of one crosses a
+// wall of the other, towards the paper's points A and B. Any plane through D separates the two
+// tiles at every depth, pins included; the one through those rays takes nothing else away. Where
+// four rays cross (a type that A.2 denies), the diagonal plane that separates the tiles' centroids
+// does. Closed form, linear in the number of tiles. Tiles that are folded over one another at a
+// vertex are listed as unresolved.
 Truncation truncate_at_vertices(const TileMesh& tiles);
 
-// The tile's body in its own frame with its truncation planes applied; each wall t is moved into the
-// body by recess[t] (mm, along its normal) first.
+// The tile's body in its own frame with its truncation planes applied; each wall t is moved into
+// the body by recess[t] (mm, along its normal) first.
 ConvexBody tile_body(const TileMesh& tiles, const Truncation& truncation, int tile,
                      const std::array<double, 3>& recess = {0, 0, 0});
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What tiles and pins can't do on a target: said before solving, with the tiles.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "curveups/design/constraints.hpp"
+
+namespace curveups {
+
+struct TargetFinding {
+  std::string kind;     // "sharp_fold", "folded_over", "hinge", "small_pin", "edge_length"
+  std::string message;  // one sentence
+  std::string remedy;
+  std::vector<int> tiles;
+  bool is_error;  // nothing can be made of it
+};
+
+// Folds sharper than a tile of this thickness can have (error), tiles that overlap in the target
+// whatever is cut off (error), contacts that are only a hinge, pin sides that can't reach
+// A_pin_min, edges far from L. Throws what make_tile_mesh throws.
+std::vector<TargetFinding> check_target(const TriangleMesh& mesh, const Edges& cuts,
+                                        const Parameters& parameters);
+
+// What a finished design is, from what is saved of it alone.
+struct DesignFigures {
+  int contacts = 0;
+  std::vector<int> hinges;  // contacts that are only a hinge
+  int three_point_contacts = 0;
+  std::array<int, 5> truncation_types{};  // pairs settled by each type, from 1
+  std::vector<std::array<int, 2>> unresolved;
+  double actuated_area = 0, flat_area = 0;  // mm2
+  ConstraintReport constraints;
+};
+
+// Throws what make_geometry throws.
+DesignFigures evaluate_design(const Design& design);
+
+}  // namespace curveups
