@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/geometry/conformal_map.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/core/sparse_cholesky.hpp"
+
+namespace curveups {
+namespace {
+
+// Iterated vectors: four complex modes. The lowest converges with the ratio of the first to the
+// fifth eigenvalue instead of the first to the second, which a long strip has close together.
+constexpr int block = 8;
+constexpr int most_iterations = 200;
+
+// Throws unless the piece can be flattened without cuts.
+void check_topology(const TriangleMesh& mesh, const MeshTopology& topology) {
+  if (mesh.F.rows() == 0) throw InvalidInput("the surface has no faces", "check the input file");
+  const std::vector<int> component = face_components(topology, {});
+  if (*std::max_element(component.begin(), component.end()) > 0) {
+    throw TopologyError("the surface has several components", "flatten each by itself");
+  }
+  const int loops = static_cast<int>(boundary_loops(topology).size());
+  if (loops == 0) {
+    throw TopologyError("the surface is closed and has no flat layout", "cut it open");
+  }
+  std::vector<char> used(mesh.V.rows(), 0);
+  for (int i = 0; i < mesh.F.size(); ++i) used[mesh.F.data()[i]] = 1;
+  const int vertices = static_cast<int>(std::count(used.begin(), used.end(), 1));
+  const int euler = vertices - static_cast<int>(topology.edges.size() - mesh.F.rows());
+  const int handles = (2 - loops - euler) / 2;
+  if (handles > 0) {
+    throw TopologyError("the surface has " + std::to_string(handles) +
+                            (handles == 1 ? " handle" : " handles") + " and no flat layout",
+                        "cut each handle open");
+  }
+}
+
+// Weight of each vertex in the norm of the constraint: half of its boundary edges, as a share of
+// the boundary's length (so that a finely divided stretch of the boundary counts no more than a
+// coarse one).
+Eigen::VectorXd boundary_weights(const TriangleMesh& mesh, const MeshTopology& topology) {
+  Eigen::VectorXd weight = Eigen::VectorXd::Zero(mesh.V.rows());
+  for (const MeshEdge& edge : topology.edges) {
+    if (!edge.boundary()) continue;
+    const double length = (mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).norm();
+    weight[edge.v[0]] += length;
+    weight[edge.v[1]] += length;
+  }
+  return weight / weight.sum();
+}
+
+// Lower triangle of the conformal energy's matrix, Dirichlet energy minus area, plus shift times
+// the boundary norm. x of vertex v is unknown 2 v, y is 2 v + 1. Unused vertices get a one on the
+// diagonal.
+SparseMatrix conformal_energy(const TriangleMesh& mesh, const MeshTopology& topology,
+                              const Eigen::VectorXd& weight, double shift) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(mesh.F.rows() * 18 + mesh.V.rows() * 2);
+  auto add = [&](int i, int j, double value) {
+    entries.emplace_back(std::max(i, j), std::min(i, j), value);
+  };
+  std::vector<char> used(mesh.V.rows(), 0);
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    const double area = face_area_vector(mesh, f).norm();
+    double longest = 0;
+    for (int t = 0; t < 3; ++t) {
+      longest =
+          std::max(longest, (mesh.V.row(mesh.F(f, next3(t))) - mesh.V.row(mesh.F(f, t))).norm());
+    }
+    if (!std::isfinite(area)) {
+      throw InvalidInput("face " + std::to_string(f + 1) + " has a vertex that is not finite",
+                         "repair the file", {f});
+    }
+    if (area <= 1e-12 * longest * longest) {
+      throw InvalidInput("face " + std::to_string(f + 1) + " has no area", "remesh the surface",
+                         {f});
+    }
+    for (int t = 0; t < 3; ++t) {
+      const int a = mesh.F(f, t), b = mesh.F(f, next3(t)), c = mesh.F(f, prev3(t));
+      used[a] = 1;
+      const Vec3 ca = mesh.V.row(a) - mesh.V.row(c), cb = mesh.V.row(b) - mesh.V.row(c);
+      const double quarter_cot = ca.dot(cb) / (8 * area);
+      for (int k = 0; k < 2; ++k) {
+        add(2 * a + k, 2 * a + k, quarter_cot);
+        add(2 * b + k, 2 * b + k, quarter_cot);
+        add(2 * a + k, 2 * b + k, -quarter_cot);
+      }
+    }
+  }
+  // The area of the map is a sum over its boundary: (x_a y_b - x_b y_a) / 2 for each edge.
+  for (const MeshEdge& edge : topology.edges) {
+    if (!edge.boundary()) continue;
+    const int a = edge.v[0], b = edge.v[1];
+    add(2 * a, 2 * b + 1, -0.25);
+    add(2 * b, 2 * a + 1, 0.25);
+  }
+  for (int v = 0; v < mesh.V.rows(); ++v) {
+    const double diagonal = used[v] ? shift * weight[v] : 1.0;
+    for (int k = 0; k < 2; ++k) entries.emplace_back(2 * v + k, 2 * v + k, diagonal);
+  }
+  SparseMatrix matrix(2 * mesh.V.rows(), 2 * mesh.V.rows());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+// Takes the boundary's centroid out of every column.
+void centre(Eigen::MatrixXd& x, const Eigen::VectorXd& weight) {
+  for (int c = 0; c < x.cols(); ++c) {
+    Eigen::Map<Points2> points(x.col(c).data(), x.rows() / 2, 2);
+    const Eigen::RowVector2d centroid = weight.transpose() * points;
+    points.rowwise() -= centroid;
+  }
+}
+
+// A start that spans similarities of the surface's projections and what turns them: no random
+// numbers, and no mode is orthogonal to all of it.
+Eigen::MatrixXd start_vectors(const TriangleMesh& mesh) {
+  const Points3 X = mesh.V.rowwise() - mesh.V.colwise().mean();
+  const double size = std::max(X.rowwise().norm().maxCoeff(), 1e-300);
+  Eigen::MatrixXd x(2 * mesh.V.rows(), block);
+  for (int v = 0; v < mesh.V.rows(); ++v) {
+    const Vec3 p = X.row(v).transpose() / size;
+    const double q[block / 2][2] = {{p.x(), p.y()},
+                                    {p.y(), p.z()},
+                                    {p.z(), p.x()},
+                                    {p.x() * p.y() - 0.3 * p.z(), p.x() * p.x() - p.z() * p.z()}};
+    for (int k = 0; k < block / 2; ++k) {
+      // The mirrored partner: one of the two keeps the orientation.
+      x(2 * v, 2 * k) = q[k][0];
+      x(2 * v + 1, 2 * k) = q[k][1];
+      x(2 * v, 2 * k + 1) = q[k][0];
+      x(2 * v + 1, 2 * k + 1) = -q[k][1];
+    }
+  }
+  // What keeps the projections of a flat or symmetric surface from being dependent.
+  for (int c = 0; c < block; ++c) {
+    for (int i = 0; i < x.rows(); ++i) x(i, c) += 0.05 * std::sin(1.0 + i * (c + 1) * 0.7391);
+  }
+  return x;
+}
+
+// One step of subspace iteration: x becomes the Ritz vectors of K^-1 B x, those of least energy
+// first, of unit boundary norm; columns that depend on others become zero.
+void improve(const SparseCholesky& solver, const Eigen::VectorXd& weight,
+             const Eigen::VectorXd& norm, Eigen::MatrixXd& x) {
+  const Eigen::MatrixXd rhs = norm.asDiagonal() * x;
+  x = solver.solve(rhs);
+  Eigen::MatrixXd energy = x.transpose() * rhs;  // y^T K y for y = K^-1 rhs
+  Eigen::VectorXd unit(block);
+  for (int c = 0; c < block; ++c) unit[c] = energy(c, c) > 0 ? 1 / std::sqrt(energy(c, c)) : 0;
+  energy = (unit.asDiagonal() * (0.5 * (energy + energy.transpose())) * unit.asDiagonal()).eval();
+  x = (x * unit.asDiagonal()).eval();
+  centre(x, weight);
+  // The largest norms at unit energy: so the small energies, which matter, come out exactly.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> basis(energy);
+  for (int c = 0; c < block; ++c) {
+    const double value = basis.eigenvalues()[c];
+    unit[c] = value > 1e-13 ? 1 / std::sqrt(value) : 0;
+  }
+  const Eigen::MatrixXd whiten = basis.eigenvectors() * unit.asDiagonal();
+  const Eigen::MatrixXd gram =
+      whiten.transpose() * (x.transpose() * norm.asDiagonal() * x) * whiten;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(gram);
+  const double largest = ritz.eigenvalues()[block - 1];
+  for (int c = 0; c < block; ++c) {
+    const double value = ritz.eigenvalues()[c];
+    unit[c] = value > 1e-18 * largest ? 1 / std::sqrt(value) : 0;
+  }
+  x = (x * (whiten * (ritz.eigenvectors() * unit.asDiagonal()).rowwise().reverse())).eval();
+}
+
+// The generalised eigenvector of least eigenvalue by subspace iteration. The shift is a multiple of
+// the norm itself, so it changes no eigenvector; it only makes the matrix definite: translations
+// (and for a flat surface all similarities) have no energy.
+Eigen::VectorXd least_mode(const TriangleMesh& mesh, const MeshTopology& topology) {
+  const double shift = 1e-7;
+  const Eigen::VectorXd weight = boundary_weights(mesh, topology);
+  SparseCholesky solver;
+  if (!solver.factorize(conformal_energy(mesh, topology, weight, shift))) {
+    throw SolverFailure("the conformal map's system is not positive definite",
+                        "remesh the surface: it has faces with next to no area");
+  }
+  Eigen::VectorXd norm(2 * weight.size());
+  for (int v = 0; v < weight.size(); ++v) norm[2 * v] = norm[2 * v + 1] = weight[v];
+  Eigen::MatrixXd x = start_vectors(mesh);
+  centre(x, weight);
+  Eigen::VectorXd least = x.col(0), turned(x.rows());
+  double last_change = 1;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    improve(solver, weight, norm, x);
+    if (!x.allFinite()) {
+      throw SolverFailure("the conformal map could not be computed", "remesh the surface");
+    }
+    // The mode is a plane of vectors (rotations): compare with what the old one has outside it.
+    for (int v = 0; v < weight.size(); ++v) {
+      turned[2 * v] = -x(2 * v + 1, 0);
+      turned[2 * v + 1] = x(2 * v, 0);
+    }
+    const Eigen::VectorXd weighted = norm.asDiagonal() * least;
+    const Eigen::VectorXd rest =
+        least - x.col(0) * x.col(0).dot(weighted) - turned * turned.dot(weighted);
+    const double change = std::sqrt(std::max(0.0, rest.dot(norm.asDiagonal() * rest)));
+    least = x.col(0);
+    // Below 1e-7 rounding may set in, seen by the change no longer shrinking.
+    if (change < 1e-11 || (change < 1e-7 && change > 0.9 * last_change)) break;
+    last_change = change;
+  }
+  return least;
+}
+
+double signed_area(const Triangles& F, const Points2& map, int f) {
+  const Vec2 a = map.row(F(f, 0)), b = map.row(F(f, 1)), c = map.row(F(f, 2));
+  return 0.5 * wedge(b - a, c - a);
+}
+
+// The mesh with every boundary loop but the longest closed by a fan around its centroid. On a ring
+// z and 1 / z have the same energy by symmetry, and their sum folds over; with the holes closed
+// only maps without poles remain. The faces of the mesh come first, its vertices keep their
+// numbers.
+TriangleMesh with_holes_closed(const TriangleMesh& mesh, const MeshTopology& topology) {
+  const std::vector<std::vector<int>> loops = boundary_loops(topology);
+  std::size_t outer = 0;
+  double longest = -1;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    double length = 0;
+    for (std::size_t i = 0; i < loops[l].size(); ++i) {
+      length += (mesh.V.row(loops[l][i]) - mesh.V.row(loops[l][(i + 1) % loops[l].size()])).norm();
+    }
+    if (length > longest * (1 + 1e-9)) {
+      longest = length;
+      outer = l;
+    }
+  }
+  TriangleMesh closed = mesh;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    if (l == outer) continue;
+    const int count = static_cast<int>(loops[l].size());
+    const int centre = static_cast<int>(closed.V.rows()), first = static_cast<int>(closed.F.rows());
+    closed.V.conservativeResize(centre + 1, 3);
+    closed.F.conservativeResize(first + count, 3);
+    Vec3 mean = Vec3::Zero();
+    for (int v : loops[l]) mean += mesh.V.row(v).transpose() / count;
+    closed.V.row(centre) = mean;
+    for (int i = 0; i < count; ++i) {
+      closed.F.row(first + i) << loops[l][(i + 1) % count], loops[l][i], centre;
+    }
+  }
+  return closed;
+}
+
+}  // namespace
+
+Points2 conformal_map(const TriangleMesh& mesh) {
+  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  check_topology(mesh, topology);
+  const TriangleMesh disc = with_holes_closed(mesh, topology);
+  const Eigen::VectorXd mode =
+      least_mode(disc, build_topology(disc.F, static_cast<int>(disc.V.rows())));
+  Points2 map = Eigen::Map<const Points2>(mode.data(), mesh.V.rows(), 2);
+
+  double area = 0;
+  Vec2 moment = Vec2::Zero();
+  std::vector<char> used(mesh.V.rows(), 0);
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    const double a = signed_area(mesh.F, map, f);
+    area += a;
+    for (int t = 0; t < 3; ++t) {
+      used[mesh.F(f, t)] = 1;
+      moment += a / 3 * map.row(mesh.F(f, t)).transpose();
+    }
+  }
+  if (!(area > 0)) {
+    throw SolverFailure("the conformal map turned the surface over", "remesh the surface");
+  }
+  // The mode is known up to a rotation: the first face's first edge points along x.
+  const Vec2 edge = (map.row(mesh.F(0, 1)) - map.row(mesh.F(0, 0))).normalized();
+  Eigen::Matrix2d turn;  // of rows
+  turn << edge.x(), -edge.y(), edge.y(), edge.x();
+  const double scale = std::sqrt(surface_area(mesh) / area);
+  for (int v = 0; v < map.rows(); ++v) {
+    if (used[v]) {
+      map.row(v) = ((map.row(v) - moment.transpose() / area) * turn * scale).eval();
+    } else {
+      map.row(v).setZero();
+    }
+  }
+  return map;
+}
+
+Eigen::VectorXd conformal_scale(const TriangleMesh& mesh, const Points2& map) {
+  Eigen::VectorXd scale(mesh.F.rows());
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    const double ratio = signed_area(mesh.F, map, f) / face_area_vector(mesh, f).norm();
+    scale[f] = std::copysign(std::sqrt(std::abs(ratio)), ratio);
+  }
+  return scale;
+}
+
+}  // namespace curveups

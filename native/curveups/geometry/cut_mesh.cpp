@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/geometry/cut_mesh.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "curveups/core/errors.hpp"
+
+namespace curveups {
+namespace {
+
+// Corner t of face f is number 3 f + t. Corners are united towards the lower number, so that a
+// fan is named after its lowest face.
+class CornerFans {
+ public:
+  explicit CornerFans(int corner_count) : parent_(corner_count) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  int find(int corner) {
+    while (parent_[corner] != corner) {
+      parent_[corner] = parent_[parent_[corner]];
+      corner = parent_[corner];
+    }
+    return corner;
+  }
+  void unite(int a, int b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+}  // namespace
+
+CutMesh cut_open(const TriangleMesh& mesh, const MeshTopology& topology,
+                 const std::vector<char>& cut) {
+  if (!cut.empty() && cut.size() != topology.edges.size()) {
+    throw InvalidInput("there are " + std::to_string(cut.size()) + " cut flags for " +
+                           std::to_string(topology.edges.size()) + " edges",
+                       "give one flag per edge");
+  }
+  const int face_count = static_cast<int>(mesh.F.rows());
+  CornerFans fans(3 * face_count);
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    const MeshEdge& edge = topology.edges[e];
+    if (edge.boundary() || (!cut.empty() && cut[e])) continue;
+    const int f = edge.face[0], g = edge.face[1], s = edge.side[0], t = edge.side[1];
+    fans.unite(3 * f + s, 3 * g + next3(t));  // the faces run along the edge in opposite directions
+    fans.unite(3 * f + next3(s), 3 * g + t);
+  }
+
+  CutMesh out;
+  out.mesh.F.resize(face_count, 3);
+  out.original.resize(mesh.V.rows());
+  std::iota(out.original.begin(), out.original.end(), 0);
+  std::vector<char> taken(mesh.V.rows(), 0);
+  for (int f = 0; f < face_count; ++f) {
+    for (int t = 0; t < 3; ++t) {
+      const int fan = fans.find(3 * f + t), v = mesh.F(f, t);
+      if (fan != 3 * f + t) {
+        out.mesh.F(f, t) = out.mesh.F(fan / 3, fan % 3);
+      } else if (!taken[v]) {
+        taken[v] = 1;
+        out.mesh.F(f, t) = v;
+      } else {
+        out.mesh.F(f, t) = static_cast<int>(out.original.size());
+        out.original.push_back(v);
+      }
+    }
+  }
+  out.mesh.V.resize(out.original.size(), 3);
+  for (std::size_t v = 0; v < out.original.size(); ++v) {
+    out.mesh.V.row(v) = mesh.V.row(out.original[v]);
+  }
+  return out;
+}
+
+}  // namespace curveups

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Opening a mesh along edges.
+#pragma once
+
+#include <vector>
+
+#include "curveups/geometry/triangle_mesh.hpp"
+
+namespace curveups {
+
+struct CutMesh {
+  TriangleMesh mesh;          // faces in the order (and with the corner order) of the input
+  std::vector<int> original;  // per vertex of `mesh` the vertex of the input it is a copy of
+};
+
+// Turns the edges with cut[edge] != 0 into boundary: every vertex gets one copy per fan of faces
+// that uncut edges join (so a vertex in which the boundary touched itself is split as well, and the
+// tip of a slit is not). The fan with the lowest face keeps the vertex's number, the other copies
+// follow after the input's vertices. cut: one entry per topology.edges, or empty for no cut at all;
+// entries of boundary edges mean nothing.
+CutMesh cut_open(const TriangleMesh& mesh, const MeshTopology& topology,
+                 const std::vector<char>& cut);
+
+}  // namespace curveups
