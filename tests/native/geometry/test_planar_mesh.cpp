@@ -58,7 +58,7 @@ TEST(PlanarMesh, FillsThePolygonAndKeepsItsBoundary) {
 
 TEST(PlanarMesh, KeepsSizeAndAngles) {
   auto size = [](const Vec2& p) { return 0.32 + 0.15 * p.norm(); };
-  const PlanarMesh mesh = mesh_polygon(subdivide(square, 10), size);
+  const PlanarMesh mesh = mesh_polygon(subdivide(square, 15), size);
   for (const auto& t : mesh.triangles) {
     double longest = 0, least_angle = 4;
     Vec2 middle = Vec2::Zero();
@@ -83,7 +83,7 @@ TEST(PlanarMesh, EndsOnSharpCornersAndUnevenBoundaries) {
 
 TEST(PlanarMesh, IsTheSameEveryTime) {
   auto size = [](const Vec2&) { return 0.4; };
-  const PlanarMesh a = mesh_polygon(subdivide(square, 6), size),
+  const PlanarMesh a = mesh_polygon(subdivide(square, 10), size),
                    b = mesh_polygon(subdivide(square, 10), size);
   EXPECT_EQ(a.triangles, b.triangles);
   ASSERT_EQ(a.points.size(), b.points.size());
