@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Makes the package `curveups` importable in FreeCAD, with or without a window.
+
+FreeCAD runs this text without a file name, after putting this folder on sys.path.
+"""
+
+import os
+import sys
+
+for _folder in list(sys.path):
+    _package = os.path.join(_folder, "Workbench")
+    if os.path.isfile(os.path.join(_package, "curveups", "native.py")) and _package not in sys.path:
+        sys.path.append(_package)

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line: arguments, exit statuses, one-line errors. What commands do: cli_commands.py."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from pathlib import Path
+from typing import Optional
+
+from . import __version__
+from .errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
+from .progress import Interrupt, Reporter
+
+_EPILOG = """exit status: 0 valid, or not judged because verification was off; 1 finished, not valid;
+2 bad input or usage, nothing written; 3 stopped, best so far written; 4 a file could not be written"""
+
+
+class _Parser(argparse.ArgumentParser):
+    """Argument errors in the one-line form of all others."""
+
+    def error(self, message: str):
+        raise CurveUpsError(message, "command line", f"see '{self.prog} --help'")
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """Every command with its arguments."""
+    parser = _Parser(prog="curveups", epilog=_EPILOG, allow_abbrev=False,
+                     description="From a target surface to the print files of a CurveUp.")
+    parser.add_argument("--version", action="version", version=f"curveups {__version__}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND",
+                                     parser_class=_Parser)
+
+    design = _command(commands, "design", "target surface to print files")
+    _target_arguments(design)
+    design.add_argument("--cuts", type=Path, metavar="FILE.json",
+                        help="cuts, as vertex pairs or polylines")
+    design.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
+    design.add_argument("--no-solids", action="store_true",
+                        help="only design.json and the reports")
+
+    remesh = _command(commands, "remesh", "only the remeshed target, as NAME-remeshed.obj")
+    _target_arguments(remesh)
+
+    _command(commands, "targets", "the built-in targets, one a line", quiet=False)
+    _command(commands, "parameters", "every parameter: name, unit, default, range, meaning",
+             quiet=False)
+
+    verify = _command(commands, "verify", "the exact physical model on a design file")
+    verify.add_argument("design", type=Path, metavar="DESIGN.json")
+    verify.add_argument("-o", dest="output", type=Path, metavar="DIR",
+                        help="write report.json and report.html there")
+
+    export = _command(commands, "export", "print files from a design file")
+    export.add_argument("design", type=Path, metavar="DESIGN.json")
+    _output_argument(export)
+    _set_argument(export)
+    return parser
+
+
+def _command(commands, name: str, text: str, quiet: bool = True) -> argparse.ArgumentParser:
+    parser = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".",
+                                 allow_abbrev=False, epilog=_EPILOG)
+    if quiet:
+        parser.add_argument("--quiet", action="store_true", help="no progress")
+    return parser
+
+
+def _target_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("target", metavar="TARGET",
+                        help="a built-in name, or an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP file")
+    _output_argument(parser)
+    _set_argument(parser)
+    parser.add_argument("--config", type=Path, metavar="FILE.json",
+                        help='parameters as { "name": value, ... }; --set wins over it')
+
+
+def _output_argument(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("-o", dest="output", type=Path, required=True, metavar="DIR",
+                        help="folder for the files")
+
+
+def _set_argument(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--set", dest="settings", action="append", default=[],
+                        metavar="name=value", help="a parameter; see 'curveups parameters'")
+
+
+class _CleanOutput:
+    """Standard output for this program alone: libraries that print there (OpenCASCADE does, from
+    C) write to nothing while it is entered."""
+
+    def __enter__(self):
+        sys.stdout.flush()
+        self._kept = os.dup(1)
+        nothing = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nothing, 1)
+        os.close(nothing)
+        return os.fdopen(os.dup(self._kept), "w", encoding="utf-8")
+
+    def __exit__(self, *_):
+        os.dup2(self._kept, 1)
+        os.close(self._kept)
+
+
+def run(arguments: Optional[list[str]], reporter_of=Reporter) -> int:
+    """Runs one command and returns its exit status; raises CurveUpsError."""
+    options = make_parser().parse_args(arguments)
+    with Interrupt() as interrupt, _CleanOutput() as output:
+        reporter = reporter_of(interrupt, getattr(options, "quiet", False))
+        try:
+            # Loaded only now, so that --help works where the native module is broken.
+            from . import cli_commands
+
+            with output:
+                return cli_commands.COMMANDS[options.command](
+                    options, cli_commands.Session(reporter, interrupt, output))
+        finally:
+            reporter.close()
+
+
+def main(arguments: Optional[list[str]] = None) -> int:
+    """The program; every outcome is an exit status."""
+    try:
+        return run(arguments)
+    except CurveUpsError as error:
+        print(f"curveups: error: {error}", file=sys.stderr)
+        return error.status
+    except (Stopped, KeyboardInterrupt):
+        print("curveups: stopped", file=sys.stderr)
+        return STOPPED
+    except BrokenPipeError:
+        return NOT_WRITTEN
+    except MemoryError:
+        print("curveups: error: there is not enough memory: use larger tiles or a smaller target",
+              file=sys.stderr)
+        return BAD_INPUT
+
+
+if __name__ == "__main__":
+    code = main()
+    sys.stderr.flush()
+    # FreeCAD, loaded as a module, may crash while the interpreter takes itself apart.
+    os._exit(code)

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cuts as they are given: vertex pairs of the remeshed target, or polylines in mm."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from .errors import CurveUpsError
+from .native import native
+
+
+@dataclass
+class CutRequest:
+    """What a cuts file asks for; `where` names it in messages."""
+
+    edges: np.ndarray = field(default_factory=lambda: np.zeros((0, 2), np.int32))
+    polylines: list[np.ndarray] = field(default_factory=list)
+    where: str = ""
+
+    def __bool__(self) -> bool:
+        return len(self.edges) > 0 or len(self.polylines) > 0
+
+
+def read_cuts(path: Path) -> CutRequest:
+    """Reads `{ "edges": [[a,b],...] }` or `{ "polylines": [[[x,y,z],...],...] }`."""
+    data = read_json_object(path)
+    where = str(path)
+    unknown = set(data) - {"edges", "polylines"}
+    if unknown or not data:
+        what = f"unknown field '{sorted(unknown)[0]}'" if unknown else "there are no cuts"
+        raise CurveUpsError(what, where, "give edges or polylines")
+    return CutRequest(_edges(data.get("edges", []), where),
+                      _polylines(data.get("polylines", []), where), where)
+
+
+def resolve_cuts(request: CutRequest, V: np.ndarray, F: np.ndarray) -> np.ndarray:
+    """The mesh edges to cut, C x 2, each once and in ascending order."""
+    edges = [tuple(sorted(edge)) for edge in request.edges.tolist()]
+    interior = _interior_edges(F)
+    for edge in edges:
+        if edge not in interior:
+            raise CurveUpsError(f"{edge[0]}-{edge[1]} is no interior edge of the mesh",
+                                request.where,
+                                "take vertex numbers from what 'curveups remesh' writes")
+    size = float(np.ptp(V, axis=0).max())
+    for number, line in enumerate(request.polylines):
+        edges += _snap(line, number, V, F, size, request.where)
+    chosen = sorted(set(edges) & interior)
+    if request and not chosen:
+        raise CurveUpsError("no cut runs along an interior edge", request.where,
+                            "move the cut inside the surface")
+    return np.array(chosen, np.int32).reshape(-1, 2)
+
+
+def read_json_object(path: Path) -> dict:
+    """A JSON file that holds an object; every way in which it can be broken is one line."""
+    def refuse(text: str):
+        raise ValueError(f"{text} is no number")
+
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"), parse_constant=refuse)
+    except OSError as error:
+        raise CurveUpsError(f"the file can't be read: {error.strerror}", str(path),
+                            "check its name and permissions") from None
+    except (ValueError, RecursionError) as error:
+        raise CurveUpsError(f"this is no JSON: {error}", str(path), "mend the file") from None
+    if not isinstance(data, dict):
+        raise CurveUpsError("the file does not hold a JSON object", str(path),
+                            "put everything in braces")
+    return data
+
+
+def _edges(rows, where: str) -> np.ndarray:
+    good = isinstance(rows, list) and all(
+        isinstance(row, list) and len(row) == 2
+        and all(type(v) is int and 0 <= v < 2**31 for v in row) for row in rows)
+    if not good:
+        raise CurveUpsError("edges is no list of pairs of vertex numbers", where,
+                            "give [[a,b],...]")
+    return np.array(rows, np.int32).reshape(-1, 2)
+
+
+def _polylines(rows, where: str) -> list[np.ndarray]:
+    lines = []
+    for row in rows if isinstance(rows, list) else [None]:
+        try:
+            line = np.array(row, float)
+        except (TypeError, ValueError):
+            line = np.zeros(0)
+        if line.ndim != 2 or line.shape[1] != 3 or len(line) < 2 or not np.isfinite(line).all():
+            raise CurveUpsError("a polyline has to have two or more points of three numbers",
+                                where, "give [[[x,y,z],...],...] in mm")
+        lines.append(line)
+    return lines
+
+
+def _snap(line: np.ndarray, number: int, V: np.ndarray, F: np.ndarray, size: float,
+          where: str) -> list[tuple[int, int]]:
+    """The shortest path along edges from the vertex nearest to each point to the next."""
+    used = np.unique(F)
+    nearest = []
+    for point in line:
+        distance = np.linalg.norm(V[used] - point, axis=1)
+        best = int(distance.argmin())
+        if distance[best] > 0.5 * size:
+            raise CurveUpsError(
+                f"polyline {number + 1} has a point {distance[best]:.3g} mm away from the target",
+                where, "give the points in mm, on the surface")
+        nearest.append(int(used[best]))
+    edges: list[tuple[int, int]] = []
+    for a, b in zip(nearest, nearest[1:]):
+        if a == b:
+            continue
+        path = [int(v) for v in native.shortest_edge_path(V, F, a, b)]
+        if len(path) < 2:
+            raise CurveUpsError(f"polyline {number + 1} joins two components", where,
+                                "draw one cut for each component")
+        edges += [(min(p), max(p)) for p in zip(path, path[1:])]
+    return edges
+
+
+def _interior_edges(F: np.ndarray) -> set[tuple[int, int]]:
+    pairs = np.sort(np.vstack([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1)
+    unique, count = np.unique(pairs, axis=0, return_counts=True)
+    return {(int(a), int(b)) for a, b in unique[count == 2]}

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The one exception that reaches the user, and the exit statuses of the command line."""
+
+from __future__ import annotations
+
+VALID, NOT_VALID, BAD_INPUT, STOPPED, NOT_WRITTEN = range(5)
+
+
+class CurveUpsError(Exception):
+    """What is wrong, where, and what to do about it: one line, `WHAT (WHERE): REMEDY`."""
+
+    def __init__(self, what: str, where: str = "", remedy: str = "", status: int = BAD_INPUT):
+        self.what, self.where, self.remedy, self.status = what, where, remedy, status
+        super().__init__(str(self))
+
+    def __str__(self) -> str:
+        line = self.what + (f" ({self.where})" if self.where else "")
+        line += f": {self.remedy}" if self.remedy else ""
+        return " ".join(line.split())
+
+
+class Stopped(Exception):
+    """The user stopped the work where no partial result exists."""
+
+
+def tile_name(row: int) -> str:
+    """The name of row `row` of F in files and messages."""
+    return f"T{row + 1:05d}"
+
+
+def tile_list(rows, most: int = 6) -> str:
+    """Names of tiles for a message, cut short."""
+    rows = list(rows)
+    names = ", ".join(tile_name(int(row)) for row in rows[:most])
+    return names + (f" and {len(rows) - most} more" if len(rows) > most else "")
+
+
+def from_native(error: Exception, where: str = "") -> CurveUpsError:
+    """The native module's exception as one line; `where` names the input it came from."""
+    tiles = tile_list(getattr(error, "tiles", ()))
+    place = ", ".join(part for part in (where, tiles) if part)
+    return CurveUpsError(str(error), place, getattr(error, "remedy", ""))

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The files of a run, in the order in which they are written."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .errors import STOPPED, CurveUpsError, Stopped
+from .native import native
+from .output import Folder
+from .pipeline import Stage
+from .progress import Progress
+from .report.data import build_report, to_text
+from .report.html import build_html
+
+
+def write_outcome(outcome: Any, path: Path, progress: Progress) -> Folder:
+    """design.json, the solids' files and the document, then the reports. A stop between files
+    leaves those already complete and the reports, which say so."""
+    folder = Folder(path)
+    start = time.perf_counter()
+    folder.write_text("design.json", native.write_design(outcome.design))
+    software: dict[str, str] = {}
+    if outcome.model is not None:
+        try:
+            _write_solids(outcome, folder, progress)
+            _write_document(outcome, folder, progress, software)
+        except (Stopped, native.Cancelled):
+            outcome.stopped = True
+        outcome.stages.append(Stage("export", time.perf_counter() - start))
+    write_reports(outcome, folder, software)
+    return folder
+
+
+def write_reports(outcome: Any, folder: Folder, software: dict[str, str] | None = None) -> None:
+    """report.html, then report.json, which lists all files but itself."""
+    software = {"occt": getattr(native, "occt_version", lambda: "")(), **(software or {})}
+    html = build_html(outcome, build_report(outcome, folder.files, software))
+    folder.write_text("report.html", html)
+    folder.write_text("report.json", to_text(build_report(outcome, folder.files, software)))
+
+
+def write_obj(folder: Folder, name: str, V: np.ndarray, F: np.ndarray) -> None:
+    """A mesh whose numbers read back to the same doubles."""
+    lines = [f"v {float(x)!r} {float(y)!r} {float(z)!r}" for x, y, z in V]
+    lines += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in F]
+    folder.write_text(name, "\n".join(lines) + "\n")

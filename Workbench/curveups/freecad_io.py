@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Everything that passes through FreeCAD without a window: target files and documents."""
+
+from __future__ import annotations
+
+import re
+import struct
+from pathlib import Path
+
+import numpy as np
+
+from . import freecad_session, mesh_files
+from .errors import CurveUpsError
+from .mesh_files import Mesh
+
+FORMATS = "OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP"
+
+
+def read_target(path: Path, deflection: float) -> Mesh:
+    """The surface in a file as (V, F), lengths in the file's own unit (CAD formats: mm).
+
+    `deflection` is the largest distance of the triangles from a CAD surface, mm.
+    """
+    if not path.exists():
+        raise CurveUpsError("no such target", str(path),
+                            "give a file, or a built-in name from 'curveups targets'")
+    if not path.is_file():
+        raise CurveUpsError("the target is no file", str(path), f"give a {FORMATS} file")
+    reader = _READERS.get(path.suffix.lower())
+    if reader is None:
+        raise CurveUpsError(f"unknown format '{path.suffix or path.name}'", str(path),
+                            f"give a {FORMATS} file")
+    try:
+        if path.stat().st_size == 0:
+            raise CurveUpsError("the file is empty", str(path), "export it again")
+        V, F = reader(path, deflection)
+    except OSError as error:
+        raise CurveUpsError(f"the file can't be read: {error.strerror or error}", str(path),
+                            "check its permissions") from error
+    except MemoryError:
+        raise CurveUpsError("the file needs more memory than there is", str(path),
+                            "simplify the mesh") from None
+    if len(F) == 0:
+        raise CurveUpsError("the file holds no faces", str(path),
+                            "export it again, as a surface of triangles")
+    if not np.isfinite(V).all():
+        raise CurveUpsError("a vertex is not finite", str(path), "repair the mesh")
+    return V, F
+
+
+def _read_stl(path: Path, _: float) -> Mesh:
+    data = path.read_bytes()
+    if not _is_ascii_stl(data):
+        if len(data) < 84:
+            raise CurveUpsError("this is no STL file", str(path), "export it again")
+        count = struct.unpack_from("<I", data, 80)[0]
+        if len(data) < 84 + 50 * count:
+            raise CurveUpsError(f"the file ends early: {count} facets are announced", str(path),
+                                "export it again")
+    else:
+        _refuse_nan(data, path)
+        if b"endsolid" not in data[-4096:]:
+            raise CurveUpsError("the file ends early: there is no endsolid", str(path),
+                                "export it again")
+    return _through_mesh(path)
+
+
+def _is_ascii_stl(data: bytes) -> bool:
+    return data.lstrip()[:5] == b"solid" and b"facet" in data[:2000]
+
+
+def _read_ply(path: Path, _: float) -> Mesh:
+    data = path.read_bytes()
+    end = data.find(b"end_header")
+    header = data[: max(end, 0)].decode("ascii", "replace")
+    if not header.startswith("ply") or end < 0:
+        raise CurveUpsError("this is no PLY file", str(path), "export it again")
+    if "format ascii" in header:
+        _refuse_nan(data[end:], path)
+    announced = re.search(r"element\s+face\s+(\d+)", header)
+    V, F = _through_mesh(path)
+    if announced and len(F) < int(announced[1]):
+        raise CurveUpsError(
+            f"only {len(F)} of {announced[1]} faces could be read", str(path),
+            "export triangles with float coordinates, or another format")
+    return V, F
+
+
+def _refuse_nan(text: bytes, path: Path) -> None:
+    # FreeCAD's readers pass over such numbers, or take them for others.
+    if re.search(rb"[\s][-+]?(nan|inf(inity)?)\b", text, re.IGNORECASE):
+        raise CurveUpsError("a vertex is not finite", str(path), "repair the mesh")
+
+
+def _through_mesh(path: Path) -> Mesh:
+    _, module = freecad_session.load("Mesh")
+    mesh = module.Mesh()
+    try:
+        mesh.read(str(path))
+    except Exception as error:  # FreeCAD raises its own types, and bare RuntimeError
+        raise CurveUpsError("FreeCAD can't read the file", str(path), "export it again") from error
+    points, faces = mesh.Topology
+    V = np.array([tuple(point) for point in points], float).reshape(-1, 3)
+    return V, np.array(faces, np.int32).reshape(-1, 3)
+
+
+def _read_cad(path: Path, deflection: float) -> Mesh:
+    """STEP, IGES and BREP through Part: the Import module crashes on coloured STEP files (0.20.2)."""
+    _, part, mesh_part = freecad_session.load("Part", "MeshPart")
+    try:
+        shape = part.read(str(path))
+        faces = [] if shape.isNull() else shape.Faces
+    except Exception as error:
+        raise CurveUpsError("FreeCAD can't read the file", str(path), "export it again") from error
+    if not faces:
+        raise CurveUpsError("the file holds no surface", str(path), "export the surface itself")
+    size = shape.BoundBox.DiagonalLength
+    mesh = mesh_part.meshFromShape(Shape=shape, LinearDeflection=max(deflection, 1e-5 * size),
+                                   AngularDeflection=0.2)
+    points, triangles = mesh.Topology
+    V = np.array([tuple(point) for point in points], float).reshape(-1, 3)
+    return V, np.array(triangles, np.int32).reshape(-1, 3)
+
+
+_READERS = {
+    ".obj": lambda path, _: mesh_files.read_obj(path),
+    ".off": lambda path, _: mesh_files.read_off(path),
+    ".3mf": lambda path, _: mesh_files.read_3mf(path),
+    ".stl": _read_stl,
+    ".ply": _read_ply,
+    ".step": _read_cad, ".stp": _read_cad,
+    ".iges": _read_cad, ".igs": _read_cad,
+    ".brep": _read_cad, ".brp": _read_cad,
+}

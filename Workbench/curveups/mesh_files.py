@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""OBJ, OFF and 3MF meshes as arrays, in double precision and with the file's own vertex numbers.
+
+FreeCAD's Mesh drops unused vertices of an OBJ, skips lines that it can't read (a vertex with a NaN
+shifts every index behind it) and, in 0.20, does not read 3MF. Cuts name vertices by number, so these
+formats are read here; the others go through FreeCAD (freecad_io).
+"""
+
+from __future__ import annotations
+
+import math
+import xml.etree.ElementTree as ElementTree
+import zipfile
+import zlib
+from pathlib import Path
+
+import numpy as np
+
+from .errors import CurveUpsError
+
+Mesh = tuple[np.ndarray, np.ndarray]
+
+# A target of more faces than this is no work for tiles of a printable size.
+MOST_FACES = 5_000_000
+MOST_BYTES = 2_000_000_000
+_3MF_UNITS = {"micron": 1e-3, "millimeter": 1.0, "centimeter": 10.0, "inch": 25.4,
+              "foot": 304.8, "meter": 1000.0}
+
+
+def read_obj(path: Path) -> Mesh:
+    """Vertices and faces of a Wavefront OBJ; polygons become fans, all else is passed over."""
+    vertices: list[tuple[float, float, float]] = []
+    faces: list[tuple[int, int, int]] = []
+    for number, line in _lines(path):
+        words = line.split()
+        if not words:
+            continue
+        where = f"{path}, line {number}"
+        if words[0] == "v":
+            vertices.append(_vertex(words[1:], where))
+        elif words[0] == "f":
+            corners = [_obj_index(word, len(vertices), where) for word in words[1:]]
+            faces.extend(_fan(corners, where))
+    _within(faces, len(vertices), path)
+    return _arrays(vertices, faces)
+
+
+def read_off(path: Path) -> Mesh:
+    """Vertices and faces of an OFF file (ASCII, no colours needed)."""
+    rows = ((number, words) for number, line in _lines(path)
+            if (words := line.split("#")[0].split()))
+    number, words = next(rows, (1, []))
+    if not words or words[0] != "OFF":
+        raise CurveUpsError("this is no OFF file", f"{path}, line {number}",
+                            "its first word has to be OFF")
+    counts = words[1:] or next(rows, (number, []))[1]
+    try:
+        vertex_count, face_count = int(counts[0]), int(counts[1])
+    except (IndexError, ValueError):
+        raise CurveUpsError("the numbers of vertices and faces are missing",
+                            f"{path}, line {number}", "export the file again") from None
+    vertices, faces = [], []
+    for number, words in rows:
+        where = f"{path}, line {number}"
+        if len(vertices) < vertex_count:
+            vertices.append(_vertex(words, where))
+        elif len(faces) < face_count:
+            corners = _integers(words, where)
+            if len(corners) < corners[0] + 1 or corners[0] < 0:
+                raise CurveUpsError("a face has fewer corners than it says", where,
+                                    "export the file again")
+            faces.append(corners[1 : corners[0] + 1])
+    if len(vertices) < vertex_count or len(faces) < face_count:
+        raise CurveUpsError("the file ends early", str(path), "export the file again")
+    triangles = [triangle for face in faces for triangle in _fan(face, str(path))]
+    _within(triangles, len(vertices), path)
+    return _arrays(vertices, triangles)
+
+
+def read_3mf(path: Path) -> Mesh:
+    """All objects of a 3MF's build (or all objects, where nothing is built), in millimetres."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            entry = archive.getinfo(_model_part(archive))
+            if entry.file_size > MOST_BYTES:
+                raise CurveUpsError("the 3MF model is too large", str(path), "simplify the mesh")
+            root = ElementTree.fromstring(archive.read(entry))
+    except (zipfile.BadZipFile, KeyError, zlib.error, EOFError, NotImplementedError,
+            RuntimeError, ElementTree.ParseError) as error:
+        raise CurveUpsError(f"this is no readable 3MF file: {error}", str(path),
+                            "export the file again") from None
+    namespace = root.tag[: root.tag.find("}") + 1]
+    unit = _3MF_UNITS.get(root.get("unit", "millimeter"))
+    if unit is None:
+        raise CurveUpsError(f"unknown unit '{root.get('unit')}'", str(path),
+                            "export in millimetres")
+    try:
+        meshes = _3mf_meshes(root, namespace)
+    except (KeyError, ValueError, TypeError, IndexError, RecursionError) as error:
+        raise CurveUpsError(f"broken 3MF model: {error}", str(path),
+                            "export the file again") from None
+    parts_v, parts_f, offset = [], [], 0
+    for vertices, faces in meshes:
+        if len(faces) and (faces.min() < 0 or faces.max() >= len(vertices)):
+            raise CurveUpsError("a face names a vertex that is not there", str(path),
+                                "export the file again")
+        parts_v.append(vertices * unit)
+        parts_f.append(faces + offset)
+        offset += len(vertices)
+    if not parts_v:
+        return _arrays([], [])
+    return np.vstack(parts_v), np.vstack(parts_f).astype(np.int32)
+
+
+def _model_part(archive: zipfile.ZipFile) -> str:
+    names = [name for name in archive.namelist() if name.lower().endswith(".model")]
+    if not names:
+        raise KeyError("it holds no model")
+    return min(names, key=lambda name: (name.lower() != "3d/3dmodel.model", name))
+
+
+def _3mf_meshes(root, namespace: str) -> list[Mesh]:
+    objects = {item.get("id"): item for item in root.iter(namespace + "object")}
+
+    def collect(identity: str, transform: np.ndarray, depth: int) -> list[Mesh]:
+        if depth > 16:
+            raise ValueError("components are nested too deeply")
+        item, found = objects[identity], []
+        mesh = item.find(namespace + "mesh")
+        if mesh is not None:
+            vertices = np.array([[float(v.get(axis)) for axis in "xyz"]
+                                 for v in mesh.iter(namespace + "vertex")]).reshape(-1, 3)
+            faces = np.array([[int(t.get(corner)) for corner in ("v1", "v2", "v3")]
+                              for t in mesh.iter(namespace + "triangle")], int).reshape(-1, 3)
+            found.append((vertices @ transform[:3] + transform[3], faces))
+        for part in item.iter(namespace + "component"):
+            found += collect(part.get("objectid"),
+                             _compose(_transform(part.get("transform")), transform), depth + 1)
+        return found
+
+    build = [item for item in root.iter(namespace + "item")]
+    if build:
+        return [mesh for item in build
+                for mesh in collect(item.get("objectid"), _transform(item.get("transform")), 0)]
+    return [mesh for identity in objects for mesh in collect(identity, _transform(None), 0)]
+
+
+def _transform(text: str | None) -> np.ndarray:
+    """3MF's row-vector transform as a 4 x 3 matrix."""
+    if text is None:
+        return np.vstack([np.eye(3), np.zeros(3)])
+    return np.array([float(word) for word in text.split()]).reshape(4, 3)
+
+
+def _compose(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
+    return np.vstack([inner[:3] @ outer[:3], inner[3] @ outer[:3] + outer[3]])
+
+
+def _lines(path: Path):
+    if path.stat().st_size > MOST_BYTES:
+        raise CurveUpsError("the file is too large", str(path), "simplify the mesh")
+    with open(path, encoding="utf-8", errors="replace") as file:
+        yield from enumerate(file, 1)
+
+
+def _vertex(words: list[str], where: str) -> tuple[float, float, float]:
+    try:
+        x, y, z = (float(word) for word in words[:3])
+    except ValueError:
+        raise CurveUpsError("a vertex does not have three numbers", where,
+                            "export the file again") from None
+    if not (math.isfinite(x) and math.isfinite(y) and math.isfinite(z)):
+        raise CurveUpsError("a vertex is not finite", where, "repair the mesh")
+    return x, y, z
+
+
+def _integers(words: list[str], where: str) -> list[int]:
+    try:
+        # Colours may follow the corners.
+        count = int(words[0])
+        return [int(word) for word in words[: max(count, 0) + 1]]
+    except ValueError:
+        raise CurveUpsError("a face has a corner that is no number", where,
+                            "export the file again") from None
+
+
+def _obj_index(word: str, count: int, where: str) -> int:
+    """OBJ numbers vertices from 1, or backwards from the last one so far."""
+    try:
+        index = int(word.split("/")[0])
+    except ValueError:
+        raise CurveUpsError(f"a face has the corner '{word[:20]}'", where,
+                            "export the file again") from None
+    if index == 0 or -index > count:
+        raise CurveUpsError(f"a face names the vertex {index}, which is not there", where,
+                            "repair the mesh")
+    return index - 1 if index > 0 else count + index
+
+
+def _fan(corners: list[int], where: str) -> list[tuple[int, int, int]]:
+    if len(corners) < 3:
+        raise CurveUpsError(f"a face has {len(corners)} corners", where, "repair the mesh")
+    return [(corners[0], corners[i], corners[i + 1]) for i in range(1, len(corners) - 1)]
+
+
+def _within(faces: list[tuple[int, int, int]], count: int, path: Path) -> None:
+    if len(faces) > MOST_FACES:
+        raise CurveUpsError(f"the mesh has {len(faces)} faces", str(path), "simplify the mesh")
+    for face in faces:
+        if max(face) >= count or min(face) < 0:
+            raise CurveUpsError(f"a face names a vertex that is not there ({count} are)",
+                                str(path), "repair the mesh")
+
+
+def _arrays(vertices: list, faces: list) -> Mesh:
+    return (np.array(vertices, float).reshape(-1, 3), np.array(faces, np.int32).reshape(-1, 3))

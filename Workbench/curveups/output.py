@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files that are either whole or absent."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import Callable
+
+from .errors import NOT_WRITTEN, CurveUpsError
+
+
+def safe_name(text: str) -> str:
+    """`text` made safe for file names."""
+    return re.sub(r"[^A-Za-z0-9._-]+", "-", text).strip("-._") or "target"
+
+
+def require_folder_name(path: Path) -> None:
+    """Refuses, before any work is done, a path that can't become a folder."""
+    for place in (path, *path.parents):
+        if place.exists():
+            if not place.is_dir():
+                raise CurveUpsError(
+                    "the output folder is a file" if place == path else "a file is in the way",
+                    str(place), "name another folder with -o")
+            return
+
+
+class Folder:
+    """Writes files into a folder: under a temporary name first, which a rename makes the real one.
+
+    A file that could not be written leaves nothing behind; those before it stay.
+    """
+
+    def __init__(self, path: Path):
+        self.path = path
+        self.files: dict[str, int] = {}
+        self._made = self._make()
+
+    def _make(self) -> list[Path]:
+        missing = [place for place in (self.path, *self.path.parents) if not place.exists()]
+        try:
+            self.path.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            self._made = missing
+            self._remove_made()
+            raise CurveUpsError(f"the output folder can't be made: {error.strerror}",
+                                str(self.path), "choose a folder you may write to",
+                                NOT_WRITTEN) from error
+        return missing
+
+    def _remove_made(self) -> None:
+        for place in self._made:
+            try:
+                place.rmdir()
+            except OSError:
+                return
+
+    def write(self, name: str, writer: Callable[[Path], None]) -> None:
+        """Calls `writer` with a temporary path of the same ending, then gives the file its name."""
+        temporary = self.path / f".{os.getpid()}-{name}"
+        try:
+            try:
+                writer(temporary)
+                with open(temporary, "rb+") as file:
+                    os.fsync(file.fileno())
+                size = temporary.stat().st_size
+                os.replace(temporary, self.path / name)
+            finally:
+                temporary.unlink(missing_ok=True)
+        except (OSError, CurveUpsError, RuntimeError) as error:
+            if isinstance(error, CurveUpsError) or type(error).__name__ == "Cancelled":
+                raise
+            self._fail(name, error)
+        self.files[name] = size
+
+    def write_text(self, name: str, text: str) -> None:
+        """Writes UTF-8 text with plain line ends."""
+        self.write(name, lambda path: path.write_bytes(text.encode("utf-8")))
+
+    def _fail(self, name: str, error: Exception) -> None:
+        reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
+        complete = f"complete are {', '.join(self.files)}" if self.files else "no file was made"
+        if not self.files:
+            self._remove_made()
+        raise CurveUpsError(f"{name} could not be written: {reason}", str(self.path / name),
+                            f"free space or choose another folder; {complete}",
+                            NOT_WRITTEN) from error

@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a target surface to a finished design: arrays in, arrays out, no FreeCAD.
+
+target -> remesh -> layout -> verify -> solids. Each stage is one function, timed by `_stage`; what it
+finds is kept in an `Outcome`, from which reports, files and documents are made.
+"""
+
+from __future__ import annotations
+
+import time
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any, Optional
+
+import numpy as np
+
+from .cuts import CutRequest, resolve_cuts
+from .errors import CurveUpsError, Stopped, from_native, tile_list
+from .native import native
+from .progress import Progress
+from .verdict import Verdict, judge
+
+
+@dataclass
+class Request:
+    """What is to be designed. V and F: the target, as read (mm after `scale`)."""
+
+    name: str
+    V: np.ndarray
+    F: np.ndarray
+    parameters: Any
+    cuts: CutRequest = field(default_factory=CutRequest)
+    remesh: bool = True
+    solids: bool = True
+    where: str = ""  # names the target in messages
+
+
+@dataclass
+class Stage:
+    name: str
+    seconds: float
+    iterations: int = 0
+
+
+@dataclass
+class Target:
+    """The mesh that becomes tiles, and what it was made from."""
+
+    V: np.ndarray
+    F: np.ndarray
+    source_V: np.ndarray
+    source_F: np.ndarray
+    mean_edge: float
+    edge_cv: float
+    sagitta: float = 0.0
+    notes: list[str] = field(default_factory=list)
+
+
+@dataclass
+class Outcome:
+    """All that is known about a design once the stages have run."""
+
+    name: str
+    design: Any
+    figures: Any                             # native DesignFigures
+    target: Optional[Target] = None
+    layout: Any = None                       # native LayoutResult
+    verification: Any = None                 # native VerificationReport
+    verify_note: str = ""                    # why there is none
+    model: Any = None                        # native PrintModel
+    solids: Any = None                       # native SolidFigures
+    stopped: bool = False
+    stages: list[Stage] = field(default_factory=list)
+    warnings: list[dict] = field(default_factory=list)
+    verdict: Verdict = field(default_factory=Verdict)
+
+
+def prepare_target(request: Request, progress: Progress, stages: list[Stage],
+                   warnings: list[dict]) -> Target:
+    """Cleans, checks and remeshes the target; sets L to the mesh's own where it is kept."""
+    parameters = request.parameters
+    with _stage(stages, "remesh", request.where):
+        progress("checking the target", -1.0)
+        V, F = _scaled(request)
+        clean = native.clean_mesh(V, F)
+        V, F = clean.V, clean.F
+        if not request.remesh:
+            parameters.set("L", _own_length(V, F, request.where))
+        _report(native.check_mesh(V, F, parameters.get("L"), bool(request.cuts)), warnings,
+                request.where)
+        if not request.remesh:
+            lengths = _edge_lengths(V, F)
+            return Target(V, F, V, F, float(lengths.mean()),
+                          float(lengths.std() / lengths.mean()), 0.0, list(clean.notes))
+        made = native.remesh(V, F, parameters.get("L"), progress)
+        return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta,
+                      list(clean.notes))
+
+
+def run_design(request: Request, progress: Progress) -> Outcome:
+    """All stages. Stops early, with what there is, once `progress` says so after the layout."""
+    parameters, stages, warnings = request.parameters, [], []
+    with _errors(request.where):
+        parameters.check()
+    target = prepare_target(request, progress, stages, warnings)
+    _go_on(progress, "cutting")
+    with _errors(request.where):
+        cuts = resolve_cuts(request.cuts, target.V, target.F)
+        _report(native.check_target(target.V, target.F, cuts, parameters), warnings,
+                request.where, tiles=True)
+    with _stage(stages, "layout", request.where):
+        layout = native.solve_layout(request.name, target.V, target.F, cuts, parameters, progress)
+    stages[-1].iterations = int(layout.iterations)
+    _split_flatten(stages, layout)
+    with _errors(request.where):
+        figures = native.evaluate_design(layout.design)
+    outcome = Outcome(request.name, layout.design, figures, target, layout, stages=stages,
+                      warnings=warnings, stopped=bool(layout.stopped))
+    _verify(outcome, progress, request.where)
+    if request.solids:
+        _solids(outcome, progress, request.where)
+    outcome.verdict = judge(outcome)
+    return outcome
+
+
+def run_verify(design: Any, progress: Progress, where: str) -> Outcome:
+    """The physical model on a design that exists."""
+    with _errors(where):
+        outcome = Outcome(design.name, design, native.evaluate_design(design))
+    _verify(outcome, progress, where, asked=True)
+    outcome.verdict = judge(outcome)
+    return outcome
+
+
+def run_export(design: Any, progress: Progress, where: str, changed: bool) -> Outcome:
+    """The solids of a design that exists; `changed` where its geometry parameters were."""
+    with _errors(where):
+        design.parameters.check()
+        outcome = Outcome(design.name, design, native.evaluate_design(design))
+    outcome.verify_note = ("geometry changed since verification" if changed
+                           else "an export does not verify")
+    _solids(outcome, progress, where)
+    outcome.verdict = judge(outcome)
+    return outcome
+
+
+def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = False) -> None:
+    if not asked and not outcome.design.parameters.get("verify"):
+        outcome.verify_note = "verification was off"
+        return
+    if not hasattr(native, "verify_design"):
+        outcome.verify_note = "the physical model is not in this build"
+        return
+    if outcome.stopped or not progress("verifying", 0.0):
+        outcome.stopped = True
+        outcome.verify_note = "stopped before verification"
+        return
+    try:
+        with _stage(outcome.stages, "verify", where):
+            outcome.verification = native.verify_design(outcome.design, progress)
+    except Stopped:
+        outcome.stopped = True
+        outcome.verify_note = "stopped during verification"
+
+
+def _solids(outcome: Outcome, progress: Progress, where: str) -> None:
+    if outcome.stopped or not progress("building solids", 0.0):
+        outcome.stopped = True
+        return
+    try:
+        with _stage(outcome.stages, "solids", where):
+            outcome.model = native.make_print_model(outcome.design)
+            outcome.solids = outcome.model.figures(progress)
+    except Stopped:
+        outcome.stopped = True
+        outcome.model = outcome.solids = None
+
+
+def _scaled(request: Request) -> tuple[np.ndarray, np.ndarray]:
+    V = np.ascontiguousarray(request.V, float) * request.parameters.get("scale")
+    F = np.ascontiguousarray(request.F, np.int32)
+    return V, np.ascontiguousarray(F[:, ::-1]) if request.parameters.get("flip") else F
+
+
+def _own_length(V: np.ndarray, F: np.ndarray, where: str) -> float:
+    length = float(native.mean_edge_length(V, F))
+    table = {row.name: row for row in native.parameter_table()}
+    if not table["L"].minimum <= length <= table["L"].maximum:
+        raise CurveUpsError(
+            f"the mesh's mean edge length is {length:.4g} mm", where,
+            f"tiles have {table['L'].minimum:g} to {table['L'].maximum:g} mm: "
+            "set scale for another unit, or remesh")
+    return length
+
+
+def _edge_lengths(V: np.ndarray, F: np.ndarray) -> np.ndarray:
+    pairs = np.unique(np.sort(np.vstack([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1), axis=0)
+    return np.linalg.norm(V[pairs[:, 0]] - V[pairs[:, 1]], axis=1)
+
+
+def _report(findings, warnings: list[dict], where: str, tiles: bool = False) -> None:
+    """Raises the first error among findings; all others become warnings."""
+    for finding in findings:
+        rows = [int(row) for row in (finding.tiles if tiles else finding.faces)]
+        if finding.is_error:
+            names = tile_list(rows) if tiles else _faces(rows)
+            place = ", ".join(part for part in (where, names) if part)
+            raise CurveUpsError(finding.message, place, finding.remedy)
+        warnings.append({"what": finding.message, "kind": finding.kind, "remedy": finding.remedy,
+                         "tiles": rows if tiles else []})
+
+
+def _faces(rows: list[int]) -> str:
+    """Faces of the input, which are not the tiles to come, by their number from 1."""
+    if not rows:
+        return ""
+    shown = ", ".join(str(row + 1) for row in rows[:6])
+    return f"faces {shown}" + (f" and {len(rows) - 6} more" if len(rows) > 6 else "")
+
+
+def _split_flatten(stages: list[Stage], layout: Any) -> None:
+    """The conformal map is a stage of its own in reports; the native call makes both."""
+    seconds = float(getattr(layout, "flatten_seconds", 0.0))
+    stages[-1].seconds -= seconds
+    stages.insert(len(stages) - 1, Stage("flatten", seconds))
+
+
+def _go_on(progress: Progress, what: str) -> None:
+    if not progress(what, -1.0):
+        raise Stopped
+
+
+@contextmanager
+def _errors(where: str):
+    try:
+        yield
+    except native.Cancelled:
+        raise Stopped from None
+    except native.Error as error:
+        raise from_native(error, where) from error
+    except MemoryError:
+        raise CurveUpsError("there is not enough memory", where,
+                            "use larger tiles (--set L=...) or a smaller target") from None
+
+
+@contextmanager
+def _stage(stages: list[Stage], name: str, where: str):
+    start = time.perf_counter()
+    with _errors(where):
+        yield
+    stages.append(Stage(name, time.perf_counter() - start))

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether a design is valid, and why not: interfaces' definition in one place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Optional
+
+from .errors import tile_list, tile_name
+
+TOLERANCE = 1e-6  # mm, as core/tolerances.hpp
+
+
+@dataclass
+class Verdict:
+    """valid is None where the design could not be judged; the reasons say why in any case."""
+
+    valid: Optional[bool] = None
+    reasons: list[str] = field(default_factory=list)
+
+
+def judge(outcome: Any) -> Verdict:
+    """The verdict on an outcome of the pipeline."""
+    broken = _geometry(outcome) + _solids(outcome.solids)
+    if outcome.verification is not None:
+        physical = outcome.verification.to_dict()
+        if not physical["valid"]:
+            broken += list(physical["reasons"])
+        return Verdict(not broken, broken)
+    if broken:
+        return Verdict(False, broken)
+    return Verdict(None, [outcome.verify_note] if outcome.verify_note else [])
+
+
+def small_pins(outcome: Any) -> tuple[list, list]:
+    """Pin sides below the floor (not valid), and those between it and A_pin_min (a warning)."""
+    floor = outcome.design.parameters.get("A_pin_floor")
+    sides = outcome.figures.constraints.small_pins
+    return [s for s in sides if s[2] < floor], [s for s in sides if s[2] >= floor]
+
+
+def _geometry(outcome: Any) -> list[str]:
+    figures, reasons = outcome.figures, []
+    constraints = figures.constraints
+    if constraints.max_gap_violation_mm > TOLERANCE:
+        pairs = [f"{tile_name(a)}-{tile_name(b)}" for a, b in constraints.close_pairs[:6]]
+        reasons.append(f"flat tiles are {constraints.max_gap_violation_mm:.3g} mm nearer than "
+                       "d_gap_min" + (f" ({', '.join(pairs)})" if pairs else ""))
+    if constraints.max_pin_bound_violation_mm > TOLERANCE:
+        reasons.append(f"pin insets leave their bounds by "
+                       f"{constraints.max_pin_bound_violation_mm:.3g} mm")
+    below, _ = small_pins(outcome)
+    if below:
+        tiles = sorted({side[0] for side in below})
+        reasons.append(f"{len(below)} pin sides are smaller than A_pin_floor ({tile_list(tiles)})")
+    if figures.unresolved:
+        tiles = sorted({int(t) for pair in figures.unresolved for t in pair})
+        reasons.append(f"{len(figures.unresolved)} pairs of tiles overlap when actuated and no "
+                       f"plane parts them ({tile_list(tiles)})")
+    layout = outcome.layout
+    if layout is not None and not layout.converged and not layout.stopped:
+        reasons.append(f"the layout did not converge: {layout.message}")
+    return reasons
+
+
+def _solids(solids: Any) -> list[str]:
+    if solids is None:
+        return []
+    reasons = []
+    if solids.invalid:
+        reasons.append(f"{len(solids.invalid)} tile solids are not valid "
+                       f"({tile_list(solids.invalid)})")
+    if solids.min_clearance_flat_mm < 0:
+        reasons.append("solids meet in the flat layout")
+    if solids.max_overlap_actuated_mm3 > TOLERANCE:
+        reasons.append(f"actuated tiles overlap by {solids.max_overlap_actuated_mm3:.3g} mm3")
+    return reasons
