@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// This file uses CGAL's AABB tree, which is GPL-3.0-or-later (see README, Licence).
+#include "curveups/geometry/closest_points.hpp"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
+
+namespace curveups {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Triangle = Kernel::Triangle_3;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+Kernel::Point_3 point(const Points3& V, int v) { return {V(v, 0), V(v, 1), V(v, 2)}; }
+
+}  // namespace
+
+struct ClosestPoints::Impl {
+  std::vector<Triangle> triangles;
+  Tree tree;
+};
+
+ClosestPoints::ClosestPoints(const TriangleMesh& mesh) : impl_(std::make_unique<Impl>()) {
+  if (mesh.F.rows() == 0) throw InvalidInput("the surface has no faces", "check the input file");
+  if (!mesh.V.allFinite()) {
+    throw InvalidInput("the surface has a vertex that is not finite", "repair the file");
+  }
+  impl_->triangles.reserve(mesh.F.rows());
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    impl_->triangles.emplace_back(point(mesh.V, mesh.F(f, 0)), point(mesh.V, mesh.F(f, 1)),
+                                  point(mesh.V, mesh.F(f, 2)));
+  }
+  impl_->tree.insert(impl_->triangles.begin(), impl_->triangles.end());
+  impl_->tree.build();
+  impl_->tree.accelerate_distance_queries();
+}
+ClosestPoints::~ClosestPoints() = default;
+ClosestPoints::ClosestPoints(ClosestPoints&&) noexcept = default;
+ClosestPoints& ClosestPoints::operator=(ClosestPoints&&) noexcept = default;
+
+ClosestPoint ClosestPoints::operator()(const Vec3& query) const {
+  const auto [found, triangle] =
+      impl_->tree.closest_point_and_primitive(Kernel::Point_3(query.x(), query.y(), query.z()));
+  const Vec3 at(found.x(), found.y(), found.z());
+  return {at, static_cast<int>(triangle - impl_->triangles.cbegin()), (at - query).norm()};
+}
+
+Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface) {
+  Eigen::VectorXd distance(points.rows());
+  parallel_ranges(static_cast<int>(points.rows()), [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) distance[i] = surface(points.row(i)).distance;
+  });
+  return distance;
+}
+
+Points3 surface_samples(const TriangleMesh& mesh) {
+  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const int vertices = static_cast<int>(mesh.V.rows()), faces = static_cast<int>(mesh.F.rows());
+  const int edges = static_cast<int>(topology.edges.size());
+  Points3 samples(vertices + edges + faces, 3);
+  samples.topRows(vertices) = mesh.V;
+  for (int e = 0; e < edges; ++e) {
+    const MeshEdge& edge = topology.edges[e];
+    samples.row(vertices + e) = 0.5 * (mesh.V.row(edge.v[0]) + mesh.V.row(edge.v[1]));
+  }
+  for (int f = 0; f < faces; ++f) {
+    samples.row(vertices + edges + f) =
+        (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))) / 3;
+  }
+  return samples;
+}
+
+Deviation surface_deviation(const TriangleMesh& mesh, const TriangleMesh& target) {
+  const Eigen::VectorXd there = distances(surface_samples(mesh), ClosestPoints(target));
+  const Eigen::VectorXd back = distances(surface_samples(target), ClosestPoints(mesh));
+  return {there.mean(), there.maxCoeff(), std::max(there.maxCoeff(), back.maxCoeff())};
+}
+
+}  // namespace curveups

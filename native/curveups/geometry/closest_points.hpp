@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Nearest points of a surface, and how far surfaces are from one another.
+#pragma once
+
+#include <memory>
+
+#include "curveups/geometry/triangle_mesh.hpp"
+
+namespace curveups {
+
+struct ClosestPoint {
+  Vec3 point;
+  int face;
+  double distance;
+};
+
+// A search tree over the faces of a mesh. Queries are safe from several threads at once.
+class ClosestPoints {
+ public:
+  // Throws InvalidInput for a mesh without faces and for vertices that are not finite.
+  explicit ClosestPoints(const TriangleMesh& mesh);
+  ~ClosestPoints();
+  ClosestPoints(ClosestPoints&&) noexcept;
+  ClosestPoints& operator=(ClosestPoints&&) noexcept;
+
+  ClosestPoint operator()(const Vec3& query) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// Distances from each of the points (N x 3) to the surface.
+Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface);
+
+// Vertices, edge midpoints and centroids of a mesh: the samples by which surfaces are compared.
+Points3 surface_samples(const TriangleMesh& mesh);
+
+struct Deviation {
+  double mean;       // of the samples of `mesh` from `target`, mm
+  double max;        // the same, the largest
+  double hausdorff;  // the larger of both directions' largest
+};
+Deviation surface_deviation(const TriangleMesh& mesh, const TriangleMesh& target);
+
+}  // namespace curveups

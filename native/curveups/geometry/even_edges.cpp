@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/geometry/even_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "curveups/core/parallel.hpp"
+
+namespace curveups {
+namespace {
+
+// Angles below this are not made by flips (rad).
+constexpr double least_angle = 0.35;
+
+std::uint64_t pair_key(int a, int b) {
+  return (static_cast<std::uint64_t>(std::min(a, b)) << 32) |
+         static_cast<std::uint32_t>(std::max(a, b));
+}
+
+double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto angle = [](const Vec3& u, const Vec3& v) {
+    return std::atan2(u.cross(v).norm(), u.dot(v));
+  };
+  return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
+}
+
+// Boundary vertices between fixed ones (or around a whole loop) move towards even spacing.
+class BoundarySpacing {
+ public:
+  BoundarySpacing(const IsotropicMesh& mesh, const MeshTopology& topology,
+                  const BoundaryCurves& boundary)
+      : boundary_(boundary) {
+    for (std::vector<int>& loop : boundary_loops(topology)) {
+      Loop l;
+      for (int v : loop) {
+        const BoundaryCurves::Place place = boundary.nearest(mesh.mesh.V.row(v));
+        l.curve = place.curve;
+        l.arc.push_back(place.arc);
+      }
+      // The loop runs the way the curve does: arcs rise but for the one step over the start.
+      const double length = boundary.length(l.curve);
+      for (std::size_t i = 1; i < loop.size(); ++i) {
+        while (l.arc[i] < l.arc[i - 1] - 0.5 * length) l.arc[i] += length;
+        l.arc[i] = std::max(l.arc[i], l.arc[i - 1]);
+      }
+      l.vertex = std::move(loop);
+      loops_.push_back(std::move(l));
+    }
+  }
+
+  void relax(IsotropicMesh& mesh) {
+    for (Loop& loop : loops_) {
+      const int count = static_cast<int>(loop.vertex.size());
+      const double length = boundary_.length(loop.curve);
+      const std::vector<double> old = loop.arc;
+      for (int i = 0; i < count; ++i) {
+        if (mesh.fixed[loop.vertex[i]]) continue;
+        const double before = i > 0 ? old[i - 1] : old[count - 1] - length;
+        const double after = i + 1 < count ? old[i + 1] : old[0] + length;
+        loop.arc[i] += 0.7 * (0.5 * (before + after) - old[i]);
+        mesh.mesh.V.row(loop.vertex[i]) = boundary_.at(loop.curve, loop.arc[i]);
+      }
+    }
+  }
+
+ private:
+  struct Loop {
+    int curve = 0;
+    std::vector<int> vertex;
+    std::vector<double> arc;
+  };
+  const BoundaryCurves& boundary_;
+  std::vector<Loop> loops_;
+};
+
+// One damped step of all springs; interior vertices return to the surface.
+void relax_springs(IsotropicMesh& mesh, const MeshTopology& topology, double length,
+                   const std::vector<char>& on_boundary, const ClosestPoints& surface) {
+  Points3& V = mesh.mesh.V;
+  Points3 move = Points3::Zero(V.rows(), 3);
+  Eigen::VectorXd degree = Eigen::VectorXd::Zero(V.rows());
+  for (const MeshEdge& edge : topology.edges) {
+    const Vec3 d = V.row(edge.v[1]) - V.row(edge.v[0]);
+    const double size = std::max(d.norm(), 1e-12 * length);
+    const Vec3 pull = (1 - length / size) * d;
+    move.row(edge.v[0]) += pull;
+    move.row(edge.v[1]) -= pull;
+    degree[edge.v[0]] += 1;
+    degree[edge.v[1]] += 1;
+  }
+  parallel_ranges(static_cast<int>(V.rows()), [&](int begin, int end) {
+    for (int v = begin; v < end; ++v) {
+      if (on_boundary[v] || mesh.fixed[v] || degree[v] == 0) continue;
+      const Vec3 p = V.row(v) + 0.8 / degree[v] * move.row(v);
+      V.row(v) = surface(p).point;
+    }
+  });
+}
+
+}  // namespace
+
+int flip_towards_regular(IsotropicMesh& mesh) {
+  Triangles& F = mesh.mesh.F;
+  const Points3& V = mesh.mesh.V;
+  const MeshTopology topology = build_topology(F, static_cast<int>(V.rows()));
+  std::vector<int> excess(V.rows(), -6);
+  std::unordered_set<std::uint64_t> joined;
+  for (const MeshEdge& edge : topology.edges) {
+    for (int v : edge.v) {
+      ++excess[v];
+      if (edge.boundary()) ++excess[v];  // twice per boundary vertex: valence 4 is regular there
+    }
+    joined.insert(pair_key(edge.v[0], edge.v[1]));
+  }
+  std::vector<char> touched(F.rows(), 0);
+  int flips = 0;
+  for (const MeshEdge& edge : topology.edges) {
+    if (edge.boundary() || touched[edge.face[0]] || touched[edge.face[1]]) continue;
+    const int a = edge.v[0], b = edge.v[1];
+    const int c = F(edge.face[0], prev3(edge.side[0])), d = F(edge.face[1], prev3(edge.side[1]));
+    const auto square = [](int x) { return x * x; };
+    const int before =
+        square(excess[a]) + square(excess[b]) + square(excess[c]) + square(excess[d]);
+    const int after = square(excess[a] - 1) + square(excess[b] - 1) + square(excess[c] + 1) +
+                      square(excess[d] + 1);
+    const Vec3 A = V.row(a), B = V.row(b), C = V.row(c), D = V.row(d);
+    const double worst = std::min(smallest_angle(A, B, C), smallest_angle(B, A, D));
+    const double flipped = std::min(smallest_angle(C, D, B), smallest_angle(D, C, A));
+    const bool regular = after < before && flipped > std::min(least_angle, worst);
+    if (!regular && !(after == before && flipped > worst + 0.05)) continue;
+    if (joined.count(pair_key(c, d)) != 0) continue;
+    const Vec3 normal = (B - A).cross(C - A).normalized() + (A - B).cross(D - B).normalized();
+    if ((D - C).cross(B - C).dot(normal) <= 0 || (C - D).cross(A - D).dot(normal) <= 0) continue;
+    F.row(edge.face[0]) << c, d, b;
+    F.row(edge.face[1]) << d, c, a;
+    touched[edge.face[0]] = touched[edge.face[1]] = 1;
+    joined.erase(pair_key(a, b));
+    joined.insert(pair_key(c, d));
+    --excess[a];
+    --excess[b];
+    ++excess[c];
+    ++excess[d];
+    ++flips;
+  }
+  return flips;
+}
+
+void even_edges(IsotropicMesh& mesh, double length, int passes, const ClosestPoints& surface,
+                const BoundaryCurves& boundary) {
+  const int vertices = static_cast<int>(mesh.mesh.V.rows());
+  MeshTopology topology = build_topology(mesh.mesh.F, vertices);
+  std::vector<char> on_boundary(vertices, 0);
+  for (const MeshEdge& edge : topology.edges) {
+    if (edge.boundary()) on_boundary[edge.v[0]] = on_boundary[edge.v[1]] = 1;
+  }
+  BoundarySpacing spacing(mesh, topology, boundary);
+  for (int pass = 0; pass < passes; ++pass) {
+    spacing.relax(mesh);
+    relax_springs(mesh, topology, length, on_boundary, surface);
+    if (pass % 4 == 3 && flip_towards_regular(mesh) > 0) {
+      topology = build_topology(mesh.mesh.F, vertices);
+    }
+  }
+}
+
+}  // namespace curveups

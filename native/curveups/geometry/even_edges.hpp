@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Second half of remeshing: vertices slide along the surface until all edges are about equally
+// long.
+#pragma once
+
+#include <vector>
+
+#include "curveups/geometry/boundary_curves.hpp"
+#include "curveups/geometry/closest_points.hpp"
+#include "curveups/geometry/isotropic_mesh.hpp"
+
+namespace curveups {
+
+// Flips edges towards valence 6 (4 on the boundary) where that spoils no angle. Returns how many.
+int flip_towards_regular(IsotropicMesh& mesh);
+
+// `passes` rounds of springs of rest length `length` between interior vertices, put back onto
+// `surface`, and of even spacing of boundary vertices along `boundary`; flips in between.
+void even_edges(IsotropicMesh& mesh, double length, int passes, const ClosestPoints& surface,
+                const BoundaryCurves& boundary);
+
+}  // namespace curveups

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/geometry/remesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/geometry/even_edges.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr double corner_angle = 40 * 3.14159265358979323846 / 180;
+constexpr int most_rounds = 6;  // of finding the length that gives the wanted mean
+constexpr double mean_tolerance = 0.01;
+constexpr double most_faces = 200000;
+
+struct EdgeStatistics {
+  double mean, deviation;
+};
+
+EdgeStatistics edge_statistics(const TriangleMesh& mesh) {
+  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  double sum = 0, squares = 0;
+  for (const MeshEdge& edge : topology.edges) {
+    const double length = (mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).norm();
+    sum += length;
+    squares += length * length;
+  }
+  const double mean = sum / static_cast<double>(topology.edges.size());
+  return {mean, std::sqrt(std::max(
+                    0.0, squares / static_cast<double>(topology.edges.size()) - mean * mean))};
+}
+
+TriangleMesh remesh_component(const TriangleMesh& surface, const RemeshOptions& options) {
+  const ClosestPoints closest(surface);
+  const BoundaryCurves boundary(surface);
+  IsotropicMesh mesh{surface, std::vector<char>(surface.V.rows(), 0)};
+  for (int v : boundary.corners(corner_angle)) mesh.fixed[v] = 1;
+
+  double length = options.L;
+  IsotropicMesh best;
+  double best_error = -1;
+  for (int round = 0; round < most_rounds; ++round) {
+    if (!keep_going(options.progress, "remeshing", static_cast<double>(round) / most_rounds)) {
+      throw Cancelled();
+    }
+    mesh = isotropic_mesh(mesh, length, round == 0 ? 12 : 5);
+    if (mesh.mesh.F.rows() == 0 || BoundaryCurves(mesh.mesh).count() != boundary.count()) {
+      throw TopologyError("a part or a hole of the surface is too small for edges of " +
+                              std::to_string(options.L) + " mm",
+                          "choose a smaller L, or fill the hole");
+    }
+    even_edges(mesh, options.L, 60, closest, boundary);
+    const EdgeStatistics edges = edge_statistics(mesh.mesh);
+    const double error = std::abs(edges.mean / options.L - 1) + 2 * edges.deviation / edges.mean;
+    if (best_error < 0 || error < best_error) {
+      best = mesh;
+      best_error = error;
+    }
+    if (std::abs(edges.mean / options.L - 1) < mean_tolerance &&
+        edges.deviation < 0.11 * edges.mean) {
+      break;
+    }
+    length *= std::clamp(options.L / edges.mean, 0.8, 1.25);
+  }
+  return best.mesh;
+}
+
+}  // namespace
+
+RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
+  if (!(options.L > 0) || !std::isfinite(options.L)) {
+    throw InvalidInput("L must be a positive length", "give L in mm");
+  }
+  const ClosestPoints closest(surface);  // refuses empty and non-finite surfaces
+  const double expected = surface_area(surface) / (std::sqrt(3.0) / 4 * options.L * options.L);
+  if (!(expected < most_faces)) {
+    throw InvalidInput("the surface would need about " +
+                           std::to_string(static_cast<long long>(std::min(expected, 1e15))) +
+                           " tiles of L = " + std::to_string(options.L) + " mm",
+                       "check the unit of the file (scale), or choose a larger L");
+  }
+  const MeshTopology topology = build_topology(surface.F, static_cast<int>(surface.V.rows()));
+  const std::vector<int> component = face_components(topology, {});
+  const int count = *std::max_element(component.begin(), component.end()) + 1;
+
+  RemeshResult result;
+  result.mesh.V.resize(0, 3);
+  result.mesh.F.resize(0, 3);
+  for (int c = 0; c < count; ++c) {
+    TriangleMesh part;
+    std::vector<int> number(surface.V.rows(), -1), original;
+    const auto faces = std::count(component.begin(), component.end(), c);
+    part.F.resize(faces, 3);
+    int row = 0;
+    for (int f = 0; f < surface.F.rows(); ++f) {
+      if (component[f] != c) continue;
+      for (int t = 0; t < 3; ++t) {
+        int& n = number[surface.F(f, t)];
+        if (n < 0) {
+          n = static_cast<int>(original.size());
+          original.push_back(surface.F(f, t));
+        }
+        part.F(row, t) = n;
+      }
+      ++row;
+    }
+    part.V.resize(original.size(), 3);
+    for (std::size_t v = 0; v < original.size(); ++v) part.V.row(v) = surface.V.row(original[v]);
+    const TriangleMesh made = remesh_component(part, options);
+    const int first_vertex = static_cast<int>(result.mesh.V.rows());
+    const int first_face = static_cast<int>(result.mesh.F.rows());
+    result.mesh.V.conservativeResize(first_vertex + made.V.rows(), 3);
+    result.mesh.V.bottomRows(made.V.rows()) = made.V;
+    result.mesh.F.conservativeResize(first_face + made.F.rows(), 3);
+    result.mesh.F.bottomRows(made.F.rows()) = made.F.array() + first_vertex;
+  }
+  const EdgeStatistics edges = edge_statistics(result.mesh);
+  result.mean_edge = edges.mean;
+  result.edge_cv = edges.deviation / edges.mean;
+  result.max_distance = distances(result.mesh.V, closest).maxCoeff();
+  result.sagitta = distances(surface_samples(surface), ClosestPoints(result.mesh)).maxCoeff();
+  return result;
+}
+
+}  // namespace curveups

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Uniform isotropic triangulation of a surface: what the tiles are made from.
+#pragma once
+
+#include "curveups/core/progress.hpp"
+#include "curveups/geometry/triangle_mesh.hpp"
+
+namespace curveups {
+
+struct RemeshOptions {
+  double L = 7.0;  // mean edge length, mm
+  Progress progress = {};
+};
+
+struct RemeshResult {
+  TriangleMesh mesh;
+  double mean_edge;     // mm
+  double edge_cv;       // standard deviation of the edge lengths over their mean
+  double max_distance;  // of the vertices from the input surface, mm
+  double sagitta;       // largest distance of the input surface from the facets, mm
+};
+
+// Splits, collapses and flips edges (M. Botsch, L. Kobbelt, "A remeshing approach to
+// multiresolution modeling", SGP 2004), then evens the edges out by springs of equal rest length
+// that move vertices along the surface. Every component and every boundary loop stays; boundary
+// vertices stay on the input's boundary, its corners (turns above 40 degrees) stay vertices.
+// Deterministic. Throws what build_topology and boundary_loops throw, InvalidInput (vertices not
+// finite, L not positive or so small that more than 200,000 faces would arise), TopologyError where
+// a component or a loop is too small for edges of this length, Cancelled.
+RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options);
+
+}  // namespace curveups
