@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curveups/core/errors.hpp"
+
+namespace curveups {
+
+bool MembraneEquilibrium::newton_direction(const Points3& x, Points3& gradient,
+                                           Points3& direction) {
+  energy_.hessian(x, gradient, hessian_, false);
+  // Only the plain density can be indefinite; its projection is not, but for rounding.
+  if (!factor_.factorize(hessian_)) {
+    energy_.hessian(x, gradient, hessian_, true);
+    const double shift = 1e-8 * hessian_.diagonal().mean();
+    for (int i = 0; i < hessian_.cols(); ++i)
+      hessian_.valuePtr()[hessian_.outerIndexPtr()[i]] += shift;
+    if (!factor_.factorize(hessian_)) return false;
+  }
+  const std::vector<int>& index = energy_.free_index();
+  Eigen::MatrixXd rhs(3 * energy_.free_count(), 1);
+  for (std::size_t v = 0; v < index.size(); ++v) {
+    if (index[v] >= 0) rhs.block<3, 1>(3 * index[v], 0) = -gradient.row(v).transpose();
+  }
+  const Eigen::MatrixXd step = factor_.solve(rhs);
+  direction.setZero(x.rows(), 3);
+  for (std::size_t v = 0; v < index.size(); ++v) {
+    if (index[v] >= 0) direction.row(v) = step.block<3, 1>(3 * index[v], 0).transpose();
+  }
+  return step.allFinite();
+}
+
+MembraneState MembraneEquilibrium::solve(const Points3& start, const EquilibriumOptions& options,
+                                         const Progress& progress, const std::string& what) {
+  const std::vector<int>& index = energy_.free_index();
+  MembraneState state;
+  state.x = start;
+  state.energy = energy_.gradient(state.x, state.gradient);
+  if (!std::isfinite(state.energy)) {
+    throw SolverFailure("a membrane triangle has no area in the actuated shape",
+                        "use the tension-field model");
+  }
+  auto measure = [&] {
+    double largest = 0, glued = 0;
+    int count = 0;
+    for (std::size_t v = 0; v < index.size(); ++v) {
+      const double force = state.gradient.row(v).norm();
+      if (index[v] >= 0) {
+        largest = std::max(largest, force);
+      } else {
+        glued += force;
+        ++count;
+      }
+    }
+    state.residual = glued > 0 ? largest / (glued / count) : largest;
+    state.converged = state.residual <= options.tolerance;
+  };
+  measure();
+  if (energy_.free_count() == 0) return state;
+  Points3 direction, gradient;
+  while (!state.converged && state.iterations < options.max_iterations) {
+    if (!keep_going(progress, what)) return state;
+    if (!newton_direction(state.x, gradient, direction)) break;
+    ++state.iterations;
+    const double slope = direction.cwiseProduct(state.gradient).sum();
+    const double rounding = 1e-13 * std::abs(state.energy);
+    bool accepted = false;
+    for (double length = 1; length > 1e-8 && !accepted; length *= 0.5) {
+      Points3 x = state.x + length * direction;
+      const double energy = energy_.gradient(x, gradient);
+      if (energy <= state.energy + 1e-4 * length * slope + rounding) {
+        state.x = std::move(x);
+        state.energy = energy;
+        std::swap(state.gradient, gradient);
+        accepted = true;
+      }
+    }
+    if (!accepted) break;
+    measure();
+  }
+  return state;
+}
+
+Points3 prolong(const MembraneMesh& fine, const Points3& coarse, const Points3& glued) {
+  Points3 x(fine.vertex_count(), 3);
+  const int old = static_cast<int>(coarse.rows());
+  for (int v = 0; v < fine.vertex_count(); ++v) {
+    if (fine.pin[v] >= 0) {
+      x.row(v) = glued.row(v);
+    } else if (v < old) {
+      x.row(v) = coarse.row(v);
+    } else {
+      const std::array<int, 2>& parents = fine.parents[v - old];
+      x.row(v) = 0.5 * (coarse.row(parents[0]) + coarse.row(parents[1]));
+    }
+  }
+  return x;
+}
+
+}  // namespace curveups

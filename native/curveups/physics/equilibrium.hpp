@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Quasi-static equilibrium of one membrane in the actuated configuration: its glued vertices move
+// with the pins, the free ones minimise the elastic energy (paper, A.1). Newton's method.
+#pragma once
+
+#include <string>
+
+#include "curveups/core/progress.hpp"
+#include "curveups/physics/membrane_energy.hpp"
+
+namespace curveups {
+
+struct EquilibriumOptions {
+  int max_iterations = 200;
+  // Largest force left on a free vertex, relative to the mean force on a glued one.
+  double tolerance = 1e-11;
+};
+
+struct MembraneState {
+  Points3 x;         // all mesh vertices, mm
+  Points3 gradient;  // dE / dx there, N; the membrane pulls with minus this on its pins
+  double energy = 0;
+  int iterations = 0;
+  double residual = 0;  // largest force on a free vertex, relative to the mean on a glued one
+  bool converged = false;
+};
+
+// Owns the Hessian's factorization: after solve() it is that of the equilibrium (or of the last
+// iterate), for sensitivities.
+class MembraneEquilibrium {
+ public:
+  MembraneEquilibrium(const MembraneMesh& mesh, const Points2& flat, double tau,
+                      const MembraneMaterial& material)
+      : energy_(mesh, flat, tau, material) {}
+
+  // start: all vertices, glued ones in their final places. The energy never rises from step to
+  // step. Stops early, unconverged, when progress asks to.
+  MembraneState solve(const Points3& start, const EquilibriumOptions& options,
+                      const Progress& progress = {}, const std::string& what = "membrane");
+
+  const MembraneEnergy& energy() const { return energy_; }
+  const SparseCholesky& factor() const { return factor_; }
+
+ private:
+  bool newton_direction(const Points3& x, Points3& gradient, Points3& direction);
+
+  MembraneEnergy energy_;
+  SparseMatrix hessian_;
+  SparseCholesky factor_;
+};
+
+// Positions on a mesh that refine_mesh made from the one `coarse` belongs to: midpoints, except for
+// glued vertices, which are taken from `glued`.
+Points3 prolong(const MembraneMesh& fine, const Points3& coarse, const Points3& glued);
+
+}  // namespace curveups

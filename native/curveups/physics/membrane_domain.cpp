@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/membrane_domain.hpp"
+
+#include <algorithm>
+
+#include "curveups/design/pins.hpp"
+
+namespace curveups {
+namespace {
+
+// Vertices with a boundary or cut edge: their polygon stays open. Unused vertices count as open.
+std::vector<char> open_vertices(const TileMesh& tiles) {
+  std::vector<char> open(tiles.mesh.V.rows(), 1);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int t = 0; t < 3; ++t) open[tiles.mesh.F(i, t)] = 0;
+  }
+  for (std::size_t e = 0; e < tiles.topology.edges.size(); ++e) {
+    const MeshEdge& edge = tiles.topology.edges[e];
+    if (edge.boundary() || tiles.cut[e]) open[edge.v[0]] = open[edge.v[1]] = 1;
+  }
+  return open;
+}
+
+}  // namespace
+
+MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side) {
+  MembraneDomain domain;
+  domain.side = side;
+  domain.tile_count = tiles.tile_count();
+  domain.patches.reserve(tiles.contacts.size() + tiles.mesh.V.rows());
+  for (std::size_t k = 0; k < tiles.contacts.size(); ++k) {
+    const Contact& contact = tiles.contacts[k];
+    const int i = contact.tile[0], t = contact.side[0], j = contact.tile[1], u = contact.side[1];
+    domain.patches.push_back({{pin_corner_index(i, next3(t)), pin_corner_index(i, t),
+                               pin_corner_index(j, next3(u)), pin_corner_index(j, u)},
+                              static_cast<int>(k),
+                              -1});
+  }
+  const std::vector<char> open = open_vertices(tiles);
+  std::vector<char> done = open;
+  std::vector<std::vector<int>> around(tiles.mesh.V.rows());
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int t = 0; t < 3; ++t) {
+      const int v = tiles.mesh.F(i, t);
+      if (done[v]) continue;
+      done[v] = 1;
+      int tile = i, corner = t;
+      do {
+        around[v].push_back(pin_corner_index(tile, corner));
+        // Across the edge that ends in v: the next tile counter-clockwise.
+        tile = tiles.topology.neighbour(tile, prev3(corner));
+        corner = 0;
+        while (tiles.mesh.F(tile, corner) != v) ++corner;
+      } while (tile != i);
+    }
+  }
+  for (int v = 0; v < tiles.mesh.V.rows(); ++v) {
+    if (!open[v]) domain.patches.push_back({std::move(around[v]), -1, v});
+  }
+  return domain;
+}
+
+std::vector<int> tiles_of(const MembranePatch& patch) {
+  std::vector<int> tiles;
+  for (int corner : patch.corners) tiles.push_back(corner / 3);
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  return tiles;
+}
+
+Points2 flat_pin_corners(const TileMesh& tiles, const FlatPoses& poses, const Array6& q,
+                         Side side) {
+  Points2 out(3 * tiles.tile_count(), 2);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    const std::array<Vec2, 3> placed =
+        place(poses, i, pin_corners(tiles, i, side, q.row(i).data()));
+    for (int t = 0; t < 3; ++t) out.row(pin_corner_index(i, t)) = placed[t].transpose();
+  }
+  return out;
+}
+
+double pin_top_level(const TileMesh& tiles, Side side, double H_pin) {
+  return side == Side::front ? H_pin : -tiles.H_body - H_pin;
+}
+
+Points3 actuated_pin_corners(const TileMesh& tiles, const Array6& q, Side side, double H_pin) {
+  Points3 out(3 * tiles.tile_count(), 3);
+  const double z = pin_top_level(tiles, side, H_pin);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    const std::array<Vec2, 3> local = pin_corners(tiles, i, side, q.row(i).data());
+    for (int t = 0; t < 3; ++t) {
+      out.row(pin_corner_index(i, t)) =
+          tiles.frame[i].to_world({local[t].x(), local[t].y(), z}).transpose();
+    }
+  }
+  return out;
+}
+
+}  // namespace curveups

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/membrane_energy.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/physics/neo_hookean.hpp"
+#include "curveups/physics/tension_field.hpp"
+
+namespace curveups {
+namespace {
+
+Matrix6 positive_part(const Matrix6& H) {
+  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(H);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+// b_v with F = sum of x_v b_v^T over the three vertices.
+std::array<Eigen::Vector2d, 3> shape_gradients(const Eigen::Matrix2d& inverse) {
+  const Eigen::Vector2d b1 = inverse.row(0), b2 = inverse.row(1);
+  return {-b1 - b2, b1, b2};
+}
+
+}  // namespace
+
+MembraneEnergy::MembraneEnergy(const MembraneMesh& mesh, const Points2& flat, double tau,
+                               const MembraneMaterial& material)
+    : stiffness_(0.5 * material.shear_modulus * material.thickness), material_(material) {
+  if (!(material.shear_modulus > 0 && material.thickness > 0 && tau > 0 &&
+        std::isfinite(stiffness_))) {
+    throw InvalidInput("a membrane's shear modulus, thickness and stretch must be positive",
+                       "give positive numbers");
+  }
+  free_index_.assign(mesh.vertex_count(), -1);
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.pin[v] < 0) free_index_[v] = free_count_++;
+  }
+  elements_.reserve(mesh.triangles.size());
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    Eigen::Matrix2d edges;
+    edges.col(0) = (flat.row(t[1]) - flat.row(t[0])).transpose() / tau;
+    edges.col(1) = (flat.row(t[2]) - flat.row(t[0])).transpose() / tau;
+    const double doubled = edges.determinant();
+    if (!(doubled > 0)) {
+      throw InvalidInput("a membrane triangle has no area in the layout", "mesh the layout again");
+    }
+    elements_.push_back({t, edges.inverse(), 0.5 * doubled, {-1, -1, -1}});
+  }
+  make_pattern();
+}
+
+void MembraneEnergy::make_pattern() {
+  // Per free vertex the free neighbours of higher number, ascending.
+  std::vector<std::vector<int>> below(free_count_);
+  for (const Element& e : elements_) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = free_index_[e.vertex[k]], b = free_index_[e.vertex[next3(k)]];
+      if (a >= 0 && b >= 0) below[std::min(a, b)].push_back(std::max(a, b));
+    }
+  }
+  int entries = 0;
+  for (std::vector<int>& rows : below) {
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    entries += 6 + 9 * static_cast<int>(rows.size());
+  }
+  pattern_.resize(3 * free_count_, 3 * free_count_);
+  pattern_.resizeNonZeros(entries);
+  int at = 0;
+  for (int v = 0; v < free_count_; ++v) {
+    for (int c = 0; c < 3; ++c) {
+      pattern_.outerIndexPtr()[3 * v + c] = at;
+      for (int r = c; r < 3; ++r) pattern_.innerIndexPtr()[at++] = 3 * v + r;
+      for (int u : below[v]) {
+        for (int r = 0; r < 3; ++r) pattern_.innerIndexPtr()[at++] = 3 * u + r;
+      }
+    }
+  }
+  pattern_.outerIndexPtr()[3 * free_count_] = at;
+  for (Element& e : elements_) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = free_index_[e.vertex[k]], b = free_index_[e.vertex[next3(k)]];
+      if (a < 0 || b < 0) continue;
+      const std::vector<int>& rows = below[std::min(a, b)];
+      const auto it = std::lower_bound(rows.begin(), rows.end(), std::max(a, b));
+      e.offset[k] = 3 * static_cast<int>(it - rows.begin());
+    }
+  }
+}
+
+Gradient32 MembraneEnergy::deformation(const Element& element, const Points3& x) const {
+  Gradient32 edges;
+  edges.col(0) = (x.row(element.vertex[1]) - x.row(element.vertex[0])).transpose();
+  edges.col(1) = (x.row(element.vertex[2]) - x.row(element.vertex[0])).transpose();
+  return edges * element.inverse;
+}
+
+Density MembraneEnergy::density(const Gradient32& F, bool second) const {
+  return material_.model == MembraneModel::tension_field
+             ? tension_field(F, material_.regularization, second)
+             : neo_hookean(F, second);
+}
+
+double MembraneEnergy::value(const Points3& x) const {
+  double sum = 0;
+  for (const Element& e : elements_) sum += e.weight * density(deformation(e, x), false).value;
+  return stiffness_ * sum;
+}
+
+double MembraneEnergy::gradient(const Points3& x, Points3& gradient) const {
+  gradient.setZero(x.rows(), 3);
+  double sum = 0;
+  for (const Element& e : elements_) {
+    const Density d = density(deformation(e, x), false);
+    sum += e.weight * d.value;
+    const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
+    for (int v = 0; v < 3; ++v) {
+      gradient.row(e.vertex[v]) +=
+          stiffness_ * e.weight *
+          (b[v].x() * d.gradient.head<3>() + b[v].y() * d.gradient.tail<3>()).transpose();
+    }
+  }
+  return stiffness_ * sum;
+}
+
+double MembraneEnergy::hessian(const Points3& x, Points3& gradient, SparseMatrix& lower,
+                               bool projected) const {
+  if (lower.nonZeros() != pattern_.nonZeros() || lower.rows() != pattern_.rows()) lower = pattern_;
+  double* values = lower.valuePtr();
+  std::fill(values, values + lower.nonZeros(), 0.0);
+  const int* outer = lower.outerIndexPtr();
+  gradient.setZero(x.rows(), 3);
+  double sum = 0;
+  for (const Element& e : elements_) {
+    Density d = density(deformation(e, x), true);
+    const double factor = stiffness_ * e.weight;
+    sum += e.weight * d.value;
+    const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
+    for (int v = 0; v < 3; ++v) {
+      gradient.row(e.vertex[v]) +=
+          factor * (b[v].x() * d.gradient.head<3>() + b[v].y() * d.gradient.tail<3>()).transpose();
+    }
+    if (projected) d.hessian = positive_part(d.hessian);
+    const Eigen::Matrix3d h11 = d.hessian.topLeftCorner<3, 3>(),
+                          h12 = d.hessian.topRightCorner<3, 3>(),
+                          h22 = d.hessian.bottomRightCorner<3, 3>();
+    for (int k = 0; k < 3; ++k) {
+      const int a = free_index_[e.vertex[k]];
+      if (a < 0) continue;
+      const Eigen::Vector2d s = b[k];
+      const Eigen::Matrix3d block =
+          factor *
+          (s.x() * s.x() * h11 + s.x() * s.y() * (h12 + h12.transpose()) + s.y() * s.y() * h22);
+      for (int c = 0; c < 3; ++c) {
+        for (int r = c; r < 3; ++r) values[outer[3 * a + c] + r - c] += block(r, c);
+      }
+      if (e.offset[k] < 0) continue;
+      const int n = free_index_[e.vertex[next3(k)]];
+      const bool forward = n > a;  // rows: the vertex of higher number
+      const Eigen::Vector2d row = forward ? b[next3(k)] : s, col = forward ? s : b[next3(k)];
+      const Eigen::Matrix3d pair =
+          factor * (row.x() * col.x() * h11 + row.x() * col.y() * h12 +
+                    row.y() * col.x() * h12.transpose() + row.y() * col.y() * h22);
+      const int column = 3 * std::min(a, n);
+      for (int c = 0; c < 3; ++c) {
+        double* to = values + outer[column + c] + 3 - c + e.offset[k];
+        for (int r = 0; r < 3; ++r) to[r] += pair(r, c);
+      }
+    }
+  }
+  return stiffness_ * sum;
+}
+
+Points3 MembraneEnergy::harmonic(const Points3& glued) const {
+  Points3 x = glued;
+  if (free_count_ == 0) return x;
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(6 * elements_.size());
+  Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(free_count_, 3);
+  for (const Element& e : elements_) {
+    const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
+    for (int v = 0; v < 3; ++v) {
+      const int row = free_index_[e.vertex[v]];
+      if (row < 0) continue;
+      for (int u = 0; u < 3; ++u) {
+        const double entry = e.weight * b[v].dot(b[u]);
+        const int column = free_index_[e.vertex[u]];
+        if (column < 0) {
+          rhs.row(row) -= entry * glued.row(e.vertex[u]);
+        } else if (row >= column) {
+          entries.emplace_back(row, column, entry);
+        }
+      }
+    }
+  }
+  SparseMatrix lower(free_count_, free_count_);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  SparseCholesky cholesky;
+  if (!cholesky.factorize(lower)) {
+    throw SolverFailure("the membrane's harmonic start could not be computed",
+                        "a part of the membrane hangs on no pin: check cuts and layout");
+  }
+  const Eigen::MatrixXd solution = cholesky.solve(rhs);
+  for (int v = 0; v < static_cast<int>(free_index_.size()); ++v) {
+    if (free_index_[v] >= 0) x.row(v) = solution.row(free_index_[v]);
+  }
+  return x;
+}
+
+std::vector<TriangleStretch> MembraneEnergy::stretches(const Points3& x) const {
+  std::vector<TriangleStretch> out;
+  out.reserve(elements_.size());
+  for (const Element& e : elements_) {
+    const Gradient32 F = deformation(e, x);
+    const PrincipalStretches l = principal_stretches(F);
+    out.push_back({std::sqrt(l.l1), std::sqrt(l.l2), density(F, false).tension});
+  }
+  return out;
+}
+
+}  // namespace curveups

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Triangulation of a membrane's domain. Every mesh vertex is a fixed affine combination of the pin
+// corners of its patch (mean-value coordinates: K. Hormann, M. Floater, "Mean value coordinates for
+// arbitrary planar polygons", ACM TOG 25 (4), 2006): flat positions and, on the pins, actuated ones
+// are linear in the pin corners, so that the mesh follows them smoothly with its topology
+// unchanged.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "curveups/core/progress.hpp"
+#include "curveups/physics/membrane_domain.hpp"
+
+namespace curveups {
+
+// Sizes are the wanted longest edges, mm: `at_corner` at pin corners, where the stress is singular,
+// growing by `growth` a mm away from them up to `largest`.
+struct MembraneMeshOptions {
+  double at_corner = 1.2;
+  double growth = 0.8;
+  double largest = 2.8;
+};
+
+// Weighted pin corners of one vertex: [start[v], start[v + 1]) of corner and weight.
+struct CornerWeights {
+  std::vector<int> start = {0};
+  std::vector<int> corner;
+  std::vector<double> weight;
+  int count() const { return static_cast<int>(start.size()) - 1; }
+};
+
+struct MembraneMesh {
+  CornerWeights weights;  // per vertex; they sum to 1
+  std::vector<int> pin;   // per vertex: the tile to whose pin it is glued, or -1
+  std::vector<std::array<int, 3>> triangles;  // counter-clockwise in the flat plane
+  std::vector<int> patch;                     // per triangle, into the domain's patches
+  std::vector<std::array<int, 2>> parents;    // after refine_mesh: of the vertices it added
+  int vertex_count() const { return weights.count(); }
+};
+
+// Deterministic whatever the number of threads. flat: flat_pin_corners. Throws InfeasibleDesign,
+// naming the tiles, where a pin has no area or a patch folds over in the layout; Cancelled.
+MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& flat,
+                                const MembraneMeshOptions& options, const Progress& progress = {});
+
+// Every triangle into four at the midpoints of its edges: the spaces are nested. The old vertices
+// come first, the new ones follow with their parents.
+MembraneMesh refine_mesh(const MembraneMesh& mesh);
+
+// weights times corners: flat positions (2 columns), or the actuated ones of glued vertices (3).
+Points2 vertex_positions(const CornerWeights& weights, const Points2& corners);
+Points3 vertex_positions(const CornerWeights& weights, const Points3& corners);
+
+}  // namespace curveups
