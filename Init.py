@@ -8,6 +8,6 @@ import os
 import sys
 
 for _folder in list(sys.path):
-    _package = os.path.join(_folder, "Workbench")
+    _package = os.path.normpath(os.path.join(_folder, "Workbench"))
     if os.path.isfile(os.path.join(_package, "curveups", "native.py")) and _package not in sys.path:
         sys.path.append(_package)

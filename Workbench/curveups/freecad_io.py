@@ -6,12 +6,18 @@ from __future__ import annotations
 import re
 import struct
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from . import freecad_session, mesh_files
 from .errors import CurveUpsError
 from .mesh_files import Mesh
+
+# Objects of the document, and the native module's kinds of bodies.
+BODIES = {"Tiles": "tiles", "Support": "support", "Anchors": "anchors"}
+# Showing the solids of more tiles takes OpenCASCADE's meshing several seconds: hidden until asked for.
+MOST_SHOWN = 800
 
 FORMATS = "OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP"
 
@@ -132,3 +138,39 @@ _READERS = {
     ".iges": _read_cad, ".igs": _read_cad,
     ".brep": _read_cad, ".brp": _read_cad,
 }
+
+
+def write_document(outcome: Any, path: Path) -> dict[str, str]:
+    """The parametric document of a finished outcome, saved to `path`; returns versions of software.
+
+    Shapes are kept in the file (2531 tiles: 3 s, 13 MB), so that a FreeCAD without this workbench
+    shows them too.
+    """
+    freecad, part, mesh = freecad_session.load("Part", "Mesh")
+    from .features.bodies import BodiesProxy
+    from .features.design import DesignProxy
+
+    # A name that FreeCAD would take for another document's file is no harm: it is never shown.
+    document = freecad.newDocument("CurveUps", hidden=True, temp=True)
+    try:
+        # The view type is kept in the file: a window shows the shape without any Python of ours.
+        design = document.addObject("App::FeaturePython", "Design")
+        DesignProxy(design, outcome.design, outcome.verdict)
+        design.Proxy.model = outcome.model
+        surface = document.addObject("Mesh::Feature", "Target")
+        surface.Mesh = mesh.Mesh([[tuple(map(float, outcome.design.V[v])) for v in face]
+                                  for face in outcome.design.F])
+        for name, kind in BODIES.items():
+            body = document.addObject("Part::FeaturePython", name, None, None, False,
+                                      "PartGui::ViewProviderPart")
+            BodiesProxy(body, design, kind)
+            body.Visibility = kind != "support" and len(outcome.design.F) <= MOST_SHOWN
+        document.recompute()
+        broken = [obj.Name for obj in document.Objects if "Invalid" in obj.State]
+        if broken:
+            raise CurveUpsError(f"the document's {broken[0]} can't be computed", outcome.name,
+                                "see FreeCAD's report view")
+        document.saveAs(str(path))
+    finally:
+        freecad.closeDocument(document.Name)
+    return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}

@@ -109,9 +109,11 @@ def run_design(request: Request, progress: Progress) -> Outcome:
         _report(native.check_target(target.V, target.F, cuts, parameters), warnings,
                 request.where, tiles=True)
     with _stage(stages, "layout", request.where):
-        layout = native.solve_layout(request.name, target.V, target.F, cuts, parameters, progress)
+        begun = _FirstCall(progress)
+        layout = native.solve_layout(request.name, target.V, target.F, cuts, parameters, begun)
     stages[-1].iterations = int(layout.iterations)
-    _split_flatten(stages, layout)
+    stages[-1].seconds -= begun.seconds
+    stages.insert(len(stages) - 1, Stage("flatten", begun.seconds))
     with _errors(request.where):
         figures = native.evaluate_design(layout.design)
     outcome = Outcome(request.name, layout.design, figures, target, layout, stages=stages,
@@ -218,11 +220,18 @@ def _faces(rows: list[int]) -> str:
     return f"faces {shown}" + (f" and {len(rows) - 6} more" if len(rows) > 6 else "")
 
 
-def _split_flatten(stages: list[Stage], layout: Any) -> None:
-    """The conformal map is a stage of its own in reports; the native call makes both."""
-    seconds = float(getattr(layout, "flatten_seconds", 0.0))
-    stages[-1].seconds -= seconds
-    stages.insert(len(stages) - 1, Stage("flatten", seconds))
+class _FirstCall:
+    """A progress sink that notes when it was first called: the layout's start (geometry and
+    conformal map) is a stage of its own in reports, and the optimiser reports from its first step."""
+
+    def __init__(self, progress: Progress):
+        self._progress = progress
+        self._start = time.perf_counter()
+        self.seconds = 0.0
+
+    def __call__(self, what: str, fraction: float) -> bool:
+        self.seconds = self.seconds or time.perf_counter() - self._start
+        return self._progress(what, fraction)
 
 
 def _go_on(progress: Progress, what: str) -> None:

@@ -59,7 +59,7 @@ def _geometry(outcome: Any) -> list[str]:
                        f"plane parts them ({tile_list(tiles)})")
     layout = outcome.layout
     if layout is not None and not layout.converged and not layout.stopped:
-        reasons.append(f"the layout did not converge: {layout.message}")
+        reasons.append(f"the layout did not converge in {layout.iterations} iterations")
     return reasons
 
 

@@ -100,8 +100,10 @@ def _deviation(outcome: Any) -> dict:
 
 
 def _layout(layout: Any) -> dict:
-    return {"converged": bool(layout.converged), "message": layout.message,
+    return {"converged": bool(layout.converged),
             "collision_rounds": int(layout.collision_rounds),
+            "separations": int(layout.separations),
+            "largest_violation_mm": layout.largest_violation_mm,
             "energies": {name: float(value) for name, value in layout.energies.items()}}
 
 

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands, usage errors and parameters."""
+
+import re
+
+import pytest
+
+ERROR = re.compile(r"^curveups: error: .+ \(.+\): .+$")
+
+
+def test_help_everywhere(curveups):
+    for command in ((), ("design",), ("remesh",), ("targets",), ("verify",), ("export",),
+                    ("parameters",)):
+        ran = curveups(*command, "--help")
+        assert ran.status == 0 and ran.out.startswith("usage: curveups") and ran.err == ""
+
+
+def test_targets_are_listed_one_a_line(curveups):
+    ran = curveups("targets")
+    assert ran.status == 0
+    assert set(ran.out.split("\n")[:-1]) == {
+        "half-sphere", "hyperboloid", "saddle", "ellipsoid-cap", "tower", "mask", "cap", "disc",
+        "cylinder-patch"}
+
+
+def test_every_parameter_has_unit_default_range_and_meaning(curveups):
+    from curveups.native import native
+
+    ran = curveups("parameters")
+    assert ran.status == 0
+    for row in native.parameter_table():
+        line = next(x for x in ran.out.splitlines() if x.startswith(f"  {row.name} "))
+        assert row.meaning in line
+        if row.unit:
+            assert f" {row.unit} " in line
+        if row.type == "number":
+            assert f"{row.minimum:g} to {row.maximum:g}" in line
+
+
+@pytest.mark.parametrize("arguments", [
+    (), ("frobnicate",), ("design",), ("design", "disc"), ("design", "disc", "-o"),
+    ("design", "disc", "-o", "x", "--frob"), ("design", "disc", "-o", "x", "--set", "L"),
+    ("design", "disc", "-o", "x", "--set", "=3"), ("design", "disc", "-o", "x", "--set", "L=seven"),
+    ("design", "disc", "-o", "x", "--set", "L=-1"), ("design", "disc", "-o", "x", "--set", "L=nan"),
+    ("design", "disc", "-o", "x", "--set", "L=1e9"), ("design", "disc", "-o", "x", "--set", "l=7"),
+    ("design", "disc", "-o", "x", "--set", "bumps=maybe"),
+    ("design", "disc", "-o", "x", "--set", "verify=perhaps"),
+    ("design", "disc", "-o", "x", "--set", "p_min=4"),
+    ("design", "disc", "-o", "x", "--set", "bump_count=3.5"),
+    ("design", "no-such-target", "-o", "x"), ("design", "disc", "-o", "x", "--config", "none.json"),
+    ("design", "disc", "-o", "x", "--cuts", "none.json"), ("verify", "none.json"),
+    ("export", "none.json", "-o", "x"), ("remesh", "disc"),
+])
+def test_bad_usage_is_one_line_and_status_2(curveups, tmp_path, arguments):
+    ran = curveups(*arguments, cwd=tmp_path)
+    assert ran.status == 2
+    assert ran.out == ""
+    errors = [line for line in ran.err.splitlines() if not line.startswith("curveups: reading")]
+    assert len(errors) == 1 and ERROR.match(errors[0]), ran.err
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("text", [
+    "", "[]", "{", '{"L": 1e999}', '{"L": NaN}', '{"L": [7]}', '{"L": null}', '{"frob": 1}',
+    '{"L": "seven"}', '{"verify": 3}',
+])
+def test_broken_config(curveups, tmp_path, text):
+    config = tmp_path / "config.json"
+    config.write_text(text)
+    ran = curveups("design", "disc", "-o", tmp_path / "out", "--config", config)
+    assert ran.status == 2 and len(ran.error_lines) == 1
+    assert str(config) in ran.error_lines[0] and ERROR.match(ran.error_lines[0])
+    assert not (tmp_path / "out").exists()

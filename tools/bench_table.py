@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs `curveups design` on every model, each in a process of its own (so that the peak memory is
+the model's), and prints the stages beside the paper's seconds. Called by tools/bench."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+MESHES = (".obj", ".stl", ".ply", ".off")
+STAGES = ("remesh", "flatten", "layout", "verify", "refine", "solids", "export")
+
+# Table 1: tiles and the seconds of soft and hard optimisation, global check and local refinement.
+# "spherical" and "spot" are other versions of the paper's meshes.
+PAPER = {
+    "half-sphere": (594, 40 + 31 + 59), "spherical": (594, 40 + 31 + 59),
+    "hyperboloid": (571, 51 + 27 + 33), "lilium": (1844, 318 + 286 + 173),
+    "turtle": (2212, 665 + 426 + 1162 + 1096), "spot": (2545, 1936 + 557 + 1362 + 6205),
+}
+SETTINGS = {"half-sphere": ["--set", "L=7.5"]}  # the paper's 594 tiles
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="tools/bench", description="Table 1, side by side.")
+    parser.add_argument("--models", type=Path, metavar="DIR", help="a folder with target meshes")
+    parser.add_argument("--only", metavar="NAME,...", help="only these models")
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures there")
+    options = parser.parse_args()
+    if options.models and not options.models.is_dir():
+        parser.error(f"{options.models} is no folder")
+    models = _models(options.models)
+    if options.only:
+        wanted = options.only.split(",")
+        unknown = [name for name in wanted if name not in models]
+        if unknown:
+            parser.error(f"unknown model {unknown[0]}: there are {', '.join(models)}")
+        models = {name: models[name] for name in wanted}
+    print(f"{'model':<16}{'tiles':>6} " + "".join(f"{stage:>9}" for stage in STAGES)
+          + f"{'to valid':>10}{'files':>8}{'MB':>7}{'paper s':>9}  valid")
+    rows = []
+    for name, target in models.items():
+        row = _run(name, target)
+        rows.append(row)
+        print(_line(row), flush=True)
+    if options.json:
+        options.json.write_text(json.dumps(rows, indent=2) + "\n", encoding="utf-8")
+    return 1 if any("error" in row for row in rows) else 0
+
+
+def _models(folder: Path | None) -> dict[str, str]:
+    from curveups.native import native
+
+    models = {name: name for name in native.builtin_targets()}
+    for path in sorted(folder.iterdir()) if folder else []:
+        if path.suffix.lower() in MESHES:
+            models[path.stem] = str(path)
+    return models
+
+
+def _run(name: str, target: str) -> dict:
+    """One model; its target is a path where a mesh is taken as it is."""
+    extra = ["--no-remesh"] if target != name else SETTINGS.get(name, [])
+    row = {"name": name, "paper_seconds": PAPER[name][1] if name in PAPER else None}
+    with tempfile.TemporaryDirectory(prefix="curveups-bench-") as folder:
+        done = subprocess.run([sys.executable, "-m", "curveups.cli", "design", target, "-o", folder,
+                               "--quiet", *extra], capture_output=True, text=True)
+        report = Path(folder, "report.json")
+        if not report.exists():
+            return {**row, "error": done.stderr.strip() or f"exit status {done.returncode}"}
+        found = json.loads(report.read_text(encoding="utf-8"))
+    seconds = {stage["name"]: stage["seconds"] for stage in found["stages"]}
+    design = [s for s in ("remesh", "flatten", "layout", "verify", "refine") if s in seconds]
+    return {
+        **row, "tiles": found["tiles"], "valid": found["valid"], "stages": found["stages"],
+        "seconds_to_valid": (round(sum(seconds[s] for s in design), 3)
+                             if found["valid"] else None),
+        "seconds_files": seconds.get("export"), "peak_memory_mb": found["peak_memory_mb"],
+    }
+
+
+def _line(row: dict) -> str:
+    if "error" in row:
+        return f"{row['name']:<16}{row['error']}"
+    total: dict[str, float] = {}
+    for stage in row["stages"]:
+        total[stage["name"]] = total.get(stage["name"], 0.0) + stage["seconds"]
+
+    def number(value, width, digits=2):
+        return f"{'-':>{width}}" if value is None else f"{value:>{width}.{digits}f}"
+
+    word = {True: "yes", False: "no", None: "not judged"}[row["valid"]]
+    return (f"{row['name']:<16}{row['tiles']:>6} "
+            + "".join(number(total.get(stage), 9) for stage in STAGES)
+            + number(row["seconds_to_valid"], 10) + number(row["seconds_files"], 8)
+            + number(row["peak_memory_mb"], 7, 0) + number(row["paper_seconds"], 9, 0) + f"  {word}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
