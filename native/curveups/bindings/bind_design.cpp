@@ -14,11 +14,16 @@ using ArrayNd = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 const char* affects_name(Affects affects) {
   switch (affects) {
-    case Affects::target: return "target";
-    case Affects::layout: return "layout";
-    case Affects::geometry: return "geometry";
-    case Affects::files: return "files";
-    case Affects::verification: return "verification";
+    case Affects::target:
+      return "target";
+    case Affects::layout:
+      return "layout";
+    case Affects::geometry:
+      return "geometry";
+    case Affects::files:
+      return "files";
+    case Affects::verification:
+      return "verification";
   }
   return "";
 }
@@ -67,12 +72,12 @@ void bind_design(py::module_& module) {
                              [](const ParameterInfo& i) { return std::string(i.meaning); })
       .def_property_readonly("affects",
                              [](const ParameterInfo& i) { return affects_name(i.affects); })
-      .def_property_readonly("type",
-                             [](const ParameterInfo& i) {
-                               constexpr const char* names[] = {"number", "integer", "switch",
-                                                                "choice"};
-                               return names[i.member.index()];
-                             })
+      .def_property_readonly(
+          "type",
+          [](const ParameterInfo& i) {
+            constexpr const char* names[] = {"number", "integer", "switch", "choice"};
+            return names[i.member.index()];
+          })
       .def_property_readonly("default", &default_value)
       .def_readonly("minimum", &ParameterInfo::minimum)
       .def_readonly("maximum", &ParameterInfo::maximum)
@@ -95,9 +100,10 @@ void bind_design(py::module_& module) {
             } else if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)) {
               set_parameter(p, name, value.cast<double>());
             } else {
-              throw InvalidInput("parameter " + name + " can't be a " +
-                                     py::str(py::type::of(value).attr("__name__")).cast<std::string>(),
-                                 "give a number, a text or true or false");
+              throw InvalidInput(
+                  "parameter " + name + " can't be a " +
+                      py::str(py::type::of(value).attr("__name__")).cast<std::string>(),
+                  "give a number, a text or true or false");
             }
           },
           py::arg("name"), py::arg("value"), "Sets one parameter; raises InvalidInput.")
@@ -111,7 +117,8 @@ void bind_design(py::module_& module) {
                                "list them with 'curveups parameters'");
           },
           py::arg("name"))
-      .def("check", &check_parameters, "Raises InvalidInput for values that contradict one another.")
+      .def("check", &check_parameters,
+           "Raises InvalidInput for values that contradict one another.")
       .def("to_dict", [](const Parameters& p) {
         py::dict out;
         for (const ParameterInfo& info : parameter_table()) {
@@ -125,8 +132,9 @@ void bind_design(py::module_& module) {
                      "cuts (C x 2), target (V, F) or None. Lengths in mm.")
       .def(py::init([](const std::string& name, const Parameters& parameters, const Points3& V,
                        const Triangles& F, const ArrayNd& T, const ArrayNd& q, const Edges& cuts) {
-             Design design{name, parameters, {V, F}, from_blocks(T, "T", 3, 2),
-                           from_blocks(q, "q", 2, 3), cuts, {}};
+             Design design{
+                 name, parameters, {V, F}, from_blocks(T, "T", 3, 2), from_blocks(q, "q", 2, 3),
+                 cuts, {}};
              require_rows(design, design.T.rows(), "T");
              require_rows(design, design.q.rows(), "q");
              return design;
@@ -148,8 +156,9 @@ void bind_design(py::module_& module) {
   module.def("read_design", &read_design, py::arg("text"),
              "Reads the text of design.json; raises InvalidInput naming the field.");
 
-  py::class_<TargetFinding>(module, "TargetFinding",
-                            "What can't work on a target, or may not: kind, message, remedy, tiles.")
+  py::class_<TargetFinding>(
+      module, "TargetFinding",
+      "What can't work on a target, or may not: kind, message, remedy, tiles.")
       .def_readonly("kind", &TargetFinding::kind)
       .def_readonly("message", &TargetFinding::message)
       .def_readonly("remedy", &TargetFinding::remedy)
@@ -173,7 +182,8 @@ void bind_design(py::module_& module) {
       .def_property_readonly("small_pins", [](const ConstraintReport& report) {
         py::list out;
         for (const SmallPin& pin : report.small_pins) {
-          out.append(py::make_tuple(pin.tile, pin.side == Side::front ? "front" : "back", pin.area));
+          out.append(
+              py::make_tuple(pin.tile, pin.side == Side::front ? "front" : "back", pin.area));
         }
         return out;
       });

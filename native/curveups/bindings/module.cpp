@@ -7,4 +7,5 @@ PYBIND11_MODULE(_native, module) {
   module.attr("__version__") = CURVEUPS_VERSION;
   bind_core(module);
   bind_design(module);
+  bind_layout(module);
 }

@@ -36,22 +36,29 @@ double separation_along(const Faces& tile, int t, const Faces& other) {
   return least;
 }
 
+// Two tips that face one another are separated by less along an edge normal than they are apart:
+// candidates are all pairs whose circles come within this many times the clearance. Circles,
+// because the answer must not depend on how the layout is turned.
+constexpr double reach = 3;
+
 std::vector<Separation> close_pairs(const std::vector<Faces>& placed, double clearance) {
   const int count = static_cast<int>(placed.size());
   Points3 low(count, 3), high(count, 3);
+  std::vector<Vec2> middle(count);
+  std::vector<double> radius(count, 0);
   for (int i = 0; i < count; ++i) {
-    Vec2 least = placed[i][0][0], most = least;
+    middle[i] = (placed[i][0][0] + placed[i][0][1] + placed[i][0][2]) / 3;
     for (const auto& face : placed[i]) {
-      for (const Vec2& p : face) {
-        least = least.cwiseMin(p);
-        most = most.cwiseMax(p);
-      }
+      for (const Vec2& p : face) radius[i] = std::max(radius[i], (p - middle[i]).norm());
     }
-    low.row(i) << least.x() - 0.5 * clearance, least.y() - 0.5 * clearance, 0;
-    high.row(i) << most.x() + 0.5 * clearance, most.y() + 0.5 * clearance, 0;
+    const Vec2 half = Vec2::Constant(radius[i] + 0.5 * reach * clearance);
+    low.row(i) << (middle[i] - half).transpose(), 0;
+    high.row(i) << (middle[i] + half).transpose(), 0;
   }
   std::vector<Separation> out;
   for (const auto& [i, j] : overlapping_boxes(low, high)) {
+    const double apart = (middle[i] - middle[j]).norm() - radius[i] - radius[j];
+    if (apart > reach * clearance) continue;
     Separation best{i, 0, j, -std::numeric_limits<double>::infinity()};
     for (int t = 0; t < 3; ++t) {
       const double d = separation_along(placed[i], t, placed[j]);

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/layout/initial_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curveups/geometry/conformal_map.hpp"
+#include "curveups/geometry/cut_mesh.hpp"
+
+namespace curveups {
+namespace {
+
+// The faces of one piece with the vertices they use.
+TriangleMesh extract(const TriangleMesh& mesh, const std::vector<int>& faces) {
+  std::vector<int> index(mesh.V.rows(), -1), used;
+  TriangleMesh piece;
+  piece.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    for (int t = 0; t < 3; ++t) {
+      const int v = mesh.F(faces[k], t);
+      if (index[v] < 0) {
+        index[v] = static_cast<int>(used.size());
+        used.push_back(v);
+      }
+      piece.F(static_cast<Eigen::Index>(k), t) = index[v];
+    }
+  }
+  piece.V.resize(static_cast<Eigen::Index>(used.size()), 3);
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    piece.V.row(static_cast<Eigen::Index>(k)) = mesh.V.row(used[k]);
+  }
+  return piece;
+}
+
+double inradius(double area, double perimeter) { return 2 * area / perimeter; }
+
+}  // namespace
+
+std::vector<std::vector<int>> pieces_of(const TileMesh& tiles) {
+  std::vector<char> joined(tiles.cut.size());
+  for (std::size_t e = 0; e < joined.size(); ++e) joined[e] = !tiles.cut[e];
+  const std::vector<int> component = face_components(tiles.topology, joined);
+  std::vector<std::vector<int>> pieces;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    if (component[i] >= static_cast<int>(pieces.size())) pieces.resize(component[i] + 1);
+    pieces[component[i]].push_back(i);
+  }
+  return pieces;
+}
+
+LayoutState initial_layout(const LayoutModel& model) {
+  const TileMesh& tiles = model.geometry->tiles;
+  const CutMesh open = cut_open(tiles.mesh, tiles.topology, tiles.cut);
+  LayoutState state(model.tile_count(), unknowns_per_tile);
+  double left = 0;
+  for (const std::vector<int>& piece : pieces_of(tiles)) {
+    const TriangleMesh mesh = extract(open.mesh, piece);
+    Points2 map = conformal_map(mesh);
+    std::vector<double> needed;
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      const int i = piece[k];
+      std::array<Vec2, 3> corner;
+      for (int t = 0; t < 3; ++t) corner[t] = map.row(mesh.F(static_cast<Eigen::Index>(k), t));
+      const double room =
+          inradius(0.5 * std::abs(wedge(corner[1] - corner[0], corner[2] - corner[0])),
+                   (corner[1] - corner[0]).norm() + (corner[2] - corner[1]).norm() +
+                       (corner[0] - corner[2]).norm());
+      const double outside = std::max(0.0, -tiles.back_shift.row(i).mean());
+      const double tile = inradius(tiles.area(i), tiles.length.row(i).sum());
+      if (room > 0) needed.push_back((tile + outside + 0.5 * model.parameters.d_gap_min) / room);
+    }
+    if (!needed.empty()) {
+      std::nth_element(needed.begin(), needed.begin() + static_cast<long>(needed.size() / 2),
+                       needed.end());
+      map *= needed[needed.size() / 2];
+    }
+    const double shift = left - map.col(0).minCoeff() + 2 * model.L;
+    map.col(0).array() += shift;
+    left = map.col(0).maxCoeff() + 2 * model.L;
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      const int i = piece[k];
+      std::array<Vec2, 3> corner;
+      for (int t = 0; t < 3; ++t) corner[t] = map.row(mesh.F(static_cast<Eigen::Index>(k), t));
+      const Vec2 middle = (corner[0] + corner[1] + corner[2]) / 3;
+      double cosine = 0, sine = 0;
+      for (int t = 0; t < 3; ++t) {
+        cosine += model.tiles[i].corner[0][t].dot(corner[t] - middle);
+        sine += wedge(model.tiles[i].corner[0][t], corner[t] - middle);
+      }
+      state.row(i).head<3>() << middle.x(), middle.y(), std::atan2(sine, cosine);
+    }
+  }
+  const PinBounds& bounds = model.geometry->pin_bounds;
+  state.rightCols<6>() = bounds.lower + 0.1 * (bounds.upper - bounds.lower);
+  return state;
+}
+
+}  // namespace curveups

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where the layout starts: every tile rigidly in its triangle of a conformal map.
+#pragma once
+
+#include "curveups/layout/layout_model.hpp"
+
+namespace curveups {
+
+// Tiles of each piece (component joined by uncut edges), in ascending order of the lowest tile.
+std::vector<std::vector<int>> pieces_of(const TileMesh& tiles);
+
+// Conformal map of each piece, of the mesh opened along the cuts, scaled so that the median tile
+// just fits with its gap; pieces stand side by side. Insets start a little above their lower
+// bounds. Throws TopologyError for a piece without boundary.
+LayoutState initial_layout(const LayoutModel& model);
+
+}  // namespace curveups

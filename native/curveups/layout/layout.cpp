@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/layout/layout.hpp"
+
+#include <algorithm>
+
+#include "curveups/core/tolerances.hpp"
+#include "curveups/design/print_margin.hpp"
+#include "curveups/layout/arrange.hpp"
+#include "curveups/layout/initial_layout.hpp"
+#include "curveups/layout/interior_point.hpp"
+
+namespace curveups {
+namespace {
+
+// Complementarity (energy units) at the start, where the layout is settled enough to look for
+// collisions, and at the end, where the objective has four digits.
+constexpr double mu_start = 1e-1, mu_search = 2e-3, mu_end = 1e-6;
+constexpr int most_iterations = 600, most_rounds = 12;
+
+}  // namespace
+
+LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& parameters,
+                          const Progress& progress) {
+  LayoutModel model = make_layout_model(geometry, parameters);
+  LayoutState state = initial_layout(model);
+  InteriorPoint method(model);
+  LayoutResult result;
+  double mu = mu_start, goal = mu_search;
+  while (true) {
+    // Of all rounds' progress the share of this one: rounds after the first are short.
+    const double done = result.collision_rounds == 0 && goal > mu_end ? 0.0 : 0.6;
+    const Progress scaled = [&](const std::string& what, double fraction) {
+      return keep_going(progress, what, done + (done > 0 ? 0.4 : 0.6) * fraction);
+    };
+    const InteriorPointOutcome outcome =
+        method.run(state, mu, goal, most_iterations - result.iterations, scaled);
+    result.iterations += outcome.iterations;
+    result.converged = outcome.converged;
+    result.largest_violation = outcome.largest_violation;
+    if (outcome.stopped) {
+      result.stopped = true;
+      break;
+    }
+    const double clearance = parameters.d_gap_min - 0.5 * tolerance::constraint;
+    const std::vector<Separation> close =
+        find_close_pairs(geometry.tiles, poses_of(model, state),
+                         goal > mu_end ? parameters.d_gap_min - 1e-3 : clearance);
+    for (const Separation& pair : close) add_separation(model, pair);
+    result.separations += static_cast<int>(close.size());
+    if (!close.empty()) ++result.collision_rounds;
+    if ((goal <= mu_end && close.empty()) || result.iterations >= most_iterations ||
+        result.collision_rounds >= most_rounds) {
+      result.converged = result.converged && close.empty();
+      break;
+    }
+    mu = goal > mu_end ? mu_search : 1e-4;
+    goal = mu_end;
+  }
+  for (const auto& term : make_energies(model, false)) {
+    result.energies[std::string(term->name())] = energy(*term, state);
+  }
+  result.poses = arrange_pieces(geometry.tiles, poses_of(model, state), print_margin(parameters));
+  result.q = insets_of(state);
+  return result;
+}
+
+}  // namespace curveups

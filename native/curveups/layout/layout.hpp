@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The coarse optimisation of the paper (section 5.1): from a target mesh to flat poses and pins.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "curveups/core/progress.hpp"
+#include "curveups/layout/layout_model.hpp"
+
+namespace curveups {
+
+struct LayoutResult {
+  FlatPoses poses;
+  Array6 q;
+  bool converged = false;
+  bool stopped = false;
+  int iterations = 0;
+  int collision_rounds = 0;                // times that separations were added
+  int separations = 0;                     // pairs of tiles kept apart besides contacts
+  double largest_violation = 0;            // of the hard constraints, mm
+  std::map<std::string, double> energies;  // Eq. 9's terms by name, with their weights
+};
+
+// Conformal start, then Eq. 9 under hard constraints (interior_point.hpp). Eq. 7 alone does not
+// keep tiles apart that share a vertex only, or nothing: pairs nearer than d_gap_min are searched
+// for, constrained and the layout goes on, until there are none. Turned to the smallest bounding
+// rectangle, pieces side by side. Stopped by the progress sink it returns what it has.
+LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& parameters,
+                          const Progress& progress);
+
+}  // namespace curveups
