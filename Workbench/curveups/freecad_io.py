@@ -19,7 +19,7 @@ BODIES = {"Tiles": "tiles", "Support": "support", "Anchors": "anchors"}
 # Showing the solids of more tiles takes OpenCASCADE's meshing several seconds: hidden until asked for.
 MOST_SHOWN = 800
 
-FORMATS = "OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP"
+FORMATS = "an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP"
 
 
 def read_target(path: Path, deflection: float) -> Mesh:
@@ -31,11 +31,11 @@ def read_target(path: Path, deflection: float) -> Mesh:
         raise CurveUpsError("no such target", str(path),
                             "give a file, or a built-in name from 'curveups targets'")
     if not path.is_file():
-        raise CurveUpsError("the target is no file", str(path), f"give a {FORMATS} file")
+        raise CurveUpsError("the target is no file", str(path), f"give {FORMATS} file")
     reader = _READERS.get(path.suffix.lower())
     if reader is None:
         raise CurveUpsError(f"unknown format '{path.suffix or path.name}'", str(path),
-                            f"give a {FORMATS} file")
+                            f"give {FORMATS} file")
     try:
         if path.stat().st_size == 0:
             raise CurveUpsError("the file is empty", str(path), "export it again")

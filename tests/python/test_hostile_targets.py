@@ -9,7 +9,7 @@ import struct
 import zipfile
 
 import pytest
-from conftest import dome
+from running import dome
 
 TRIANGLE = "v 0 0 0\nv 10 0 0\nv 0 10 0\n"
 

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The formats of design.json and report.json, field by field."""
+
+import math
+
+NUMBER, COUNT, TEXT = "number", "count", "text"
+
+REPORT = {
+    "format": TEXT, "version": COUNT, "name": TEXT, "status": TEXT, "tiles": COUNT,
+    "contacts": COUNT, "cuts": COUNT, "valid": None, "reasons": list, "warnings": list,
+    "area": {"actuated_cm2": NUMBER, "flat_cm2": NUMBER, "ratio": NUMBER},
+    "constraints": {"max_rigidity_mm": NUMBER, "max_gap_violation_mm": NUMBER,
+                    "max_pin_bound_violation_mm": NUMBER, "pin_sides_below_area": COUNT,
+                    "overlaps": COUNT},
+    "stages": list, "peak_memory_mb": NUMBER, "software": {"curveups": TEXT},
+}
+OPTIONAL = {
+    "physics": {"triangles": COUNT, "free_vertices": COUNT, "newton_iterations": list,
+                "residual": NUMBER, "wrinkled_fraction": NUMBER, "force_balance": NUMBER,
+                "torque_balance": NUMBER, "normal_force_error": NUMBER},
+    "contact_forces": {"unit": TEXT, "normal_mean": NUMBER, "normal_min": NUMBER, "f_min": NUMBER,
+                       "points_below_f_min": COUNT, "invalid_contacts": list,
+                       "friction_ratio_mean": NUMBER, "friction_ratio_max": NUMBER},
+    "unilateral": {"feasible": None, "friction_coefficient": NUMBER, "floor": NUMBER,
+                   "largest_floor": NUMBER, "feasible_at_bump_tips": None},
+    "deviation": {"mean_mm": NUMBER, "max_mm": NUMBER, "hausdorff_mm": NUMBER},
+    "solids": {"tiles": COUNT, "invalid": COUNT, "volume_cm3": NUMBER,
+               "min_clearance_flat_mm": NUMBER, "max_overlap_actuated_mm3": NUMBER},
+    "print": {"bbox_mm": list, "bodies": COUNT, "tile_volume_cm3": NUMBER,
+              "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
+              "smallest_feature_mm": NUMBER, "files": dict},
+}
+STAGES = ("remesh", "flatten", "layout", "verify", "refine", "solids", "export")
+
+
+def check(value, expected, where):
+    if isinstance(expected, dict):
+        assert isinstance(value, dict), where
+        for name, inner in expected.items():
+            assert name in value, f"{where}.{name}"
+            check(value[name], inner, f"{where}.{name}")
+    elif expected == NUMBER:
+        assert isinstance(value, (int, float)) and math.isfinite(value), (where, value)
+    elif expected == COUNT:
+        assert type(value) is int and value >= 0, (where, value)
+    elif expected == TEXT:
+        assert isinstance(value, str) and value, (where, value)
+    elif isinstance(expected, type):
+        assert isinstance(value, expected), (where, value)
+
+
+def check_report(report):
+    check(report, REPORT, "report")
+    for name, block in OPTIONAL.items():
+        if name in report:
+            check(report[name], block, name)
+    assert report["format"] == "curveups-report" and report["version"] == 1
+    assert report["status"] in ("complete", "stopped")
+    assert report["valid"] in (True, False, None)
+    assert report["valid"] is True or report["reasons"]
+    for warning in report["warnings"]:
+        assert warning["what"] and isinstance(warning["tiles"], list)
+        assert all(0 <= tile < report["tiles"] for tile in warning["tiles"])
+    for stage in report["stages"]:
+        assert stage["name"] in STAGES and stage["seconds"] >= 0 and stage["iterations"] >= 0
+
+
+def check_design(design):
+    assert design["format"] == "curveups-design" and design["version"] == 1
+    V, F, T, q = (design[name] for name in "VFTq")
+    assert all(len(row) == 3 and all(math.isfinite(x) for x in row) for row in V)
+    assert len(F) == len(T) == len(q)
+    assert all(len(row) == 3 and all(0 <= v < len(V) for v in row) for row in F)
+    assert all([len(p) for p in tile] == [2, 2, 2] for tile in T)
+    assert all([len(p) for p in tile] == [3, 3] for tile in q)
+    for name in ("L", "H_body", "H_pin", "tau", "d_gap_min", "p_min", "p_max", "A_pin_min"):
+        assert name in design["parameters"]
+    for tile in T:  # counter-clockwise from the front
+        (ax, ay), (bx, by), (cx, cy) = tile
+        assert (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0

@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`curveups design`: files, formats, statuses, small and odd targets, determinism."""
+
+import json
+import math
+import os
+import re
+import shutil
+import signal
+import struct
+import subprocess
+import time
+import zipfile
+
+import numpy as np
+import pytest
+from running import command, dome, environment
+from schema import check_design, check_report
+
+VALID = (0, 1)  # finished; whether the verdict is good is another test's matter
+
+FILES = {"design.json", "report.json", "report.html", "NAME.FCStd", "NAME-tiles.step",
+         "NAME-support.step", "NAME-anchors.step", "NAME-print.step", "NAME-tiles.stl",
+         "NAME-support.stl", "NAME-anchors.stl", "NAME-print.3mf", "NAME-actuated.step"}
+
+
+def test_design_without_solids(designed):
+    assert designed.ran.status in VALID, designed.ran.err
+    assert {p.name for p in designed.folder.iterdir()} == {"design.json", "report.json", "report.html"}
+    design, report = designed.json("design.json"), designed.json("report.json")
+    check_design(design)
+    check_report(report)
+    assert report["tiles"] == len(design["F"]) == 24
+    assert report["name"] == design["name"] == "small-cap"
+    assert designed.ran.out == ""
+    assert designed.ran.status == (1 if report["valid"] is False else 0)
+    # --no-remesh: the mesh as it was, L its own mean edge length.
+    assert np.array(design["F"]).max() == 18
+    V, F = np.array(design["V"]), np.array(design["F"])
+    edges = {tuple(sorted((f[t], f[(t + 1) % 3]))) for f in F.tolist() for t in range(3)}
+    mean = np.mean([np.linalg.norm(V[a] - V[b]) for a, b in edges])
+    assert math.isclose(design["parameters"]["L"], mean, rel_tol=1e-12)
+
+
+def test_all_files_and_sizes(printed):
+    assert printed.ran.status in VALID, printed.ran.err
+    expected = {name.replace("NAME", "small-cap") for name in FILES}
+    assert {p.name for p in printed.folder.iterdir()} == expected
+    report = printed.json("report.json")
+    check_report(report)
+    sizes = {p.name: p.stat().st_size for p in printed.folder.iterdir()}
+    assert report["print"]["files"] == {n: s for n, s in sizes.items() if n != "report.json"}
+    assert report["solids"]["tiles"] == 24 and report["solids"]["invalid"] == 0
+
+
+def test_quiet_says_nothing(curveups, cap, tmp_path):
+    ran = curveups("design", cap, "-o", tmp_path, "--no-remesh", "--no-solids", "--quiet")
+    assert ran.err == "" and ran.out == ""
+
+
+def test_progress_lines_are_plain_off_a_terminal(designed):
+    assert "\r" not in designed.ran.err and "\033" not in designed.ran.err
+    assert "curveups: layout" in designed.ran.err
+
+
+def test_built_in_without_freecad(curveups, tmp_path):
+    ran = curveups("design", "disc", "-o", tmp_path / "o", "--no-solids", "--set", "L=12",
+                   CURVEUPS_FREECAD_LIB="/nowhere")
+    assert ran.status in VALID, ran.err
+    report = json.loads((tmp_path / "o" / "report.json").read_text())
+    assert abs(report["target"]["mean_edge_mm"] / 12 - 1) <= 0.03
+    assert report["target"]["edge_cv"] <= 0.12
+
+
+def test_same_bytes_with_one_and_two_threads(curveups, tmp_path):
+    for threads in ("1", "2"):
+        ran = curveups("design", "saddle", "-o", tmp_path / threads, "--no-solids", "--set", "L=10",
+                       CURVEUPS_THREADS=threads)
+        assert ran.status in VALID, ran.err
+
+    def read(threads, name):
+        return (tmp_path / threads / name).read_bytes()
+
+    assert read("1", "design.json") == read("2", "design.json")
+    reports = []
+    for threads in ("1", "2"):
+        report = json.loads(read(threads, "report.json"))
+        for stage in report["stages"]:
+            stage.pop("seconds")
+        report.pop("peak_memory_mb")
+        report.pop("software")
+        reports.append(report)
+    assert reports[0] == reports[1]
+    assert read("1", "report.html") == read("2", "report.html")
+
+
+@pytest.mark.parametrize("name, text, tiles", [
+    ("one.obj", "v 0 0 0\nv 12 0 0\nv 5 11 0\nf 1 2 3\n", 1),
+    ("two.obj", "v 0 0 0\nv 12 0 0\nv 5 11 0\nv 6 -10 -2\nf 1 2 3\nf 2 1 4\n", 2),
+    # OBJ's negative numbers count back from the last vertex: the second dome names its own.
+    ("two-pieces.obj", dome(1) + re.sub(
+        r"(?m)^f .*$", lambda m: "f " + " ".join(str(int(i) - 8) for i in m[0].split()[1:]),
+        re.sub(r"(?m)^v (\S+)", lambda m: f"v {float(m[1]) + 60!r}", dome(1))), 12),
+])
+def test_small_targets(curveups, tmp_path, name, text, tiles):
+    (tmp_path / name).write_text(text)
+    ran = curveups("design", tmp_path / name, "-o", tmp_path / "out", "--no-remesh")
+    assert ran.status in VALID, ran.err
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert report["tiles"] == tiles
+    assert report["constraints"]["overlaps"] == 0
+    assert report["solids"]["invalid"] == 0
+    check_report(report)
+
+
+def test_scale_and_flip(curveups, tmp_path):
+    metres = re.sub(r"(?m)^v (\S+) (\S+) (\S+)",
+                    lambda m: "v " + " ".join(repr(float(x) / 1000) for x in m.groups()), dome(2))
+    (tmp_path / "m.obj").write_text(metres)
+    ran = curveups("design", tmp_path / "m.obj", "-o", tmp_path / "o", "--no-remesh", "--no-solids",
+                   "--set", "scale=1000", "--set", "flip=on")
+    assert ran.status in VALID, ran.err
+    design = json.loads((tmp_path / "o" / "design.json").read_text())
+    V, F = np.array(design["V"]), np.array(design["F"])
+    assert np.allclose(np.linalg.norm(V, axis=1), 40, atol=1e-9)
+    a, b, c = V[F[:, 0]], V[F[:, 1]], V[F[:, 2]]
+    assert (np.einsum("ij,ij->i", np.cross(b - a, c - a), a) < 0).all()  # inwards
+
+
+def test_cuts_by_edges_and_by_polyline(curveups, cap, tmp_path):
+    # Vertices of the dome: 0 the top, 1 the first of ring 1, 7 of ring 2 straight behind it.
+    for name, cuts in {"edges": {"edges": [[0, 1], [7, 1]]},
+                       "lines": {"polylines": [[[0, 0, 40], [40 * math.sin(0.4), 0, 40 * math.cos(0.4)]]]}
+                       }.items():
+        (tmp_path / f"{name}.json").write_text(json.dumps(cuts))
+        ran = curveups("design", cap, "-o", tmp_path / name, "--no-remesh", "--no-solids",
+                       "--cuts", tmp_path / f"{name}.json")
+        assert ran.status in VALID, ran.err
+        design = json.loads((tmp_path / name / "design.json").read_text())
+        report = json.loads((tmp_path / name / "report.json").read_text())
+        assert design["cuts"] == [[0, 1], [1, 7]]
+        assert report["cuts"] == 2 and report["contacts"] == 24 * 3 // 2 - 12 // 2 - 2
+
+
+def test_config_and_set(curveups, cap, tmp_path):
+    (tmp_path / "c.json").write_text('{"H_body": 2.5, "d_gap_min": 0.7, "anchors": false}')
+    ran = curveups("design", cap, "-o", tmp_path / "o", "--no-remesh", "--no-solids", "--config",
+                   tmp_path / "c.json", "--set", "H_body=2", "--set", "verify=off")
+    assert ran.status == 0, ran.err
+    parameters = json.loads((tmp_path / "o" / "design.json").read_text())["parameters"]
+    assert (parameters["H_body"], parameters["d_gap_min"]) == (2, 0.7)
+    assert parameters["anchors"] is False
+    assert parameters["verify"] is False and parameters["repair"] is False
+    report = json.loads((tmp_path / "o" / "report.json").read_text())
+    assert report["valid"] is None and report["reasons"] == ["verification was off"]
+    assert "physics" not in report
+
+
+def test_remesh_writes_the_numbers_that_cuts_refer_to(curveups, tmp_path):
+    ran = curveups("remesh", "half-sphere", "-o", tmp_path, "--set", "L=12")
+    assert ran.status == 0, ran.err
+    assert [p.name for p in tmp_path.iterdir()] == ["half-sphere-remeshed.obj"]
+    lines = (tmp_path / "half-sphere-remeshed.obj").read_text().splitlines()
+    V = np.array([[float(x) for x in line.split()[1:]] for line in lines if line.startswith("v ")])
+    assert np.abs(np.linalg.norm(V, axis=1) - 48).max() <= 0.005 * 12
+    ran = curveups("design", "half-sphere", "-o", tmp_path / "d", "--no-solids", "--set", "L=12")
+    design = json.loads((tmp_path / "d" / "design.json").read_text())
+    assert design["V"] == V.tolist()
+
+
+def test_verify_and_export_from_a_design_file(curveups, printed, tmp_path):
+    design = printed.folder / "design.json"
+    ran = curveups("export", design, "-o", tmp_path / "same")
+    assert ran.status in VALID, ran.err
+    names = {name.replace("NAME", "small-cap") for name in FILES}
+    assert {p.name for p in (tmp_path / "same").iterdir()} == names
+    stl = "small-cap-tiles.stl"
+    assert (tmp_path / "same" / stl).read_bytes() == (printed.folder / stl).read_bytes()
+    ran = curveups("export", design, "-o", tmp_path / "thin", "--set", "H_pin=0.8")
+    report = json.loads((tmp_path / "thin" / "report.json").read_text())
+    assert report["valid"] is not True
+    if report["valid"] is None:
+        assert report["reasons"] == ["geometry changed since verification"]
+    before = printed.json("report.json")["print"]["bbox_mm"][2]
+    assert math.isclose(report["print"]["bbox_mm"][2], before - 0.4, abs_tol=1e-6)
+
+
+def test_stl_and_3mf_are_watertight(printed):
+    report = printed.json("report.json")
+    data = (printed.folder / "small-cap-tiles.stl").read_bytes()
+    count = struct.unpack_from("<I", data, 80)[0]
+    assert len(data) == 84 + 50 * count
+    facet = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
+    corners = np.frombuffer(data, facet, count, 84)["corners"]
+    check_closed(corners.reshape(-1, 3), np.arange(3 * count).reshape(-1, 3))
+    with zipfile.ZipFile(printed.folder / "small-cap-print.3mf") as archive:
+        text = archive.read("3D/3dmodel.model").decode()
+    names = re.findall(r'<object [^>]*name="([^"]*)"', text)
+    assert [n for n in names if n.startswith("T")] == [f"T{i:05d}" for i in range(1, 25)]
+    assert len(names) == report["print"]["bodies"]
+
+
+def check_closed(points, faces):
+    _, index = np.unique(points, axis=0, return_inverse=True)
+    faces = index.reshape(-1)[faces]
+    edges = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    forward = {}
+    for a, b in edges.tolist():
+        forward[a, b] = forward.get((a, b), 0) + 1
+    assert all(forward.get((b, a), 0) == n for (a, b), n in forward.items())
+
+
+def test_unwritable_folder(curveups, cap, tmp_path):
+    if os.geteuid() == 0:
+        place = "/proc/curveups-test"  # not even root makes folders there
+    else:
+        (tmp_path / "locked").mkdir(mode=0o500)
+        place = tmp_path / "locked" / "out"
+    ran = curveups("design", cap, "-o", place, "--no-remesh", "--no-solids")
+    assert ran.status == 4 and len(ran.error_lines) == 1
+
+
+def test_full_disk_leaves_whole_files_only(cap, designed, tmp_path):
+    """A limit on file sizes stands for the disk: design.json fits, the page with pictures does not."""
+    import resource
+
+    limit = (designed.folder / "design.json").stat().st_size + 2000
+    assert (designed.folder / "report.html").stat().st_size > limit
+
+    def lower():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+    done = subprocess.run(command("design", cap, "-o", tmp_path / "out", "--no-remesh", "--no-solids"),
+                          env=environment(), capture_output=True, text=True, preexec_fn=lower)
+    assert done.returncode == 4, done.stderr
+    errors = [x for x in done.stderr.splitlines() if x.startswith("curveups: error: ")]
+    assert len(errors) == 1 and "report.html" in errors[0] and "complete are design.json" in errors[0]
+    assert [p.name for p in (tmp_path / "out").iterdir()] == ["design.json"]
+    assert (tmp_path / "out" / "design.json").read_bytes() == (designed.folder / "design.json").read_bytes()
+
+
+def test_stopping_keeps_the_best_so_far(tmp_path):
+    process = subprocess.Popen(command("design", "tower", "-o", tmp_path / "out"),
+                               env=environment(), stderr=subprocess.PIPE, text=True)
+    for line in process.stderr:
+        if "layout" in line:
+            break
+    time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    rest = process.stderr.read()
+    assert process.wait(timeout=120) == 3, rest
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert report["status"] == "stopped"
+    check_design(json.loads((tmp_path / "out" / "design.json").read_text()))
+    assert not any(p.name.startswith(".") for p in (tmp_path / "out").iterdir())
+
+
+def test_bar_on_a_terminal(cap, tmp_path):
+    if not shutil.which("script"):
+        pytest.skip("there is no script(1)")
+    line = " ".join(f"'{word}'" for word in
+                    command("design", cap, "-o", tmp_path / "o", "--no-remesh", "--no-solids"))
+    done = subprocess.run(["script", "-qec", line, "/dev/null"], env=environment(), text=True,
+                          capture_output=True, stdin=subprocess.DEVNULL)
+    assert "\r" in done.stdout and re.search(r"\[[#.-]+\]", done.stdout)

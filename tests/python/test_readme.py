@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands of README.md work as they stand there."""
+
+import re
+import subprocess
+
+from running import ROOT
+
+
+def commands():
+    blocks = re.findall(r"```sh\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.S)
+    return [line for block in blocks for line in block.splitlines() if line.strip()]
+
+
+def test_readme_commands():
+    assert commands()[0] == "tools/demo" and len(commands()) >= 5
+    for line in commands():
+        done = subprocess.run(line, shell=True, cwd=ROOT, stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, timeout=550)
+        # 1: finished, with a verdict of not valid, which is no failure of the command.
+        assert done.returncode in (0, 1), (line, done.stderr[-2000:])
+        assert "curveups: error" not in done.stderr, (line, done.stderr[-2000:])
+        if line == "tools/demo":
+            assert "half-sphere-print.3mf" in done.stdout and "report.html" in done.stdout
+
+
+def test_links_and_pictures_exist():
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    for target in re.findall(r"\]\(([^)]+)\)", text):
+        assert (ROOT / target).is_file(), target

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all Python tests share: how the program is started, and a small target."""
+
+import math
+import os
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "Workbench"))
+
+
+@dataclass
+class Ran:
+    status: int
+    out: str
+    err: str
+
+    @property
+    def error_lines(self):
+        return [line for line in self.err.splitlines() if line.startswith("curveups: error: ")]
+
+
+def command(*arguments):
+    return [sys.executable, "-m", "curveups.cli", *map(str, arguments)]
+
+
+def environment(**more):
+    return {**os.environ, "PYTHONPATH": str(ROOT / "Workbench"), **more}
+
+
+def dome(rings, radius=40.0, edge=8.0):
+    """OBJ text of a spherical cap of 6 rings^2 triangles, counter-clockwise from outside."""
+    vertices = [(0.0, 0.0, radius)]
+    for ring in range(1, rings + 1):
+        polar = ring * edge / radius
+        for k in range(6 * ring):
+            angle = 2 * math.pi * k / (6 * ring)
+            vertices.append((radius * math.sin(polar) * math.cos(angle),
+                             radius * math.sin(polar) * math.sin(angle),
+                             radius * math.cos(polar)))
+
+    def index(ring, k):
+        return 0 if ring == 0 else 1 + 3 * ring * (ring - 1) + k % (6 * ring)
+
+    faces = []
+    for ring in range(1, rings + 1):
+        for sector in range(6):
+            for j in range(ring):
+                outer = sector * ring + j
+                inner = sector * (ring - 1) + j
+                faces.append((index(ring, outer), index(ring, outer + 1), index(ring - 1, inner)))
+                if j < ring - 1:
+                    faces.append((index(ring - 1, inner), index(ring, outer + 1),
+                                  index(ring - 1, inner + 1)))
+    return "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in vertices) + "".join(
+        f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces)
