@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <unordered_set>
 
 #include "curveups/core/parallel.hpp"
@@ -24,55 +25,6 @@ double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   };
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
 }
-
-// Boundary vertices between fixed ones (or around a whole loop) move towards even spacing.
-class BoundarySpacing {
- public:
-  BoundarySpacing(const IsotropicMesh& mesh, const MeshTopology& topology,
-                  const BoundaryCurves& boundary)
-      : boundary_(boundary) {
-    for (std::vector<int>& loop : boundary_loops(topology)) {
-      Loop l;
-      for (int v : loop) {
-        const BoundaryCurves::Place place = boundary.nearest(mesh.mesh.V.row(v));
-        l.curve = place.curve;
-        l.arc.push_back(place.arc);
-      }
-      // The loop runs the way the curve does: arcs rise but for the one step over the start.
-      const double length = boundary.length(l.curve);
-      for (std::size_t i = 1; i < loop.size(); ++i) {
-        while (l.arc[i] < l.arc[i - 1] - 0.5 * length) l.arc[i] += length;
-        l.arc[i] = std::max(l.arc[i], l.arc[i - 1]);
-      }
-      l.vertex = std::move(loop);
-      loops_.push_back(std::move(l));
-    }
-  }
-
-  void relax(IsotropicMesh& mesh) {
-    for (Loop& loop : loops_) {
-      const int count = static_cast<int>(loop.vertex.size());
-      const double length = boundary_.length(loop.curve);
-      const std::vector<double> old = loop.arc;
-      for (int i = 0; i < count; ++i) {
-        if (mesh.fixed[loop.vertex[i]]) continue;
-        const double before = i > 0 ? old[i - 1] : old[count - 1] - length;
-        const double after = i + 1 < count ? old[i + 1] : old[0] + length;
-        loop.arc[i] += 0.7 * (0.5 * (before + after) - old[i]);
-        mesh.mesh.V.row(loop.vertex[i]) = boundary_.at(loop.curve, loop.arc[i]);
-      }
-    }
-  }
-
- private:
-  struct Loop {
-    int curve = 0;
-    std::vector<int> vertex;
-    std::vector<double> arc;
-  };
-  const BoundaryCurves& boundary_;
-  std::vector<Loop> loops_;
-};
 
 // One damped step of all springs; interior vertices return to the surface.
 void relax_springs(IsotropicMesh& mesh, const MeshTopology& topology, double length,
@@ -146,17 +98,14 @@ int flip_towards_regular(IsotropicMesh& mesh) {
   return flips;
 }
 
-void even_edges(IsotropicMesh& mesh, double length, int passes, const ClosestPoints& surface,
-                const BoundaryCurves& boundary) {
+void even_edges(IsotropicMesh& mesh, double length, int passes, const ClosestPoints& surface) {
   const int vertices = static_cast<int>(mesh.mesh.V.rows());
   MeshTopology topology = build_topology(mesh.mesh.F, vertices);
   std::vector<char> on_boundary(vertices, 0);
   for (const MeshEdge& edge : topology.edges) {
     if (edge.boundary()) on_boundary[edge.v[0]] = on_boundary[edge.v[1]] = 1;
   }
-  BoundarySpacing spacing(mesh, topology, boundary);
   for (int pass = 0; pass < passes; ++pass) {
-    spacing.relax(mesh);
     relax_springs(mesh, topology, length, on_boundary, surface);
     if (pass % 4 == 3 && flip_towards_regular(mesh) > 0) {
       topology = build_topology(mesh.mesh.F, vertices);

@@ -3,9 +3,6 @@
 // long.
 #pragma once
 
-#include <vector>
-
-#include "curveups/geometry/boundary_curves.hpp"
 #include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/isotropic_mesh.hpp"
 
@@ -14,9 +11,8 @@ namespace curveups {
 // Flips edges towards valence 6 (4 on the boundary) where that spoils no angle. Returns how many.
 int flip_towards_regular(IsotropicMesh& mesh);
 
-// `passes` rounds of springs of rest length `length` between interior vertices, put back onto
-// `surface`, and of even spacing of boundary vertices along `boundary`; flips in between.
-void even_edges(IsotropicMesh& mesh, double length, int passes, const ClosestPoints& surface,
-                const BoundaryCurves& boundary);
+// `passes` rounds of springs of rest length `length` that move the vertices which are neither fixed
+// nor on the boundary, and put them back onto `surface`; flips in between.
+void even_edges(IsotropicMesh& mesh, double length, int passes, const ClosestPoints& surface);
 
 }  // namespace curveups

@@ -41,8 +41,7 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
     pmp::isotropic_remeshing(faces(mesh), length, mesh,
                              CGAL::parameters::number_of_iterations(iterations)
                                  .number_of_relaxation_steps(3)
-                                 .vertex_is_constrained_map(fixed)
-                                 .relax_constraints(true));
+                                 .vertex_is_constrained_map(fixed));
   } catch (const std::exception& error) {
     throw SolverFailure("remeshing failed: " + std::string(error.what()),
                         "repair the surface, or give a remeshed one and switch remeshing off");

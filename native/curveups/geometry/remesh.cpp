@@ -6,6 +6,7 @@
 #include <string>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/geometry/boundary_spacing.hpp"
 #include "curveups/geometry/even_edges.hpp"
 
 namespace curveups {
@@ -33,11 +34,14 @@ EdgeStatistics edge_statistics(const TriangleMesh& mesh) {
                     0.0, squares / static_cast<double>(topology.edges.size()) - mean * mean))};
 }
 
+std::size_t boundary_loop_count(const TriangleMesh& mesh) {
+  return boundary_loops(build_topology(mesh.F, static_cast<int>(mesh.V.rows()))).size();
+}
+
 TriangleMesh remesh_component(const TriangleMesh& surface, const RemeshOptions& options) {
   const ClosestPoints closest(surface);
-  const BoundaryCurves boundary(surface);
-  IsotropicMesh mesh{surface, std::vector<char>(surface.V.rows(), 0)};
-  for (int v : boundary.corners(corner_angle)) mesh.fixed[v] = 1;
+  const std::size_t loops = boundary_loop_count(surface);
+  IsotropicMesh mesh = space_boundary(surface, options.L, corner_angle);
 
   double length = options.L;
   IsotropicMesh best;
@@ -47,12 +51,12 @@ TriangleMesh remesh_component(const TriangleMesh& surface, const RemeshOptions& 
       throw Cancelled();
     }
     mesh = isotropic_mesh(mesh, length, round == 0 ? 12 : 5);
-    if (mesh.mesh.F.rows() == 0 || BoundaryCurves(mesh.mesh).count() != boundary.count()) {
+    if (mesh.mesh.F.rows() == 0 || boundary_loop_count(mesh.mesh) != loops) {
       throw TopologyError("a part or a hole of the surface is too small for edges of " +
                               std::to_string(options.L) + " mm",
                           "choose a smaller L, or fill the hole");
     }
-    even_edges(mesh, options.L, 60, closest, boundary);
+    even_edges(mesh, options.L, 60, closest);
     const EdgeStatistics edges = edge_statistics(mesh.mesh);
     const double error = std::abs(edges.mean / options.L - 1) + 2 * edges.deviation / edges.mean;
     if (best_error < 0 || error < best_error) {
