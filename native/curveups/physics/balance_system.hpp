@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Force and torque balance of all tiles under point contacts (paper, Eq. 2): A f + b = 0, f the
+// contact forces, b the other wrenches. Torques are divided by a lever so that all rows are forces.
+// Six rows of one tile are left out per connected component that nothing holds: they follow from
+// the others. Owns the factorization of A D A^T.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "curveups/core/sparse_cholesky.hpp"
+#include "curveups/physics/elastic_forces.hpp"
+
+namespace curveups {
+
+// A point at which tile[0] pushes tile[1] along `normal` (unit), and tile[1] pushes back. tile[0]
+// is -1 for the ground.
+struct ContactPoint {
+  Vec3 position;
+  Vec3 normal;
+  std::array<int, 2> tile;
+  int contact;  // what it belongs to, for reports; -1 for the ground
+};
+
+// Forces are three numbers per point in the point's own basis: along the normal (pushing positive)
+// and two tangents.
+class BalanceSystem {
+ public:
+  // centres: tile_centres. held: tiles whose balance is somebody else's business, ascending.
+  BalanceSystem(std::vector<ContactPoint> points, const Points3& centres, double lever,
+                const std::vector<int>& held);
+
+  const std::vector<ContactPoint>& points() const { return points_; }
+  int point_count() const { return static_cast<int>(points_.size()); }
+  int rows() const { return rows_; }
+  // False for held tiles and for the one left out per component.
+  bool has_rows(int tile) const { return row_of_tile_[tile] >= 0; }
+  // Columns: normal and tangents of a point.
+  const Eigen::Matrix3d& basis(int point) const { return basis_[point]; }
+  double lever() const { return lever_; }
+
+  // The rows' share of wrenches (M x 6, torques about the centres).
+  Eigen::VectorXd restrict(const Wrenches& wrenches) const;
+  Eigen::VectorXd apply(const Eigen::VectorXd& f) const;
+  Eigen::VectorXd apply_transposed(const Eigen::VectorXd& y) const;
+  // The wrenches of contact forces on all tiles, those without rows too.
+  Wrenches wrenches(const Eigen::VectorXd& f) const;
+
+  // Factorizes A D A^T, D symmetric positive definite 3 x 3 per point. Where points are too few to
+  // hold a tile the matrix is singular: a small multiple of the identity then keeps it solvable.
+  // Returns false where even that fails (D not finite).
+  bool factorize(const std::vector<Eigen::Matrix3d>& D);
+  Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
+
+ private:
+  using Arm = Eigen::Matrix<double, 6, 3>;  // force in the basis to wrench on a tile
+  Arm arm(int point, int end) const;
+  void make_pattern();
+
+  std::vector<ContactPoint> points_;
+  std::vector<Eigen::Matrix3d> basis_;
+  Points3 centres_;
+  double lever_;
+  std::vector<int> row_of_tile_;  // first row, or -1
+  int rows_ = 0;
+  std::vector<int> offset_;  // per point: rows behind the diagonal block, -1 where not coupled
+  SparseMatrix matrix_;
+  SparseCholesky factor_;
+};
+
+}  // namespace curveups

@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/unilateral.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/physics/second_order_cone.hpp"
+
+namespace curveups {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::VectorXd;
+
+// In units of scale. Unknowns: s, and f, three per point: the force less the floor, (n - s, t).
+// (With the force itself the relaxed program and that of unlimited friction lose all digits at the
+// end.) Balance: A f + a s + b = 0, a = A applied to a unit normal force at every point. Cones,
+// with slack z and multiplier l:
+//   circle  z = (mu (f_n + rho s), f_t)   where friction is limited; rho 1, or 0 in the relaxed
+//   program floor   z = f_n cap     z = 1 - s
+class ConeProgram {
+ public:
+  ConeProgram(BalanceSystem& system, VectorXd b, double mu, bool relaxed)
+      : system_(system),
+        count_(system.point_count()),
+        b_(std::move(b)),
+        limited_(std::isfinite(mu)),
+        mu_(limited_ ? mu : 0),
+        rho_(relaxed ? 0 : 1),
+        // Unlimited tangential forces need a reason to stay small; it costs the floor 1e-3 of the
+        // mean square force at most, on the safe side.
+        proximal_((limited_ ? 1e-8 : 1e-3) / std::max(1, count_)) {
+    VectorXd ones = VectorXd::Zero(3 * count_);
+    for (int p = 0; p < count_; ++p) ones(3 * p) = 1;
+    a_ = system_.apply(ones);
+  }
+
+  struct Outcome {
+    bool solved = false;
+    int iterations = 0;
+    VectorXd force;
+    double s = 0;
+    VectorXd weight;  // dual weight of each point's cones
+  };
+
+  Outcome solve(const VectorXd& start, const UnilateralOptions& options, const Progress& progress);
+
+ private:
+  struct Cones {
+    Points3 circle;
+    VectorXd floor;
+    double cap;
+  };
+  struct Direction {
+    VectorXd f, y;
+    double s;
+    Cones z, l;
+  };
+
+  Vec3 circle_of(const Vec3& f, double s) const { return {mu_ * (f.x() + rho_ * s), f.y(), f.z()}; }
+
+  void initialize(const VectorXd& start);
+  void residuals();
+  bool factorize();
+  Direction newton(double keep, const Cones& d) const;
+  Cones scaled(const Cones& d) const;  // W d
+  double step_length(const Direction& d, double limit) const;
+  double complementarity(const Direction* d, double step) const;
+
+  BalanceSystem& system_;
+  int count_;
+  VectorXd b_;
+  bool limited_;
+  double mu_, rho_, proximal_;
+  VectorXd a_;
+
+  VectorXd f_, y_;
+  double s_ = 0;
+  Cones z_, l_;
+  // Residuals: dual (f and s), balance, cones.
+  VectorXd r_f_, r_y_;
+  double r_s_ = 0;
+  Cones r_z_;
+  // Scalings and the condensed system: D f + e s + A^T y, e^T f + alpha s + a^T y
+  std::vector<ConeScaling> circle_;
+  VectorXd w_floor_;
+  double w_cap_ = 1;
+  std::vector<Matrix3d> D_inverse_;
+  Points3 e_;
+  double pivot_ = 1;
+  VectorXd c_, y_c_;  // c = A D^-1 e - a
+};
+
+VectorXd times(const std::vector<Matrix3d>& blocks, const VectorXd& x) {
+  VectorXd out(x.size());
+  for (std::size_t p = 0; p < blocks.size(); ++p)
+    out.segment<3>(3 * p) = blocks[p] * x.segment<3>(3 * p);
+  return out;
+}
+
+void ConeProgram::initialize(const VectorXd& start) {
+  f_ = start;
+  y_ = VectorXd::Zero(system_.rows());
+  double least = 0;
+  for (int p = 0; p < count_; ++p) least = std::min(least, f_(3 * p));
+  s_ = least - 0.1;
+  for (int p = 0; p < count_; ++p) f_(3 * p) -= s_;
+  const double weight = 1.0 / std::max(1, count_);
+  z_.circle.setZero(limited_ ? count_ : 0, 3);
+  l_.circle.setZero(limited_ ? count_ : 0, 3);
+  z_.floor.resize(count_);
+  l_.floor = VectorXd::Constant(count_, weight);
+  for (int p = 0; p < count_; ++p) {
+    z_.floor(p) = f_(3 * p);
+    if (!limited_) continue;
+    Vec3 u = circle_of(f_.segment<3>(3 * p), s_);
+    u.x() = std::max(u.x(), 1.1 * u.tail<2>().norm() + 0.1);
+    z_.circle.row(p) = u.transpose();
+    l_.circle(p, 0) = weight;
+  }
+  z_.cap = 1 - s_;
+  l_.cap = weight;
+}
+
+void ConeProgram::residuals() {
+  r_f_ = proximal_ * f_ + system_.apply_transposed(y_);
+  r_s_ = -1 + l_.cap + a_.dot(y_);
+  r_z_.floor.resize(count_);
+  r_z_.circle.resize(limited_ ? count_ : 0, 3);
+  for (int p = 0; p < count_; ++p) {
+    r_f_(3 * p) -= l_.floor(p);
+    r_z_.floor(p) = z_.floor(p) - f_(3 * p);
+    if (!limited_) continue;
+    const Vec3 l = l_.circle.row(p);
+    r_f_.segment<3>(3 * p) -= Vec3(mu_ * l.x(), l.y(), l.z());
+    r_s_ -= mu_ * rho_ * l.x();
+    r_z_.circle.row(p) = z_.circle.row(p) - circle_of(f_.segment<3>(3 * p), s_).transpose();
+  }
+  r_z_.cap = z_.cap - (1 - s_);
+  r_y_ = system_.apply(f_) + s_ * a_ + b_;
+}
+
+bool ConeProgram::factorize() {
+  w_floor_ = l_.floor.cwiseQuotient(z_.floor);
+  w_cap_ = l_.cap / z_.cap;
+  circle_.resize(limited_ ? count_ : 0);
+  D_inverse_.resize(count_);
+  e_.resize(count_, 3);
+  pivot_ = w_cap_;
+  for (int p = 0; p < count_; ++p) {
+    Matrix3d D = proximal_ * Matrix3d::Identity();
+    D(0, 0) += w_floor_(p);
+    Vec3 e = Vec3::Zero();
+    if (limited_) {
+      circle_[p] = cone_scaling(z_.circle.row(p), l_.circle.row(p));
+      Matrix3d M = circle_[p].W_inverse_squared;
+      M.row(0) *= mu_;
+      M.col(0) *= mu_;
+      D += M;
+      e = rho_ * M.col(0);
+      pivot_ += rho_ * rho_ * M(0, 0);
+    }
+    D_inverse_[p] = D.inverse();
+    e_.row(p) = e.transpose();
+    pivot_ -= e.dot(D_inverse_[p] * e);
+  }
+  if (!system_.factorize(D_inverse_)) return false;
+  c_ = system_.apply(times(D_inverse_, Eigen::Map<const VectorXd>(e_.data(), e_.size()))) - a_;
+  y_c_ = system_.solve(c_);
+  pivot_ += c_.dot(y_c_);
+  return std::isfinite(pivot_) && pivot_ > 0;
+}
+
+ConeProgram::Cones ConeProgram::scaled(const Cones& d) const {
+  Cones out = d;
+  for (std::size_t p = 0; p < circle_.size(); ++p) {
+    out.circle.row(p) = (circle_[p].W * d.circle.row(p).transpose()).transpose();
+  }
+  out.floor = d.floor.cwiseQuotient(w_floor_.cwiseSqrt());
+  out.cap = d.cap / std::sqrt(w_cap_);
+  return out;
+}
+
+// Residuals to be reduced to 1 - keep of themselves; d: W dl + W^-1 dz of every cone.
+ConeProgram::Direction ConeProgram::newton(double keep, const Cones& d) const {
+  // G dx - W^2 dl = beta with G x = -(the cones' linear maps).
+  Cones beta = scaled(d);
+  beta.floor = -keep * r_z_.floor - beta.floor;
+  beta.cap = -keep * r_z_.cap - beta.cap;
+  beta.circle = -keep * r_z_.circle - beta.circle;
+  VectorXd rhs = -keep * r_f_;
+  double rhs_s = -keep * r_s_ + w_cap_ * beta.cap;
+  for (int p = 0; p < count_; ++p) {
+    rhs(3 * p) -= w_floor_(p) * beta.floor(p);
+    if (!limited_) continue;
+    Vec3 v = circle_[p].W_inverse_squared * beta.circle.row(p).transpose();
+    v.x() *= mu_;
+    rhs.segment<3>(3 * p) -= v;
+    rhs_s -= rho_ * v.x();
+  }
+  Direction out;
+  const VectorXd Dr = times(D_inverse_, rhs);
+  const VectorXd y_r = system_.solve(system_.apply(Dr) + keep * r_y_);
+  const Eigen::Map<const VectorXd> e(e_.data(), e_.size());
+  out.s = (rhs_s - e.dot(Dr) + c_.dot(y_r)) / pivot_;
+  out.y = y_r - out.s * y_c_;
+  out.f = times(D_inverse_, rhs - out.s * e - system_.apply_transposed(out.y));
+  out.z.floor.resize(count_);
+  out.l.floor.resize(count_);
+  out.z.circle.resize(limited_ ? count_ : 0, 3);
+  out.l.circle.resize(limited_ ? count_ : 0, 3);
+  for (int p = 0; p < count_; ++p) {
+    const double n = out.f(3 * p);
+    out.z.floor(p) = -keep * r_z_.floor(p) + n;
+    out.l.floor(p) = w_floor_(p) * (-n - beta.floor(p));
+    if (!limited_) continue;
+    const Vec3 m = circle_of(out.f.segment<3>(3 * p), out.s);
+    out.z.circle.row(p) = -keep * r_z_.circle.row(p) + m.transpose();
+    out.l.circle.row(p) =
+        (circle_[p].W_inverse_squared * (-m - beta.circle.row(p).transpose())).transpose();
+  }
+  out.z.cap = -keep * r_z_.cap - out.s;
+  out.l.cap = w_cap_ * (out.s - beta.cap);
+  return out;
+}
+
+double ConeProgram::step_length(const Direction& d, double limit) const {
+  double step = limit;
+  auto line = [&](double u, double du) {
+    if (du < 0) step = std::min(step, -u / du);
+  };
+  line(z_.cap, d.z.cap);
+  line(l_.cap, d.l.cap);
+  for (int p = 0; p < count_; ++p) {
+    line(z_.floor(p), d.z.floor(p));
+    line(l_.floor(p), d.l.floor(p));
+    if (!limited_) continue;
+    step = cone_step(z_.circle.row(p), d.z.circle.row(p), step);
+    step = cone_step(l_.circle.row(p), d.l.circle.row(p), step);
+  }
+  return step;
+}
+
+double ConeProgram::complementarity(const Direction* d, double step) const {
+  if (!d) {
+    return z_.floor.dot(l_.floor) + z_.cap * l_.cap + z_.circle.cwiseProduct(l_.circle).sum();
+  }
+  return (z_.floor + step * d->z.floor).dot(l_.floor + step * d->l.floor) +
+         (z_.cap + step * d->z.cap) * (l_.cap + step * d->l.cap) +
+         (z_.circle + step * d->z.circle).cwiseProduct(l_.circle + step * d->l.circle).sum();
+}
+
+ConeProgram::Outcome ConeProgram::solve(const VectorXd& start, const UnilateralOptions& options,
+                                        const Progress& progress) {
+  initialize(start);
+  Outcome out;
+  const double degree = count_ * (limited_ ? 2.0 : 1.0) + 1;
+  for (; out.iterations < options.max_iterations; ++out.iterations) {
+    if (!keep_going(progress, "friction and unilateral contacts")) throw Cancelled();
+    residuals();
+    const double gap = complementarity(nullptr, 0);
+    if (!std::isfinite(gap)) return out;
+    double primal = r_z_.floor.size() ? r_z_.floor.cwiseAbs().maxCoeff() : 0;
+    if (r_y_.size()) primal = std::max(primal, r_y_.cwiseAbs().maxCoeff());
+    if (r_z_.circle.size()) primal = std::max(primal, r_z_.circle.cwiseAbs().maxCoeff());
+    // Dual residuals count by what they move the objective.
+    const double dual = std::abs(r_s_) + r_f_.cwiseAbs().dot(f_.cwiseAbs());
+    if (gap < options.tolerance && primal < 1e-7 && dual < options.tolerance) {
+      out.solved = true;
+      break;
+    }
+    if (!factorize()) return out;
+    // Predictor: straight to complementarity zero.
+    Cones d;
+    d.floor = -(z_.floor.cwiseProduct(l_.floor)).cwiseSqrt();
+    d.cap = -std::sqrt(z_.cap * l_.cap);
+    d.circle.resize(limited_ ? count_ : 0, 3);
+    for (std::size_t p = 0; p < circle_.size(); ++p) d.circle.row(p) = -circle_[p].nu.transpose();
+    const Direction affine = newton(1, d);
+    const double reach = step_length(affine, 1.0);
+    const double ratio = std::clamp(complementarity(&affine, reach) / gap, 0.0, 1.0);
+    const double centring = ratio * ratio * ratio, target = centring * gap / degree;
+    // Corrector: the same scaling, with second-order terms.
+    for (int p = 0; p < count_; ++p) {
+      const double nu = -d.floor(p);
+      d.floor(p) = (-nu * nu - affine.z.floor(p) * affine.l.floor(p) + target) / nu;
+      if (!limited_) continue;
+      const ConeScaling& scaling = circle_[p];
+      const Vec3 r = -cone_product(scaling.nu, scaling.nu) -
+                     cone_product(scaling.W_inverse * affine.z.circle.row(p).transpose(),
+                                  scaling.W * affine.l.circle.row(p).transpose()) +
+                     Vec3(target, 0, 0);
+      d.circle.row(p) = cone_divide(scaling.nu, r).transpose();
+    }
+    const double nu = -d.cap;
+    d.cap = (-nu * nu - affine.z.cap * affine.l.cap + target) / nu;
+    const Direction step = newton(1 - centring, d);
+    const double length = std::min(1.0, 0.99 * step_length(step, 2.0));
+    if (!(length > 1e-10)) return out;
+    f_ += length * step.f;
+    y_ += length * step.y;
+    s_ += length * step.s;
+    z_.floor += length * step.z.floor;
+    z_.circle += length * step.z.circle;
+    z_.cap += length * step.z.cap;
+    l_.floor += length * step.l.floor;
+    l_.circle += length * step.l.circle;
+    l_.cap += length * step.l.cap;
+  }
+  // What is left of imbalance, taken up where the cones leave most room.
+  for (int round = 0; out.solved && round < 2 && !D_inverse_.empty(); ++round) {
+    const VectorXd rest = system_.apply(f_) + s_ * a_ + b_;
+    f_ -= times(D_inverse_, system_.apply_transposed(system_.solve(rest)));
+  }
+  out.force = f_;
+  for (int p = 0; p < count_; ++p) out.force(3 * p) += s_;
+  out.s = s_;
+  out.weight = l_.floor;
+  for (int p = 0; limited_ && p < count_; ++p) out.weight(p) += mu_ * l_.circle(p, 0);
+  return out;
+}
+
+std::vector<int> heaviest(const VectorXd& weight) {
+  std::vector<int> order(weight.size());
+  std::iota(order.begin(), order.end(), 0);
+  const std::size_t keep = std::min<std::size_t>(20, order.size());
+  std::partial_sort(order.begin(), order.begin() + keep, order.end(), [&](int a, int b) {
+    return weight(a) != weight(b) ? weight(a) > weight(b) : a < b;
+  });
+  order.resize(keep);
+  return order;
+}
+
+}  // namespace
+
+UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
+                                  const Points3& start, const UnilateralOptions& options,
+                                  const Progress& progress) {
+  if (!(options.friction_coefficient > 0) || !(options.scale > 0) ||
+      !std::isfinite(options.scale)) {
+    throw InvalidInput("friction coefficient and force scale must be positive",
+                       "give positive numbers");
+  }
+  UnilateralResult result;
+  const int count = system.point_count();
+  const double mu = options.friction_coefficient;
+  result.force = start;
+  const VectorXd b = system.restrict(loads) / options.scale;
+  if (count == 0) {
+    const bool balanced = b.size() == 0 || b.cwiseAbs().maxCoeff() < options.tolerance;
+    result.status = balanced ? UnilateralStatus::feasible : UnilateralStatus::infeasible;
+    return result;
+  }
+  const VectorXd from = Eigen::Map<const VectorXd>(start.data(), start.size()) / options.scale;
+  for (bool relaxed : {false, true}) {
+    if (relaxed && !std::isfinite(mu)) break;  // the same program
+    ConeProgram program(system, b, mu, relaxed);
+    ConeProgram::Outcome outcome = program.solve(from, options, progress);
+    result.iterations += outcome.iterations;
+    if (!outcome.solved) continue;
+    // Certify: the forces themselves, not the solver's word.
+    double floor = 1e300, slip = 0;
+    for (int p = 0; p < count; ++p) {
+      const Vec3 f = outcome.force.segment<3>(3 * p);
+      floor = std::min(floor, f.x());
+      if (std::isfinite(mu)) slip = std::max(slip, f.tail<2>().norm() - mu * f.x());
+    }
+    const VectorXd rest = system.apply(outcome.force) + b;
+    const double imbalance = rest.size() ? rest.cwiseAbs().maxCoeff() : 0;
+    if (imbalance > 1e-6) continue;
+    result.force = options.scale * Eigen::Map<const Points3>(outcome.force.data(), count, 3);
+    result.critical_points = heaviest(outcome.weight);
+    if (floor >= -options.tolerance && slip <= options.tolerance) {
+      result.status = UnilateralStatus::feasible;
+      result.largest_floor = options.scale * std::max(0.0, std::min(floor, 1.0));
+      return result;
+    }
+    // The optimum itself is negative: no forces do without a pull.
+    if (outcome.s < -options.tolerance) {
+      result.status = UnilateralStatus::infeasible;
+      result.largest_floor = options.scale * outcome.s;
+      return result;
+    }
+  }
+  return result;
+}
+
+}  // namespace curveups
