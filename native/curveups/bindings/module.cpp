@@ -6,6 +6,7 @@ PYBIND11_MODULE(_native, module) {
   module.doc() = "Native part of CurveUps: layout, truncation, contacts and tile solids.";
   module.attr("__version__") = CURVEUPS_VERSION;
   bind_core(module);
+  bind_geometry(module);
   bind_design(module);
   bind_layout(module);
 }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What can't be made from a surface, and where.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "curveups/geometry/triangle_mesh.hpp"
+
+namespace curveups {
+
+struct MeshFinding {
+  std::string kind;  // a fixed word, see check_mesh
+  std::string message;
+  std::string remedy;
+  std::vector<int> faces;     // rows of F concerned
+  std::vector<int> vertices;  // rows of V concerned
+  bool is_error;              // nothing can be made; else a warning
+};
+
+// Findings in this order; after the first group (arrays that mean nothing) and after the second (no
+// manifold) no further ones are looked for.
+//   empty, index-out-of-range, not-finite;
+//   degenerate-faces, duplicate-faces, non-manifold-edges, inconsistent-orientation, one-sided,
+//   non-manifold-vertices, boundary-touches-itself;
+//   closed (unless cuts are given), self-intersections, huge-coordinates, too-small, too-large,
+//   and as information (no error) components.
+// L: the edge length the tiles will have, mm.
+std::vector<MeshFinding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given);
+
+// Pairs of faces that run through one another, each face once, ascending. The mesh must have passed
+// the first two groups of check_mesh.
+std::vector<int> self_intersecting_faces(const TriangleMesh& mesh);
+
+}  // namespace curveups
