@@ -31,7 +31,7 @@ class ConeProgram {
         rho_(relaxed ? 0 : 1),
         // Unlimited tangential forces need a reason to stay small; it costs the floor 1e-3 of the
         // mean square force at most, on the safe side.
-        proximal_((limited_ ? 1e-8 : 1e-3) / std::max(1, count_)) {
+        proximal_(limited_ ? 0 : 1e-3 / std::max(1, count_)) {
     VectorXd ones = VectorXd::Zero(3 * count_);
     for (int p = 0; p < count_; ++p) ones(3 * p) = 1;
     a_ = system_.apply(ones);
@@ -150,19 +150,24 @@ bool ConeProgram::factorize() {
   e_.resize(count_, 3);
   pivot_ = w_cap_;
   for (int p = 0; p < count_; ++p) {
-    Matrix3d D = proximal_ * Matrix3d::Identity();
-    D(0, 0) += w_floor_(p);
     Vec3 e = Vec3::Zero();
     if (limited_) {
+      // From the scaling's closed inverse: near the cone's surface D has no digits left to invert.
       circle_[p] = cone_scaling(z_.circle.row(p), l_.circle.row(p));
-      Matrix3d M = circle_[p].W_inverse_squared;
-      M.row(0) *= mu_;
-      M.col(0) *= mu_;
-      D += M;
-      e = rho_ * M.col(0);
-      pivot_ += rho_ * rho_ * M(0, 0);
+      Matrix3d N = circle_[p].W * circle_[p].W;
+      N.row(0) /= mu_;
+      N.col(0) /= mu_;
+      const Vec3 column = N.col(0);
+      D_inverse_[p] = N - column * column.transpose() / (1 / w_floor_(p) + column.x());
+      if (rho_ != 0) {
+        e = circle_[p].W_inverse_squared.col(0) * mu_;
+        e.x() *= mu_;
+        pivot_ += e.x();
+      }
+    } else {
+      D_inverse_[p] =
+          Vec3(1 / (proximal_ + w_floor_(p)), 1 / proximal_, 1 / proximal_).asDiagonal();
     }
-    D_inverse_[p] = D.inverse();
     e_.row(p) = e.transpose();
     pivot_ -= e.dot(D_inverse_[p] * e);
   }
@@ -207,6 +212,7 @@ ConeProgram::Direction ConeProgram::newton(double keep, const Cones& d) const {
   out.s = (rhs_s - e.dot(Dr) + c_.dot(y_r)) / pivot_;
   out.y = y_r - out.s * y_c_;
   out.f = times(D_inverse_, rhs - out.s * e - system_.apply_transposed(out.y));
+  const VectorXd dual = keep * r_f_ + system_.apply_transposed(out.y);
   out.z.floor.resize(count_);
   out.l.floor.resize(count_);
   out.z.circle.resize(limited_ ? count_ : 0, 3);
@@ -218,8 +224,8 @@ ConeProgram::Direction ConeProgram::newton(double keep, const Cones& d) const {
     if (!limited_) continue;
     const Vec3 m = circle_of(out.f.segment<3>(3 * p), out.s);
     out.z.circle.row(p) = -keep * r_z_.circle.row(p) + m.transpose();
-    out.l.circle.row(p) =
-        (circle_[p].W_inverse_squared * (-m - beta.circle.row(p).transpose())).transpose();
+    // From the dual equation rather than from the scaling, which would amplify rounding in f.
+    out.l.circle.row(p) << (dual(3 * p) - out.l.floor(p)) / mu_, dual(3 * p + 1), dual(3 * p + 2);
   }
   out.z.cap = -keep * r_z_.cap - out.s;
   out.l.cap = w_cap_ * (out.s - beta.cap);
