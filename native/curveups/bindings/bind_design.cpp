@@ -37,13 +37,6 @@ py::object value_of(const Parameters& parameters, const ParameterInfo& info) {
   return std::visit([&](auto member) { return py::cast(parameters.*member); }, info.member);
 }
 
-// M x (n) matrix as M x a x b numpy array and back.
-ArrayNd to_blocks(const Array6& m, int a, int b) {
-  return ArrayNd({static_cast<py::ssize_t>(m.rows()), static_cast<py::ssize_t>(a),
-                  static_cast<py::ssize_t>(b)},
-                 m.data());
-}
-
 Array6 from_blocks(const ArrayNd& array, const char* name, int a, int b) {
   if (array.ndim() != 3 || array.shape(1) != a || array.shape(2) != b) {
     throw InvalidInput(std::string(name) + " does not have the shape M x " + std::to_string(a) +
@@ -62,6 +55,12 @@ void require_rows(const Design& design, Eigen::Index rows, const char* name) {
 }
 
 }  // namespace
+
+py::array_t<double> to_blocks(const Array6& m, int a, int b) {
+  return py::array_t<double>({static_cast<py::ssize_t>(m.rows()), static_cast<py::ssize_t>(a),
+                              static_cast<py::ssize_t>(b)},
+                             m.data());
+}
 
 void bind_design(py::module_& module) {
   py::class_<ParameterInfo>(module, "ParameterInfo", "A row of the parameter table.")

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The coarse optimisation.
 #include "curveups/bindings/bindings.hpp"
+#include "curveups/core/errors.hpp"
 #include "curveups/layout/layout.hpp"
+#include "curveups/layout/soft_layout.hpp"
 
 namespace curveups::bindings {
 namespace {
@@ -45,6 +47,56 @@ void bind_layout(py::module_& module) {
       py::arg("name"), py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
       py::arg("progress") = py::none(),
       "Flat poses and pins for a target mesh (Eq. 9 under hard constraints).");
+  module.def(
+      "solve_soft_layout",
+      [](const std::string& name, const Points3& V, const Triangles& F, const Edges& cuts,
+         const Parameters& parameters, const std::optional<Design>& start, int max_iterations,
+         py::object on_iterate) {
+        LayoutDesign out;
+        const TriangleMesh mesh{V, F};
+        std::exception_ptr error;
+        {
+          py::gil_scoped_release release;
+          const DesignGeometry geometry = make_geometry(mesh, cuts, parameters);
+          std::optional<SoftLayoutStart> from;
+          if (start) {
+            if (start->mesh.F.rows() != F.rows()) {
+              throw InvalidInput("the start has " + std::to_string(start->mesh.F.rows()) +
+                                     " tiles, F has " + std::to_string(F.rows()),
+                                 "start from a layout of the same mesh");
+            }
+            from = SoftLayoutStart{fit_poses(geometry.tiles, start->T), start->q};
+          }
+          const SoftLayoutCallback callback = [&](const FlatPoses& poses, const Array6& q,
+                                                  double e) {
+            py::gil_scoped_acquire acquire;
+            try {
+              if (on_iterate.is_none()) return true;
+              const py::object answer = on_iterate(
+                  to_blocks(flat_corners(geometry.tiles, poses), 3, 2), to_blocks(q, 2, 3), e);
+              return answer.is_none() || answer.cast<bool>();
+            } catch (...) {
+              error = std::current_exception();
+              return false;
+            }
+          };
+          const SoftLayoutResult soft =
+              solve_soft_layout(geometry, parameters, from, max_iterations, callback);
+          out.design = {name,   parameters, mesh, flat_corners(geometry.tiles, soft.poses),
+                        soft.q, cuts,       {}};
+          out.result.iterations = soft.iterations;
+          out.result.converged = soft.converged;
+          out.result.stopped = soft.stopped;
+          out.result.energies = soft.energies;
+        }
+        if (error) std::rethrow_exception(error);
+        return out;
+      },
+      py::arg("name"), py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      py::arg("start") = py::none(), py::arg("max_iterations") = 100,
+      py::arg("on_iterate") = py::none(),
+      "Eq. 9 with soft terms only, for interaction. on_iterate(T, q, energy) gets every accepted "
+      "step and stops the work by returning False. start: a design of the same mesh.");
 }
 
 }  // namespace curveups::bindings

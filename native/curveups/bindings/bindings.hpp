@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "curveups/core/progress.hpp"
+#include "curveups/core/types.hpp"
 
 namespace curveups::bindings {
 
@@ -46,6 +47,9 @@ auto without_gil(py::object callable, Work work) {
   progress.rethrow();
   return result;
 }
+
+// An M x 6 matrix as an M x a x b array, a b = 6.
+py::array_t<double> to_blocks(const Array6& m, int a, int b);
 
 void bind_core(py::module_& module);
 void bind_geometry(py::module_& module);

@@ -3,34 +3,15 @@
 #include "curveups/core/sparse_cholesky.hpp"
 
 #include <cholmod.h>
-#include <omp.h>
 
 #include <cmath>
 #include <utility>
 
 #include "curveups/core/errors.hpp"
-
-extern "C" void openblas_set_num_threads(int);
+#include "curveups/core/one_thread.hpp"
 
 namespace curveups {
 namespace {
-
-// CHOLMOD opens an OpenMP team of four for every small supernode whatever OMP_NUM_THREADS says:
-// twice as slow on two processors, and sums in an order that varies. No active levels means teams
-// of one; OpenBLAS has threads of its own, held to one as well.
-class OneThread {
- public:
-  OneThread() : levels_(omp_get_max_active_levels()) {
-    omp_set_max_active_levels(0);
-    openblas_set_num_threads(1);
-  }
-  ~OneThread() { omp_set_max_active_levels(levels_); }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
-
- private:
-  int levels_;
-};
 
 cholmod_sparse view(const SparseMatrix& a) {
   cholmod_sparse s{};
@@ -100,9 +81,9 @@ bool SparseCholesky::factorize(const SparseMatrix& lower) {
   impl_->common.status = CHOLMOD_OK;
   cholmod_factorize(&a, impl_->factor, &impl_->common);
   if (impl_->common.status == CHOLMOD_OUT_OF_MEMORY || impl_->common.status == CHOLMOD_TOO_LARGE) {
-    throw SolverFailure("the sparse solver ran out of memory at " + std::to_string(lower.rows()) +
-                            " unknowns",
-                        "use a coarser mesh or a machine with more memory");
+    throw SolverFailure(
+        "the sparse solver ran out of memory at " + std::to_string(lower.rows()) + " unknowns",
+        "use a coarser mesh or a machine with more memory");
   }
   return impl_->common.status == CHOLMOD_OK &&
          impl_->factor->minor == static_cast<size_t>(lower.rows());

@@ -65,33 +65,32 @@ bool bodies_overlap(const TileMesh& tiles, const Truncation& truncation, int i, 
   return volume(body) > 0.1 * tolerance::overlap_volume;
 }
 
-// The plane half-way between two convex hulls along the separating axis with the largest distance:
-// a face normal of one of them or the cross product of two edges. False where they overlap, true
-// where they touch.
-bool separating_plane(const std::vector<Vec3>& a, const std::vector<Vec3>& b, Plane& plane) {
-  double widest = -std::numeric_limits<double>::infinity();
+// What a tile must keep, and the middle of its body.
+struct Kept {
+  std::vector<Vec3> points;
+  Vec3 middle;
+};
+
+// The plane half-way between the convex hulls of what two tiles keep, along a separating axis: a
+// face normal of one of them or the cross product of two edges. Of all such planes the one that
+// stays farthest from both bodies' middles, so that it takes little away. False where the hulls
+// overlap, true where they touch.
+bool separating_plane(const Kept& a, const Kept& b, Plane& plane) {
+  double best = 0;
   auto test = [&](Vec3 axis) {
     const double norm = axis.norm();
     if (norm < 1e-9) return;
     axis /= norm;
-    auto range = [&](const std::vector<Vec3>& points) {
-      double low = std::numeric_limits<double>::infinity(), high = -low;
-      for (const Vec3& p : points) {
-        low = std::min(low, axis.dot(p));
-        high = std::max(high, axis.dot(p));
-      }
-      return std::array<double, 2>{low, high};
-    };
-    const auto [a_low, a_high] = range(a);
-    const auto [b_low, b_high] = range(b);
-    if (b_low - a_high > widest) {
-      widest = b_low - a_high;
-      plane = {axis, 0.5 * (b_low + a_high)};
-    }
-    if (a_low - b_high > widest) {
-      widest = a_low - b_high;
-      plane = {-axis, -0.5 * (a_low + b_high)};
-    }
+    if (axis.dot(b.middle - a.middle) < 0) axis = -axis;
+    double a_high = -std::numeric_limits<double>::infinity(), b_low = -a_high;
+    for (const Vec3& p : a.points) a_high = std::max(a_high, axis.dot(p));
+    for (const Vec3& p : b.points) b_low = std::min(b_low, axis.dot(p));
+    if (b_low - a_high < -tolerance::snap) return;
+    const Plane candidate{axis, 0.5 * (a_high + b_low)};
+    const double room = std::min(-candidate.distance(a.middle), candidate.distance(b.middle));
+    if (room <= best) return;
+    best = room;
+    plane = candidate;
   };
   auto edges = [](const std::vector<Vec3>& points) {
     std::vector<Vec3> out;
@@ -100,7 +99,7 @@ bool separating_plane(const std::vector<Vec3>& a, const std::vector<Vec3>& b, Pl
     }
     return out;
   };
-  const std::vector<Vec3> edges_a = edges(a), edges_b = edges(b);
+  const std::vector<Vec3> edges_a = edges(a.points), edges_b = edges(b.points);
   for (const std::vector<Vec3>* own : {&edges_a, &edges_b}) {
     for (std::size_t m = 0; m < own->size(); ++m) {
       for (std::size_t n = m + 1; n < own->size(); ++n) test((*own)[m].cross((*own)[n]));
@@ -109,7 +108,12 @@ bool separating_plane(const std::vector<Vec3>& a, const std::vector<Vec3>& b, Pl
   for (const Vec3& p : edges_a) {
     for (const Vec3& q : edges_b) test(p.cross(q));
   }
-  return widest >= -tolerance::snap;
+  // Hulls that share an edge (the lips of a slit): between their faces.
+  const Vec3 normal_a = (a.points[1] - a.points[0]).cross(a.points[2] - a.points[0]).normalized(),
+             normal_b = (b.points[1] - b.points[0]).cross(b.points[2] - b.points[0]).normalized();
+  for (const Vec3& e : edges_a) test(e.cross(normal_a + normal_b));
+  for (const Vec3& e : edges_b) test(e.cross(normal_a + normal_b));
+  return best > 0;
 }
 
 // Adds the back points of an interface, drawn together to `share` of their distance.
@@ -158,11 +162,13 @@ void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& pat
     Plane plane{Vec3::Zero(), 0};
     bool found = false;
     for (double share : {1.0, 0.75, 0.5, 0.25}) {
-      std::array<std::vector<Vec3>, 2> keep;
+      std::array<Kept, 2> keep;
       for (int s = 0; s < 2; ++s) {
         const Corners& own = corners[pair[s]];
-        keep[s].assign(own.begin(), own.begin() + 3);
-        for (int k : patches_of[pair[s]]) keep_back_edge(patches[k], share, keep[s]);
+        keep[s].points.assign(own.begin(), own.begin() + 3);
+        for (int k : patches_of[pair[s]]) keep_back_edge(patches[k], share, keep[s].points);
+        keep[s].middle = Vec3::Zero();
+        for (const Vec3& p : own) keep[s].middle += p / 6;
       }
       found = separating_plane(keep[0], keep[1], plane);
       if (found) break;

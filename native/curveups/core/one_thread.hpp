@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Holds CHOLMOD and BLAS to one thread while it lives.
+#pragma once
+
+namespace curveups {
+
+// CHOLMOD opens an OpenMP team of four for every small supernode whatever OMP_NUM_THREADS says:
+// twice as slow on two processors, and sums in an order that varies. OpenBLAS has threads of its own.
+// To be put around every call that ends in them; it works on the calling thread alone.
+class OneThread {
+ public:
+  OneThread();
+  ~OneThread();
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  int levels_;
+};
+
+}  // namespace curveups

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/layout/soft_layout.hpp"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+
+#include "curveups/core/one_thread.hpp"
+#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/initial_layout.hpp"
+
+namespace curveups {
+namespace {
+
+// One block of one energy term as Ceres wants it.
+class BlockCost : public ceres::CostFunction {
+ public:
+  BlockCost(const BlockFunction& function, int block) : function_(function), block_(block) {
+    set_num_residuals(function.dimension());
+    mutable_parameter_block_sizes()->assign(function.tiles(block)[1] < 0 ? 1 : 2,
+                                            unknowns_per_tile);
+  }
+
+  bool Evaluate(const double* const* unknowns, double* residuals,
+                double** jacobians) const override {
+    const std::size_t tiles = parameter_block_sizes().size();
+    BlockValue value;
+    function_.evaluate(block_, unknowns[0], tiles > 1 ? unknowns[1] : nullptr, jacobians != nullptr,
+                       value);
+    const int rows = function_.dimension();
+    std::copy_n(value.value.data(), rows, residuals);
+    for (std::size_t k = 0; jacobians && k < tiles; ++k) {
+      if (jacobians[k])
+        std::copy_n(value.jacobian[k].data(), rows * unknowns_per_tile, jacobians[k]);
+    }
+    return true;
+  }
+
+ private:
+  const BlockFunction& function_;
+  int block_;
+};
+
+class Watcher : public ceres::IterationCallback {
+ public:
+  Watcher(const LayoutModel& model, const LayoutState& state, const SoftLayoutCallback& callback)
+      : model_(model), state_(state), callback_(callback) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    if (!callback_ || !summary.step_is_successful) return ceres::SOLVER_CONTINUE;
+    return callback_(poses_of(model_, state_), insets_of(state_), 2 * summary.cost)
+               ? ceres::SOLVER_CONTINUE
+               : ceres::SOLVER_ABORT;
+  }
+
+ private:
+  const LayoutModel& model_;
+  const LayoutState& state_;
+  const SoftLayoutCallback& callback_;
+};
+
+}  // namespace
+
+SoftLayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters& parameters,
+                                   const std::optional<SoftLayoutStart>& start, int max_iterations,
+                                   const SoftLayoutCallback& callback) {
+  const LayoutModel model = make_layout_model(geometry, parameters);
+  LayoutState state = start ? state_of(model, start->poses, start->q) : initial_layout(model);
+  const PinBounds& bounds = geometry.pin_bounds;
+  state.rightCols<6>() = state.rightCols<6>().cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+
+  const BlockFunctions energies = make_energies(model, true);
+  ceres::Problem problem;
+  for (int i = 0; i < model.tile_count(); ++i) {
+    double* own = state.row(i).data();
+    problem.AddParameterBlock(own, unknowns_per_tile);
+    for (int k = 0; k < 6; ++k) {
+      problem.SetParameterLowerBound(own, 3 + k, bounds.lower(i, k));
+      problem.SetParameterUpperBound(own, 3 + k, bounds.upper(i, k));
+    }
+  }
+  for (const auto& energy : energies) {
+    for (int b = 0; b < energy->block_count(); ++b) {
+      const auto [i, j] = energy->tiles(b);
+      if (j < 0) {
+        problem.AddResidualBlock(new BlockCost(*energy, b), nullptr, state.row(i).data());
+      } else {
+        problem.AddResidualBlock(new BlockCost(*energy, b), nullptr, state.row(i).data(),
+                                 state.row(j).data());
+      }
+    }
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  options.sparse_linear_algebra_library_type = ceres::SUITE_SPARSE;
+  options.num_threads = 1;
+  options.max_num_iterations = max_iterations;
+  options.function_tolerance = 1e-5;
+  options.logging_type = ceres::SILENT;
+  options.update_state_every_iteration = true;
+  Watcher watcher(model, state, callback);
+  options.callbacks.push_back(&watcher);
+  ceres::Solver::Summary summary;
+  {
+    const OneThread guard;
+    ceres::Solve(options, &problem, &summary);
+  }
+  SoftLayoutResult result;
+  result.poses = poses_of(model, state);
+  result.q = insets_of(state);
+  result.iterations = static_cast<int>(summary.iterations.size()) - 1;
+  result.converged = summary.termination_type == ceres::CONVERGENCE;
+  result.stopped = summary.termination_type == ceres::USER_FAILURE;
+  for (const auto& term : energies)
+    result.energies[std::string(term->name())] += energy(*term, state);
+  return result;
+}
+
+}  // namespace curveups

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Every energy and every constraint of the layout against finite differences. New ones join by
+// being in make_energies or make_constraints.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/initial_layout.hpp"
+#include "support/sample_meshes.hpp"
+
+namespace curveups {
+namespace {
+
+struct Sample {
+  Sample() : geometry(make_geometry(mesh(), Edges(0, 2), parameters())) {
+    model = make_layout_model(geometry, parameters());
+    add_separation(model, {3, 1, 9, 0});
+    state = initial_layout(model);
+    std::srand(11);
+    // Away from the start, and so crowded that collision and pin area terms are at work.
+    state.leftCols<2>() *= 0.9;
+    state += 0.3 * LayoutState::Random(state.rows(), state.cols());
+    state.rightCols<6>() =
+        state.rightCols<6>().cwiseMax(0.3) + Array6::Constant(state.rows(), 6, 0.4);
+  }
+  static TriangleMesh mesh() {
+    std::srand(2);
+    TriangleMesh m = test::ripples(5);
+    for (int v = 0; v < m.V.rows(); ++v) m.V.row(v) += 0.7 * Eigen::RowVector3d::Random();
+    return m;
+  }
+  static Parameters parameters() { return Parameters(); }
+  DesignGeometry geometry;
+  LayoutModel model;
+  LayoutState state;
+};
+
+void expect_derivatives(const BlockFunction& function, const LayoutState& state) {
+  const double h = 1e-5;
+  const int dimension = function.dimension();
+  int nonzero = 0;
+  for (int b = 0; b < function.block_count(); ++b) {
+    const auto tiles = function.tiles(b);
+    BlockValue exact, plus, minus;
+    auto evaluate = [&](const LayoutState& at, bool derivatives, BlockValue& out) {
+      function.evaluate(b, at.row(tiles[0]).data(),
+                        tiles[1] < 0 ? nullptr : at.row(tiles[1]).data(), derivatives, out);
+    };
+    evaluate(state, true, exact);
+    if (exact.value.head(dimension).norm() == 0) continue;
+    ++nonzero;
+    for (int k = 0; k < (tiles[1] < 0 ? 1 : 2); ++k) {
+      for (int u = 0; u < unknowns_per_tile; ++u) {
+        LayoutState moved = state;
+        moved(tiles[k], u) += h;
+        evaluate(moved, false, plus);
+        moved(tiles[k], u) -= 2 * h;
+        evaluate(moved, false, minus);
+        for (int r = 0; r < dimension; ++r) {
+          const double difference = (plus.value(r) - minus.value(r)) / (2 * h);
+          const double scale =
+              std::max(1.0, exact.jacobian[k].topRows(dimension).cwiseAbs().maxCoeff());
+          ASSERT_NEAR(exact.jacobian[k](r, u), difference, 1e-7 * scale)
+              << function.name() << " block " << b << " tile " << k << " unknown " << u;
+        }
+      }
+    }
+  }
+  EXPECT_GT(nonzero, 0) << function.name() << " is zero everywhere: nothing was tested";
+}
+
+TEST(BlockFunction, EveryDerivativeMatchesFiniteDifferences) {
+  const Sample sample;
+  std::set<std::string_view> names;
+  for (const auto& function : make_energies(sample.model, true)) {
+    names.insert(function->name());
+    expect_derivatives(*function, sample.state);
+  }
+  for (const auto& function : make_constraints(sample.model)) {
+    names.insert(function->name());
+    expect_derivatives(*function, sample.state);
+  }
+  EXPECT_GE(names.size(), 7u);
+}
+
+// Packing's Gauss-Newton matrix with its curvature rows is the exact Hessian in the translations.
+TEST(BlockFunction, PackingCurvatureIsExact) {
+  const Sample sample;
+  const auto packing = make_packing_energy(sample.model);
+  const double h = 1e-4;
+  const auto [i, j] = packing->tiles(4);
+  auto half_energy = [&](const LayoutState& at) {
+    BlockValue value;
+    packing->evaluate(4, at.row(i).data(), at.row(j).data(), false, value);
+    return 0.5 * value.value.head(4).squaredNorm();
+  };
+  BlockValue value;
+  packing->evaluate(4, sample.state.row(i).data(), sample.state.row(j).data(), true, value);
+  const Eigen::Matrix2d matrix =
+      value.jacobian[0].leftCols<2>().transpose() * value.jacobian[0].leftCols<2>();
+  for (int a = 0; a < 2; ++a) {
+    for (int b = 0; b < 2; ++b) {
+      double difference = 0;
+      for (int s = 0; s < 4; ++s) {
+        LayoutState moved = sample.state;
+        moved(i, a) += s % 2 == 0 ? h : -h;
+        moved(i, b) += s / 2 == 0 ? h : -h;
+        difference += (s == 0 || s == 3 ? 1 : -1) * half_energy(moved);
+      }
+      EXPECT_NEAR(matrix(a, b), difference / (4 * h * h), 1e-5 * matrix.norm());
+    }
+  }
+}
+
+TEST(BlockFunction, EnergiesAreTheFormulasOfThePaper) {
+  const Sample sample;
+  const TileMesh& tiles = sample.geometry.tiles;
+  const FlatCorners corners = flat_corners(tiles, poses_of(sample.model, sample.state));
+  const Parameters p = sample.parameters();
+  auto corner = [&](int tile, int t) -> Vec2 { return corners.row(tile).segment<2>(2 * t); };
+  double alignment = 0, packing = 0, spring = 0;
+  for (const Contact& c : tiles.contacts) {
+    const int i = c.tile[0], t = c.side[0], j = c.tile[1], u = c.side[1];
+    const Vec2 v11 = corner(i, t), v12 = corner(i, next3(t)), v21 = corner(j, u),
+               v22 = corner(j, next3(u));
+    alignment += std::pow((v11 - v21).norm() - (v12 - v22).norm(), 2) / (p.L * p.L);
+    packing +=
+        (std::pow((v11 - v22).norm(), 4) + std::pow((v12 - v21).norm(), 4)) / std::pow(p.L, 4);
+    for (Side side : {Side::front, Side::back}) {
+      const FlatPoses poses = poses_of(sample.model, sample.state);
+      const Array6 q = insets_of(sample.state);
+      // Pins' tops in space for B, in the plane for the midpoints' distance.
+      std::array<std::array<Vec2, 3>, 2> local = {pin_corners(tiles, i, side, q.row(i).data()),
+                                                  pin_corners(tiles, j, side, q.row(j).data())};
+      const auto flat_i = place(poses, i, local[0]), flat_j = place(poses, j, local[1]);
+      const double z = side == Side::front ? p.H_pin : -p.H_body - p.H_pin;
+      auto top = [&](int k, int tile, int n) {
+        return tiles.frame[tile].to_world(Vec3(local[k][n].x(), local[k][n].y(), z));
+      };
+      const Vec3 p11 = top(0, i, t), p12 = top(0, i, next3(t)), p22 = top(1, j, next3(u));
+      const double b = (p12 - p11).cross(p22 - p11).norm() / (p12 - p11).norm();
+      const double a =
+          (0.5 * (flat_i[t] + flat_i[next3(t)]) - 0.5 * (flat_j[u] + flat_j[next3(u)])).norm();
+      spring += std::pow(a / (p.tau * b), 2);
+    }
+  }
+  EXPECT_NEAR(energy(*make_alignment_energy(sample.model), sample.state), p.w_a * alignment,
+              1e-4 * p.w_a * alignment);
+  EXPECT_NEAR(energy(*make_packing_energy(sample.model), sample.state), p.w_p * packing,
+              1e-9 * p.w_p * packing);
+  EXPECT_NEAR(energy(*make_spring_energy(sample.model), sample.state), p.w_s * spring,
+              1e-9 * p.w_s * spring);
+}
+
+}  // namespace
+}  // namespace curveups
