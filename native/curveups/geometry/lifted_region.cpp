@@ -159,9 +159,9 @@ class ClippedGrid {
 
 TriangleMesh triangulate(const LiftedRegion& region, double tolerance) {
   // A triangle of side h over a parabola of curvature k is off by h^2 k / 6 at most, a chord by a
-  // factor 6 / 8 less.
+  // factor 6 / 8 less; along the outline triangles are up to a sixth larger.
   const double bend = std::max(largest_bend(region), 0.75 / outline_radius);
-  return ClippedGrid(region, std::sqrt(6 * tolerance / bend)).mesh();
+  return ClippedGrid(region, std::sqrt(4.4 * tolerance / bend)).mesh();
 }
 
 }  // namespace curveups

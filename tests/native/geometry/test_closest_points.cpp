@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/geometry/closest_points.hpp"
+#include "sample_meshes.hpp"
+
+namespace curveups {
+namespace {
+
+TEST(ClosestPoints, FindsFacesEdgesAndVertices) {
+  const TriangleMesh mesh = samples::flat_square(4, 4);
+  const ClosestPoints closest(mesh);
+  EXPECT_LT((closest(Vec3(1.3, 2.2, 5)).point - Vec3(1.3, 2.2, 0)).norm(), 1e-12);
+  EXPECT_NEAR(closest(Vec3(-3, 1, 4)).distance, 5, 1e-12);
+  EXPECT_LT((closest(Vec3(-1, -1, 0)).point).norm(), 1e-12);
+  const ClosestPoint p = closest(Vec3(0.4, 0.2, -1));
+  EXPECT_EQ(p.face, 0);
+}
+
+TEST(ClosestPoints, DeviationOfConcentricSpheres) {
+  const TriangleMesh inner = samples::half_sphere(24, 20), outer = samples::half_sphere(24, 21);
+  const Deviation d = surface_deviation(inner, outer);
+  EXPECT_NEAR(d.mean, 1, 0.05);
+  EXPECT_NEAR(d.max, 1, 0.1);
+  EXPECT_GE(d.hausdorff, d.max);
+  const Deviation none = surface_deviation(inner, inner);
+  EXPECT_LT(none.hausdorff, 1e-9);
+}
+
+TEST(ClosestPoints, HausdorffSeesWhatIsMissing) {
+  const TriangleMesh whole = samples::flat_square(8, 8);
+  TriangleMesh part = whole;
+  part.F.conservativeResize(64, 3);  // the lower half
+  const Deviation d = surface_deviation(part, whole);
+  EXPECT_LT(d.max, 1e-12);
+  EXPECT_NEAR(d.hausdorff, 4, 1e-9);
+}
+
+TEST(ClosestPoints, RefusesEmptyAndInfinite) {
+  EXPECT_THROW(ClosestPoints(TriangleMesh{Points3(0, 3), Triangles(0, 3)}), InvalidInput);
+  TriangleMesh mesh = samples::flat_square(1, 1);
+  mesh.V(2, 1) = std::nan("");
+  EXPECT_THROW(ClosestPoints{mesh}, InvalidInput);
+}
+
+}  // namespace
+}  // namespace curveups

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "curveups/geometry/clean_mesh.hpp"
+#include "curveups/geometry/mesh_checks.hpp"
+#include "sample_meshes.hpp"
+
+namespace curveups {
+namespace {
+
+std::vector<std::string> kinds(const TriangleMesh& mesh, double L = 7, bool cuts = false) {
+  std::vector<std::string> found;
+  for (const MeshFinding& finding : check_mesh(mesh, L, cuts)) found.push_back(finding.kind);
+  return found;
+}
+using Kinds = std::vector<std::string>;
+
+TriangleMesh moebius() {
+  TriangleMesh mesh = samples::grid(30, 2, [](double u, double v) {
+    const double a = 2 * samples::pi * u, w = 20 * (v - 0.5);
+    const double r = 40 + w * std::cos(a / 2);
+    return Vec3(r * std::cos(a), r * std::sin(a), w * std::sin(a / 2));
+  });
+  for (int i = 0; i < mesh.F.size(); ++i) {
+    int& v = mesh.F.data()[i];
+    if (v % 31 == 30) v = (2 - v / 31) * 31;
+  }
+  return mesh;
+}
+
+TEST(MeshChecks, SoundSurfacesHaveNoFindings) {
+  EXPECT_EQ(kinds(samples::half_sphere(8, 48)), Kinds{});
+  EXPECT_EQ(kinds(samples::tube(20, 4, 30, 40)), Kinds{});
+}
+
+TEST(MeshChecks, ArraysThatMeanNothing) {
+  EXPECT_EQ(kinds({Points3(0, 3), Triangles(0, 3)}), Kinds{"empty"});
+  TriangleMesh mesh = samples::flat_square(3, 50);
+  mesh.F(4, 1) = 99;
+  EXPECT_EQ(kinds(mesh), Kinds{"index-out-of-range"});
+  EXPECT_EQ(check_mesh(mesh, 7, false)[0].faces, std::vector<int>{4});
+  mesh = samples::flat_square(3, 50);
+  mesh.V(5, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(kinds(mesh), Kinds{"not-finite"});
+  EXPECT_EQ(check_mesh(mesh, 7, false)[0].vertices, std::vector<int>{5});
+}
+
+TEST(MeshChecks, NoManifold) {
+  const TriangleMesh square = samples::flat_square(3, 50);
+  TriangleMesh mesh = square;
+  mesh.V.row(5) = mesh.V.row(6);
+  EXPECT_EQ(kinds(mesh)[0], "degenerate-faces");
+  mesh = square;
+  mesh.F.conservativeResize(19, 3);
+  mesh.F.row(18) << mesh.F(3, 1), mesh.F(3, 2), mesh.F(3, 0);
+  EXPECT_EQ(kinds(mesh)[0], "duplicate-faces");
+  mesh = square;
+  std::swap(mesh.F(7, 0), mesh.F(7, 1));
+  EXPECT_EQ(kinds(mesh), Kinds{"inconsistent-orientation"});
+  EXPECT_EQ(kinds(moebius()), Kinds{"one-sided"});
+
+  TriangleMesh fin;  // three faces at one edge
+  fin.V.resize(5, 3);
+  fin.V << 0, 0, 0, 30, 0, 0, 0, 30, 0, 0, -30, 0, 0, 0, 30;
+  fin.F.resize(3, 3);
+  fin.F << 0, 1, 2, 1, 0, 3, 0, 1, 4;
+  EXPECT_EQ(kinds(fin), Kinds{"non-manifold-edges"});
+  TriangleMesh bow;
+  bow.V.resize(5, 3);
+  bow.V << 0, 0, 0, 30, 0, 0, 0, 30, 0, -30, 0, 0, 0, -30, 0;
+  bow.F.resize(2, 3);
+  bow.F << 0, 1, 2, 0, 3, 4;
+  EXPECT_EQ(kinds(bow), Kinds{"boundary-touches-itself"});
+  EXPECT_EQ(check_mesh(bow, 7, false)[0].vertices, std::vector<int>{0});
+}
+
+TEST(MeshChecks, ClosedNeedsACut) {
+  EXPECT_EQ(kinds(samples::sphere(6, 40)), Kinds{"closed"});
+  EXPECT_EQ(kinds(samples::sphere(6, 40), 7, true), Kinds{});
+}
+
+TEST(MeshChecks, SelfIntersectionNamesTheFaces) {
+  TriangleMesh cross;
+  cross.V.resize(6, 3);
+  cross.V << 0, 0, 0, 40, 0, 0, 0, 40, 0, 10, 10, -20, 12, 9, 30, 11, 30, 5;
+  cross.F.resize(2, 3);
+  cross.F << 0, 1, 2, 3, 4, 5;
+  const auto findings = check_mesh(cross, 7, false);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].kind, "self-intersections");
+  EXPECT_EQ(findings[0].faces, (std::vector<int>{0, 1}));
+  EXPECT_EQ(findings[1].kind, "components");
+  EXPECT_FALSE(findings[1].is_error);
+}
+
+TEST(MeshChecks, WrongUnits) {
+  TriangleMesh mesh = samples::half_sphere(6, 0.048);  // metres
+  EXPECT_EQ(kinds(mesh), Kinds{"too-small"});
+  mesh.V *= 1e6;
+  EXPECT_EQ(kinds(mesh), Kinds{"too-large"});
+  EXPECT_TRUE(check_mesh(mesh, 7, false)[0].is_error);
+  mesh = samples::half_sphere(6, 48);
+  mesh.V.col(0).array() += 1e7;
+  ASSERT_EQ(kinds(mesh), Kinds{"huge-coordinates"});
+  EXPECT_FALSE(check_mesh(mesh, 7, false)[0].is_error);
+  mesh.V.col(0).array() += 1e10;
+  EXPECT_TRUE(check_mesh(mesh, 7, false)[0].is_error);
+}
+
+TEST(MeshChecks, OneTileIsEnough) {
+  TriangleMesh one;
+  one.V.resize(3, 3);
+  one.V << 0, 0, 0, 7, 0, 0, 3.5, 6, 0;
+  one.F.resize(1, 3);
+  one.F << 0, 1, 2;
+  EXPECT_EQ(kinds(one), Kinds{});
+}
+
+TEST(CleanMesh, SoupBecomesTheMeshItWas) {
+  const TriangleMesh mesh = samples::half_sphere(5, 48);
+  TriangleMesh soup;
+  soup.V.resize(3 * mesh.F.rows(), 3);
+  soup.F.resize(mesh.F.rows() + 1, 3);
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    for (int t = 0; t < 3; ++t) {
+      soup.V.row(3 * f + t) = mesh.V.row(mesh.F(f, t)).array() + 1e-7 * (f % 3);
+      soup.F(f, t) = 3 * f + (f % 7 == 3 ? 2 - t : t);  // some turned over
+    }
+  }
+  soup.F.row(mesh.F.rows()) << 4, 3, 5;  // a double
+  const CleanMesh clean = clean_mesh(soup);
+  EXPECT_EQ(clean.mesh.V.rows(), mesh.V.rows());
+  EXPECT_EQ(clean.mesh.F.rows(), mesh.F.rows());
+  EXPECT_EQ(clean.notes.size(), 3u);
+  EXPECT_EQ(kinds(clean.mesh), Kinds{});
+  for (int f = 0; f < clean.mesh.F.rows(); ++f) {
+    EXPECT_GT(clean.mesh.V.row(clean.mesh.F(f, 0)).dot(face_area_vector(clean.mesh, f)), 0);
+  }
+  EXPECT_TRUE(clean_mesh(clean.mesh).notes.empty());
+}
+
+TEST(CleanMesh, SliversGoWithoutAGap) {
+  TriangleMesh mesh;  // a square whose diagonal carries a face without area
+  mesh.V.resize(5, 3);
+  mesh.V << 0, 0, 0, 40, 0, 0, 40, 40, 0, 0, 40, 0, 20, 20, 0;
+  mesh.F.resize(4, 3);
+  mesh.F << 0, 1, 2, 0, 2, 4, 0, 4, 3, 4, 2, 3;
+  ASSERT_EQ(kinds(mesh)[0], "degenerate-faces");
+  const CleanMesh clean = clean_mesh(mesh);
+  EXPECT_EQ(kinds(clean.mesh), Kinds{});
+  EXPECT_EQ(clean.mesh.F.rows(), 4);
+  EXPECT_NEAR(surface_area(clean.mesh), 1600, 1e-9);
+  EXPECT_EQ(boundary_loops(build_topology(clean.mesh.F, clean.mesh.V.rows())).at(0).size(), 4u);
+}
+
+TEST(CleanMesh, LeavesWhatItCannotRepair) {
+  TriangleMesh mesh = moebius();
+  EXPECT_EQ(kinds(clean_mesh(mesh).mesh), Kinds{"one-sided"});
+  mesh = samples::flat_square(3, 50);
+  mesh.V(5, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(kinds(clean_mesh(mesh).mesh), Kinds{"not-finite"});
+  EXPECT_EQ(kinds(clean_mesh({Points3(0, 3), Triangles(0, 3)}).mesh), Kinds{"empty"});
+}
+
+}  // namespace
+}  // namespace curveups
