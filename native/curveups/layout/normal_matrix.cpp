@@ -63,19 +63,34 @@ void NormalMatrix::set_zero() {
   for (Block& block : off_diagonal_) block.setZero();
 }
 
+namespace {
+
+// block += weight a^T b. Most rows touch a pose or a few insets only: zeros are skipped.
+template <class Block>
+void add_outer(const double* a, const double* b, double weight, Block& block) {
+  for (int c = 0; c < unknowns_per_tile; ++c) {
+    if (b[c] == 0) continue;
+    const double scaled = weight * b[c];
+    double* column = block.data() + c * unknowns_per_tile;
+    for (int r = 0; r < unknowns_per_tile; ++r) column[r] += scaled * a[r];
+  }
+}
+
+}  // namespace
+
 void NormalMatrix::add(int function, int block, const BlockValue& value, int dimension,
                        const double* weight) {
   const auto [i, j, pair] = slots_[function][block];
   for (int r = 0; r < dimension; ++r) {
-    const auto a = value.jacobian[0].row(r);
-    diagonal_[i].noalias() += (weight[r] * a.transpose()) * a;
+    const double* a = value.jacobian[0].row(r).data();
+    add_outer(a, a, weight[r], diagonal_[i]);
     if (j < 0) continue;
-    const auto b = value.jacobian[1].row(r);
-    diagonal_[j].noalias() += (weight[r] * b.transpose()) * b;
+    const double* b = value.jacobian[1].row(r).data();
+    add_outer(b, b, weight[r], diagonal_[j]);
     if (i > j) {
-      off_diagonal_[pair].noalias() += (weight[r] * a.transpose()) * b;
+      add_outer(a, b, weight[r], off_diagonal_[pair]);
     } else {
-      off_diagonal_[pair].noalias() += (weight[r] * b.transpose()) * a;
+      add_outer(b, a, weight[r], off_diagonal_[pair]);
     }
   }
 }
