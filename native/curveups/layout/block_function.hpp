@@ -29,9 +29,9 @@ class BlockFunction {
   virtual int dimension() const = 0;
   // The tiles of a block; the second is -1 where it depends on one tile only.
   virtual std::array<int, 2> tiles(int block) const = 0;
-  // Rows of the Jacobians beyond dimension() that add curvature to the Gauss-Newton matrix: half the
-  // sum of squares (energies), or the function itself (constraints, negated), curves by at least
-  // their squares more than first derivatives tell. Without them steps overshoot twofold.
+  // Rows of the Jacobians beyond dimension() that add curvature to the Gauss-Newton matrix: half
+  // the sum of squares (energies), or the function itself (constraints, negated), curves by at
+  // least their squares more than first derivatives tell. Without them steps overshoot twofold.
   virtual int curvature_rows() const { return 0; }
   // Fills the first dimension() values; Jacobians, curvature rows included, only where
   // `derivatives`. second is null where the block has one tile.

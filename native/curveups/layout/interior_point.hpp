@@ -38,14 +38,21 @@ class InteriorPoint {
                            const Progress& progress);
 
  private:
+  using Vectors = std::vector<Eigen::VectorXd>;  // one entry per block of each constraint function
+  struct Linearization;
+  struct Step;
+
   void prepare(LayoutState& state, double mu);
-  double merit(const LayoutState& state, const std::vector<Eigen::VectorXd>& slack, double mu,
-               double penalty) const;
+  void linearize(const LayoutState& state, Linearization& at) const;
+  void solve_step(const LayoutState& state, double mu, Linearization& at, SparseCholesky& cholesky,
+                  double& damping, Step& step) const;
+  double merit(const LayoutState& state, const Vectors& slack, double mu, double penalty) const;
+  double largest_violation(const LayoutState& state) const;
 
   const LayoutModel& model_;
   BlockFunctions energies_, constraints_;
-  std::vector<Eigen::VectorXd> slack_, multiplier_;  // per constraint function
-  Array6 lower_multiplier_, upper_multiplier_;       // of the insets' bounds
+  Vectors slack_, multiplier_;
+  Array6 lower_multiplier_, upper_multiplier_;  // of the insets' bounds
 };
 
 }  // namespace curveups

@@ -95,6 +95,11 @@ void NormalMatrix::add(int function, int block, const BlockValue& value, int dim
   }
 }
 
+void NormalMatrix::add(const NormalMatrix& other) {
+  for (std::size_t k = 0; k < diagonal_.size(); ++k) diagonal_[k] += other.diagonal_[k];
+  for (std::size_t k = 0; k < off_diagonal_.size(); ++k) off_diagonal_[k] += other.off_diagonal_[k];
+}
+
 const SparseMatrix& NormalMatrix::assemble(double damping, double floor) {
   constexpr int n = unknowns_per_tile;
   double* value = matrix_.valuePtr();

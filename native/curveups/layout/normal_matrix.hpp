@@ -18,11 +18,12 @@ class NormalMatrix {
   void set_zero();
   // Adds J^T diag(weight) J of block `block` of function number `function`.
   void add(int function, int block, const BlockValue& value, int dimension, const double* weight);
+  // Adds a matrix of the same pattern.
+  void add(const NormalMatrix& other);
   // Adds to one unknown's diagonal entry.
   void add_diagonal(int tile, int unknown, double value) {
     diagonal_[tile](unknown, unknown) += value;
   }
-  double diagonal(int tile, int unknown) const { return diagonal_[tile](unknown, unknown); }
 
   // The lower triangle, its diagonal entries d replaced by d (1 + damping) + floor.
   const SparseMatrix& assemble(double damping, double floor);
