@@ -9,4 +9,5 @@ PYBIND11_MODULE(_native, module) {
   bind_geometry(module);
   bind_design(module);
   bind_layout(module);
+  bind_physics(module);
 }

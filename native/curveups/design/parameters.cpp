@@ -100,6 +100,36 @@ std::vector<ParameterInfo> make_table() {
      Affects::files, &P::mesh_deviation, 1e-4, 1},
     {"mesh_bumps", "", "Files", "Whether STL and 3MF have the bumps.",
      Affects::files, &P::mesh_bumps},
+    {"shear_modulus_front", "MPa", "Physics", "Shear modulus of the front membrane (latex).",
+     Affects::verification, &P::shear_modulus_front, 1e-3, 1e3},
+    {"shear_modulus_back", "MPa", "Physics", "Shear modulus of the back membrane (latex).",
+     Affects::verification, &P::shear_modulus_back, 1e-3, 1e3},
+    {"thickness_front", "mm", "Physics", "Thickness of the front membrane before it is stretched.",
+     Affects::verification, &P::thickness_front, 0.01, 10},
+    {"thickness_back", "mm", "Physics", "Thickness of the back membrane before it is stretched.",
+     Affects::verification, &P::thickness_back, 0.01, 10},
+    {"membrane_model", "", "Physics",
+     "Energy of the membranes: tension-field (they wrinkle where squeezed) or plain neo-Hookean.",
+     Affects::verification, &P::membrane_model, 0, 0, {"tension-field", "neo-hookean"}},
+    {"mesh_size", "", "Physics",
+     "Largest triangles of the coarser membrane mesh as a part of L; the finer has half of it.",
+     Affects::verification, &P::mesh_size, 0.05, 2},
+    {"friction_coefficient", "", "Physics", "Coulomb friction between tiles, at bumps as well.",
+     Affects::verification, &P::friction_coefficient, 0.01, 10},
+    {"f_min_ratio", "", "Physics",
+     "Least normal force at contact points as a part of the mean normal force.",
+     Affects::verification, &P::f_min_ratio, 0, 1},
+    {"gravity", "", "Physics",
+     "Weight of the tiles: left out, carried by held tiles, or by a plane on which the piece rests.",
+     Affects::verification, &P::gravity, 0, 0, {"off", "held", "resting"}},
+    {"density", "g/cm3", "Physics", "Density of the tiles, for gravity.",
+     Affects::verification, &P::density, 0, 30},
+    {"gravity_x", "", "Physics", "Direction in which gravity pulls: x.",
+     Affects::verification, &P::gravity_x, -1, 1},
+    {"gravity_y", "", "Physics", "Direction in which gravity pulls: y.",
+     Affects::verification, &P::gravity_y, -1, 1},
+    {"gravity_z", "", "Physics", "Direction in which gravity pulls: z.",
+     Affects::verification, &P::gravity_z, -1, 1},
     {"verify", "", "Stages", "Computes membranes and contact forces and judges the design.",
      Affects::verification, &P::verify},
     {"repair", "", "Stages", "Repairs weak contacts after verification.",
@@ -259,6 +289,10 @@ void check_parameters(const Parameters& p) {
     throw InvalidInput("bump_rows (" + std::to_string(p.bump_rows) + ") is more than bump_count (" +
                            std::to_string(p.bump_count) + ")",
                        "lower bump_rows or raise bump_count");
+  }
+  if (p.gravity != "off" && p.gravity_x == 0 && p.gravity_y == 0 && p.gravity_z == 0) {
+    throw InvalidInput("gravity has no direction: gravity_x, gravity_y and gravity_z are all 0",
+                       "give a direction, or set gravity to off");
   }
   if (p.support == "breakaway" && 2 * p.bridge_notch >= p.bridge_thickness) {
     throw InvalidInput("bridge_notch (" + number(p.bridge_notch) + " mm) cuts a bridge of " +

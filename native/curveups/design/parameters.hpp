@@ -58,6 +58,20 @@ struct Parameters {
   std::string printer = "polyjet";
   double mesh_deviation = 0.02;
   bool mesh_bumps = true;
+  // Physics
+  double shear_modulus_front = 0.72;
+  double shear_modulus_back = 0.72;
+  double thickness_front = 0.5;
+  double thickness_back = 0.5;
+  std::string membrane_model = "tension-field";
+  double mesh_size = 0.5;
+  double friction_coefficient = 0.5;
+  double f_min_ratio = 0.1;
+  std::string gravity = "off";
+  double density = 1.18;
+  double gravity_x = 0.0;
+  double gravity_y = 0.0;
+  double gravity_z = -1.0;
   // Stages
   bool verify = true;
   bool repair = true;

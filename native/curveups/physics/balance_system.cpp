@@ -137,6 +137,14 @@ Eigen::VectorXd BalanceSystem::apply_transposed(const Eigen::VectorXd& y) const 
   return out;
 }
 
+Array6 BalanceSystem::expand(const Eigen::VectorXd& y) const {
+  Array6 out = Array6::Zero(centres_.rows(), 6);
+  for (int i = 0; i < out.rows(); ++i) {
+    if (row_of_tile_[i] >= 0) out.row(i) = y.segment<6>(row_of_tile_[i]).transpose();
+  }
+  return out;
+}
+
 Wrenches BalanceSystem::wrenches(const Eigen::VectorXd& f) const {
   Wrenches out = Wrenches::Zero(centres_.rows(), 6);
   for (int p = 0; p < point_count(); ++p) {
@@ -187,7 +195,7 @@ bool BalanceSystem::factorize(const std::vector<Eigen::Matrix3d>& D) {
   return false;
 }
 
-Eigen::VectorXd BalanceSystem::solve(const Eigen::VectorXd& rhs) const {
+Eigen::MatrixXd BalanceSystem::solve(const Eigen::MatrixXd& rhs) const {
   if (rows_ == 0) return rhs;
   return factor_.solve(rhs);
 }

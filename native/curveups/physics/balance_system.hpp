@@ -31,6 +31,7 @@ class BalanceSystem {
                 const std::vector<int>& held);
 
   const std::vector<ContactPoint>& points() const { return points_; }
+  const Points3& centres() const { return centres_; }
   int point_count() const { return static_cast<int>(points_.size()); }
   int rows() const { return rows_; }
   // False for held tiles and for the one left out per component.
@@ -43,6 +44,9 @@ class BalanceSystem {
   Eigen::VectorXd restrict(const Wrenches& wrenches) const;
   Eigen::VectorXd apply(const Eigen::VectorXd& f) const;
   Eigen::VectorXd apply_transposed(const Eigen::VectorXd& y) const;
+  // Multipliers of the rows as M x 6, zero where a tile has no rows: virtual velocities of the
+  // tiles (the lower three are turns times the lever).
+  Array6 expand(const Eigen::VectorXd& y) const;
   // The wrenches of contact forces on all tiles, those without rows too.
   Wrenches wrenches(const Eigen::VectorXd& f) const;
 
@@ -50,7 +54,8 @@ class BalanceSystem {
   // hold a tile the matrix is singular: a small multiple of the identity then keeps it solvable.
   // Returns false where even that fails (D not finite).
   bool factorize(const std::vector<Eigen::Matrix3d>& D);
-  Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
+  // For one or more right-hand sides.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
 
  private:
   using Arm = Eigen::Matrix<double, 6, 3>;  // force in the basis to wrench on a tile

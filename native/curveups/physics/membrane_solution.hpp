@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// One side's membrane of a design, solved on two nested meshes: the coarser one is the start of the
+// finer, and the difference of the two estimates the error of discretisation.
+#pragma once
+
+#include <memory>
+
+#include "curveups/core/progress.hpp"
+#include "curveups/design/design.hpp"
+#include "curveups/physics/elastic_forces.hpp"
+
+namespace curveups {
+
+// Pin corners are singularities (an angle of about 300 degrees with held sides): forces converge as
+// h whatever the grading. Fine and coarse mesh have elements of sizes h and 2 h, so that the linear
+// extrapolation 2 f(h) - f(2 h) removes the leading error; it balances exactly, as both do.
+template <class Forces>
+Forces extrapolate(const Forces& fine, const Forces& coarse) {
+  return 2 * fine - coarse;
+}
+
+struct MembraneSolution {
+  MembraneDomain domain;
+  MembraneMesh mesh;                                 // the fine one
+  Points2 flat;                                      // of its vertices
+  Points3 pin_corners;                               // actuated, 3 M x 3
+  std::unique_ptr<MembraneEquilibrium> equilibrium;  // factorized at the fine solution
+  MembraneState state;
+  Points3 forces;                        // at pin corners, 3 M x 3, N
+  Points3 coarse_forces;                 // the same from the coarse mesh
+  std::vector<TriangleStretch> stretch;  // per triangle of `mesh`
+  int coarse_iterations = 0;
+  bool coarse_converged = false;
+};
+
+MembraneMeshOptions membrane_mesh_options(const Parameters& parameters);
+MembraneMaterial membrane_material(const Parameters& parameters, Side side);
+
+// Throws what make_membrane_mesh throws, and Cancelled.
+MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses& poses,
+                                const Array6& q, const Parameters& parameters, Side side,
+                                const Progress& progress);
+
+}  // namespace curveups

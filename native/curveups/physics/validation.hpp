@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The exact physical model of a design and its verdict: membranes, contact forces as in the paper,
+// contacts that push only, and what a user must know before printing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "curveups/core/progress.hpp"
+#include "curveups/design/design.hpp"
+#include "curveups/physics/density.hpp"
+#include "curveups/physics/elastic_forces.hpp"
+#include "curveups/physics/unilateral.hpp"
+
+namespace curveups {
+
+struct VerifyOptions {
+  // Where tiles touch when actuated, per contact: the bumps' tips (n x 3, world). Contacts without
+  // any touch at their corners. Empty: no bumps.
+  std::vector<Points3> bump_tips;
+  std::vector<int> held;  // with gravity "held"; empty: the lowest tile of each piece
+};
+
+struct Warning {
+  std::string what;
+  std::vector<int> tiles;
+};
+
+// Figures of both membranes.
+struct PhysicsFigures {
+  int triangles = 0, free_vertices = 0;
+  int newton_iterations[2] = {0, 0};  // coarse and fine mesh together; front, back
+  int fine_iterations[2] = {0, 0};
+  double residual = 0;  // largest force on a free vertex over the mean on a glued one
+  bool converged = false;
+  double wrinkled_fraction = 0;  // of the membranes' rest area: wrinkled or slack
+  double slack_fraction = 0;
+  double largest_stretch = 0;
+  double force_balance = 0, torque_balance = 0;  // see wrench_balance
+  double normal_force_error = 0;  // estimated, mean over the points, relative to normal_mean
+  double largest_normal_force_error = 0;
+  double clearance_mm = 0;     // membranes to bodies
+  double mean_tile_force = 0;  // N
+};
+
+struct ContactFigures {
+  double normal_mean = 0, normal_min = 0, f_min = 0;  // N
+  int points = 0, points_below_f_min = 0, pulling_points = 0;
+  std::vector<std::array<int, 2>> invalid_contacts;  // tile pairs
+  double friction_ratio_mean = 0, friction_ratio_max = 0;
+  double imbalance = 0;
+};
+
+struct UnilateralFigures {
+  UnilateralStatus status = UnilateralStatus::unsolved;  // without a floor
+  bool feasible = false;                                 // with floor f_min
+  double friction_coefficient = 0;
+  double floor = 0;          // N, f_min
+  double largest_floor = 0;  // N
+  UnilateralStatus unlimited_status = UnilateralStatus::unsolved;
+  double unlimited_largest_floor = 0;
+  // At the bumps' tips, by pushing alone.
+  std::optional<UnilateralStatus> tips_status;
+  double tips_largest_floor = 0;
+};
+
+// Arrays for pictures.
+struct MembranePicture {
+  Points2 flat;
+  Points3 actuated;
+  Triangles triangles;
+  Points2 stretch;           // larger and smaller, per triangle
+  std::vector<int> tension;  // 0 taut, 1 wrinkled, 2 slack
+};
+
+struct ValidationReport {
+  bool valid = false;
+  std::vector<std::string> reasons;
+  std::vector<Warning> warnings;
+  // False where the membranes can't be laid out at all: the reasons say why, the rest is empty.
+  bool computed = false;
+  PhysicsFigures physics;
+  ContactFigures contact_forces;
+  UnilateralFigures unilateral;
+
+  std::vector<std::array<int, 2>> contact_tiles;  // per contact
+  Eigen::VectorXd contact_normal_min, contact_normal_mean, contact_friction_ratio;
+  Eigen::VectorXd
+      tile_normal_min;  // least normal force at each tile's points; NaN without contacts
+  Wrenches elastic;     // M x 6, of the membranes
+  MembranePicture membrane[2];
+};
+
+// "T00001" is tile 0.
+std::string tile_name(int tile);
+
+// Throws what make_geometry throws (InfeasibleDesign, TopologyError, InvalidInput), InvalidInput
+// for arrays that disagree, SolverFailure, Cancelled. Results do not depend on the number of
+// threads.
+ValidationReport verify_design(const Design& design, const VerifyOptions& options,
+                               const Progress& progress);
+
+}  // namespace curveups

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/verdict.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace curveups {
+namespace {
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+std::string names(const std::vector<int>& tiles) {
+  std::string out;
+  for (std::size_t i = 0; i < tiles.size() && i < 8; ++i)
+    out += (i ? ", " : "") + tile_name(tiles[i]);
+  if (tiles.size() > 8) out += " and " + std::to_string(tiles.size() - 8) + " more";
+  return out;
+}
+
+std::string pair_name(const std::array<int, 2>& pair) {
+  return tile_name(pair[0]) + "-" + tile_name(pair[1]);
+}
+
+std::string names(const std::vector<std::array<int, 2>>& pairs) {
+  std::string out;
+  for (std::size_t i = 0; i < pairs.size() && i < 8; ++i)
+    out += (i ? ", " : "") + pair_name(pairs[i]);
+  if (pairs.size() > 8) out += " and " + std::to_string(pairs.size() - 8) + " more";
+  return out;
+}
+
+// The contacts of the heaviest points of a unilateral solution, each once.
+std::vector<std::array<int, 2>> critical_contacts(const UnilateralResult& result,
+                                                  const BalanceSystem& system) {
+  std::vector<std::array<int, 2>> pairs;
+  for (int point : result.critical_points) {
+    const std::array<int, 2>& pair = system.points()[point].tile;
+    if (pair[0] < 0 || std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) continue;
+    pairs.push_back(pair);
+    if (pairs.size() == 4) break;
+  }
+  return pairs;
+}
+
+void judge_least_squares(const VerdictInput& in, ValidationReport& report) {
+  const ContactFigures& f = report.contact_forces;
+  if (f.points_below_f_min > 0) {
+    const int p = in.forces.weakest_point;
+    std::string reason = std::to_string(f.points_below_f_min) + " contact points";
+    reason += f.pulling_points > 0
+                  ? " push too weakly or pull (" + std::to_string(f.pulling_points) + " pull)"
+                  : " push too weakly";
+    reason += ": less than f_min = " + number(f.f_min) + " N at " + names(f.invalid_contacts) +
+              "; the weakest has " + number(f.normal_min) + " N at " +
+              pair_name(in.system.points()[p].tile);
+    report.reasons.push_back(reason);
+  }
+  if (!in.forces.unbalanced_tiles.empty()) {
+    report.reasons.push_back("contacts can't hold " + names(in.forces.unbalanced_tiles) +
+                             ": a hinge or nothing at all carries them");
+  }
+  if (in.floor_from_mesh) {
+    report.warnings.push_back(
+        {"f_min is the estimated error of the membrane mesh, which is more than "
+         "f_min_ratio asks for: lower mesh_size",
+         {}});
+  }
+}
+
+void judge_unilateral(const VerdictInput& in, ValidationReport& report) {
+  const UnilateralFigures& u = report.unilateral;
+  const std::string mu = number(u.friction_coefficient);
+  const std::string where = names(critical_contacts(in.coulomb, in.system));
+  if (u.status == UnilateralStatus::infeasible) {
+    std::string reason = "with a friction coefficient of " + mu +
+                         " no pushing forces balance the tiles: " + number(-u.largest_floor) +
+                         " N of pull would be needed, first at " + where;
+    if (u.unlimited_status == UnilateralStatus::feasible)
+      reason += "; with enough friction they do";
+    report.reasons.push_back(reason);
+  } else if (u.status == UnilateralStatus::unsolved) {
+    report.reasons.push_back("whether pushing forces within friction " + mu +
+                             " balance the tiles could not be shown");
+  } else if (!u.feasible) {
+    report.reasons.push_back("pushing forces within friction " + mu +
+                             " leave a least normal force of " + number(u.largest_floor) +
+                             " N, less than f_min = " + number(u.floor) + " N, first at " + where);
+  }
+  if (u.tips_status && *u.tips_status != UnilateralStatus::feasible) {
+    report.reasons.push_back(
+        *u.tips_status == UnilateralStatus::infeasible
+            ? "touching at their bumps only, tiles can't balance by pushing within friction " + mu +
+                  ": " + number(-u.tips_largest_floor) + " N of pull would be needed, first at " +
+                  names(critical_contacts(*in.tips, *in.tips_system))
+            : "whether tiles balance on their bumps within friction " + mu + " could not be shown");
+  }
+}
+
+void judge_membranes(const VerdictInput& in, ValidationReport& report) {
+  const char* sides[2] = {"front", "back"};
+  if (!report.physics.converged) {
+    report.reasons.push_back("the membranes' equilibrium was not reached (residual " +
+                             number(report.physics.residual) + ")");
+  }
+  for (int s = 0; s < 2; ++s) {
+    const MembraneClearance& c = in.clearance[s];
+    if (c.distance < 0) {
+      report.reasons.push_back("the " + std::string(sides[s]) + " membrane would cut " +
+                               number(-c.distance) + " mm into the body of " + tile_name(c.tile) +
+                               ": raise H_pin or lower insets there");
+    } else if (c.distance < 0.05) {
+      report.warnings.push_back({"the " + std::string(sides[s]) + " membrane touches the body of " +
+                                     tile_name(c.tile) + " (clearance " + number(c.distance) +
+                                     " mm)",
+                                 {c.tile}});
+    }
+    if (!in.slack_tiles[s].empty()) {
+      report.warnings.push_back(
+          {"the " + std::string(sides[s]) + " membrane is slack beside " + names(in.slack_tiles[s]),
+           in.slack_tiles[s]});
+    }
+  }
+}
+
+}  // namespace
+
+std::string tile_name(int tile) {
+  char name[16];
+  std::snprintf(name, sizeof name, "T%05d", tile + 1);
+  return name;
+}
+
+void give_verdict(const VerdictInput& input, ValidationReport& report) {
+  judge_least_squares(input, report);
+  judge_unilateral(input, report);
+  judge_membranes(input, report);
+  report.valid = report.reasons.empty();
+}
+
+}  // namespace curveups
