@@ -54,7 +54,7 @@ def main() -> int:
 def _models(folder: Path | None) -> dict[str, str]:
     from curveups.native import native
 
-    models = {name: name for name in native.builtin_targets()}
+    models = {name: name for name, _ in native.builtin_targets()}
     for path in sorted(folder.iterdir()) if folder else []:
         if path.suffix.lower() in MESHES:
             models[path.stem] = str(path)

@@ -53,7 +53,7 @@ def remesh(options: Any, session: Session) -> int:
 
 def targets(options: Any, session: Session) -> int:
     """curveups targets"""
-    for name in native.builtin_targets():
+    for name, _ in native.builtin_targets():
         print(name, file=session.output)
     return VALID
 
@@ -135,8 +135,8 @@ def _request(options: Any, session: Session) -> pipeline.Request:
     if not values.get("verify"):
         values.set("repair", False)
     name = options.target
-    deflection = 0.002 * values.get("L")
-    if name in native.builtin_targets():
+    deflection = 0.0005 * values.get("L")  # a tenth of what remeshing may move a vertex
+    if name in dict(native.builtin_targets()):
         V, F = native.builtin_target(name, deflection)
         return pipeline.Request(safe_name(name), V, F, values, where=name)
     from . import freecad_io

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .errors import CurveUpsError
+from .errors import CurveUpsError, from_native
 from .native import native
 
 
@@ -101,26 +101,18 @@ def _polylines(rows, where: str) -> list[np.ndarray]:
 def _snap(line: np.ndarray, number: int, V: np.ndarray, F: np.ndarray, size: float,
           where: str) -> list[tuple[int, int]]:
     """The shortest path along edges from the vertex nearest to each point to the next."""
-    used = np.unique(F)
-    nearest = []
+    used = V[np.unique(F)]
     for point in line:
-        distance = np.linalg.norm(V[used] - point, axis=1)
-        best = int(distance.argmin())
-        if distance[best] > 0.5 * size:
+        distance = float(np.linalg.norm(used - point, axis=1).min())
+        if distance > 0.5 * size:
             raise CurveUpsError(
-                f"polyline {number + 1} has a point {distance[best]:.3g} mm away from the target",
+                f"polyline {number + 1} has a point {distance:.3g} mm away from the target",
                 where, "give the points in mm, on the surface")
-        nearest.append(int(used[best]))
-    edges: list[tuple[int, int]] = []
-    for a, b in zip(nearest, nearest[1:]):
-        if a == b:
-            continue
-        path = [int(v) for v in native.shortest_edge_path(V, F, a, b)]
-        if len(path) < 2:
-            raise CurveUpsError(f"polyline {number + 1} joins two components", where,
-                                "draw one cut for each component")
-        edges += [(min(p), max(p)) for p in zip(path, path[1:])]
-    return edges
+    try:
+        path = native.shortest_edge_path(V, F, line)
+    except native.Error as error:
+        raise from_native(error, f"{where}, polyline {number + 1}") from None
+    return [(min(pair), max(pair)) for pair in zip(path, path[1:])]
 
 
 def _interior_edges(F: np.ndarray) -> set[tuple[int, int]]:

@@ -38,7 +38,7 @@ def write_outcome(outcome: Any, path: Path, progress: Progress) -> Folder:
 
 def write_reports(outcome: Any, folder: Folder, software: dict[str, str] | None = None) -> None:
     """report.html, then report.json, which lists all files but itself."""
-    software = {"occt": getattr(native, "occt_version", lambda: "")(), **(software or {})}
+    software = software or {}
     html = build_html(outcome, build_report(outcome, folder.files, software))
     folder.write_text("report.html", html)
     folder.write_text("report.json", to_text(build_report(outcome, folder.files, software)))

@@ -21,6 +21,10 @@ from .progress import Progress
 from .verdict import Verdict, judge
 
 
+# Findings of check_mesh after which a mesh has no edge lengths worth speaking of.
+BROKEN = ("empty", "index-out-of-range", "not-finite")
+
+
 @dataclass
 class Request:
     """What is to be designed. V and F: the target, as read (mm after `scale`)."""
@@ -82,19 +86,23 @@ def prepare_target(request: Request, progress: Progress, stages: list[Stage],
     with _stage(stages, "remesh", request.where):
         progress("checking the target", -1.0)
         V, F = _scaled(request)
-        clean = native.clean_mesh(V, F)
-        V, F = clean.V, clean.F
-        if not request.remesh:
+        notes: list[str] = []
+        if request.remesh:
+            # Otherwise the mesh is taken as it is: cuts name its vertices by number.
+            clean = native.clean_mesh(V, F)
+            V, F, notes = clean.V, clean.F, list(clean.notes)
+        else:
+            _refuse(native.check_mesh(V, F, 1.0, True), request.where, BROKEN)
             parameters.set("L", _own_length(V, F, request.where))
-        _report(native.check_mesh(V, F, parameters.get("L"), bool(request.cuts)), warnings,
-                request.where)
+        findings = native.check_mesh(V, F, parameters.get("L"), bool(request.cuts))
+        notes += [finding.message for finding in findings if finding.kind == "components"]
+        _report([f for f in findings if f.kind != "components"], warnings, request.where)
         if not request.remesh:
             lengths = _edge_lengths(V, F)
             return Target(V, F, V, F, float(lengths.mean()),
-                          float(lengths.std() / lengths.mean()), 0.0, list(clean.notes))
+                          float(lengths.std() / lengths.mean()), 0.0, notes)
         made = native.remesh(V, F, parameters.get("L"), progress)
-        return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta,
-                      list(clean.notes))
+        return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta, notes)
 
 
 def run_design(request: Request, progress: Progress) -> Outcome:
@@ -198,6 +206,11 @@ def _own_length(V: np.ndarray, F: np.ndarray, where: str) -> float:
 def _edge_lengths(V: np.ndarray, F: np.ndarray) -> np.ndarray:
     pairs = np.unique(np.sort(np.vstack([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1), axis=0)
     return np.linalg.norm(V[pairs[:, 0]] - V[pairs[:, 1]], axis=1)
+
+
+def _refuse(findings, where: str, kinds: tuple[str, ...]) -> None:
+    """Raises for the first finding of these kinds."""
+    _report([finding for finding in findings if finding.kind in kinds], [], where)
 
 
 def _report(findings, warnings: list[dict], where: str, tiles: bool = False) -> None:

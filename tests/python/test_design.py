@@ -261,6 +261,6 @@ def test_bar_on_a_terminal(cap, tmp_path):
         pytest.skip("there is no script(1)")
     line = " ".join(f"'{word}'" for word in
                     command("design", cap, "-o", tmp_path / "o", "--no-remesh", "--no-solids"))
-    done = subprocess.run(["script", "-qec", line, "/dev/null"], env=environment(), text=True,
+    done = subprocess.run(["script", "-qec", line, "/dev/null"], env=environment(),
                           capture_output=True, stdin=subprocess.DEVNULL)
-    assert "\r" in done.stdout and re.search(r"\[[#.-]+\]", done.stdout)
+    assert re.search(rb"\r\033\[K\[[#.]+\] +[0-9]+ % layout", done.stdout), done.stdout

@@ -97,7 +97,6 @@ TEXTS = {
     "closed-sphere.obj": closed_sphere(),
     "three-at-an-edge.obj": "v 0 0 0\nv 20 0 0\nv 0 20 0\nv 0 -20 0\nv 0 0 20\n"
                             "f 1 2 3\nf 2 1 4\nf 1 2 5\n",
-    "inconsistent.obj": "v 0 0 0\nv 20 0 0\nv 20 20 0\nv 0 20 0\nf 1 2 3\nf 1 4 3\nf 1 2 3\n",
     "huge.obj": scaled(dome(2), 1e12) + "\n",
     "metres.obj": scaled(dome(3), 1e-3),
     "not-off.off": "COFFEE\n",
@@ -131,6 +130,7 @@ AS_THEY_ARE = {
     "needles.obj": "".join(f"v {i * 10} 0 0\n" for i in range(5))
                    + "".join(f"v {i * 10 + 5} 1e-7 0\n" for i in range(4))
                    + "".join(f"f {i + 1} {i + 2} {i + 6}\n" for i in range(4)),
+    "inconsistent.obj": "v 0 0 0\nv 20 0 0\nv 20 20 0\nv 0 20 0\nf 1 2 3\nf 1 4 3\n",
     "duplicate-face.obj": TRIANGLE + "f 1 2 3\nf 1 2 3\n",
     "self-touching.obj": TRIANGLE + "v 20 20 0\nv 30 20 0\nf 1 2 3\nf 4 5 3\n",
     "folded-shut-as-is.obj": SHARP,

@@ -95,8 +95,9 @@ def _target(target: Any) -> dict:
 
 def _deviation(outcome: Any) -> dict:
     target, design = outcome.target, outcome.design
-    found = native.surface_deviation(design.V, design.F, target.source_V, target.source_F)
-    return {"mean_mm": found.mean, "max_mm": found.max, "hausdorff_mm": found.hausdorff}
+    mean, largest, hausdorff = native.surface_deviation(design.V, design.F, target.source_V,
+                                                        target.source_F)
+    return {"mean_mm": mean, "max_mm": largest, "hausdorff_mm": hausdorff}
 
 
 def _layout(layout: Any) -> dict:
