@@ -62,9 +62,18 @@ ConeScaling cone_scaling(const Vec3& z, const Vec3& lambda) {
   const Eigen::Matrix3d J = Vec3(1, -1, -1).asDiagonal();
   ConeScaling out;
   out.W = beta * (2 * v * v.transpose() - J);
-  const Vec3 jv = reflect(v), jw = reflect(w);
+  const Vec3 jv = reflect(v);
   out.W_inverse = (2 * jv * jv.transpose() - J) / beta;
-  out.W_inverse_squared = (2 * jw * jw.transpose() - J) / (beta * beta);
+  out.W_squared = beta * beta * (2 * w * w.transpose() - J);
+  // (I + 2 t t^T)^-1 = I - 2 t t^T / (1 + 2 |t|^2), split along t and across it.
+  const Vec2 t = w.tail<2>();
+  out.tangential.setIdentity();
+  if (t.squaredNorm() > 0) {
+    const Vec2 along = t.normalized(), across = left_of(along);
+    out.tangential =
+        across * across.transpose() + along * along.transpose() / (1 + 2 * t.squaredNorm());
+  }
+  out.tangential *= beta * beta;
   out.nu = out.W * lambda;
   return out;
 }

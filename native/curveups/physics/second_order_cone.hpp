@@ -19,7 +19,9 @@ double cone_step(const Vec3& u, const Vec3& d, double limit);
 
 // W symmetric with W lambda = W^-1 z = nu, for z and lambda inside the cone.
 struct ConeScaling {
-  Eigen::Matrix3d W, W_inverse, W_inverse_squared;
+  Eigen::Matrix3d W, W_inverse, W_squared;
+  // The inverse of the tangential 2 x 2 block of W^-2, which W^-2 itself has not the digits for.
+  Eigen::Matrix2d tangential;
   Vec3 nu;
 };
 ConeScaling cone_scaling(const Vec3& z, const Vec3& lambda);

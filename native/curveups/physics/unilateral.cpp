@@ -88,7 +88,7 @@ class ConeProgram {
   VectorXd w_floor_;
   double w_cap_ = 1;
   std::vector<Matrix3d> D_inverse_;
-  Points3 e_;
+  Points3 D_e0_, D_e_;  // D^-1 e0, D^-1 e
   double pivot_ = 1;
   VectorXd c_, y_c_;  // c = A D^-1 e - a
 };
@@ -147,32 +147,35 @@ bool ConeProgram::factorize() {
   w_cap_ = l_.cap / z_.cap;
   circle_.resize(limited_ ? count_ : 0);
   D_inverse_.resize(count_);
-  e_.resize(count_, 3);
+  D_e0_.setZero(count_, 3);
+  D_e_.setZero(count_, 3);
   pivot_ = w_cap_;
   for (int p = 0; p < count_; ++p) {
-    Vec3 e = Vec3::Zero();
-    if (limited_) {
-      // From the scaling's closed inverse: near the cone's surface D has no digits left to invert.
-      circle_[p] = cone_scaling(z_.circle.row(p), l_.circle.row(p));
-      Matrix3d N = circle_[p].W * circle_[p].W;
-      N.row(0) /= mu_;
-      N.col(0) /= mu_;
-      const Vec3 column = N.col(0);
-      D_inverse_[p] = N - column * column.transpose() / (1 / w_floor_(p) + column.x());
-      if (rho_ != 0) {
-        e = circle_[p].W_inverse_squared.col(0) * mu_;
-        e.x() *= mu_;
-        pivot_ += e.x();
-      }
-    } else {
-      D_inverse_[p] =
-          Vec3(1 / (proximal_ + w_floor_(p)), 1 / proximal_, 1 / proximal_).asDiagonal();
+    const double w = w_floor_(p);
+    if (!limited_) {
+      D_inverse_[p] = Vec3(1 / (proximal_ + w), 1 / proximal_, 1 / proximal_).asDiagonal();
+      continue;
     }
-    e_.row(p) = e.transpose();
-    pivot_ -= e.dot(D_inverse_[p] * e);
+    // D = M + w e0 e0^T with M^-1 = N from the scaling, e = rho M e0. Sums of positive terms only:
+    // near the cones' surfaces D and M have no digits left to invert or subtract.
+    circle_[p] = cone_scaling(z_.circle.row(p), l_.circle.row(p));
+    Vec3 column = circle_[p].W_squared.col(0) / mu_;
+    column.x() /= mu_;
+    const double room = 1 + w * column.x();
+    D_e0_.row(p) = column.transpose() / room;
+    Matrix3d& D = D_inverse_[p];
+    D.col(0) = column / room;
+    D.row(0) = column.transpose() / room;
+    D.bottomRightCorner<2, 2>() = circle_[p].tangential + column.tail<2>() *
+                                                              column.tail<2>().transpose() /
+                                                              (column.x() * room);
+    if (rho_ != 0) {
+      D_e_.row(p) << 1 / room, -w * column.y() / room, -w * column.z() / room;
+      pivot_ += w / room;
+    }
   }
   if (!system_.factorize(D_inverse_)) return false;
-  c_ = system_.apply(times(D_inverse_, Eigen::Map<const VectorXd>(e_.data(), e_.size()))) - a_;
+  c_ = system_.apply(Eigen::Map<const VectorXd>(D_e_.data(), D_e_.size())) - a_;
   y_c_ = system_.solve(c_);
   pivot_ += c_.dot(y_c_);
   return std::isfinite(pivot_) && pivot_ > 0;
@@ -199,19 +202,23 @@ ConeProgram::Direction ConeProgram::newton(double keep, const Cones& d) const {
   double rhs_s = -keep * r_s_ + w_cap_ * beta.cap;
   for (int p = 0; p < count_; ++p) {
     rhs(3 * p) -= w_floor_(p) * beta.floor(p);
-    if (!limited_) continue;
-    Vec3 v = circle_[p].W_inverse_squared * beta.circle.row(p).transpose();
-    v.x() *= mu_;
-    rhs.segment<3>(3 * p) -= v;
-    rhs_s -= rho_ * v.x();
+  }
+  const Eigen::Map<const VectorXd> D_e(D_e_.data(), D_e_.size());
+  VectorXd D_r = times(D_inverse_, rhs);
+  rhs_s -= D_e.dot(rhs);
+  for (int p = 0; limited_ && p < count_; ++p) {
+    // The circles' share M beta of the right-hand side, with M cancelled.
+    Vec3 b = beta.circle.row(p);
+    b.x() /= mu_;
+    const double w = w_floor_(p);
+    D_r.segment<3>(3 * p) -= b - w * b.x() * D_e0_.row(p).transpose();
+    rhs_s -= w * b.x() * D_e_(p, 0);
   }
   Direction out;
-  const VectorXd Dr = times(D_inverse_, rhs);
-  const VectorXd y_r = system_.solve(system_.apply(Dr) + keep * r_y_);
-  const Eigen::Map<const VectorXd> e(e_.data(), e_.size());
-  out.s = (rhs_s - e.dot(Dr) + c_.dot(y_r)) / pivot_;
+  const VectorXd y_r = system_.solve(system_.apply(D_r) + keep * r_y_);
+  out.s = (rhs_s + c_.dot(y_r)) / pivot_;
   out.y = y_r - out.s * y_c_;
-  out.f = times(D_inverse_, rhs - out.s * e - system_.apply_transposed(out.y));
+  out.f = D_r - out.s * D_e - times(D_inverse_, system_.apply_transposed(out.y));
   const VectorXd dual = keep * r_f_ + system_.apply_transposed(out.y);
   out.z.floor.resize(count_);
   out.l.floor.resize(count_);
@@ -273,7 +280,7 @@ ConeProgram::Outcome ConeProgram::solve(const VectorXd& start, const UnilateralO
     if (r_z_.circle.size()) primal = std::max(primal, r_z_.circle.cwiseAbs().maxCoeff());
     // Dual residuals count by what they move the objective.
     const double dual = std::abs(r_s_) + r_f_.cwiseAbs().dot(f_.cwiseAbs());
-    if (gap < options.tolerance && primal < 1e-7 && dual < options.tolerance) {
+    if (gap < options.tolerance && primal < 1e-6 && dual < options.tolerance) {
       out.solved = true;
       break;
     }
@@ -303,7 +310,7 @@ ConeProgram::Outcome ConeProgram::solve(const VectorXd& start, const UnilateralO
     const double nu = -d.cap;
     d.cap = (-nu * nu - affine.z.cap * affine.l.cap + target) / nu;
     const Direction step = newton(1 - centring, d);
-    const double length = std::min(1.0, 0.99 * step_length(step, 2.0));
+    const double length = std::min(1.0, 0.98 * step_length(step, 2.0));
     if (!(length > 1e-10)) return out;
     f_ += length * step.f;
     y_ += length * step.y;
