@@ -2,7 +2,9 @@
 #include "curveups/physics/membrane_domain.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
+#include "curveups/core/errors.hpp"
 #include "curveups/design/pins.hpp"
 
 namespace curveups {
@@ -60,6 +62,18 @@ MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side) {
   return domain;
 }
 
+std::string tile_name(int tile) {
+  char name[16];
+  std::snprintf(name, sizeof name, "T%05d", tile + 1);
+  return name;
+}
+
+std::string tile_names(const std::vector<int>& tiles) {
+  std::string names;
+  for (int tile : tiles) names += (names.empty() ? "" : ", ") + tile_name(tile);
+  return names;
+}
+
 std::vector<int> tiles_of(const MembranePatch& patch) {
   std::vector<int> tiles;
   for (int corner : patch.corners) tiles.push_back(corner / 3);
@@ -70,6 +84,15 @@ std::vector<int> tiles_of(const MembranePatch& patch) {
 
 Points2 flat_pin_corners(const TileMesh& tiles, const FlatPoses& poses, const Array6& q,
                          Side side) {
+  std::vector<int> bad;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    if (!(pin_area(tiles, i, side, q.row(i).data()) > 0)) bad.push_back(i);
+  }
+  if (!bad.empty()) {
+    throw InfeasibleDesign("the " + std::string(side == Side::front ? "front" : "back") +
+                               " pins of " + tile_names(bad) + " have no area",
+                           "lower their insets", bad);
+  }
   Points2 out(3 * tiles.tile_count(), 2);
   for (int i = 0; i < tiles.tile_count(); ++i) {
     const std::array<Vec2, 3> placed =

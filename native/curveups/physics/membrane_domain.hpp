@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "curveups/design/contacts.hpp"
@@ -31,10 +32,15 @@ struct MembraneDomain {
 
 MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side);
 
+// "T00001" is tile 0; a list of them is separated by commas.
+std::string tile_name(int tile);
+std::string tile_names(const std::vector<int>& tiles);
+
 // Tiles (from 0) whose corners a patch uses, each once, in ascending order.
 std::vector<int> tiles_of(const MembranePatch& patch);
 
-// Positions of all pin tops' corners, 3 M rows: flat in the layout's plane, actuated in space.
+// Positions of all pin tops' corners, 3 M rows: flat in the layout's plane, actuated in space. The
+// flat ones throw InfeasibleDesign, naming the tiles, where insets leave a pin no area.
 Points2 flat_pin_corners(const TileMesh& tiles, const FlatPoses& poses, const Array6& q, Side side);
 Points3 actuated_pin_corners(const TileMesh& tiles, const Array6& q, Side side, double H_pin);
 

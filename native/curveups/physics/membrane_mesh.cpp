@@ -112,16 +112,6 @@ SharedVertices make_shared_vertices(const MembraneDomain& domain, const Points2&
   return shared;
 }
 
-std::string tile_names(const std::vector<int>& tiles) {
-  std::string names;
-  for (int tile : tiles) {
-    char name[16];
-    std::snprintf(name, sizeof name, "%sT%05d", names.empty() ? "" : ", ", tile + 1);
-    names += name;
-  }
-  return names;
-}
-
 std::vector<Vec2> outline(const MembranePatch& patch, const Points2& flat) {
   std::vector<Vec2> points;
   for (int corner : patch.corners) points.push_back(flat.row(corner).transpose());
@@ -129,16 +119,7 @@ std::vector<Vec2> outline(const MembranePatch& patch, const Points2& flat) {
 }
 
 void check_patches(const MembraneDomain& domain, const Points2& flat) {
-  std::vector<int> bad;
-  for (int i = 0; i < domain.tile_count; ++i) {
-    const Vec2 a = flat.row(3 * i), b = flat.row(3 * i + 1), c = flat.row(3 * i + 2);
-    if (!(wedge(b - a, c - a) > 0)) bad.push_back(i);
-  }
   const std::string side = domain.side == Side::front ? "front" : "back";
-  if (!bad.empty()) {
-    throw InfeasibleDesign("the " + side + " pins of " + tile_names(bad) + " have no area",
-                           "lower their insets", bad);
-  }
   for (const MembranePatch& patch : domain.patches) {
     if (is_simple_polygon(outline(patch, flat))) continue;
     const std::vector<int> tiles = tiles_of(patch);

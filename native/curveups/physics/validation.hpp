@@ -92,9 +92,6 @@ struct ValidationReport {
   MembranePicture membrane[2];
 };
 
-// "T00001" is tile 0.
-std::string tile_name(int tile);
-
 // Throws what make_geometry throws (InfeasibleDesign, TopologyError, InvalidInput), InvalidInput
 // for arrays that disagree, SolverFailure, Cancelled. Results do not depend on the number of
 // threads.

@@ -128,12 +128,6 @@ void judge_membranes(const VerdictInput& in, ValidationReport& report) {
 
 }  // namespace
 
-std::string tile_name(int tile) {
-  char name[16];
-  std::snprintf(name, sizeof name, "T%05d", tile + 1);
-  return name;
-}
-
 void give_verdict(const VerdictInput& input, ValidationReport& report) {
   judge_least_squares(input, report);
   judge_unilateral(input, report);

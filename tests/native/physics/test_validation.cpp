@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
+#include "curveups/physics/membrane_solution.hpp"
+#include "curveups/physics/validation.hpp"
+#include "domes.hpp"
+
+namespace curveups {
+namespace {
+
+using testing::hexagon;
+using testing::spread_design;
+
+Design dome() { return spread_design(hexagon(3, testing::sphere_cap), 1.35, 1.2); }
+
+bool mentions(const ValidationReport& report, const std::string& text) {
+  for (const std::string& reason : report.reasons) {
+    if (reason.find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+TEST(Verify, ADomeBalancesAndPushesEverywhere) {
+  const ValidationReport r = verify_design(dome(), {}, {});
+  EXPECT_TRUE(r.computed);
+  EXPECT_TRUE(r.physics.converged);
+  EXPECT_LE(r.physics.fine_iterations[0], 20);
+  EXPECT_LE(r.physics.fine_iterations[1], 20);
+  EXPECT_LT(r.physics.force_balance, 1e-9);
+  EXPECT_LT(r.physics.torque_balance, 1e-9);
+  EXPECT_LT(r.contact_forces.imbalance, 1e-9);
+  EXPECT_GT(r.contact_forces.normal_mean, 0);
+  EXPECT_EQ(r.unilateral.status, UnilateralStatus::feasible);
+  EXPECT_GE(r.unilateral.unlimited_largest_floor,
+            r.unilateral.largest_floor - 1e-3 * r.contact_forces.normal_mean);
+  // Least squares is one of the balanced sets: its least force can't beat the largest floor.
+  EXPECT_LE(r.contact_forces.normal_min,
+            r.unilateral.unlimited_largest_floor + 2e-3 * r.contact_forces.normal_mean);
+  EXPECT_EQ(r.valid, r.reasons.empty());
+}
+
+TEST(Verify, ForcesAreProportionalToStiffness) {
+  Design design = dome();
+  const ValidationReport a = verify_design(design, {}, {});
+  for (double* m : {&design.parameters.shear_modulus_front, &design.parameters.shear_modulus_back})
+    *m *= 3;
+  const ValidationReport b = verify_design(design, {}, {});
+  EXPECT_LT((3 * a.elastic - b.elastic).cwiseAbs().maxCoeff(),
+            1e-6 * b.elastic.cwiseAbs().maxCoeff());
+  EXPECT_NEAR(b.contact_forces.normal_mean / a.contact_forces.normal_mean, 3, 1e-6);
+  EXPECT_EQ(a.valid, b.valid);
+  // Different membranes: neither of both.
+  design.parameters.shear_modulus_back /= 3;
+  const ValidationReport c = verify_design(design, {}, {});
+  EXPECT_TRUE(c.physics.converged);
+  EXPECT_GT(c.contact_forces.normal_mean, a.contact_forces.normal_mean);
+  EXPECT_LT(c.contact_forces.normal_mean, b.contact_forces.normal_mean);
+}
+
+TEST(Verify, SmallerTrianglesMoveForcesByLessThanTheStatedError) {
+  Design design = dome();
+  const ValidationReport coarse = verify_design(design, {}, {});
+  design.parameters.mesh_size = 0.2;
+  const ValidationReport fine = verify_design(design, {}, {});
+  EXPECT_LT(fine.physics.normal_force_error, coarse.physics.normal_force_error);
+  EXPECT_LT(coarse.physics.normal_force_error, 0.015);
+  double mean = 0;
+  for (int k = 0; k < fine.contact_normal_mean.size(); ++k) {
+    mean += std::abs(fine.contact_normal_mean(k) - coarse.contact_normal_mean(k)) /
+            fine.contact_normal_mean.size();
+  }
+  EXPECT_LT(mean / fine.contact_forces.normal_mean, coarse.physics.normal_force_error);
+}
+
+TEST(Verify, ALooseLayoutWithWrinklesConverges) {
+  const ValidationReport r =
+      verify_design(spread_design(hexagon(3, testing::sphere_cap), 1.9, 1.2), {}, {});
+  EXPECT_TRUE(r.physics.converged);
+  EXPECT_LE(r.physics.fine_iterations[0], 20);
+  EXPECT_LE(r.physics.fine_iterations[1], 20);
+  EXPECT_LT(r.physics.force_balance, 1e-9);
+}
+
+TEST(Verify, WithoutStretchTheMembranesGoSlackAndNothingIsValid) {
+  Design design = dome();
+  design.parameters.tau = 1.05;
+  const ValidationReport r = verify_design(design, {}, {});
+  EXPECT_TRUE(r.physics.converged);
+  EXPECT_GT(r.physics.slack_fraction + r.physics.wrinkled_fraction, 0.3);
+}
+
+TEST(Verify, CutsPiecesAndLonelyTiles) {
+  Design design = dome();
+  const TileMesh tiles = make_tile_mesh(design.mesh, design.cuts, 3);
+  // All three edges of an inner tile: a component of its own without contacts.
+  const int lonely = 20;
+  design.cuts.resize(3, 2);
+  for (int t = 0; t < 3; ++t) {
+    ASSERT_GE(tiles.topology.neighbour(lonely, t), 0);
+    design.cuts.row(t) << tiles.mesh.F(lonely, t), tiles.mesh.F(lonely, next3(t));
+  }
+  const ValidationReport r = verify_design(design, {}, {});
+  EXPECT_TRUE(r.physics.converged);
+  EXPECT_LT(r.physics.force_balance, 1e-9);
+  EXPECT_LT(r.contact_forces.imbalance, 1e-9);
+  EXPECT_EQ(r.elastic.row(lonely).norm(), 0);
+  EXPECT_TRUE(std::isnan(r.tile_normal_min(lonely)));
+}
+
+TEST(Verify, OneTileAndTwoTiles) {
+  const TriangleMesh mesh = hexagon(1, testing::sphere_cap);
+  for (int count : {1, 2}) {
+    TriangleMesh part = mesh;
+    part.F = mesh.F.topRows(count);
+    const ValidationReport r = verify_design(spread_design(part, 1.35, 1.2), {}, {});
+    EXPECT_TRUE(r.physics.converged);
+    EXPECT_NE(r.unilateral.status, UnilateralStatus::unsolved);
+  }
+}
+
+TEST(Verify, BumpTipsAreContactPoints) {
+  const Design design = dome();
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  VerifyOptions corners, middle;
+  for (const ContactPatch& patch : geometry.patches) {
+    Points3 at(patch.point_count, 3);
+    for (int l = 0; l < patch.point_count; ++l) at.row(l) = patch.point[l].transpose();
+    corners.bump_tips.push_back(at);
+    middle.bump_tips.push_back(at.colwise().mean());
+  }
+  const ValidationReport r = verify_design(design, corners, {});
+  ASSERT_TRUE(r.unilateral.tips_status);
+  EXPECT_EQ(*r.unilateral.tips_status, r.unilateral.status);
+  EXPECT_NEAR(r.unilateral.tips_largest_floor, r.unilateral.largest_floor, 1e-6);
+  // A single point each can't hold the tiles' torques.
+  const ValidationReport one = verify_design(design, middle, {});
+  EXPECT_NE(*one.unilateral.tips_status, UnilateralStatus::feasible);
+  EXPECT_FALSE(one.valid);
+  EXPECT_TRUE(mentions(one, "bumps"));
+  corners.bump_tips.pop_back();
+  EXPECT_THROW(verify_design(design, corners, {}), InvalidInput);
+}
+
+TEST(Verify, GravityIsCarriedByHeldTilesOrByThePlane) {
+  Design design = dome();
+  design.parameters.gravity = "held";
+  design.parameters.density = 1.18;
+  const ValidationReport light = verify_design(design, {}, {});
+  EXPECT_LT(light.contact_forces.imbalance, 1e-9);
+  const ValidationReport held = verify_design(design, {{}, {0, 3, 7}}, {});
+  EXPECT_LT(held.contact_forces.imbalance, 1e-9);
+  EXPECT_THROW(verify_design(design, {{}, {54}}, {}), InvalidInput);
+  // A density far beyond any material pulls the piece apart.
+  design.parameters.density = 30;
+  design.parameters.shear_modulus_front = design.parameters.shear_modulus_back = 1e-3;
+  const ValidationReport heavy = verify_design(design, {}, {});
+  EXPECT_FALSE(heavy.valid);
+  design.parameters = dome().parameters;
+  design.parameters.gravity = "resting";
+  const ValidationReport resting = verify_design(design, {}, {});
+  EXPECT_LT(resting.contact_forces.imbalance, 1e-6);
+  EXPECT_EQ(resting.unilateral.status, UnilateralStatus::feasible);
+}
+
+TEST(Verify, AMembraneThatCutsIntoABodyIsNotValid) {
+  // A sharp ridge with pins far behind it.
+  const TriangleMesh ridge = hexagon(2, [](double x, double) { return -0.8 * std::abs(x); });
+  const ValidationReport r = verify_design(spread_design(ridge, 1.5, 1.6), {}, {});
+  EXPECT_LT(r.physics.clearance_mm, 0);
+  EXPECT_FALSE(r.valid);
+  EXPECT_TRUE(mentions(r, "into the body of T0"));
+  EXPECT_GT(verify_design(dome(), {}, {}).physics.clearance_mm, 0.3);
+}
+
+TEST(Verify, IsTheSameWithOneThreadAndTwo) {
+  const int threads = thread_count();
+  set_thread_count(1);
+  const ValidationReport one = verify_design(dome(), {}, {});
+  set_thread_count(2);
+  const ValidationReport two = verify_design(dome(), {}, {});
+  set_thread_count(threads);
+  EXPECT_EQ((one.elastic - two.elastic).cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(one.unilateral.largest_floor, two.unilateral.largest_floor);
+  EXPECT_EQ(one.contact_forces.normal_min, two.contact_forces.normal_min);
+  EXPECT_EQ(one.physics.clearance_mm, two.physics.clearance_mm);
+  EXPECT_EQ(one.reasons, two.reasons);
+}
+
+TEST(Verify, StopsWhenAskedTo) {
+  EXPECT_THROW(verify_design(dome(), {}, [](const std::string&, double) { return false; }),
+               Cancelled);
+}
+
+TEST(Verify, RefusesArraysThatDisagree) {
+  Design design = dome();
+  design.q.conservativeResize(design.q.rows() - 1, 6);
+  EXPECT_THROW(verify_design(design, {}, {}), InvalidInput);
+  design = dome();
+  design.T(3, 2) = std::nan("");
+  EXPECT_THROW(verify_design(design, {}, {}), InvalidInput);
+}
+
+}  // namespace
+}  // namespace curveups
