@@ -83,6 +83,32 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
   return state;
 }
 
+void MembraneEquilibrium::respond(const Points3& x, std::vector<Points3>& displacements) const {
+  const std::vector<int>& index = energy_.free_index();
+  if (energy_.free_count() == 0 || displacements.empty()) return;
+  const int count = static_cast<int>(displacements.size());
+  for (Points3& d : displacements) {
+    for (std::size_t v = 0; v < index.size(); ++v) {
+      if (index[v] >= 0) d.row(v).setZero();
+    }
+  }
+  std::vector<Points3> forces;
+  energy_.second_derivatives(x, displacements, forces, nullptr);
+  Eigen::MatrixXd rhs(3 * energy_.free_count(), count);
+  for (int k = 0; k < count; ++k) {
+    for (std::size_t v = 0; v < index.size(); ++v) {
+      if (index[v] >= 0) rhs.block<3, 1>(3 * index[v], k) = -forces[k].row(v).transpose();
+    }
+  }
+  const Eigen::MatrixXd response = factor_.solve(rhs);
+  for (int k = 0; k < count; ++k) {
+    for (std::size_t v = 0; v < index.size(); ++v) {
+      if (index[v] >= 0)
+        displacements[k].row(v) = response.block<3, 1>(3 * index[v], k).transpose();
+    }
+  }
+}
+
 Points3 prolong(const MembraneMesh& fine, const Points3& coarse, const Points3& glued) {
   Points3 x(fine.vertex_count(), 3);
   const int old = static_cast<int>(coarse.rows());

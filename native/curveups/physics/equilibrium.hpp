@@ -38,6 +38,13 @@ class MembraneEquilibrium {
   MembraneState solve(const Points3& start, const EquilibriumOptions& options,
                       const Progress& progress = {}, const std::string& what = "membrane");
 
+  // Another rest shape of the same mesh (MembraneEnergy::set_rest); the factorization's ordering
+  // stays.
+  void set_rest(const Points2& flat, double tau) { energy_.set_rest(flat, tau); }
+  // How free vertices follow displacements of glued ones, by the last factorization: fills in the
+  // free rows of each displacement. x: the equilibrium.
+  void respond(const Points3& x, std::vector<Points3>& displacements) const;
+
   const MembraneEnergy& energy() const { return energy_; }
   const SparseCholesky& factor() const { return factor_; }
 

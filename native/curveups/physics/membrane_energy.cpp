@@ -41,16 +41,59 @@ MembraneEnergy::MembraneEnergy(const MembraneMesh& mesh, const Points2& flat, do
   }
   elements_.reserve(mesh.triangles.size());
   for (const std::array<int, 3>& t : mesh.triangles) {
+    elements_.push_back({t, Eigen::Matrix2d::Zero(), 0, {-1, -1, -1}});
+  }
+  set_rest(flat, tau);
+  make_pattern();
+}
+
+void MembraneEnergy::set_rest(const Points2& flat, double tau) {
+  tau_ = tau;
+  for (Element& e : elements_) {
     Eigen::Matrix2d edges;
-    edges.col(0) = (flat.row(t[1]) - flat.row(t[0])).transpose() / tau;
-    edges.col(1) = (flat.row(t[2]) - flat.row(t[0])).transpose() / tau;
+    edges.col(0) = (flat.row(e.vertex[1]) - flat.row(e.vertex[0])).transpose() / tau;
+    edges.col(1) = (flat.row(e.vertex[2]) - flat.row(e.vertex[0])).transpose() / tau;
     const double doubled = edges.determinant();
     if (!(doubled > 0)) {
       throw InvalidInput("a membrane triangle has no area in the layout", "mesh the layout again");
     }
-    elements_.push_back({t, edges.inverse(), 0.5 * doubled, {-1, -1, -1}});
+    e.inverse = edges.inverse();
+    e.weight = 0.5 * doubled;
   }
-  make_pattern();
+}
+
+void MembraneEnergy::second_derivatives(const Points3& x, const std::vector<Points3>& displacements,
+                                        std::vector<Points3>& by_position,
+                                        std::vector<Points2>* by_flat) const {
+  const std::size_t count = displacements.size();
+  by_position.assign(count, Points3::Zero(x.rows(), 3));
+  if (by_flat) by_flat->assign(count, Points2::Zero(x.rows(), 2));
+  for (const Element& e : elements_) {
+    const Gradient32 F = deformation(e, x);
+    const Density d = density(F, true);
+    const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
+    const double factor = stiffness_ * e.weight;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Gradient32 dF = deformation(e, displacements[k]);
+      const Vector6 dP = d.hessian * Eigen::Map<const Vector6>(dF.data());
+      for (int v = 0; v < 3; ++v) {
+        by_position[k].row(e.vertex[v]) +=
+            factor * (b[v].x() * dP.head<3>() + b[v].y() * dP.tail<3>()).transpose();
+      }
+      if (!by_flat) continue;
+      // w . dE/dx = factor P : dF; by the rest edges R (F = edges R^-1, weight = det R / 2) this is
+      // factor ((P : dF) - dF^T P - F^T dP) R^-T, all applied from the left of R^-T.
+      const Eigen::Map<const Gradient32> P(d.gradient.data()), H(dP.data());
+      const Eigen::Matrix2d by_edges = factor *
+                                       (P.cwiseProduct(dF).sum() * Eigen::Matrix2d::Identity() -
+                                        dF.transpose() * P - F.transpose() * H) *
+                                       e.inverse.transpose() / tau_;
+      Points2& out = (*by_flat)[k];
+      out.row(e.vertex[0]) -= (by_edges.col(0) + by_edges.col(1)).transpose();
+      out.row(e.vertex[1]) += by_edges.col(0).transpose();
+      out.row(e.vertex[2]) += by_edges.col(1).transpose();
+    }
+  }
 }
 
 void MembraneEnergy::make_pattern() {

@@ -51,6 +51,14 @@ class MembraneEnergy {
 
   std::vector<TriangleStretch> stretches(const Points3& x) const;
 
+  // Another rest shape of the same mesh. Throws InvalidInput where a triangle turns over.
+  void set_rest(const Points2& flat, double tau);
+  // Second derivatives along displacements of all vertices, glued ones too: per displacement w the
+  // derivative of w . dE/dx by the actuated positions and, where `by_flat` is not null, by the flat
+  // ones. Sums over triangles in their order.
+  void second_derivatives(const Points3& x, const std::vector<Points3>& displacements,
+                          std::vector<Points3>& by_position, std::vector<Points2>* by_flat) const;
+
  private:
   struct Element {
     std::array<int, 3> vertex;
@@ -68,6 +76,7 @@ class MembraneEnergy {
   std::vector<int> free_index_;
   int free_count_ = 0;
   double stiffness_;
+  double tau_ = 1;
   MembraneMaterial material_;
   SparseMatrix pattern_;
 };

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/design_forces.hpp"
+
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr std::array<Side, 2> sides = {Side::front, Side::back};
+
+}  // namespace
+
+DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
+                           const FlatPoses& poses, const Array6& q,
+                           const DesignForcesOptions& options, const Progress& progress)
+    : geometry_(geometry),
+      parameters_(parameters),
+      options_(options),
+      poses_(poses),
+      q_(q),
+      system_(interface_points(geometry.tiles, geometry.patches), tile_centres(geometry.tiles),
+              parameters.L, {}) {
+  for (Side side : sides) {
+    SolvedMembrane& membrane = membranes_[static_cast<int>(side)];
+    membrane.flat_corners = flat_pin_corners(geometry.tiles, poses, q, side);
+    membrane.mesh = make_membrane_mesh(make_membrane_domain(geometry.tiles, side),
+                                       membrane.flat_corners, options.mesh, progress);
+  }
+  solve_membranes(true, progress);
+}
+
+void DesignForces::move(const FlatPoses& poses, const Array6& q, const Progress& progress) {
+  poses_ = poses;
+  q_ = q;
+  solve_membranes(false, progress);
+}
+
+void DesignForces::solve_membranes(bool fresh, const Progress& progress) {
+  const TileMesh& tiles = geometry_.tiles;
+  auto solve = [&](Side side, const Progress& sink) {
+    SolvedMembrane& m = membranes_[static_cast<int>(side)];
+    m.flat_corners = flat_pin_corners(tiles, poses_, q_, side);
+    const Points3 before = m.actuated_corners;
+    m.actuated_corners = actuated_pin_corners(tiles, q_, side, parameters_.H_pin);
+    const Points2 flat = vertex_positions(m.mesh.weights, m.flat_corners);
+    Points3 start = vertex_positions(m.mesh.weights, m.actuated_corners);
+    if (fresh) {
+      m.equilibrium =
+          std::make_unique<MembraneEquilibrium>(m.mesh, flat, parameters_.tau, options_.material);
+      start = m.equilibrium->energy().harmonic(start);
+    } else {
+      m.equilibrium->set_rest(flat, parameters_.tau);
+      // Free vertices go along with the pins around them before they settle.
+      start += m.state.x - vertex_positions(m.mesh.weights, before);
+    }
+    m.state = m.equilibrium->solve(start, options_.equilibrium, sink);
+  };
+  // The progress sink is called from one thread only; the other membrane ends by itself.
+  bool going = true;
+  parallel_pair(
+      [&] {
+        solve(Side::front, [&](const std::string& what, double fraction) {
+          return going = going && keep_going(progress, what, fraction);
+        });
+      },
+      [&] { solve(Side::back, {}); });
+  if (!going) throw Cancelled();
+  loads_ = Wrenches::Zero(tiles.tile_count(), 6);
+  for (Side side : sides) {
+    const SolvedMembrane& m = membrane(side);
+    // Rounding alone may keep a membrane from the last digits of its tolerance.
+    if (!(m.state.residual < 1e-6)) {
+      throw SolverFailure(std::string("the ") + (side == Side::front ? "front" : "back") +
+                              " membrane found no equilibrium",
+                          "use the tension-field model");
+    }
+    add_wrenches(pin_corner_forces(m.mesh, m.state, tiles.tile_count()), m.actuated_corners,
+                 system_.centres(), loads_);
+  }
+  forces_ = solve_contact_forces(system_, loads_);
+}
+
+}  // namespace curveups

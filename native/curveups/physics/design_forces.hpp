@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Membranes and least-squares contact forces of one design whose pins move: meshed once, then
+// followed with the mesh's topology and weights unchanged, each equilibrium started from the last.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "curveups/design/design.hpp"
+#include "curveups/physics/contact_forces.hpp"
+
+namespace curveups {
+
+struct DesignForcesOptions {
+  MembraneMaterial material;
+  MembraneMeshOptions mesh;
+  EquilibriumOptions equilibrium;
+};
+
+// One membrane of a design at its equilibrium.
+struct SolvedMembrane {
+  MembraneMesh mesh;
+  Points2 flat_corners;      // 3 M pin corners in the layout ...
+  Points3 actuated_corners;  // ... and in space
+  std::unique_ptr<MembraneEquilibrium> equilibrium;
+  MembraneState state;
+};
+
+class DesignForces {
+ public:
+  // Meshes the membranes and solves for their equilibrium and the contact forces. Throws what
+  // make_membrane_mesh and solve_contact_forces throw, SolverFailure where an equilibrium is not
+  // found, Cancelled. geometry must outlive this.
+  DesignForces(const DesignGeometry& geometry, const Parameters& parameters, const FlatPoses& poses,
+               const Array6& q, const DesignForcesOptions& options, const Progress& progress);
+
+  // Other poses and insets, same mesh. Throws InvalidInput where a triangle of the mesh turns over
+  // (then mesh again), SolverFailure, Cancelled; what is held is then of no use until the next
+  // successful move.
+  void move(const FlatPoses& poses, const Array6& q, const Progress& progress);
+
+  const DesignGeometry& geometry() const { return geometry_; }
+  const Parameters& parameters() const { return parameters_; }
+  const FlatPoses& poses() const { return poses_; }
+  const Array6& insets() const { return q_; }
+  const SolvedMembrane& membrane(Side side) const { return membranes_[static_cast<int>(side)]; }
+  // Its factorization is that of A A^T.
+  const BalanceSystem& system() const { return system_; }
+  const Wrenches& loads() const { return loads_; }
+  const ContactForces& contact_forces() const { return forces_; }
+
+ private:
+  void solve_membranes(bool fresh, const Progress& progress);
+
+  const DesignGeometry& geometry_;
+  Parameters parameters_;
+  DesignForcesOptions options_;
+  FlatPoses poses_;
+  Array6 q_;
+  std::array<SolvedMembrane, 2> membranes_;
+  BalanceSystem system_;
+  Wrenches loads_;
+  ContactForces forces_;
+};
+
+}  // namespace curveups
