@@ -65,7 +65,7 @@ def parameters(options: Any, session: Session) -> int:
         if row.group != group:
             print(f"{'' if group is None else chr(10)}{row.group}", file=session.output)
             group = row.group
-        print(f"  {row.name:<18}{_default(row):<22}{_range(row):<26}{row.meaning}",
+        print(f"  {row.name:<22}{_default(row):<22}{_range(row):<29}{row.meaning}",
               file=session.output)
     return VALID
 
@@ -75,9 +75,6 @@ def verify(options: Any, session: Session) -> int:
     if options.output:
         require_folder_name(options.output)
     found = _read_design(options.design)
-    if not hasattr(native, "verify_design"):
-        raise CurveUpsError("the physical model is not in this build", str(options.design),
-                            "build a version that has it")
     outcome = pipeline.run_verify(found, session.reporter, str(options.design))
     if options.output:
         folder = Folder(options.output)

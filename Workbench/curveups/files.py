@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, Callable
 
 import numpy as np
 
-from .errors import STOPPED, CurveUpsError, Stopped
+from .errors import Stopped
 from .native import native
 from .output import Folder
 from .pipeline import Stage
@@ -34,6 +34,33 @@ def write_outcome(outcome: Any, path: Path, progress: Progress) -> Folder:
         outcome.stages.append(Stage("export", time.perf_counter() - start))
     write_reports(outcome, folder, software)
     return folder
+
+
+def _write_solids(outcome: Any, folder: Folder, progress: Progress) -> None:
+    model, name = outcome.model, outcome.name
+    kinds = ("tiles", "support", "anchors")
+    for kind in (*kinds, "print", "actuated"):
+        _write(folder, f"{name}-{kind}.step", progress,
+               lambda path: model.write_step(kind, path, progress))
+    for kind in kinds:
+        _write(folder, f"{name}-{kind}.stl", progress, lambda path: model.write_stl(kind, path))
+    _write(folder, f"{name}-print.3mf", progress, lambda path: model.write_3mf(path, progress))
+
+
+def _write_document(outcome: Any, folder: Folder, progress: Progress,
+                    software: dict[str, str]) -> None:
+    from . import freecad_io
+
+    def write(path: str) -> None:
+        software.update(freecad_io.write_document(outcome, Path(path)))
+
+    _write(folder, f"{outcome.name}.FCStd", progress, write)
+
+
+def _write(folder: Folder, name: str, progress: Progress, writer: Callable[[str], None]) -> None:
+    if not progress(f"writing {name}", -1.0):
+        raise Stopped
+    folder.write(name, lambda path: writer(str(path)))
 
 
 def write_reports(outcome: Any, folder: Folder, software: dict[str, str] | None = None) -> None:

@@ -18,6 +18,7 @@ from .cuts import CutRequest, resolve_cuts
 from .errors import CurveUpsError, Stopped, from_native, tile_list
 from .native import native
 from .progress import Progress
+from .solids import SolidFigures, measure
 from .verdict import Verdict, judge
 
 
@@ -69,10 +70,10 @@ class Outcome:
     figures: Any                             # native DesignFigures
     target: Optional[Target] = None
     layout: Any = None                       # native LayoutResult
-    verification: Any = None                 # native VerificationReport
+    verification: Any = None                 # native ValidationReport
     verify_note: str = ""                    # why there is none
     model: Any = None                        # native PrintModel
-    solids: Any = None                       # native SolidFigures
+    solids: Optional[SolidFigures] = None
     stopped: bool = False
     stages: list[Stage] = field(default_factory=list)
     warnings: list[dict] = field(default_factory=list)
@@ -108,6 +109,8 @@ def prepare_target(request: Request, progress: Progress, stages: list[Stage],
 def run_design(request: Request, progress: Progress) -> Outcome:
     """All stages. Stops early, with what there is, once `progress` says so after the layout."""
     parameters, stages, warnings = request.parameters, [], []
+    if request.solids:
+        _require_solids(request.where)
     with _errors(request.where):
         parameters.check()
     target = prepare_target(request, progress, stages, warnings)
@@ -144,6 +147,7 @@ def run_verify(design: Any, progress: Progress, where: str) -> Outcome:
 
 def run_export(design: Any, progress: Progress, where: str, changed: bool) -> Outcome:
     """The solids of a design that exists; `changed` where its geometry parameters were."""
+    _require_solids(where)
     with _errors(where):
         design.parameters.check()
         outcome = Outcome(design.name, design, native.evaluate_design(design))
@@ -158,9 +162,6 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
     if not asked and not outcome.design.parameters.get("verify"):
         outcome.verify_note = "verification was off"
         return
-    if not hasattr(native, "verify_design"):
-        outcome.verify_note = "the physical model is not in this build"
-        return
     if outcome.stopped or not progress("verifying", 0.0):
         outcome.stopped = True
         outcome.verify_note = "stopped before verification"
@@ -168,9 +169,16 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
     try:
         with _stage(outcome.stages, "verify", where):
             outcome.verification = native.verify_design(outcome.design, progress)
+        physics = outcome.verification.blocks.get("physics", {})
+        outcome.stages[-1].iterations = sum(physics.get("newton_iterations", ()))
     except Stopped:
         outcome.stopped = True
         outcome.verify_note = "stopped during verification"
+
+
+def _require_solids(where: str) -> None:
+    if not hasattr(native, "make_print_model"):
+        raise CurveUpsError("solids are not in this build", where, "use --no-solids")
 
 
 def _solids(outcome: Outcome, progress: Progress, where: str) -> None:
@@ -180,7 +188,7 @@ def _solids(outcome: Outcome, progress: Progress, where: str) -> None:
     try:
         with _stage(outcome.stages, "solids", where):
             outcome.model = native.make_print_model(outcome.design)
-            outcome.solids = outcome.model.figures(progress)
+            outcome.solids = measure(outcome.model, progress)
     except Stopped:
         outcome.stopped = True
         outcome.model = outcome.solids = None

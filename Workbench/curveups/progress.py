@@ -52,6 +52,7 @@ class Reporter:
         self._quiet = quiet
         self._terminal = self._stream.isatty()
         self._what = ""
+        self._said: set[str] = set()
         self._drawn = 0.0
         self._open = False  # a bar stands on the current line
 
@@ -76,10 +77,11 @@ class Reporter:
 
     def _line(self, what: str) -> None:
         # Details behind a colon change with every step; a log wants the work's name once.
+        # Parallel work takes turns in reporting, so a name that was said is not said again.
         kind = what.split(":")[0]
-        if kind != self._what:
+        if kind not in self._said:
             print(f"curveups: {kind}", file=self._stream, flush=True)
-            self._what = kind
+            self._said.add(kind)
 
     def _bar(self, what: str, fraction: float) -> None:
         now = time.monotonic()

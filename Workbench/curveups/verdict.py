@@ -67,9 +67,9 @@ def _solids(solids: Any) -> list[str]:
     if solids is None:
         return []
     reasons = []
-    if solids.invalid:
-        reasons.append(f"{len(solids.invalid)} tile solids are not valid "
-                       f"({tile_list(solids.invalid)})")
+    if solids.unsound:
+        more = f" and {len(solids.unsound) - 3} more" if len(solids.unsound) > 3 else ""
+        reasons.append(f"solids are not sound: {'; '.join(solids.unsound[:3])}{more}")
     if solids.min_clearance_flat_mm < 0:
         reasons.append("solids meet in the flat layout")
     if solids.max_overlap_actuated_mm3 > TOLERANCE:

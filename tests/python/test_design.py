@@ -102,7 +102,7 @@ def test_same_bytes_with_one_and_two_threads(curveups, tmp_path):
         r"(?m)^f .*$", lambda m: "f " + " ".join(str(int(i) - 8) for i in m[0].split()[1:]),
         re.sub(r"(?m)^v (\S+)", lambda m: f"v {float(m[1]) + 60!r}", dome(1))), 12),
 ])
-def test_small_targets(curveups, tmp_path, name, text, tiles):
+def test_small_targets(curveups, solids, tmp_path, name, text, tiles):
     (tmp_path / name).write_text(text)
     ran = curveups("design", tmp_path / name, "-o", tmp_path / "out", "--no-remesh")
     assert ran.status in VALID, ran.err
@@ -241,7 +241,7 @@ def test_full_disk_leaves_whole_files_only(cap, designed, tmp_path):
 
 
 def test_stopping_keeps_the_best_so_far(tmp_path):
-    process = subprocess.Popen(command("design", "tower", "-o", tmp_path / "out"),
+    process = subprocess.Popen(command("design", "tower", "-o", tmp_path / "out", "--no-solids"),
                                env=environment(), stderr=subprocess.PIPE, text=True)
     for line in process.stderr:
         if "layout" in line:

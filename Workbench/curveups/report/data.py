@@ -49,6 +49,7 @@ def build_report(outcome: Any, files: dict[str, int], software: dict[str, str]) 
                        if key in blocks})
         report["warnings"] += blocks.get("warnings", [])
     if outcome.solids is not None:
+        report["warnings"] += outcome.solids.warnings
         report["solids"] = _solids(outcome)
         report["print"] = _print(outcome, files)
     report["stages"] = [{"name": stage.name, "seconds": round(stage.seconds, 3),
@@ -110,7 +111,7 @@ def _layout(layout: Any) -> dict:
 
 def _solids(outcome: Any) -> dict:
     solids = outcome.solids
-    return {"tiles": int(solids.tiles), "invalid": len(solids.invalid),
+    return {"tiles": int(solids.tiles), "invalid": len(solids.unsound),
             "volume_cm3": solids.tile_volume_mm3 / 1000,
             "min_clearance_flat_mm": solids.min_clearance_flat_mm,
             "max_overlap_actuated_mm3": solids.max_overlap_actuated_mm3}

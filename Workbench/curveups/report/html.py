@@ -7,6 +7,8 @@ import base64
 from html import escape
 from typing import Any
 
+import numpy as np
+
 from ..errors import tile_list
 from ..native import native
 from . import pictures
@@ -65,13 +67,21 @@ def _verdict(report: dict) -> str:
 
 
 def _physics_pictures(outcome: Any) -> list[str]:
-    """Forces as colour on the layout, where they were computed."""
-    per_tile = getattr(outcome.verification, "tile_normal_force", None)
-    if per_tile is None or len(per_tile) != len(outcome.design.F):
+    """Forces and friction as colour on the layout, where they were computed."""
+    found = outcome.verification
+    if found is None or not len(found.contact_tiles):
         return []
+    design = outcome.design
+    friction = np.zeros(len(design.F))
+    for column in range(2):
+        np.maximum.at(friction, found.contact_tiles[:, column], found.contact_friction_ratio)
+    weak = [tuple(pair) for pair in found.blocks["contact_forces"]["invalid_contacts"]]
+    marked = " Contacts below f_min are marked." if weak else ""
     return ["<h2>Contact forces</h2>",
-            _picture(pictures.flat_layout(outcome.design, per_tile, "N"),
-                     "Least normal force at each tile's contact points.")]
+            _picture(pictures.flat_layout(design, np.asarray(found.tile_normal_force), "N", weak),
+                     f"Least normal force at each tile's contact points.{marked}"),
+            _picture(pictures.flat_layout(design, friction, "friction / normal force", weak),
+                     f"Largest friction that any of a tile's contacts needs.{marked}")]
 
 
 def _picture(png: bytes, caption: str) -> str:

@@ -7,7 +7,7 @@ The same design gives the same bytes: no dates, no random ids, fixed sizes.
 from __future__ import annotations
 
 import io
-from typing import Any
+from typing import Any, Sequence
 
 import matplotlib
 
@@ -17,10 +17,10 @@ matplotlib.rcParams["font.size"] = 9
 
 import numpy as np  # noqa: E402
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
-from matplotlib.collections import PolyCollection  # noqa: E402
+from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 
-BODY, PIN, EDGE, CUT, SMALL = "#e9c98f", "#b5651d", "#7a5a2b", "#c0392b", "#d81b60"
+BODY, PIN, EDGE, WEAK = "#e9c98f", "#b5651d", "#7a5a2b", "#d81b60"
 
 
 def inset_triangles(corners: np.ndarray, q: np.ndarray) -> np.ndarray:
@@ -39,28 +39,20 @@ def inset_triangles(corners: np.ndarray, q: np.ndarray) -> np.ndarray:
 
 
 def flat_layout(design: Any, values: np.ndarray | None = None, label: str = "",
-                width: float = 9.0) -> bytes:
-    """Tiles with their front pins, to scale; `values` colours the tiles."""
-    T, q = np.asarray(design.T), np.asarray(design.q)
-    low, high = T.reshape(-1, 2).min(0), T.reshape(-1, 2).max(0)
-    span = np.maximum(high - low, 1e-9)
-    figure = Figure(figsize=(width, float(np.clip(width * span[1] / span[0], 3, 14))))
+                marked: Sequence[tuple[int, int]] = (), width: float = 9.0) -> bytes:
+    """Tiles with their front pins, to scale; `values` colours the tiles, `marked` pairs of tiles are
+    joined by a line."""
+    low, high = _bounds(np.asarray(design.T))
+    height = width * (high[1] - low[1]) / (high[0] - low[0])
+    figure = Figure(figsize=(width, float(np.clip(height, 3, 14))))
     axes = figure.add_axes([0.06, 0.05, 0.92, 0.92])
-    thin = float(np.clip(120 / np.sqrt(len(T)) / 10, 0.15, 0.8))
-    tiles = PolyCollection(T, edgecolors=EDGE, linewidths=thin)
-    if values is None:
-        tiles.set_facecolor(BODY)
-    else:
-        tiles.set_array(values)
-        tiles.set_cmap("viridis")
+    tiles = _draw_flat(axes, design, values)
+    if values is not None:
         figure.colorbar(tiles, ax=axes, shrink=0.6, label=label)
-    axes.add_collection(tiles)
-    axes.add_collection(PolyCollection(inset_triangles(T, q[:, 0]), facecolors=PIN,
-                                       edgecolors="none", alpha=0.85 if values is None else 0.25))
-    margin = 0.02 * span.max()
-    axes.set_xlim(low[0] - margin, high[0] + margin)
-    axes.set_ylim(low[1] - margin, high[1] + margin)
-    axes.set_aspect("equal")
+    if len(marked):
+        centres = np.asarray(design.T).mean(1)
+        axes.add_collection(LineCollection([centres[list(pair)] for pair in marked], colors=WEAK,
+                                           linewidths=2))
     axes.set_xlabel("mm")
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
@@ -69,31 +61,71 @@ def flat_layout(design: Any, values: np.ndarray | None = None, label: str = "",
 
 def actuated_view(design: Any, width: float = 7.0) -> bytes:
     """The tiles in the target shape, lit, seen from the front's side at an angle."""
-    V, F = np.asarray(design.V), np.asarray(design.F)
-    camera = _camera(V, F)
-    points = (V - V.mean(0)) @ camera.T
-    corners = points[F]
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    front = normal[:, 2] > 0
+    low, high = _bounds(_seen(design)[0])
+    height = width * (high[1] - low[1]) / (high[0] - low[0])
+    figure = Figure(figsize=(width, float(np.clip(height, 2.5, 9))))
+    _draw_actuated(figure.add_axes([0, 0, 1, 1]), design)
+    return _png(figure)
+
+
+def overview(design: Any) -> bytes:
+    """Flat and actuated side by side, small."""
+    figure = Figure(figsize=(9, 4.2))
+    flat = figure.add_axes([0, 0, 0.5, 1])
+    _draw_flat(flat, design, None)
+    flat.axis("off")
+    _draw_actuated(figure.add_axes([0.52, 0.05, 0.46, 0.9]), design)
+    return _png(figure, dpi=100)
+
+
+def _draw_flat(axes: Any, design: Any, values: np.ndarray | None) -> PolyCollection:
+    T, q = np.asarray(design.T), np.asarray(design.q)
+    thin = float(np.clip(120 / np.sqrt(len(T)) / 10, 0.15, 0.8))
+    tiles = PolyCollection(T, edgecolors=EDGE, linewidths=thin)
+    if values is None:
+        tiles.set_facecolor(BODY)
+    else:
+        tiles.set_array(values)
+        tiles.set_cmap("viridis")
+    axes.add_collection(tiles)
+    axes.add_collection(PolyCollection(inset_triangles(T, q[:, 0]), facecolors=PIN,
+                                       edgecolors="none", alpha=0.85 if values is None else 0.25))
+    _frame(axes, *_bounds(T))
+    return tiles
+
+
+def _draw_actuated(axes: Any, design: Any) -> None:
+    corners, normal = _seen(design)
     light = np.array([-0.35, 0.5, 0.8])
     light /= np.linalg.norm(light)
     shade = 0.3 + 0.7 * np.abs(normal @ light)
-    colour = np.where(front[:, None], matplotlib.colors.to_rgb("#f0b24a"),
+    colour = np.where(normal[:, 2:] > 0, matplotlib.colors.to_rgb("#f0b24a"),
                       matplotlib.colors.to_rgb("#8fa7bf")) * shade[:, None]
     order = np.argsort(corners[:, :, 2].mean(1), kind="stable")  # painter: far ones first
-    low, high = points[:, :2].min(0), points[:, :2].max(0)
-    span = np.maximum(high - low, 1e-9)
-    figure = Figure(figsize=(width, float(np.clip(width * span[1] / span[0], 2.5, 9))))
-    axes = figure.add_axes([0, 0, 1, 1])
     axes.add_collection(PolyCollection(corners[order][:, :, :2], facecolors=colour[order].clip(0, 1),
                                        edgecolors="#5b4420", linewidths=0.25))
-    margin = 0.04 * span.max()
+    _frame(axes, *_bounds(corners))
+    axes.axis("off")
+
+
+def _seen(design: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Corners (M x 3 x 3) and normals of the actuated tiles in the camera's coordinates."""
+    V, F = np.asarray(design.V), np.asarray(design.F)
+    corners = ((V - V.mean(0)) @ _camera(V, F).T)[F]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return corners, normal / np.linalg.norm(normal, axis=1, keepdims=True)
+
+
+def _bounds(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    points = corners[..., :2].reshape(-1, 2)
+    return points.min(0), points.max(0)
+
+
+def _frame(axes: Any, low: np.ndarray, high: np.ndarray) -> None:
+    margin = 0.03 * float((high - low).max())
     axes.set_xlim(low[0] - margin, high[0] + margin)
     axes.set_ylim(low[1] - margin, high[1] + margin)
     axes.set_aspect("equal")
-    axes.axis("off")
-    return _png(figure)
 
 
 def _camera(V: np.ndarray, F: np.ndarray) -> np.ndarray:
@@ -116,8 +148,17 @@ def _camera(V: np.ndarray, F: np.ndarray) -> np.ndarray:
     return np.stack([right, np.cross(eye, right), eye])
 
 
-def _png(figure: Figure) -> bytes:
+def _png(figure: Figure, dpi: int = 130) -> bytes:
     buffer = io.BytesIO()
     FigureCanvasAgg(figure)
-    figure.savefig(buffer, format="png", dpi=130, metadata={"Software": None})
+    figure.savefig(buffer, format="png", dpi=dpi, metadata={"Software": None})
     return buffer.getvalue()
+
+
+if __name__ == "__main__":  # python -m curveups.report.pictures DESIGN.json FILE.png
+    import sys
+    from pathlib import Path
+
+    from ..native import native
+
+    Path(sys.argv[2]).write_bytes(overview(native.read_design(Path(sys.argv[1]).read_text("utf-8"))))
