@@ -64,7 +64,7 @@ struct Parameters {
   double thickness_front = 0.5;
   double thickness_back = 0.5;
   std::string membrane_model = "tension-field";
-  double mesh_size = 0.5;
+  double mesh_size = 0.65;
   double friction_coefficient = 0.5;
   double f_min_ratio = 0.1;
   std::string gravity = "off";
