@@ -37,13 +37,15 @@ def write_outcome(outcome: Any, path: Path, progress: Progress) -> Folder:
 
 
 def _write_solids(outcome: Any, folder: Folder, progress: Progress) -> None:
+    """STEP, STL and 3MF; a kind of which there are no bodies (anchors switched off) has no file."""
     model, name = outcome.model, outcome.name
-    kinds = ("tiles", "support", "anchors")
-    for kind in (*kinds, "print", "actuated"):
+    there = [kind for kind in ("tiles", "support", "anchors") if model.volumes[kind] > 0]
+    for kind in (*there, "print", "actuated"):
         _write(folder, f"{name}-{kind}.step", progress,
                lambda path: model.write_step(kind, path, progress))
-    for kind in kinds:
-        _write(folder, f"{name}-{kind}.stl", progress, lambda path: model.write_stl(kind, path))
+    for kind in there:
+        _write(folder, f"{name}-{kind}.stl", progress,
+               lambda path: model.write_stl(kind, path, progress))
     _write(folder, f"{name}-print.3mf", progress, lambda path: model.write_3mf(path, progress))
 
 

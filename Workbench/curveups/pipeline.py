@@ -109,8 +109,6 @@ def prepare_target(request: Request, progress: Progress, stages: list[Stage],
 def run_design(request: Request, progress: Progress) -> Outcome:
     """All stages. Stops early, with what there is, once `progress` says so after the layout."""
     parameters, stages, warnings = request.parameters, [], []
-    if request.solids:
-        _require_solids(request.where)
     with _errors(request.where):
         parameters.check()
     target = prepare_target(request, progress, stages, warnings)
@@ -129,9 +127,11 @@ def run_design(request: Request, progress: Progress) -> Outcome:
         figures = native.evaluate_design(layout.design)
     outcome = Outcome(request.name, layout.design, figures, target, layout, stages=stages,
                       warnings=warnings, stopped=bool(layout.stopped))
+    if request.solids:
+        _build(outcome, progress, request.where)
     _verify(outcome, progress, request.where)
     if request.solids:
-        _solids(outcome, progress, request.where)
+        _measure(outcome, progress, request.where)
     outcome.verdict = judge(outcome)
     return outcome
 
@@ -147,13 +147,13 @@ def run_verify(design: Any, progress: Progress, where: str) -> Outcome:
 
 def run_export(design: Any, progress: Progress, where: str, changed: bool) -> Outcome:
     """The solids of a design that exists; `changed` where its geometry parameters were."""
-    _require_solids(where)
     with _errors(where):
         design.parameters.check()
         outcome = Outcome(design.name, design, native.evaluate_design(design))
     outcome.verify_note = ("geometry changed since verification" if changed
                            else "an export does not verify")
-    _solids(outcome, progress, where)
+    _build(outcome, progress, where)
+    _measure(outcome, progress, where)
     outcome.verdict = judge(outcome)
     return outcome
 
@@ -168,7 +168,8 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
         return
     try:
         with _stage(outcome.stages, "verify", where):
-            outcome.verification = native.verify_design(outcome.design, progress)
+            outcome.verification = native.verify_design(outcome.design, progress,
+                                                        _bump_tips(outcome.model))
         physics = outcome.verification.blocks.get("physics", {})
         outcome.stages[-1].iterations = sum(physics.get("newton_iterations", ()))
     except Stopped:
@@ -176,22 +177,34 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
         outcome.verify_note = "stopped during verification"
 
 
-def _require_solids(where: str) -> None:
-    if not hasattr(native, "make_print_model"):
-        raise CurveUpsError("solids are not in this build", where, "use --no-solids")
-
-
-def _solids(outcome: Outcome, progress: Progress, where: str) -> None:
+def _build(outcome: Outcome, progress: Progress, where: str) -> None:
+    """The print model, before verification: it knows where bumps touch."""
     if outcome.stopped or not progress("building solids", 0.0):
         outcome.stopped = True
         return
-    try:
-        with _stage(outcome.stages, "solids", where):
-            outcome.model = native.make_print_model(outcome.design)
-            outcome.solids = measure(outcome.model, progress)
-    except Stopped:
+    with _stage(outcome.stages, "solids", where):
+        outcome.model = native.make_print_model(outcome.design)
+
+
+def _measure(outcome: Outcome, progress: Progress, where: str) -> None:
+    if outcome.stopped or not progress("checking solids", 0.0):
         outcome.stopped = True
-        outcome.model = outcome.solids = None
+    else:
+        start = time.perf_counter()
+        try:
+            with _errors(where):
+                outcome.solids = measure(outcome.model, outcome.design.parameters, progress)
+            outcome.stages.append(Stage("solids", time.perf_counter() - start))
+        except Stopped:
+            outcome.stopped = True
+    if outcome.stopped:
+        outcome.model = None
+
+
+def _bump_tips(model: Any) -> list[np.ndarray]:
+    if model is None:
+        return []
+    return [np.array(tips, float).reshape(-1, 3) for tips in model.bump_tips]
 
 
 def _scaled(request: Request) -> tuple[np.ndarray, np.ndarray]:

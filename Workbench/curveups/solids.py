@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solids of a design: what is built, measured and checked of them."""
+"""Solids of a design: what is measured and checked of them, and what the printer makes of it."""
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
-from .errors import tile_name
-from .native import native
 from .progress import Progress
+
+PRINTERS = Path(__file__).parents[2] / "resources" / "printers"
 
 
 @dataclass
@@ -29,16 +31,58 @@ class SolidFigures:
     warnings: list[dict] = field(default_factory=list)
 
 
-def measure(model: Any, progress: Progress) -> SolidFigures:
+def measure(model: Any, parameters: Any, progress: Progress) -> SolidFigures:
     """Checks every solid (BRepCheck, closed, volume) and measures clearances and overlaps."""
     unsound = [f"{body}: {reason}" for body, reason in model.check_solids(progress)]
-    volumes = model.volumes
-    return SolidFigures(
-        tiles=int(model.tile_count), bodies=int(model.body_count), pieces=int(model.piece_count),
-        bbox_mm=tuple(float(x) for x in model.bbox),
-        tile_volume_mm3=volumes["tiles"], support_volume_mm3=volumes["support"],
-        anchor_volume_mm3=volumes["anchors"],
+    figures = SolidFigures(
+        tiles=int(model.tile_count), bodies=int(model.body_count),
+        pieces=int(model.piece_count), bbox_mm=tuple(float(x) for x in model.bbox),
+        tile_volume_mm3=model.volumes["tiles"], support_volume_mm3=model.volumes["support"],
+        anchor_volume_mm3=model.volumes["anchors"],
         smallest_feature_mm=min((size for _, _, size in model.thinnest), default=0.0),
         min_clearance_flat_mm=model.min_clearance_flat(),
-        max_overlap_actuated_mm3=model.max_overlap_actuated(),
-        unsound=unsound)
+        max_overlap_actuated_mm3=model.max_overlap_actuated(), unsound=unsound)
+    figures.warnings = _model_warnings(model) + _printer_warnings(model, figures, parameters)
+    return figures
+
+
+def _model_warnings(model: Any) -> list[dict]:
+    warnings = []
+    bare = list(model.bare_interfaces)
+    if bare:
+        tiles = sorted({tile for a, b, _ in bare for tile in (a, b)})
+        warnings.append({"what": f"{len(bare)} interfaces carry no bumps: {bare[0][2]}",
+                         "kind": "bare_interface", "tiles": tiles})
+    loose = [int(tile) for tile in model.loose_tiles]
+    if loose:
+        warnings.append({"what": f"{len(loose)} tiles are not held by the support",
+                         "kind": "loose", "tiles": loose})
+    if model.loose_anchors:
+        warnings.append({"what": f"{model.loose_anchors} anchors are not held by the support",
+                         "kind": "loose", "tiles": []})
+    return warnings
+
+
+def _printer_warnings(model: Any, figures: SolidFigures, parameters: Any) -> list[dict]:
+    """What the chosen printer can't make: bed, gaps, features."""
+    path = PRINTERS / f"{parameters.get('printer')}.json"
+    printer = json.loads(path.read_text(encoding="utf-8"))
+    warnings = []
+    bed, box = printer["bed_mm"], figures.bbox_mm
+    if box[2] > bed[2] or sorted(box[:2])[0] > min(bed[:2]) or max(box[:2]) > max(bed[:2]):
+        warnings.append({"what": f"the print ({box[0]:.0f} x {box[1]:.0f} x {box[2]:.0f} mm) is larger "
+                                 f"than the bed of a {printer['name']}",
+                         "kind": "bed", "tiles": []})
+    if figures.min_clearance_flat_mm < printer["smallest_gap_mm"]:
+        warnings.append({"what": f"tiles come as near as {figures.min_clearance_flat_mm:.3g} mm; a "
+                                 f"{printer['name']} needs {printer['smallest_gap_mm']:g} mm",
+                         "kind": "gap", "tiles": []})
+    thin = [row for row in model.thinnest if row[2] < printer["smallest_feature_mm"]]
+    if thin:
+        body, what, size = min(thin, key=lambda row: row[2])
+        tiles = sorted(int(row[0][1:]) - 1 for row in thin
+                       if row[0][:1] == "T" and row[0][1:].isdigit())
+        warnings.append({"what": f"{len(thin)} bodies have features smaller than a {printer['name']} "
+                                 f"makes; {body}: {what}, {size:.3g} mm",
+                         "kind": "feature", "tiles": tiles})
+    return warnings
