@@ -10,4 +10,5 @@ PYBIND11_MODULE(_native, module) {
   bind_design(module);
   bind_layout(module);
   bind_physics(module);
+  bind_fabrication(module);
 }

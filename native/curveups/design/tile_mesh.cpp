@@ -2,6 +2,7 @@
 #include "curveups/design/tile_mesh.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <unordered_map>
 
@@ -144,6 +145,18 @@ std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale) {
     if (!(scale > least_scale)) out.push_back(i);
   }
   return out;
+}
+
+std::string tile_name(int tile) {
+  char name[16];
+  std::snprintf(name, sizeof name, "T%05d", tile + 1);
+  return name;
+}
+
+std::string tile_names(const std::vector<int>& tiles) {
+  std::string names;
+  for (int tile : tiles) names += (names.empty() ? "" : ", ") + tile_name(tile);
+  return names;
 }
 
 }  // namespace curveups

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "curveups/geometry/triangle_mesh.hpp"
@@ -72,5 +73,9 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
 // Tiles whose back triangle is smaller than `least_scale` times their front triangle, or turned
 // over: their folds are sharper than a tile of this thickness can have.
 std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale = 1e-3);
+
+// What tile i is called in files and messages: "T00001" for tile 0; a list is separated by commas.
+std::string tile_name(int tile);
+std::string tile_names(const std::vector<int>& tiles);
 
 }  // namespace curveups

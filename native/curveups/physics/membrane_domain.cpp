@@ -62,18 +62,6 @@ MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side) {
   return domain;
 }
 
-std::string tile_name(int tile) {
-  char name[16];
-  std::snprintf(name, sizeof name, "T%05d", tile + 1);
-  return name;
-}
-
-std::string tile_names(const std::vector<int>& tiles) {
-  std::string names;
-  for (int tile : tiles) names += (names.empty() ? "" : ", ") + tile_name(tile);
-  return names;
-}
-
 std::vector<int> tiles_of(const MembranePatch& patch) {
   std::vector<int> tiles;
   for (int corner : patch.corners) tiles.push_back(corner / 3);

@@ -32,10 +32,6 @@ struct MembraneDomain {
 
 MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side);
 
-// "T00001" is tile 0; a list of them is separated by commas.
-std::string tile_name(int tile);
-std::string tile_names(const std::vector<int>& tiles);
-
 // Tiles (from 0) whose corners a patch uses, each once, in ascending order.
 std::vector<int> tiles_of(const MembranePatch& patch);
 

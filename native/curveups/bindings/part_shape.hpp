@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// An OpenCASCADE shape as FreeCAD's Part.Shape.
+#pragma once
+
+#include "curveups/bindings/bindings.hpp"
+
+class TopoDS_Shape;
+
+namespace curveups::bindings {
+
+// By pointer where FreeCAD's Part module is loaded and exports its own conversion (0.20 and 1.0
+// do), else (or with direct = false) through its binary exchange format in a temporary file: the
+// same shape, in seconds instead of microseconds. Imports Part, and raises ImportError without
+// FreeCAD.
+py::object to_part_shape(const TopoDS_Shape& shape, bool direct = true);
+
+}  // namespace curveups::bindings

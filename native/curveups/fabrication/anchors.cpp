@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/fabrication/anchors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curveups/core/parallel.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr double contour_slack = 0.1;  // what the contour may lie off the exact distance, mm
+constexpr double anchor_gap = 0.5;     // between two anchors, mm
+
+// Points along the closed contour at equal distances of about `spacing`, from its lowest point on.
+std::vector<Vec2> spread_along(const Polygon& loop, double spacing) {
+  const std::size_t n = loop.size();
+  std::size_t start = 0;
+  double length = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (loop[k].y() < loop[start].y()) start = k;
+    length += (loop[(k + 1) % n] - loop[k]).norm();
+  }
+  const int count = std::max(1, static_cast<int>(std::floor(length / spacing)));
+  std::vector<Vec2> points;
+  double walked = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 &a = loop[(start + k) % n], &b = loop[(start + k + 1) % n];
+    const double side = (b - a).norm();
+    while (static_cast<int>(points.size()) < count) {
+      const double target = points.size() * length / count;
+      if (target > walked + side) break;
+      points.push_back(a + (side > 0 ? (target - walked) / side : 0) * (b - a));
+    }
+    walked += side;
+  }
+  return points;
+}
+
+std::vector<int> add_points(PrintBody& body, const Polygon& polygon, const Vec2& centre, double z) {
+  std::vector<int> loop;
+  for (const Vec2& p : polygon) {
+    loop.push_back(static_cast<int>(body.points.size()));
+    body.points.emplace_back(centre.x() + p.x(), centre.y() + p.y(), z);
+  }
+  return loop;
+}
+
+// Sinks one region of the text into face `top`.
+void sink(PrintBody& body, int top, const TextRegion& region, const Vec2& centre, double z,
+          double depth) {
+  const Vec3 down(0, 0, -depth);
+  PlanarFace floor;
+  floor.normal = Vec3::UnitZ();
+  const std::vector<int> rim = add_points(body, region.outer, centre, z);
+  BodyLoop opening;
+  opening.points.assign(rim.rbegin(), rim.rend());
+  body.faces[top].inner.push_back(opening);
+  // The pocket's walls look inwards: its rim is walked as the hole of the top face.
+  const std::vector<int> foot = extrude(body, rim, down, FaceRole::plain);
+  floor.outer.points = foot;
+  for (const Polygon& hole : region.holes) {
+    PlanarFace island;
+    island.normal = Vec3::UnitZ();
+    const std::vector<int> edge = add_points(body, hole, centre, z);  // clockwise
+    BodyLoop hole_foot;
+    hole_foot.points = extrude(body, edge, down, FaceRole::plain);
+    floor.inner.push_back(std::move(hole_foot));
+    island.outer.points.assign(edge.rbegin(), edge.rend());
+    body.faces.push_back(std::move(island));
+  }
+  body.faces.push_back(std::move(floor));
+}
+
+}  // namespace
+
+std::vector<std::vector<Vec2>> place_anchors(const std::vector<PieceFootprint>& pieces,
+                                             const Parameters& p) {
+  const double reach = p.anchor_distance + p.anchor_radius;
+  const double least = 2 * p.anchor_radius + anchor_gap;
+  std::vector<std::vector<Vec2>> candidates(pieces.size()), anchors(pieces.size());
+  parallel_ranges(static_cast<int>(pieces.size()), [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      std::vector<OutlineShape> shapes;
+      for (const Polygon& tile : pieces[i].tiles) {
+        shapes.push_back({tile, {Vec2::Zero(), 0}, reach + contour_slack});
+      }
+      for (const Polygon& joint : pieces[i].joints) {
+        shapes.push_back({joint, {Vec2::Zero(), 0}, reach + contour_slack});
+      }
+      const Polygon contour = outline_of(shapes, std::clamp(0.1 * p.anchor_radius, 0.3, 1.0))[0];
+      candidates[i] = spread_along(contour, std::max(p.anchor_spacing, least));
+    }
+  });
+  std::vector<Vec2> all;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (const Vec2& c : candidates[i]) {
+      bool free = true;
+      for (const Vec2& other : all) free = free && (other - c).norm() >= least;
+      for (const PieceFootprint& piece : pieces) {
+        for (const Polygon& tile : piece.tiles) {
+          if (!free) break;
+          free = distance(tile, c) >= reach - 1e-3;
+        }
+      }
+      if (!free) continue;
+      all.push_back(c);
+      anchors[i].push_back(c);
+    }
+  }
+  return anchors;
+}
+
+PrintBody make_anchor(const Vec2& centre, double radius, double height, const EngravedText& text,
+                      double depth) {
+  PrintBody body;
+  body.kind = BodyKind::anchor;
+  for (double z : {0.0, height}) {
+    body.circles.push_back({Vec3(centre.x(), centre.y(), z), Vec3::UnitZ(), radius});
+    PlanarFace face;
+    face.normal = z > 0 ? Vec3(Vec3::UnitZ()) : Vec3(-Vec3::UnitZ());
+    face.outer.circle = static_cast<int>(body.circles.size()) - 1;
+    body.faces.push_back(std::move(face));
+  }
+  body.cylinders.push_back({0, 1, true});
+  for (const TextRegion& region : text.regions) sink(body, 1, region, centre, height, depth);
+  return body;
+}
+
+}  // namespace curveups

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Watertight triangle meshes straight from the description of a body.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "curveups/core/progress.hpp"
+#include "curveups/fabrication/print_body.hpp"
+
+namespace curveups {
+
+struct BodyMesh {
+  std::string name;
+  BodyKind kind = BodyKind::tile;
+  std::vector<Vec3> points;
+  std::vector<std::array<int, 3>> triangles;  // counter-clockwise seen from outside
+};
+
+struct MeshingOptions {
+  double deviation = 0.02;  // mm, of chords and facets from circles and spheres
+  bool caps = true;         // false: walls are flat where bumps and hollows would be
+};
+
+// Faces share their points, so every edge belongs to two triangles, in opposite directions.
+BodyMesh mesh_body(const PrintBody& body, const MeshingOptions& options);
+
+// One mesh per body, in parallel. Throws Cancelled.
+std::vector<BodyMesh> mesh_bodies(const std::vector<const PrintBody*>& bodies,
+                                  const MeshingOptions& options, const Progress& progress);
+
+double volume(const BodyMesh& mesh);
+
+}  // namespace curveups

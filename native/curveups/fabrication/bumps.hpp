@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Friction bumps: where they stand on the interfaces, and how far the walls are recessed for them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "curveups/design/design.hpp"
+#include "curveups/fabrication/print_body.hpp"
+
+namespace curveups {
+
+// A spherical cap on a wall, in its tile's frame; the base circle lies on the (recessed) wall.
+struct WallCap {
+  int wall;           // 0 to 2
+  Vec3 centre, axis;  // the axis points to the apex: outward for bumps, inward for dimples
+  double radius, height;
+  bool bump;
+  int contact;
+};
+
+// An interface that carries no bumps, and why.
+struct BareInterface {
+  int contact;
+  std::string reason;
+};
+
+struct BumpPlan {
+  std::vector<std::vector<WallCap>> of_tile;
+  Array3 recess;                 // M x 3, mm along the walls' normals
+  std::vector<ConvexBody> body;  // per tile: truncated and recessed, in its frame
+  std::vector<BareInterface> bare;
+  double smallest_diameter = 0;  // of all bumps, mm; 0 where there are none
+};
+
+// The bumps of an interface (at least three, not on a line) are shared out between its two walls in
+// turn, so that they interleave; both walls stand back by half the height, so that every apex just
+// touches the wall that faces it when actuated. With "dimples" nothing is recessed and the facing
+// wall has a hollow concentric with each bump. Where three do not fit the diameter shrinks, to half
+// at most; interfaces that are too small even so, or whose bumps would touch a neighbour in the
+// flat layout, stay bare and are not recessed. Throws InfeasibleDesign, naming the tiles, where
+// recessing or truncation leaves a tile without front or back.
+BumpPlan plan_bumps(const DesignGeometry& geometry, const FlatPoses& poses,
+                    const Parameters& parameters);
+
+}  // namespace curveups

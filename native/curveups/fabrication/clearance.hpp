@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How far tiles are from each other as printed, and how much they overlap when actuated.
+#pragma once
+
+#include <array>
+
+#include "curveups/fabrication/print_model.hpp"
+
+namespace curveups {
+
+struct PairFigure {
+  double value = 0;
+  std::array<int, 2> tiles{-1, -1};  // the pair it belongs to, -1 where there is no pair
+};
+
+// Least 3D distance of two tiles in the flat layout, bodies, pins and bumps included, exact; 0
+// where two overlap. Infinite with one tile.
+PairFigure min_clearance_flat(const PrintModel& model);
+
+// Largest volume (mm3) that two tiles share in the actuated configuration: bodies without recess
+// and pins, bumps aside.
+PairFigure max_overlap_actuated(const PrintModel& model);
+
+}  // namespace curveups

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Bodies as OpenCASCADE solids, built face by face with shared edges: no sewing, no booleans.
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <string>
+#include <vector>
+
+#include "curveups/core/progress.hpp"
+#include "curveups/fabrication/print_body.hpp"
+
+namespace curveups {
+
+// A solid of one closed shell. Caps and cylinders are true spheres and cylinders.
+TopoDS_Shape make_solid(const PrintBody& body);
+
+// One per body, in parallel. Throws Cancelled.
+std::vector<TopoDS_Shape> make_solids(const std::vector<const PrintBody*>& bodies,
+                                      const Progress& progress);
+
+// Why a solid is unsound: BRepCheck, an open shell, or a volume that differs from the analytic one
+// by more than 1e-9 of it.
+struct UnsoundSolid {
+  std::string body, reason;
+};
+std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodies,
+                                       const std::vector<TopoDS_Shape>& solids,
+                                       const Progress& progress);
+
+TopoDS_Shape make_compound(const std::vector<TopoDS_Shape>& shapes);
+
+double solid_volume(const TopoDS_Shape& shape);
+
+}  // namespace curveups

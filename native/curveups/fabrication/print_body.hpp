@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A closed body as the print is described, whatever it is written as: planar faces with holes,
+// spherical caps (bumps and dimples) and cylinder walls. No OpenCASCADE here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "curveups/core/types.hpp"
+#include "curveups/design/convex_body.hpp"
+#include "curveups/design/flat_layout.hpp"
+#include "curveups/design/tile_mesh.hpp"
+
+namespace curveups {
+
+// A rigid motion; columns of R are the images of the axes.
+struct RigidMotion {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  Vec3 t = Vec3::Zero();
+  Vec3 operator()(const Vec3& p) const { return R * p + t; }
+};
+
+RigidMotion actuated_motion(const TileFrame& frame);
+// Row `tile` of the poses, with the tile's front face at height z.
+RigidMotion flat_motion(const FlatPoses& poses, int tile, double z);
+
+// A circle that a planar face shares with a cap or a cylinder wall.
+struct BodyCircle {
+  Vec3 centre;
+  Vec3 axis;  // unit; which of the two normals does not matter
+  double radius;
+};
+
+// A closed boundary of a planar face: a polygon of point indices, or one whole circle.
+struct BodyLoop {
+  std::vector<int> points;
+  int circle = -1;
+};
+
+// What a tile's face is; foot: the end of the back pin, on which the print stands.
+enum class FaceRole { front, back, wall, cut, front_pin, back_pin, foot, plain };
+
+// outer runs counter-clockwise and inner ones clockwise about the outward normal.
+struct PlanarFace {
+  Vec3 normal;  // unit, out of the material
+  BodyLoop outer;
+  std::vector<BodyLoop> inner;
+  FaceRole role = FaceRole::plain;
+};
+
+// The part of a sphere on the side of `axis` of its base circle, at most a hemisphere.
+struct SphericalCap {
+  int circle;
+  Vec3 axis;  // unit, from the base's centre to the apex
+  double height;
+  bool bump;  // material inside the cap; a dimple otherwise
+};
+
+// The cylinder wall between two circles.
+struct CylinderWall {
+  int bottom, top;
+  bool outward;  // material inside the cylinder; a bore otherwise
+};
+
+enum class BodyKind { tile, support, anchor };
+
+struct PrintBody {
+  std::string name;
+  BodyKind kind = BodyKind::tile;
+  int piece = 0;
+  std::vector<Vec3> points;
+  std::vector<BodyCircle> circles;
+  std::vector<PlanarFace> faces;
+  std::vector<SphericalCap> caps;
+  std::vector<CylinderWall> cylinders;
+};
+
+double sphere_radius(double base_radius, double height);
+
+// mm3 by the divergence theorem; exact, caps and cylinders included.
+double volume(const PrintBody& body);
+
+void move(PrintBody& body, const RigidMotion& motion);
+
+// Smallest box, caps included.
+struct Box {
+  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+  void add(const Vec3& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  void add(const Box& b) {
+    low = low.cwiseMin(b.low);
+    high = high.cwiseMax(b.high);
+  }
+};
+Box bounding_box(const PrintBody& body);
+
+// Adds the right prism over the loop of points `base` (counter-clockwise about `direction`): the
+// new top loop and its lateral faces; returns the top loop. The caps of the prism are the caller's.
+std::vector<int> extrude(PrintBody& body, const std::vector<int>& base, const Vec3& offset,
+                         FaceRole role);
+
+}  // namespace curveups

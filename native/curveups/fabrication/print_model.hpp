@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Everything that is printed, in print coordinates: front side up, the back pins' feet at z = 0,
+// the back faces at H_pin, the front faces at H_pin + H_body, the pin tops at 2 H_pin + H_body, the
+// box of all bodies centred on the z axis.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "curveups/design/design.hpp"
+#include "curveups/fabrication/bumps.hpp"
+#include "curveups/fabrication/print_body.hpp"
+#include "curveups/fabrication/tile_print.hpp"
+
+namespace curveups {
+
+// The narrowest place of a body, mm, and what it is.
+struct ThinFeature {
+  std::string body, what;
+  double size;
+};
+
+struct PrintModel {
+  std::string name;
+  Parameters parameters;
+  DesignGeometry geometry;
+  FlatPoses poses;
+  Array6 q;
+  BumpPlan bumps;
+
+  int piece_count = 0;
+  std::vector<int> piece_of_tile;
+  std::vector<RigidMotion> flat;    // tile frame to print coordinates
+  std::vector<PrintBody> tiles;     // in print coordinates, T00001 first
+  std::vector<PrintBody> supports;  // "Support P1" (slabs) or "Support P1 B0001" (bridges)
+  std::vector<PrintBody> anchors;   // "Anchor P1 A001"
+  std::vector<int> loose_tiles;     // breakaway: not joined to the rest of their piece
+  int loose_anchors = 0;
+  std::vector<ThinFeature> thin;  // per body that has a size of its own, the narrowest place
+  Box box;
+};
+
+// version: what is engraved beside name and piece. Throws InfeasibleDesign, naming tiles, where
+// pins or faces are turned inside out, or where pieces are too near to each other for their anchors
+// and slabs; what make_geometry throws; SolverFailure where a slab's outline falls apart.
+PrintModel make_print_model(const Design& design, const std::string& version);
+
+// The tiles in the target shape, without bumps and recesses, so that walls meet: world coordinates.
+std::vector<PrintBody> make_actuated_tiles(const PrintModel& model);
+
+}  // namespace curveups

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Soluble support: one closed slab per piece, put together from faces without any boolean.
+#pragma once
+
+#include <vector>
+
+#include "curveups/fabrication/convex_polygon.hpp"
+#include "curveups/fabrication/print_body.hpp"
+
+namespace curveups {
+
+// outline: the outer loop (counter-clockwise), then holes (clockwise). cavities: what the slab
+// surrounds, in print coordinates: tiles that stand on z = 0 with their back pin, of which the
+// slab gets the reversed wall, cut, back and back pin faces; their face of role `front` is the
+// cavity's mouth, at or below `top`, from which its outline rises upright to `top`. anchors: bodies
+// of make_anchor, surrounded over the whole height. Precondition: nothing of this touches.
+PrintBody make_slab(const std::vector<Polygon>& outline, const std::vector<PrintBody>& cavities,
+                    const std::vector<const PrintBody*>& anchors, double top);
+
+}  // namespace curveups

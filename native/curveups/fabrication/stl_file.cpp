@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <cstring>
+
+#include "curveups/fabrication/atomic_file.hpp"
+#include "curveups/fabrication/mesh_files.hpp"
+
+namespace curveups {
+namespace {
+
+void append(std::string& bytes, const Vec3& v) {
+  for (int k = 0; k < 3; ++k) {
+    const float x = static_cast<float>(v[k]);
+    std::uint32_t bits;
+    std::memcpy(&bits, &x, 4);
+    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(bits >> shift));
+  }
+}
+
+}  // namespace
+
+void write_stl(const std::vector<BodyMesh>& meshes, const std::string& title,
+               const std::string& path) {
+  std::uint32_t count = 0;
+  for (const BodyMesh& mesh : meshes) count += static_cast<std::uint32_t>(mesh.triangles.size());
+  std::string bytes = "CurveUps " + title.substr(0, 50) + " (mm)";
+  bytes.resize(80, ' ');
+  bytes.reserve(84 + 50ull * count);
+  for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(count >> shift));
+  for (const BodyMesh& mesh : meshes) {
+    for (const auto& t : mesh.triangles) {
+      const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+      const Vec3 normal = (b - a).cross(c - a);
+      const double length = normal.norm();
+      append(bytes, length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero()));
+      append(bytes, a);
+      append(bytes, b);
+      append(bytes, c);
+      bytes.append(2, '\0');
+    }
+  }
+  write_atomically(path, [&](const std::string& temporary) { write_bytes(temporary, bytes); });
+}
+
+}  // namespace curveups

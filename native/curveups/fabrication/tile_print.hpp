@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Tiles as printed: body with recessed walls, both pins, bumps or hollows, as one closed body.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "curveups/fabrication/bumps.hpp"
+#include "curveups/fabrication/print_body.hpp"
+
+namespace curveups {
+
+// All in the tile's frame: front face at z = 0, pins from 0 to H_pin and below -H_body.
+// Preconditions: check_pins.
+PrintBody make_tile_print(const TileMesh& tiles, const ConvexBody& body,
+                          const std::vector<WallCap>& caps, const double* q, int tile,
+                          double H_pin);
+
+// Throws InfeasibleDesign, naming the tiles, where insets turn a pin over or push one beyond the
+// front or back face of its (recessed, truncated) body.
+void check_pins(const TileMesh& tiles, const std::vector<ConvexBody>& bodies, const Array6& q);
+
+// The narrowest places of a tile, mm.
+struct TileFeatures {
+  double front_pin, back_pin;  // diameter of the outline's inscribed circle
+  double body;                 // thickness, or the width of the narrower face
+  double rim;                  // least distance from a pin to the edge of its face
+  double bump;                 // diameter, 0 without bumps
+};
+TileFeatures tile_features(const TileMesh& tiles, const ConvexBody& body,
+                           const std::vector<WallCap>& caps, const double* q, int tile);
+
+}  // namespace curveups

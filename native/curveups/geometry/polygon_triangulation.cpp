@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/geometry/polygon_triangulation.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include "curveups/core/errors.hpp"
+
+namespace curveups {
+namespace {
+
+struct FaceDepth {
+  int depth = -1;  // loops around the face, -1 while unknown
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+using PlainFace = CGAL::Triangulation_face_base_with_info_2<FaceDepth, Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, PlainFace>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                               CGAL::No_constraint_intersection_tag>;
+
+[[noreturn]] void refuse() {
+  throw TopologyError("the outlines of a plane face cross or touch each other",
+                      "check the layout for bodies that overlap");
+}
+
+// Depth of nesting by a flood from outside: it changes by one across every constrained edge.
+void mark_depths(Triangulation& cdt) {
+  std::vector<Triangulation::Face_handle> front{cdt.infinite_face()}, beyond;
+  front[0]->info().depth = 0;
+  for (int depth = 0; !front.empty(); ++depth) {
+    while (!front.empty()) {
+      const Triangulation::Face_handle face = front.back();
+      front.pop_back();
+      if (face->info().depth > depth) continue;
+      for (int i = 0; i < 3; ++i) {
+        const Triangulation::Face_handle other = face->neighbor(i);
+        if (other->info().depth >= 0) continue;
+        if (face->is_constrained(i)) {
+          beyond.push_back(other);
+        } else {
+          other->info().depth = depth;
+          front.push_back(other);
+        }
+      }
+    }
+    for (const Triangulation::Face_handle& face : beyond) {
+      if (face->info().depth >= 0) continue;
+      face->info().depth = depth + 1;
+      front.push_back(face);
+    }
+    beyond.clear();
+  }
+}
+
+}  // namespace
+
+std::vector<std::array<int, 3>> triangulate_region(const std::vector<Vec2>& points,
+                                                   const std::vector<std::vector<int>>& loops) {
+  Triangulation cdt;
+  std::vector<Triangulation::Vertex_handle> vertex(points.size());
+  std::size_t used = 0;
+  Triangulation::Face_handle hint;
+  for (const std::vector<int>& loop : loops) {
+    if (loop.size() < 3) refuse();
+    for (int i : loop) {
+      if (vertex[i] != Triangulation::Vertex_handle()) refuse();
+      if (!points[i].allFinite()) refuse();
+      vertex[i] = cdt.insert(Kernel::Point_2(points[i].x(), points[i].y()), hint);
+      vertex[i]->info() = i;
+      hint = vertex[i]->face();
+      ++used;
+    }
+  }
+  if (cdt.number_of_vertices() != used) refuse();
+  try {
+    for (const std::vector<int>& loop : loops) {
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        cdt.insert_constraint(vertex[loop[k]], vertex[loop[(k + 1) % loop.size()]]);
+      }
+    }
+  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    refuse();
+  }
+  if (cdt.number_of_vertices() != used) refuse();
+  mark_depths(cdt);
+  std::vector<std::array<int, 3>> triangles;
+  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
+    if (face->info().depth % 2 == 0) continue;
+    triangles.push_back(
+        {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+  }
+  return triangles;
+}
+
+}  // namespace curveups

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
+#include "curveups/fabrication/body_mesh.hpp"
+#include "curveups/fabrication/clearance.hpp"
+#include "curveups/fabrication/convex_distance.hpp"
+#include "curveups/fabrication/occ_solids.hpp"
+#include "curveups/fabrication/print_model.hpp"
+#include "fabrication/sample_design.hpp"
+
+namespace curveups {
+namespace {
+
+std::vector<const PrintBody*> pointers(const std::vector<PrintBody>& bodies) {
+  std::vector<const PrintBody*> out;
+  for (const PrintBody& body : bodies) out.push_back(&body);
+  return out;
+}
+
+std::string unsound(const std::vector<PrintBody>& bodies) {
+  const auto list = pointers(bodies);
+  std::string text;
+  for (const UnsoundSolid& u : check_solids(list, make_solids(list, {}), {})) {
+    text += u.body + " " + u.reason + "; ";
+  }
+  return text;
+}
+
+// Every edge twice, in opposite directions.
+bool watertight(const BodyMesh& mesh) {
+  std::map<std::pair<int, int>, int> edges;
+  for (const auto& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+  }
+  for (const auto& [edge, count] : edges) {
+    auto back = edges.find({edge.second, edge.first});
+    if (count != 1 || back == edges.end() || back->second != 1) return false;
+  }
+  return !edges.empty();
+}
+
+void expect_sound(const PrintModel& model) {
+  EXPECT_EQ(unsound(model.tiles), "");
+  EXPECT_EQ(unsound(model.supports), "");
+  EXPECT_EQ(unsound(model.anchors), "");
+  for (const auto* bodies : {&model.tiles, &model.supports, &model.anchors}) {
+    for (const PrintBody& body : *bodies) {
+      const BodyMesh fine = mesh_body(body, {0.002, true});
+      EXPECT_TRUE(watertight(fine)) << body.name;
+      EXPECT_NEAR(volume(fine), volume(body), 5e-3 * volume(body)) << body.name;
+      EXPECT_TRUE(watertight(mesh_body(body, {0.02, false}))) << body.name;
+    }
+  }
+  EXPECT_LE(max_overlap_actuated(model).value, 1e-6);
+  EXPECT_GT(min_clearance_flat(model).value, 0.05);
+}
+
+double area_of(const PlanarFace& face, const PrintBody& body) {
+  double sum = 0;
+  auto add = [&](const BodyLoop& loop) {
+    if (loop.circle >= 0) {
+      sum -= M_PI * std::pow(body.circles[loop.circle].radius, 2);
+      return;
+    }
+    for (std::size_t k = 0; k < loop.points.size(); ++k) {
+      sum += 0.5 * face.normal.z() *
+             wedge(body.points[loop.points[k]].head<2>(),
+                   body.points[loop.points[(k + 1) % loop.points.size()]].head<2>());
+    }
+  };
+  add(face.outer);
+  for (const BodyLoop& loop : face.inner) add(loop);
+  return sum;
+}
+
+class Shapes : public ::testing::TestWithParam<std::array<double, 2>> {};
+
+TEST_P(Shapes, AreSoundWithEveryKindOfBumpAndSupport) {
+  for (const char* bumps : {"bumps", "dimples", "none"}) {
+    for (const char* support : {"soluble", "breakaway", "none"}) {
+      Parameters p;
+      p.bumps = bumps;
+      p.support = support;
+      test::SampleOptions o;
+      o.kx = GetParam()[0];
+      o.ky = GetParam()[1];
+      SCOPED_TRACE(std::string(bumps) + " " + support);
+      const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+      expect_sound(model);
+      if (p.bumps == "bumps") {
+        EXPECT_TRUE(model.bumps.bare.empty());
+      }
+      if (p.bumps == "dimples") {  // hollows need more room than tiles of 7 mm have everywhere
+        EXPECT_LT(model.bumps.bare.size(), model.geometry.tiles.contacts.size());
+      }
+      EXPECT_TRUE(model.loose_tiles.empty());
+      EXPECT_EQ(model.loose_anchors, 0);
+      EXPECT_GE(model.anchors.size(), 8u);
+      EXPECT_NEAR(model.box.low.z(), 0, 1e-12);
+      EXPECT_NEAR(model.box.high.z(), 2 * p.H_pin + p.H_body, 1e-12);
+      EXPECT_NEAR((model.box.low + model.box.high).head<2>().norm(), 0, 1e-9);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(FlatDomeSaddleBowl, Shapes,
+                         ::testing::Values(std::array<double, 2>{0, 0},
+                                           std::array<double, 2>{0.015, 0.015},
+                                           std::array<double, 2>{0.015, -0.015},
+                                           std::array<double, 2>{-0.015, -0.015}));
+
+TEST(Bumps, InterleaveAndTouchTheFacingWallOnly) {
+  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  const TileMesh& tiles = model.geometry.tiles;
+  std::vector<std::array<std::vector<CapSphere>, 2>> caps(tiles.contacts.size());
+  std::vector<std::vector<Vec3>> centres(tiles.contacts.size());
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    const RigidMotion motion = actuated_motion(tiles.frame[i]);
+    for (const WallCap& cap : model.bumps.of_tile[i]) {
+      const Contact& contact = tiles.contacts[cap.contact];
+      const int s = contact.tile[0] == i ? 0 : 1;
+      caps[cap.contact][s].push_back(
+          cap_sphere(motion(cap.centre), motion.R * cap.axis, cap.radius, cap.height));
+      centres[cap.contact].push_back(motion(cap.centre));
+      // The apex reaches the wall that faces it, and nothing more.
+      const int other = contact.tile[1 - s];
+      const ConvexBody facing = moved(model.bumps.body[other], actuated_motion(tiles.frame[other]));
+      EXPECT_NEAR(distance(caps[cap.contact][s].back(), facing), 0, 1e-9);
+    }
+  }
+  for (std::size_t k = 0; k < caps.size(); ++k) {
+    EXPECT_GE(caps[k][0].size() + caps[k][1].size(), 3u);
+    EXPECT_FALSE(caps[k][0].empty() || caps[k][1].empty());
+    for (const CapSphere& a : caps[k][0]) {
+      for (const CapSphere& b : caps[k][1]) EXPECT_GT(distance(a, b), 0.05);
+    }
+    const Vec3 spread = (centres[k][1] - centres[k][0]).cross(centres[k][2] - centres[k][0]);
+    EXPECT_GT(spread.norm(), 0.5);
+  }
+}
+
+TEST(Bumps, NeverRecessBoundaryWallsAndLeaveTooSmallInterfacesBare) {
+  Parameters p;
+  p.bump_diameter = 6;
+  const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+  EXPECT_FALSE(model.bumps.bare.empty());
+  for (const BareInterface& bare : model.bumps.bare) {
+    const Contact& contact = model.geometry.tiles.contacts[bare.contact];
+    for (int s = 0; s < 2; ++s) {
+      EXPECT_EQ(model.bumps.recess(contact.tile[s], contact.side[s]), 0);
+    }
+  }
+  const PrintModel standard = make_print_model(test::sample_design(), "0.1");
+  const TileMesh& tiles = standard.geometry.tiles;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int t = 0; t < 3; ++t) {
+      EXPECT_EQ(standard.bumps.recess(i, t), tiles.topology.neighbour(i, t) < 0 ? 0 : 0.125);
+    }
+  }
+}
+
+TEST(Slab, IsItsBoxLessWhatItSurrounds) {
+  for (double drop : {0.0, 0.3, 1.0, 2.2, 4.0, 4.5}) {
+    Parameters p;
+    p.support_drop = drop;
+    SCOPED_TRACE(drop);
+    const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+    EXPECT_EQ(unsound(model.supports), "");
+    ASSERT_EQ(model.supports.size(), 1u);
+    const PrintBody& slab = model.supports[0];
+    const double top = 2 * p.H_pin + p.H_body - drop;
+    double removed = 0;
+    for (std::size_t i = 0; i < model.tiles.size(); ++i) {
+      const PrintBody& tile = model.tiles[i];
+      double pin = 0, front_pin = 0, front = 0;
+      for (const PlanarFace& face : tile.faces) {
+        if (face.role == FaceRole::foot) pin = area_of({face.normal, face.outer, {}, {}}, tile);
+        if (face.role == FaceRole::front_pin && face.normal.z() > 0.5) {
+          front_pin = area_of(face, tile);
+        }
+        if (face.role == FaceRole::front) front = area_of({face.normal, face.outer, {}, {}}, tile);
+      }
+      if (top >= p.H_pin + p.H_body) {
+        removed += volume(tile) - front_pin * p.H_pin + front * (top - p.H_pin - p.H_body);
+      } else if (top > p.H_pin) {
+        ConvexBody body = model.bumps.body[i];
+        const double cut = top - p.H_pin - p.H_body;
+        clip(body, {Vec3::UnitZ(), cut}, body_tag::front);
+        removed += volume(body) + pin * p.H_pin;
+        for (const WallCap& cap : model.bumps.of_tile[i]) {
+          ASSERT_GT(std::abs(cap.centre.z() - cut), cap.radius * 0.9);
+          if (cap.centre.z() > cut) continue;
+          const double r = cap.radius, h = cap.height;
+          removed += M_PI * h * (3 * r * r + h * h) / 6;
+        }
+      } else {
+        removed += pin * top;
+      }
+    }
+    const Parameters& q = model.parameters;
+    removed += model.anchors.size() * M_PI * q.anchor_radius * q.anchor_radius * top;
+    double outline = 0;
+    const PlanarFace& lid = slab.faces.back();
+    outline = area_of({lid.normal, lid.outer, {}, {}}, slab);
+    EXPECT_NEAR(volume(slab), outline * top - removed, 1e-6 * outline);
+  }
+}
+
+TEST(Anchors, MeetNothing) {
+  test::SampleOptions o;
+  o.rows = 6;
+  o.columns = 8;
+  const PrintModel model = make_print_model(test::sample_design({}, o), "0.1");
+  const Parameters& p = model.parameters;
+  for (const PrintBody& a : model.anchors) {
+    const Vec2 c = a.circles[0].centre.head<2>();
+    for (const PrintBody& b : model.anchors) {
+      if (&a == &b) continue;
+      EXPECT_GT((b.circles[0].centre.head<2>() - c).norm(), 2 * p.anchor_radius + 0.4);
+    }
+    double nearest = 1e300;
+    for (const PrintBody& tile : model.tiles) {
+      for (const Vec3& q : tile.points) nearest = std::min(nearest, (q.head<2>() - c).norm());
+    }
+    EXPECT_GT(nearest, p.anchor_radius + p.anchor_distance - 1e-6);
+    EXPECT_LT(nearest, p.anchor_radius + p.anchor_distance + p.L);
+    EXPECT_DOUBLE_EQ(a.circles[1].centre.z(), 2 * p.H_pin + p.H_body);
+  }
+  // The first one carries the text: its floor lies engrave_depth below the top.
+  bool engraved = false;
+  for (const Vec3& q : model.anchors[0].points) {
+    engraved = engraved || std::abs(q.z() - (5.0 - p.engrave_depth)) < 1e-12;
+  }
+  EXPECT_TRUE(engraved);
+  EXPECT_TRUE(model.anchors[1].points.empty());
+}
+
+TEST(Pieces, HaveTheirOwnSlabsAndAnchorsOrAreRefused) {
+  test::SampleOptions o;
+  o.rows = 2;
+  o.columns = 4;
+  // A straight cut up the middle: columns of vertices 2, 7, 12.
+  o.cuts.resize(2, 2);
+  o.cuts << 2, 7, 7, 12;
+  o.piece_offset = 40;
+  const PrintModel model = make_print_model(test::sample_design({}, o), "0.1");
+  ASSERT_EQ(model.piece_count, 2);
+  ASSERT_EQ(model.supports.size(), 2u);
+  EXPECT_EQ(model.supports[1].name, "Support P2");
+  expect_sound(model);
+  o.piece_offset = 2;
+  EXPECT_THROW(make_print_model(test::sample_design({}, o), "0.1"), InfeasibleDesign);
+}
+
+TEST(PrintModel, NamesTilesWhosePinsTurnInsideOut) {
+  Design design = test::sample_design();
+  design.q.row(7).setConstant(4.0);
+  try {
+    make_print_model(design, "0.1");
+    FAIL();
+  } catch (const InfeasibleDesign& error) {
+    EXPECT_EQ(error.tiles(), std::vector<int>{7});
+  }
+}
+
+TEST(PrintModel, DoesNotDependOnTheNumberOfThreads) {
+  const int before = thread_count();
+  std::vector<double> volumes[2];
+  for (int run = 0; run < 2; ++run) {
+    set_thread_count(run + 1);
+    const PrintModel model = make_print_model(test::sample_design(), "0.1");
+    for (const auto* bodies : {&model.tiles, &model.supports, &model.anchors}) {
+      for (const PrintBody& body : *bodies) volumes[run].push_back(volume(body));
+    }
+  }
+  set_thread_count(before);
+  EXPECT_EQ(volumes[0], volumes[1]);
+}
+
+}  // namespace
+}  // namespace curveups
