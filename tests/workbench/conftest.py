@@ -43,19 +43,28 @@ def freecad(homes):
              f"import runpy; runpy.run_path({str(script)!r}, run_name='__main__')"],
             env=env, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
         assert "script-is-done" in ran.stdout, ran.stdout + ran.stderr
-        return ran.stdout
+        return ran.stdout + ran.stderr
 
     return run
 
 
-@pytest.fixture(scope="session")
-def document(tmp_path_factory):
+def design_document(folder, *settings):
     """The document that the command line makes of a dome of 54 tiles."""
     require_solids()
-    folder = tmp_path_factory.mktemp("document")
     (folder / "dome.obj").write_text(dome(3))
     done = subprocess.run([sys.executable, "-m", "curveups.cli", "design", folder / "dome.obj", "-o",
-                           folder / "out", "--no-remesh"], env=environment(), capture_output=True,
-                          text=True)
+                           folder / "out", "--no-remesh", *settings], env=environment(),
+                          capture_output=True, text=True)
     assert done.returncode in (0, 1), done.stderr
     return folder / "out" / "dome.FCStd"
+
+
+@pytest.fixture(scope="session")
+def document(tmp_path_factory):
+    return design_document(tmp_path_factory.mktemp("document"))
+
+
+@pytest.fixture(scope="session")
+def bowl(tmp_path_factory):
+    """The dome seen from inside: its back faces are larger than its front faces."""
+    return design_document(tmp_path_factory.mktemp("bowl"), "--set", "flip=on")

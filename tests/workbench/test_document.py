@@ -62,7 +62,7 @@ document.saveAs(copy)
 FreeCAD.closeDocument(document.Name)
 again = FreeCAD.openDocument(copy)
 assert again.Design.Layout == layout
-assert again.Tiles.Shape.Volume == volume
+assert abs(again.Tiles.Shape.Volume / volume - 1) < 1e-12
 assert type(again.Design.Proxy).__name__ == 'DesignProxy'
 again.Design.touch()
 again.recompute()
@@ -97,19 +97,17 @@ done()
 """, path=document)
 
 
-def test_constraints_that_no_longer_hold_are_said(freecad, document):
-    """A thicker tile has other back faces: gaps on the back change."""
+def test_constraints_that_no_longer_hold_are_said(freecad, bowl):
+    """The back faces of a bowl's thicker tiles are larger: gaps on the back close."""
     freecad(OPEN + """
-design.H_body = 1.0
+layout = design.Layout
+design.H_body = 4.0
 document.recompute()
-thin = (design.Verdict, list(design.Reasons))
-design.H_body = 6.0
-document.recompute()
-thick = (design.Verdict, list(design.Reasons))
-assert thin != thick or thin[0] == 'not valid', (thin, thick)
-assert any(v == 'not valid' and r for v, r in (thin, thick)), (thin, thick)
+assert design.Verdict == 'not valid', (design.Verdict, design.Reasons)
+assert any('nearer than d_gap_min' in reason for reason in design.Reasons), design.Reasons
+assert design.Layout == layout
 done()
-""", path=document)
+""", path=bowl)
 
 
 def test_a_value_that_can_not_be_built_keeps_the_old_shapes(freecad, document):
@@ -118,7 +116,7 @@ volume = tiles.Shape.Volume
 design.H_body = 45.0     # deeper than the dome's radius: back faces turn over
 document.recompute()
 assert 'Invalid' in design.State, design.State
-assert tiles.Shape.Volume == volume
+assert abs(tiles.Shape.Volume / volume - 1) < 1e-12
 design.H_body = 3.0
 document.recompute()
 assert 'Up-to-date' in design.State
@@ -146,7 +144,7 @@ assert len(tiles.Shape.Solids) == 54
 volume = tiles.Shape.Volume
 assert support.Shape.Volume > 0 and anchors.Shape.Volume > 0
 document.recompute()
-assert tiles.Shape.Volume == volume
+assert abs(tiles.Shape.Volume / volume - 1) < 1e-12
 document.saveAs(copy)
 done()
 """, with_workbench=False, path=document, copy=tmp_path / "foreign.FCStd")

