@@ -56,6 +56,7 @@ void bind_geometry(py::module_& module);
 void bind_design(py::module_& module);
 void bind_layout(py::module_& module);
 void bind_physics(py::module_& module);
+void bind_refinement(py::module_& module);
 void bind_fabrication(py::module_& module);
 
 }  // namespace curveups::bindings

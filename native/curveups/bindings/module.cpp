@@ -10,5 +10,6 @@ PYBIND11_MODULE(_native, module) {
   bind_design(module);
   bind_layout(module);
   bind_physics(module);
+  bind_refinement(module);
   bind_fabrication(module);
 }

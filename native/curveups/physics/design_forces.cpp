@@ -9,23 +9,29 @@ namespace {
 
 constexpr std::array<Side, 2> sides = {Side::front, Side::back};
 
+std::vector<ContactPoint> all_points(const DesignGeometry& geometry, const GravityLoad& gravity) {
+  std::vector<ContactPoint> points = interface_points(geometry.tiles, geometry.patches);
+  points.insert(points.end(), gravity.ground.begin(), gravity.ground.end());
+  return points;
+}
+
 }  // namespace
 
 DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
-                           const FlatPoses& poses, const Array6& q,
-                           const DesignForcesOptions& options, const Progress& progress)
+                           const FlatPoses& poses, const Array6& q, const Progress& progress)
     : geometry_(geometry),
       parameters_(parameters),
-      options_(options),
       poses_(poses),
       q_(q),
-      system_(interface_points(geometry.tiles, geometry.patches), tile_centres(geometry.tiles),
-              parameters.L, {}) {
+      gravity_(gravity_load(geometry, parameters, {})),
+      system_(all_points(geometry, gravity_), tile_centres(geometry.tiles), parameters.L,
+              gravity_.held) {
   for (Side side : sides) {
     SolvedMembrane& membrane = membranes_[static_cast<int>(side)];
     membrane.flat_corners = flat_pin_corners(geometry.tiles, poses, q, side);
-    membrane.mesh = make_membrane_mesh(make_membrane_domain(geometry.tiles, side),
-                                       membrane.flat_corners, options.mesh, progress);
+    membrane.mesh =
+        make_membrane_mesh(make_membrane_domain(geometry.tiles, side), membrane.flat_corners,
+                           membrane_mesh_options(parameters), progress);
   }
   solve_membranes(true, progress);
 }
@@ -46,15 +52,15 @@ void DesignForces::solve_membranes(bool fresh, const Progress& progress) {
     const Points2 flat = vertex_positions(m.mesh.weights, m.flat_corners);
     Points3 start = vertex_positions(m.mesh.weights, m.actuated_corners);
     if (fresh) {
-      m.equilibrium =
-          std::make_unique<MembraneEquilibrium>(m.mesh, flat, parameters_.tau, options_.material);
+      m.equilibrium = std::make_unique<MembraneEquilibrium>(m.mesh, flat, parameters_.tau,
+                                                            membrane_material(parameters_, side));
       start = m.equilibrium->energy().harmonic(start);
     } else {
       m.equilibrium->set_rest(flat, parameters_.tau);
       // Free vertices go along with the pins around them before they settle.
       start += m.state.x - vertex_positions(m.mesh.weights, before);
     }
-    m.state = m.equilibrium->solve(start, options_.equilibrium, sink);
+    m.state = m.equilibrium->solve(start, EquilibriumOptions{}, sink);
   };
   // The progress sink is called from one thread only; the other membrane ends by itself.
   bool going = true;
@@ -66,7 +72,7 @@ void DesignForces::solve_membranes(bool fresh, const Progress& progress) {
       },
       [&] { solve(Side::back, {}); });
   if (!going) throw Cancelled();
-  loads_ = Wrenches::Zero(tiles.tile_count(), 6);
+  loads_ = gravity_.weight;
   for (Side side : sides) {
     const SolvedMembrane& m = membrane(side);
     // Rounding alone may keep a membrane from the last digits of its tolerance.

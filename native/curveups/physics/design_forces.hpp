@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Membranes and least-squares contact forces of one design whose pins move: meshed once, then
-// followed with the mesh's topology and weights unchanged, each equilibrium started from the last.
+// Membranes and least-squares contact forces of one design whose pins move: meshed once (the
+// coarser mesh of verification), then followed with the mesh's topology and weights unchanged, each
+// equilibrium started from the last.
 #pragma once
 
 #include <array>
 #include <memory>
 
-#include "curveups/design/design.hpp"
 #include "curveups/physics/contact_forces.hpp"
+#include "curveups/physics/loads.hpp"
+#include "curveups/physics/membrane_solution.hpp"
 
 namespace curveups {
-
-struct DesignForcesOptions {
-  MembraneMaterial material;
-  MembraneMeshOptions mesh;
-  EquilibriumOptions equilibrium;
-};
 
 // One membrane of a design at its equilibrium.
 struct SolvedMembrane {
@@ -32,7 +28,7 @@ class DesignForces {
   // make_membrane_mesh and solve_contact_forces throw, SolverFailure where an equilibrium is not
   // found, Cancelled. geometry must outlive this.
   DesignForces(const DesignGeometry& geometry, const Parameters& parameters, const FlatPoses& poses,
-               const Array6& q, const DesignForcesOptions& options, const Progress& progress);
+               const Array6& q, const Progress& progress);
 
   // Other poses and insets, same mesh. Throws InvalidInput where a triangle of the mesh turns over
   // (then mesh again), SolverFailure, Cancelled; what is held is then of no use until the next
@@ -54,10 +50,10 @@ class DesignForces {
 
   const DesignGeometry& geometry_;
   Parameters parameters_;
-  DesignForcesOptions options_;
   FlatPoses poses_;
   Array6 q_;
   std::array<SolvedMembrane, 2> membranes_;
+  GravityLoad gravity_;
   BalanceSystem system_;
   Wrenches loads_;
   ContactForces forces_;

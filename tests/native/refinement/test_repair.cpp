@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "curveups/core/parallel.hpp"
+#include "curveups/core/tolerances.hpp"
+#include "curveups/layout/layout.hpp"
+#include "curveups/physics/validation.hpp"
+#include "curveups/refinement/repair.hpp"
+#include "support/sample_meshes.hpp"
+
+namespace curveups {
+namespace {
+
+Design laid_out(const TriangleMesh& mesh) {
+  Design design;
+  design.name = "sample";
+  design.mesh = mesh;
+  design.cuts.resize(0, 2);
+  const DesignGeometry geometry = make_geometry(mesh, design.cuts, design.parameters);
+  const LayoutResult layout = solve_layout(geometry, design.parameters, {});
+  design.T = flat_corners(geometry.tiles, layout.poses);
+  design.q = layout.q;
+  return design;
+}
+
+const Design& dome_design() {
+  static const Design design = laid_out(test::dome(6));
+  return design;
+}
+
+void expect_constraints_kept(const Design& design) {
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  const ConstraintReport report =
+      check_constraints(geometry, design.T, design.q, design.parameters);
+  EXPECT_LE(report.max_gap_violation_mm, tolerance::constraint);
+  EXPECT_LE(report.max_pin_bound_violation_mm, tolerance::constraint);
+  EXPECT_LE(report.max_pin_area_violation_mm2, 10 * tolerance::constraint);
+  EXPECT_LE(report.max_rigidity_mm, 1e-9);
+  EXPECT_TRUE(report.close_pairs.empty());
+}
+
+int weak_points(const Design& design) {
+  return verify_design(design, {}, {}).contact_forces.points_below_f_min;
+}
+
+// One pin drawn in to its limits, on both sides.
+Design with_weakened_pin(int tile) {
+  Design design = dome_design();
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  for (Side side : {Side::front, Side::back}) {
+    const int first = inset_index(side, 0);
+    double* q = design.q.row(tile).data();
+    while (pin_area(geometry.tiles, tile, side, q) >
+           1.1 * geometry.pin_bounds.least_area(tile, static_cast<int>(side))) {
+      for (int t = 0; t < 3; ++t) {
+        q[first + t] = std::min(q[first + t] + 0.01, geometry.pin_bounds.upper(tile, first + t));
+      }
+    }
+  }
+  return design;
+}
+
+// A weakened pin, and a floor that its weakest points just miss.
+Design with_weak_contacts() {
+  Design design = with_weakened_pin(20);
+  const ContactFigures figures = verify_design(design, {}, {}).contact_forces;
+  design.parameters.f_min_ratio = 1.3 * figures.normal_min / figures.normal_mean;
+  return design;
+}
+
+TEST(Repair, LeavesAValidDesignAsItIs) {
+  const Design& design = dome_design();
+  const RepairResult result = repair_design(design, {}, {});
+  EXPECT_EQ(result.status, RepairStatus::valid);
+  EXPECT_EQ(result.design.T, design.T);
+  EXPECT_EQ(result.design.q, design.q);
+  EXPECT_EQ(result.steps.size(), 1u);
+}
+
+TEST(Repair, LiftsWeakContactsAboveAHigherFloor) {
+  const Design design = with_weak_contacts();
+  ASSERT_GT(weak_points(design), 0);
+  const RepairResult result = repair_design(design, {}, {});
+  EXPECT_EQ(result.status, RepairStatus::valid);
+  EXPECT_TRUE(result.steps.front().fresh_mesh);
+  EXPECT_TRUE(result.steps.back().fresh_mesh);
+  EXPECT_GT(result.steps.front().weak_points, 0);
+  EXPECT_GT(result.largest_move, 0);
+  expect_constraints_kept(result.design);
+  EXPECT_EQ(weak_points(result.design), 0);
+}
+
+TEST(Repair, RestoresSpoiledPinsAndPoses) {
+  Design design = dome_design();
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < design.q.rows(); ++i) {
+    const double dx = 0.05 * uniform(generator), dy = 0.05 * uniform(generator);
+    for (int k = 0; k < 6; ++k) {
+      design.q(i, k) += 0.3 * uniform(generator);
+      design.T(i, k) += k % 2 == 0 ? dx : dy;
+    }
+  }
+  const RepairResult result = repair_design(design, {}, {});
+  EXPECT_GT(result.restored_mm, 0.01);
+  EXPECT_EQ(result.status, RepairStatus::valid);
+  expect_constraints_kept(result.design);
+  EXPECT_EQ(weak_points(result.design), 0);
+}
+
+TEST(Repair, SaysWhatBlocksTheImpossible) {
+  Design design = dome_design();
+  design.parameters.f_min_ratio = 0.9;  // all points nearly alike: no dome does that
+  RepairOptions options;
+  options.most_steps = 3;
+  const RepairResult result = repair_design(design, options, {});
+  EXPECT_EQ(result.status, RepairStatus::blocked);
+  ASSERT_FALSE(result.blocked.empty());
+  for (const BlockedContact& contact : result.blocked) {
+    EXPECT_LT(contact.least_force, 1);
+    EXPECT_NE(contact.reason.find("T000"), std::string::npos);
+  }
+  expect_constraints_kept(result.design);
+}
+
+TEST(Repair, StoppedItKeepsTheBestSoFar) {
+  const Design design = with_weak_contacts();
+  int calls = 0;
+  const RepairResult result = repair_design(design, {}, [&](const std::string& what, double) {
+    return what.find("weak points") == std::string::npos || ++calls < 2;
+  });
+  EXPECT_EQ(result.status, RepairStatus::stopped);
+  ASSERT_GE(result.steps.size(), 2u);
+  expect_constraints_kept(result.design);
+}
+
+TEST(Repair, OneThreadOrTwoGiveTheSameBits) {
+  const Design design = with_weak_contacts();
+  const int threads = thread_count();
+  set_thread_count(1);
+  const RepairResult a = repair_design(design, {}, {});
+  set_thread_count(2);
+  const RepairResult b = repair_design(design, {}, {});
+  set_thread_count(threads);
+  EXPECT_GT(a.largest_move, 0);
+  EXPECT_EQ(a.design.T, b.design.T);
+  EXPECT_EQ(a.design.q, b.design.q);
+}
+
+}  // namespace
+}  // namespace curveups
