@@ -10,16 +10,23 @@
 #include <Message_ProgressScope.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <STEPConstruct.hxx>
+#include <STEPConstruct_Styles.hxx>
 #include <STEPControl_Controller.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
+#include <StepRepr_RepresentationContext.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepVisual_Colour.hxx>
+#include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
+#include <StepVisual_PresentationStyleAssignment.hxx>
+#include <StepVisual_StyledItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
-#include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
@@ -89,29 +96,51 @@ class Indicator : public Message_ProgressIndicator {
   bool stopped_ = false;
 };
 
-Handle(TDocStd_Document)
-    make_document(const std::vector<NamedSolid>& solids, const std::string& title) {
+using DocumentHandle = Handle(TDocStd_Document);
+
+DocumentHandle make_document(const std::vector<NamedSolid>& solids, const std::string& title) {
   Handle(TDocStd_Document) document = new TDocStd_Document("MDTV-XCAF");
   Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
-  Handle(XCAFDoc_ColorTool) colours = XCAFDoc_DocumentTool::ColorTool(document->Main());
   shapes->SetAutoNaming(false);
-  std::array<TDF_Label, 3> colour;
-  for (int k = 0; k < 3; ++k) {
-    const Colour c = body_colour(static_cast<BodyKind>(k));
-    colour[k] = colours->AddColor(
-        Quantity_Color(c.red / 255.0, c.green / 255.0, c.blue / 255.0, Quantity_TOC_sRGB));
-  }
   const TDF_Label root = shapes->NewShape();
   TDataStd_Name::Set(root, TCollection_ExtendedString(title.c_str(), Standard_True));
   for (const NamedSolid& solid : solids) {
     const TDF_Label part = shapes->AddShape(solid.shape, Standard_False);
     TDataStd_Name::Set(part, TCollection_ExtendedString(solid.name.c_str(), Standard_True));
-    colours->SetColor(part, colour[static_cast<int>(solid.kind)], XCAFDoc_ColorGen);
     const TDF_Label place = shapes->AddComponent(root, part, TopLoc_Location());
     TDataStd_Name::Set(place, TCollection_ExtendedString(solid.name.c_str(), Standard_True));
   }
   shapes->UpdateAssemblies();
   return document;
+}
+
+// Colours in the order of the solids: the writer's own colour mode goes through them in the order of
+// their addresses in memory, which differs from run to run.
+void add_colours(const Handle(XSControl_WorkSession)& session,
+                 const std::vector<NamedSolid>& solids) {
+  STEPConstruct_Styles styles(session);
+  std::array<Handle(StepVisual_Colour), 3> colour;
+  for (int k = 0; k < 3; ++k) {
+    const Colour c = body_colour(static_cast<BodyKind>(k));
+    colour[k] = STEPConstruct_Styles::EncodeColor(
+        Quantity_Color(c.red / 255.0, c.green / 255.0, c.blue / 255.0, Quantity_TOC_sRGB));
+  }
+  for (const NamedSolid& solid : solids) {
+    const Handle(StepRepr_RepresentationItem) item =
+        STEPConstruct::FindEntity(styles.FinderProcess(), solid.shape);
+    const Handle(StepRepr_RepresentationContext) context = styles.FindContext(solid.shape);
+    if (item.IsNull() || context.IsNull()) {
+      throw SolverFailure("OpenCASCADE lost " + solid.name + " on the way to STEP",
+                          "report this with the design file");
+    }
+    styles.ClearStyles();
+    const Handle(StepVisual_StyledItem) style = styles.AddStyle(
+        item, styles.GetColorPSA(item, colour[static_cast<int>(solid.kind)]), nullptr);
+    Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation) representation;
+    styles.CreateMDGPR(context, representation);
+    session->Model()->AddWithRefs(style);
+    session->Model()->AddWithRefs(representation);
+  }
 }
 
 // What OpenCASCADE counts through the life of the process, and the date, must not be in the file.
@@ -156,7 +185,7 @@ void write_step(const std::vector<NamedSolid>& solids, const std::string& title,
     const StaticNumber assembly("write.step.assembly", 2);
     const Handle(TDocStd_Document) document = make_document(solids, title);
     STEPCAFControl_Writer writer;
-    writer.SetColorMode(true);
+    writer.SetColorMode(false);
     writer.SetNameMode(true);
     Handle(Indicator) indicator = new Indicator(progress);
     const bool transferred =
@@ -166,6 +195,7 @@ void write_step(const std::vector<NamedSolid>& solids, const std::string& title,
       throw SolverFailure("OpenCASCADE could not turn the solids of " + title + " into STEP",
                           "report this with the design file");
     }
+    add_colours(writer.ChangeWriter().WS(), solids);
     make_reproducible(writer.ChangeWriter().Model(), title);
     if (!keep_going(progress, "writing STEP", 1)) throw Cancelled();
     if (writer.Write(temporary.c_str()) != IFSelect_RetDone || !is_complete(temporary)) {

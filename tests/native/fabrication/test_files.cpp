@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <Interface_Static.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TopAbs_ShapeEnum.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "Model/COM/NMR_DLLInterfaces.h"
+#include "curveups/core/errors.hpp"
+#include "curveups/fabrication/atomic_file.hpp"
+#include "curveups/fabrication/print_session.hpp"
+#include "fabrication/sample_design.hpp"
+
+namespace curveups {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class Files : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    char folder[] = "/tmp/curveups-files-XXXXXX";
+    ASSERT_NE(mkdtemp(folder), nullptr);
+    folder_ = folder;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const char* name) const { return (folder_ / name).string(); }
+  std::size_t file_count() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
+
+  static PrintSession session() {
+    test::SampleOptions o;
+    o.rows = 2;
+    o.columns = 3;
+    return PrintSession(test::sample_design({}, o), "0.1");
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Files, StepHoldsEverySolidByNameWithItsVolume) {
+  PrintSession s = session();
+  for (const char* kind : {"tiles", "support", "anchors", "print", "actuated"}) {
+    SCOPED_TRACE(kind);
+    testing::internal::CaptureStdout();
+    s.write_step(kind, path("a.step"), {});
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    STEPControl_Reader reader;
+    ASSERT_EQ(reader.ReadFile(path("a.step").c_str()), IFSelect_RetDone);
+    reader.TransferRoots();
+    const TopoDS_Shape shape = reader.OneShape();
+    std::size_t solids = 0;
+    for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) ++solids;
+    const std::vector<const PrintBody*> bodies = s.bodies(kind);
+    EXPECT_EQ(solids, bodies.size());
+    EXPECT_NEAR(solid_volume(shape), s.volume(kind), 1e-6 * s.volume(kind));
+    const std::string text = read_file(path("a.step"));
+    for (const PrintBody* body : bodies) {
+      EXPECT_NE(text.find("PRODUCT('" + body->name + "'"), std::string::npos) << body->name;
+    }
+    // And a colour for every body.
+    std::size_t styled = 0;
+    for (std::size_t at = 0; (at = text.find("STYLED_ITEM(", at)) != std::string::npos; ++at) {
+      ++styled;
+    }
+    EXPECT_EQ(styled, bodies.size());
+  }
+}
+
+TEST_F(Files, AreTheSameByteForByteEveryTime) {
+  PrintSession a = session(), b = session();
+  a.write_step("print", path("a.step"), {});
+  b.write_step("print", path("b.step"), {});
+  a.write_3mf(path("a.3mf"), {});
+  b.write_3mf(path("b.3mf"), {});
+  a.write_stl("print", path("a.stl"), {});
+  b.write_stl("print", path("b.stl"), {});
+  for (const char* kind : {"step", "3mf", "stl"}) {
+    const std::string first = read_file(folder_ / (std::string("a.") + kind));
+    EXPECT_GT(first.size(), 1000u);
+    EXPECT_TRUE(first == read_file(folder_ / (std::string("b.") + kind))) << kind;
+  }
+}
+
+// Whether triangles over points that are equal as written close up: every edge twice, opposed.
+template <class Corner>
+bool closed(const std::vector<std::array<Corner, 3>>& triangles) {
+  std::map<std::pair<Corner, Corner>, int> edges;
+  for (const auto& t : triangles) {
+    for (int k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+  }
+  for (const auto& [edge, count] : edges) {
+    const auto back = edges.find({edge.second, edge.first});
+    if (count != 1 || back == edges.end() || back->second != 1) return false;
+  }
+  return !edges.empty();
+}
+
+TEST_F(Files, StlIsWatertight) {
+  PrintSession s = session();
+  s.write_stl("tiles", path("a.stl"), {});
+  const std::string bytes = read_file(path("a.stl"));
+  std::uint32_t count;
+  std::memcpy(&count, bytes.data() + 80, 4);
+  ASSERT_EQ(bytes.size(), 84 + 50u * count);
+  std::vector<std::array<std::array<float, 3>, 3>> triangles(count);
+  double volume = 0;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    std::memcpy(&triangles[k], bytes.data() + 84 + 50 * k + 12, 36);
+    Eigen::Matrix3d m;
+    for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = triangles[k][i / 3][i % 3];
+    volume += m.determinant() / 6;
+  }
+  EXPECT_TRUE(closed(triangles));
+  EXPECT_NEAR(volume, s.volume("tiles"), 0.01 * s.volume("tiles"));
+}
+
+TEST_F(Files, ThreeMfHoldsEveryBodyByNameWatertight) {
+  using namespace NMR;
+  PrintSession s = session();
+  s.write_3mf(path("a.3mf"), {});
+  PLib3MFModel* model;
+  PLib3MFModelReader* reader;
+  PLib3MFModelResourceIterator* it;
+  ASSERT_GE(lib3mf_createmodel(&model), 0);
+  ASSERT_GE(lib3mf_model_queryreader(model, "3mf", &reader), 0);
+  ASSERT_GE(lib3mf_reader_readfromfileutf8(reader, path("a.3mf").c_str()), 0);
+  ASSERT_GE(lib3mf_model_getmeshobjects(model, &it), 0);
+  std::set<std::string> names;
+  BOOL more = 0;
+  for (lib3mf_resourceiterator_movenext(it, &more); more;
+       lib3mf_resourceiterator_movenext(it, &more)) {
+    PLib3MFModelResource* object;
+    ASSERT_GE(lib3mf_resourceiterator_getcurrent(it, &object), 0);
+    char name[64] = "";
+    ULONG length = 0;
+    ASSERT_GE(lib3mf_object_getnameutf8(object, name, sizeof name, &length), 0);
+    names.insert(name);
+    DWORD points = 0, count = 0, got = 0;
+    lib3mf_meshobject_getvertexcount(object, &points);
+    lib3mf_meshobject_gettrianglecount(object, &count);
+    std::vector<MODELMESHVERTEX> vertex(points);
+    std::vector<MODELMESHTRIANGLE> triangle(count);
+    ASSERT_GE(lib3mf_meshobject_getvertices(object, vertex.data(), points, &got), 0);
+    ASSERT_GE(lib3mf_meshobject_gettriangleindices(object, triangle.data(), count, &got), 0);
+    // By coordinates, not by index: what a reader that welds points makes of it.
+    std::vector<std::array<std::array<float, 3>, 3>> corners(count);
+    for (DWORD k = 0; k < count; ++k) {
+      for (int c = 0; c < 3; ++c) {
+        for (int i = 0; i < 3; ++i) {
+          corners[k][c][i] = vertex[triangle[k].m_nIndices[c]].m_fPosition[i];
+        }
+      }
+    }
+    EXPECT_TRUE(closed(corners)) << name;
+    lib3mf_release(object);
+  }
+  lib3mf_release(it);
+  lib3mf_release(reader);
+  lib3mf_release(model);
+  std::set<std::string> expected;
+  for (const PrintBody* body : s.bodies("print")) expected.insert(body->name);
+  EXPECT_EQ(names, expected);
+}
+
+TEST_F(Files, FailuresAndCancellingLeaveNothingBehind) {
+  PrintSession s = session();
+  EXPECT_THROW(s.write_step("tiles", path("missing/a.step"), {}), IoError);
+  EXPECT_THROW(s.write_stl("tiles", path("missing/a.stl"), {}), IoError);
+  EXPECT_THROW(s.write_3mf(path("missing/a.3mf"), {}), IoError);
+  fs::create_directory(folder_ / "folder");
+  EXPECT_THROW(s.write_step("tiles", path("folder"), {}), IoError);
+  const Progress stop = [](const std::string&, double) { return false; };
+  EXPECT_THROW(s.write_step("tiles", path("a.step"), stop), Cancelled);
+  EXPECT_THROW(s.write_stl("tiles", path("a.stl"), stop), Cancelled);
+  EXPECT_THROW(s.write_step("no such kind", path("a.step"), {}), InvalidInput);
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(Files, AFullDiskIsAnErrorAndKeepsTheOldFile) {
+  write_bytes(path("a.txt"), "old");
+  EXPECT_THROW(write_atomically(path("a.txt"),
+                                [](const std::string& temporary) {
+                                  write_bytes(temporary, "half");
+                                  write_bytes("/dev/full", std::string(1 << 16, 'x'));
+                                }),
+               IoError);
+  EXPECT_EQ(read_file(path("a.txt")), "old");
+  EXPECT_EQ(file_count(), 1u);
+}
+
+}  // namespace
+}  // namespace curveups
