@@ -12,7 +12,7 @@ import tempfile
 from pathlib import Path
 
 MESHES = (".obj", ".stl", ".ply", ".off")
-STAGES = ("remesh", "flatten", "layout", "verify", "refine", "solids", "export")
+STAGES = ("remesh", "flatten", "layout", "verify", "refine", "solids", "check", "export")
 
 # Table 1: tiles and the seconds of soft and hard optimisation, global check and local refinement.
 # "spherical" and "spot" are other versions of the paper's meshes.

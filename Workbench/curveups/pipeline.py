@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From a target surface to a finished design: arrays in, arrays out, no FreeCAD.
 
-target -> remesh -> layout -> verify -> solids. Each stage is one function, timed by `_stage`; what it
+target -> remesh -> layout -> solids -> verify -> repair -> check. Each stage is one function, timed by `_stage`; what it
 finds is kept in an `Outcome`, from which reports, files and documents are made.
 """
 
@@ -72,6 +72,7 @@ class Outcome:
     layout: Any = None                       # native LayoutResult
     verification: Any = None                 # native ValidationReport
     verify_note: str = ""                    # why there is none
+    repair: Any = None                       # native RepairResult, where weak contacts were repaired
     model: Any = None                        # native PrintModel
     solids: Optional[SolidFigures] = None
     stopped: bool = False
@@ -130,6 +131,10 @@ def run_design(request: Request, progress: Progress) -> Outcome:
     if request.solids:
         _build(outcome, progress, request.where)
     _verify(outcome, progress, request.where)
+    if _repair(outcome, progress, request.where):
+        if request.solids:
+            _build(outcome, progress, request.where)
+        _verify(outcome, progress, request.where)
     if request.solids:
         _measure(outcome, progress, request.where)
     outcome.verdict = judge(outcome)
@@ -177,6 +182,31 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
         outcome.verify_note = "stopped during verification"
 
 
+def _repair(outcome: Outcome, progress: Progress, where: str) -> bool:
+    """Repairs weak contacts of a design that failed verification. True where the design changed: it is
+    to be built and verified anew."""
+    if (outcome.verification is None or outcome.verification.valid or outcome.stopped
+            or not outcome.design.parameters.get("repair")):
+        return False
+    try:
+        with _stage(outcome.stages, "refine", where):
+            outcome.repair = native.repair_design(outcome.design, progress)
+    except Stopped:
+        outcome.stopped = True
+        return False
+    outcome.stages[-1].iterations = len(outcome.repair.steps)
+    outcome.stopped = outcome.repair.status == "stopped"
+    if native.write_design(outcome.repair.design) == native.write_design(outcome.design):
+        return False
+    outcome.design = outcome.repair.design
+    with _errors(where):
+        outcome.figures = native.evaluate_design(outcome.design)
+    if outcome.stopped:
+        # The verdict was on the design as it was before.
+        outcome.verification, outcome.verify_note = None, "stopped during repair"
+    return not outcome.stopped
+
+
 def _build(outcome: Outcome, progress: Progress, where: str) -> None:
     """The print model, before verification: it knows where bumps touch."""
     if outcome.stopped or not progress("building solids", 0.0):
@@ -184,6 +214,7 @@ def _build(outcome: Outcome, progress: Progress, where: str) -> None:
         return
     with _stage(outcome.stages, "solids", where):
         outcome.model = native.make_print_model(outcome.design)
+        outcome.model.build_solids(progress)
 
 
 def _measure(outcome: Outcome, progress: Progress, where: str) -> None:
@@ -194,7 +225,7 @@ def _measure(outcome: Outcome, progress: Progress, where: str) -> None:
         try:
             with _errors(where):
                 outcome.solids = measure(outcome.model, outcome.design.parameters, progress)
-            outcome.stages.append(Stage("solids", time.perf_counter() - start))
+            outcome.stages.append(Stage("check", time.perf_counter() - start))
         except Stopped:
             outcome.stopped = True
     if outcome.stopped:
@@ -291,4 +322,10 @@ def _stage(stages: list[Stage], name: str, where: str):
     start = time.perf_counter()
     with _errors(where):
         yield
-    stages.append(Stage(name, time.perf_counter() - start))
+    seconds = time.perf_counter() - start
+    again = next((stage for stage in stages if stage.name == name), None)
+    if again is None:
+        stages.append(Stage(name, seconds))
+    else:  # after a repair
+        again.seconds += seconds
+        stages.append(stages.pop(stages.index(again)))

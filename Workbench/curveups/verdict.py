@@ -26,6 +26,9 @@ def judge(outcome: Any) -> Verdict:
         physical = outcome.verification.to_dict()
         if not physical["valid"]:
             broken += list(physical["reasons"])
+            if outcome.repair is not None:
+                broken += [contact.reason for contact in outcome.repair.blocked]
+                broken += list(outcome.repair.suggestions)
         return Verdict(not broken, broken)
     if broken:
         return Verdict(False, broken)

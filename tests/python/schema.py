@@ -30,7 +30,7 @@ OPTIONAL = {
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
               "smallest_feature_mm": NUMBER, "files": dict},
 }
-STAGES = ("remesh", "flatten", "layout", "verify", "refine", "solids", "export")
+STAGES = ("remesh", "flatten", "layout", "verify", "refine", "solids", "check", "export")
 
 
 def check(value, expected, where):

@@ -48,6 +48,8 @@ def build_report(outcome: Any, files: dict[str, int], software: dict[str, str]) 
         report.update({key: blocks[key] for key in ("physics", "contact_forces", "unilateral")
                        if key in blocks})
         report["warnings"] += blocks.get("warnings", [])
+    if outcome.repair is not None:
+        report["repair"] = _repair(outcome.repair)
     if outcome.solids is not None:
         report["warnings"] += outcome.solids.warnings
         report["solids"] = _solids(outcome)
@@ -99,6 +101,16 @@ def _deviation(outcome: Any) -> dict:
     mean, largest, hausdorff = native.surface_deviation(design.V, design.F, target.source_V,
                                                         target.source_F)
     return {"mean_mm": mean, "max_mm": largest, "hausdorff_mm": hausdorff}
+
+
+def _repair(repair: Any) -> dict:
+    return {"status": repair.status, "restored_mm": repair.restored_mm,
+            "largest_move_mm": repair.largest_move_mm,
+            "steps": [{"weak_points": int(step.weak_points), "least_force_of_f_min": step.least_force,
+                       "fresh_mesh": bool(step.fresh_mesh)} for step in repair.steps],
+            "blocked": [{"tiles": [int(t) for t in contact.tiles], "reason": contact.reason}
+                        for contact in repair.blocked],
+            "suggestions": list(repair.suggestions)}
 
 
 def _layout(layout: Any) -> dict:

@@ -82,6 +82,16 @@ void bind_fabrication(py::module_& module) {
              return max_overlap_actuated(s.model()).value;
            })
       .def(
+          "build_solids",
+          [](PrintSession& s, py::object progress) {
+            without_gil(std::move(progress), [&](const Progress& sink) {
+              s.shape("print", sink);
+              return true;
+            });
+          },
+          py::arg("progress") = py::none(),
+          "Builds all solids of the print; they are kept. Other calls do so when they need them.")
+      .def(
           "check_solids",
           [](PrintSession& s, py::object progress) {
             const auto unsound = without_gil(std::move(progress),
