@@ -11,7 +11,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 
-from running import Ran, command, dome, environment, require_solids  # noqa: E402
+from running import Ran, command, dome, environment  # noqa: E402
 
 
 @pytest.fixture(scope="session")
@@ -51,13 +51,7 @@ def designed(curveups, cap, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def solids():
-    """Asked for by tests that need the fabrication room's bindings."""
-    require_solids()
-
-
-@pytest.fixture(scope="session")
-def printed(curveups, cap, solids, tmp_path_factory):
+def printed(curveups, cap, tmp_path_factory):
     """The small cap with all files."""
     folder = tmp_path_factory.mktemp("printed")
     return Finished(folder, curveups("design", cap, "-o", folder, "--no-remesh"))

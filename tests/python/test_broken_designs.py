@@ -67,7 +67,7 @@ def test_broken_design(curveups, designed, tmp_path, name, command):
     assert not (tmp_path / "out").exists()
 
 
-def test_export_refuses_what_needs_a_new_layout(curveups, solids, designed, tmp_path):
+def test_export_refuses_what_needs_a_new_layout(curveups, designed, tmp_path):
     for setting in ("L=8", "d_gap_min=0.7", "verify=off"):
         ran = curveups("export", designed.folder / "design.json", "-o", tmp_path / "out",
                        "--set", setting)
@@ -75,7 +75,7 @@ def test_export_refuses_what_needs_a_new_layout(curveups, solids, designed, tmp_
         assert not (tmp_path / "out").exists()
 
 
-def test_pins_turned_inside_out_are_named(curveups, solids, designed, tmp_path):
+def test_pins_turned_inside_out_are_named(curveups, designed, tmp_path):
     design = designed.json("design.json")
     design["q"][5][0] = [9.0, 9.0, 9.0]
     (tmp_path / "broken.json").write_text(json.dumps(design))

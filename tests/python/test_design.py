@@ -102,7 +102,7 @@ def test_same_bytes_with_one_and_two_threads(curveups, tmp_path):
         r"(?m)^f .*$", lambda m: "f " + " ".join(str(int(i) - 8) for i in m[0].split()[1:]),
         re.sub(r"(?m)^v (\S+)", lambda m: f"v {float(m[1]) + 60!r}", dome(1))), 12),
 ])
-def test_small_targets(curveups, solids, tmp_path, name, text, tiles):
+def test_small_targets(curveups, tmp_path, name, text, tiles):
     (tmp_path / name).write_text(text)
     ran = curveups("design", tmp_path / name, "-o", tmp_path / "out", "--no-remesh")
     assert ran.status in VALID, ran.err

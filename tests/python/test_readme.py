@@ -12,7 +12,7 @@ def commands():
     return [line for block in blocks for line in block.splitlines() if line.strip()]
 
 
-def test_readme_commands(solids):
+def test_readme_commands():
     assert commands()[0] == "tools/demo" and len(commands()) >= 5
     for line in commands():
         done = subprocess.run(line, shell=True, cwd=ROOT, stdin=subprocess.DEVNULL,

@@ -22,14 +22,6 @@ class Ran:
         return [line for line in self.err.splitlines() if line.startswith("curveups: error: ")]
 
 
-def require_solids():
-    import pytest
-    from curveups.native import native
-
-    if not hasattr(native, "make_print_model"):
-        pytest.skip("solids are not in this build")
-
-
 def command(*arguments):
     return [sys.executable, "-m", "curveups.cli", *map(str, arguments)]
 

@@ -10,7 +10,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 
-from running import ROOT, dome, environment, require_solids  # noqa: E402
+from running import ROOT, dome, environment  # noqa: E402
 
 
 def freecad_home(folder, with_workbench):
@@ -50,7 +50,6 @@ def freecad(homes):
 
 def design_document(folder, *settings):
     """The document that the command line makes of a dome of 54 tiles."""
-    require_solids()
     (folder / "dome.obj").write_text(dome(3))
     done = subprocess.run([sys.executable, "-m", "curveups.cli", "design", folder / "dome.obj", "-o",
                            folder / "out", "--no-remesh", *settings], env=environment(),
