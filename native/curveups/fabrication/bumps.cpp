@@ -9,7 +9,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/fabrication/convex_distance.hpp"
-#include "curveups/fabrication/convex_polygon.hpp"
+#include "curveups/geometry/convex_polygon.hpp"
 
 namespace curveups {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "curveups/fabrication/convex_polygon.hpp"
+#include "curveups/geometry/convex_polygon.hpp"
 
 namespace curveups {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "curveups/fabrication/convex_polygon.hpp"
 #include "curveups/fabrication/print_body.hpp"
+#include "curveups/geometry/convex_polygon.hpp"
 
 namespace curveups {
 

@@ -114,9 +114,9 @@ DocumentHandle make_document(const std::vector<NamedSolid>& solids, const std::s
   return document;
 }
 
-// Colours in the order of the solids: the writer's own colour mode goes through them in the order of
-// their addresses in memory, which differs from run to run.
-void add_colours(const Handle(XSControl_WorkSession)& session,
+// Colours in the order of the solids: the writer's own colour mode goes through them in the order
+// of their addresses in memory, which differs from run to run.
+void add_colours(const Handle(XSControl_WorkSession) & session,
                  const std::vector<NamedSolid>& solids) {
   STEPConstruct_Styles styles(session);
   std::array<Handle(StepVisual_Colour), 3> colour;

@@ -7,7 +7,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/core/tolerances.hpp"
-#include "curveups/fabrication/convex_polygon.hpp"
+#include "curveups/geometry/convex_polygon.hpp"
 
 namespace curveups {
 namespace {

@@ -5,31 +5,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "curveups/geometry/convex_polygon.hpp"
 #include "curveups/layout/initial_layout.hpp"
 
 namespace curveups {
 namespace {
-
-// Andrew's monotone chain; counter-clockwise.
-std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  std::vector<Vec2> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t start = hull.size();
-    for (const Vec2& p : points) {
-      while (hull.size() >= start + 2 &&
-             wedge(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
 
 struct Rectangle {
   double angle = 0;                              // by which the piece is to be turned

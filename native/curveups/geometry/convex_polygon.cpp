@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/convex_polygon.hpp"
+#include "curveups/geometry/convex_polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
