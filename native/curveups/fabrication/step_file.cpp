@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/fabrication/step_file.hpp"
 
+#include <malloc.h>
+
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRep_Builder.hxx>
 #include <Interface_Static.hxx>
@@ -203,6 +205,11 @@ void write_step(const std::vector<NamedSolid>& solids, const std::string& title,
                     "check that the disk has room");
     }
   });
+#ifdef __GLIBC__
+  // A writer leaves hundreds of megabytes of small freed blocks behind, which the next one can't
+  // use.
+  malloc_trim(0);
+#endif
 }
 
 }  // namespace curveups
