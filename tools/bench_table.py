@@ -72,14 +72,36 @@ def _run(name: str, target: str) -> dict:
         if not report.exists():
             return {**row, "error": done.stderr.strip() or f"exit status {done.returncode}"}
         found = json.loads(report.read_text(encoding="utf-8"))
+        unreadable = _read_back(Path(folder), found)
     seconds = {stage["name"]: stage["seconds"] for stage in found["stages"]}
     design = [s for s in ("remesh", "flatten", "layout", "verify", "refine") if s in seconds]
     return {
-        **row, "tiles": found["tiles"], "valid": found["valid"], "stages": found["stages"],
+        **row, "read_back": unreadable or "sound", "tiles": found["tiles"], "valid": found["valid"], "stages": found["stages"],
         "seconds_to_valid": (round(sum(seconds[s] for s in design), 3)
                              if found["valid"] else None),
         "seconds_files": seconds.get("export"), "peak_memory_mb": found["peak_memory_mb"],
     }
+
+
+def _read_back(folder: Path, report: dict) -> list[str]:
+    """Reads the tiles' files as somebody else would; what is wrong with them."""
+    from curveups import freecad_session
+
+    _, part, mesh = freecad_session.load("Part", "Mesh")
+    tiles, wrong = report["tiles"], []
+    solids = part.read(str(folder / f"{report['name']}-tiles.step")).Solids
+    expected = 1000 * report["solids"]["volume_cm3"]
+    volume = sum(solid.Volume for solid in solids)
+    if len(solids) != tiles:
+        wrong.append(f"STEP has {len(solids)} solids")
+    if abs(volume - expected) > 1e-6 * expected:
+        wrong.append(f"STEP's volume is {volume:.3f} mm3, not {expected:.3f}")
+    facets = mesh.Mesh(str(folder / f"{report['name']}-tiles.stl"))
+    if not facets.isSolid():
+        wrong.append("STL is not watertight")
+    if facets.countComponents() != tiles:
+        wrong.append(f"STL has {facets.countComponents()} components")
+    return wrong
 
 
 def _line(row: dict) -> str:
@@ -96,7 +118,8 @@ def _line(row: dict) -> str:
     return (f"{row['name']:<16}{row['tiles']:>6} "
             + "".join(number(total.get(stage), 9) for stage in STAGES)
             + number(row["seconds_to_valid"], 10) + number(row["seconds_files"], 8)
-            + number(row["peak_memory_mb"], 7, 0) + number(row["paper_seconds"], 9, 0) + f"  {word}")
+            + number(row["peak_memory_mb"], 7, 0) + number(row["paper_seconds"], 9, 0)
+            + f"  {word}" + ("" if row["read_back"] == "sound" else f"; {row['read_back']}"))
 
 
 if __name__ == "__main__":
