@@ -54,6 +54,8 @@ def check_report(report):
     for name, block in OPTIONAL.items():
         if name in report:
             check(report[name], block, name)
+    if "solids" in report and report["tiles"] > 1:  # one tile has nothing to be clear of
+        check(report["solids"]["min_clearance_flat_mm"], NUMBER, "solids.min_clearance_flat_mm")
     assert report["format"] == "curveups-report" and report["version"] == 1
     assert report["status"] in ("complete", "stopped")
     assert report["valid"] in (True, False, None)
