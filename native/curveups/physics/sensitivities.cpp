@@ -84,21 +84,160 @@ void add_side(const DesignForces& forces, Side side, const CornerGradient& corne
   }
 }
 
+// Derivatives by all that vertices change: pin corners, contact points and their normals.
+struct PlaceGradient {
+  std::array<CornerGradient, 2> pins;
+  Points3 point, normal;
+};
+
+// d phi by points and normals, contact forces f, multipliers y and those of the function, z.
+void add_contacts(const BalanceSystem& system, const Points3& f, const Array6& y, const Array6& z,
+                  const Eigen::VectorXd& weights, const Eigen::VectorXd& rest, PlaceGradient& out) {
+  const int count = system.point_count();
+  out.point.resize(count, 3);
+  out.normal.resize(count, 3);
+  auto turns = [&](const Array6& motion, const ContactPoint& point) {
+    Vec3 difference = Vec3::Zero();
+    for (int end = 0; end < 2; ++end) {
+      if (point.tile[end] < 0) continue;
+      const Vec3 turn = motion.row(point.tile[end]).tail<3>() / system.lever();
+      difference += (end == 0 ? -1.0 : 1.0) * turn;
+    }
+    return difference;
+  };
+  for (int p = 0; p < count; ++p) {
+    const ContactPoint& point = system.points()[p];
+    const Vec3 force = system.basis(p) * f.row(p).transpose(),
+               free = system.basis(p) * rest.segment<3>(3 * p);
+    out.point.row(p) = -(force.cross(turns(z, point)) + free.cross(turns(y, point))).transpose();
+    out.normal.row(p) = weights(p) * force.transpose();
+  }
+}
+
+// What one vertex moves of all that, and by how much.
+class VertexPlaces {
+ public:
+  VertexPlaces(const DesignForces& forces, const VertexPatch& patch,
+               const std::vector<int>& first_point)
+      : forces_(forces), patch_(patch) {
+    const LocalGeometry here = local_geometry(patch, patch.mesh.V.row(patch.moving));
+    for (std::size_t k = 0; k < patch.contacts.size(); ++k) {
+      const int contact = patch.contacts[k];
+      if (contact < 0) continue;
+      const int first = first_point[contact], count = first_point[contact + 1] - first;
+      // Otherwise at a kink, where a point comes or goes.
+      if (here.patches[k].point_count == count)
+        contacts_.push_back({static_cast<int>(k), first, count});
+    }
+    by_vertex_ = derivatives_by_vertex(patch, [&](const LocalGeometry& g) { return places(g); });
+  }
+
+  Vec3 contract(const PlaceGradient& gradient) const {
+    Eigen::VectorXd weights(by_vertex_.rows());
+    int at = 0;
+    for (int k : patch_.changed) {
+      for (Side side : sides) {
+        const CornerGradient& pins = gradient.pins[static_cast<int>(side)];
+        for (int t = 0; t < 3; ++t) {
+          const int c = pin_corner_index(patch_.tiles[k], t);
+          weights.segment<2>(at) = pins.flat.row(c).transpose();
+          weights.segment<3>(at + 2) = pins.actuated.row(c).transpose();
+          at += 5;
+        }
+      }
+    }
+    for (const Points& contact : contacts_) {
+      Vec3 normal = Vec3::Zero();
+      for (int l = 0; l < contact.count; ++l) {
+        weights.segment<3>(at) = gradient.point.row(contact.first + l).transpose();
+        normal += gradient.normal.row(contact.first + l).transpose();
+        at += 3;
+      }
+      weights.segment<3>(at) = normal;
+      at += 3;
+    }
+    return by_vertex_.transpose() * weights;
+  }
+
+ private:
+  struct Points {
+    int patch, first, count;
+  };
+  static constexpr std::array<Side, 2> sides = {Side::front, Side::back};
+
+  Eigen::VectorXd places(const LocalGeometry& local) const {
+    const double H_pin = forces_.parameters().H_pin;
+    std::vector<double> out;
+    auto add = [&](const auto& p) { out.insert(out.end(), p.data(), p.data() + p.size()); };
+    for (int k : patch_.changed) {
+      const int tile = patch_.tiles[k];
+      const Vec2 origin = forces_.poses().row(tile).head<2>();
+      const PlaneRotation turn(forces_.poses()(tile, 2));
+      for (Side side : sides) {
+        const double level = pin_top_level(local.tiles, side, H_pin);
+        for (const Vec2& p : pin_corners(local.tiles, k, side, forces_.insets().row(tile).data())) {
+          add(Vec2(origin + turn * p));
+          add(local.tiles.frame[k].to_world(Vec3(p.x(), p.y(), level)));
+        }
+      }
+    }
+    for (const Points& contact : contacts_) {
+      for (int l = 0; l < contact.count; ++l) add(local.patches[contact.patch].point[l]);
+      add(local.patches[contact.patch].normal);
+    }
+    return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
+  }
+
+  const DesignForces& forces_;
+  const VertexPatch& patch_;
+  std::vector<Points> contacts_;
+  Eigen::MatrixXd by_vertex_;
+};
+
+// First point of each contact, with one more at the end.
+std::vector<int> first_points(const BalanceSystem& system, std::size_t contacts) {
+  std::vector<int> first(contacts + 1, 0);
+  for (const ContactPoint& point : system.points()) {
+    if (point.contact >= 0) ++first[point.contact + 1];
+  }
+  for (std::size_t k = 0; k < contacts; ++k) first[k + 1] += first[k];
+  return first;
+}
+
+void add_vertices(const DesignForces& forces, const std::vector<PlaceGradient>& places,
+                  const std::vector<VertexPatch>& vertices, std::vector<ForceGradient>& out) {
+  const std::vector<int> first =
+      first_points(forces.system(), forces.geometry().tiles.contacts.size());
+  parallel_ranges(static_cast<int>(vertices.size()), [&](int begin, int end) {
+    for (int v = begin; v < end; ++v) {
+      const VertexPlaces moved(forces, vertices[v], first);
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        out[k].by_vertex.row(v) = moved.contract(places[k]).transpose();
+      }
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<ForceGradient> force_gradients(const DesignForces& forces,
-                                           const Eigen::MatrixXd& functions) {
+                                           const Eigen::MatrixXd& functions,
+                                           const std::vector<VertexPatch>& vertices) {
   const BalanceSystem& system = forces.system();
   const int count = static_cast<int>(functions.cols()), points = system.point_count();
   const int tiles = forces.geometry().tiles.tile_count();
-  Eigen::MatrixXd right(system.rows(), count);
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(3 * points, count), right(system.rows(), count);
   for (int k = 0; k < count; ++k) {
-    Eigen::VectorXd normal = Eigen::VectorXd::Zero(3 * points);
-    for (int p = 0; p < points; ++p) normal(3 * p) = functions(p, k);
-    right.col(k) = system.apply(normal);
+    for (int p = 0; p < points; ++p) G(3 * p, k) = functions(p, k);
+    right.col(k) = system.apply(G.col(k));
   }
   const Eigen::MatrixXd z = system.solve(right);
-  std::vector<ForceGradient> out(count, {Array3::Zero(tiles, 3), Array6::Zero(tiles, 6)});
+  const Points3& f = forces.contact_forces().force;
+  const Array6 y = system.expand(system.solve(system.restrict(forces.loads())));
+  std::vector<ForceGradient> out(count,
+                                 {Array3::Zero(tiles, 3), Array6::Zero(tiles, 6),
+                                  Points3::Zero(static_cast<Eigen::Index>(vertices.size()), 3)});
+  std::vector<PlaceGradient> places(vertices.empty() ? 0 : count);
   // Displacement fields of this many functions fit into some hundred MB at 300,000 triangles.
   constexpr int batch = 16;
   for (int first = 0; first < count; first += batch) {
@@ -112,12 +251,19 @@ std::vector<ForceGradient> force_gradients(const DesignForces& forces,
           corner_gradients(forces.membrane(side), system.centres(), system.lever(), motions);
     };
     parallel_pair([&] { solve(Side::front); }, [&] { solve(Side::back); });
-    for (std::size_t k = 0; k < motions.size(); ++k) {
+    for (std::size_t m = 0; m < motions.size(); ++m) {
+      const int k = first + static_cast<int>(m);
       for (Side side : {Side::front, Side::back}) {
-        add_side(forces, side, corners[static_cast<int>(side)][k], out[first + k]);
+        CornerGradient& corner = corners[static_cast<int>(side)][m];
+        add_side(forces, side, corner, out[k]);
+        if (!places.empty()) places[k].pins[static_cast<int>(side)] = std::move(corner);
       }
+      if (places.empty()) continue;
+      const Eigen::VectorXd rest = G.col(k) - system.apply_transposed(z.col(k));
+      add_contacts(system, f, y, motions[m], functions.col(k), rest, places[k]);
     }
   }
+  if (!places.empty()) add_vertices(forces, places, vertices, out);
   return out;
 }
 

@@ -159,7 +159,7 @@ std::vector<ForceRow> Repair::force_rows(const Judgement& now) {
   for (std::size_t r = 0; r < row_points_.size(); ++r) {
     functions(row_points_[r], static_cast<Eigen::Index>(r)) = 1 / now.mean;
   }
-  const std::vector<ForceGradient> gradients = force_gradients(*forces_, functions);
+  const std::vector<ForceGradient> gradients = force_gradients(*forces_, functions, {});
   std::vector<ForceRow> rows;
   for (std::size_t r = 0; r < row_points_.size(); ++r) {
     ForceRow row{(now.normal(row_points_[r]) - options_.goal * now.f_min) / now.mean,

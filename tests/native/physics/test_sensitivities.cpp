@@ -11,6 +11,7 @@ namespace {
 
 struct Sample {
   Parameters parameters;
+  Edges cuts;
   DesignGeometry geometry;
   FlatPoses poses;
   Array6 q;
@@ -20,6 +21,7 @@ struct Sample {
 // with poses and insets scattered so that no symmetry hides a term.
 Sample make_sample(const Edges& cuts) {
   Sample s;
+  s.cuts = cuts;
   const TriangleMesh mesh = test::lifted_patch(
       4, 7, [](double x, double y) { return 0.04 * x * x + 0.03 * y * y + 0.02 * x * y; });
   s.geometry = make_geometry(mesh, cuts, s.parameters);
@@ -63,10 +65,18 @@ void expect_gradients_match(const Edges& cuts, const std::string& model) {
   Eigen::MatrixXd functions(points, 3);
   for (int p = 0; p < points; ++p) functions.row(p) << uniform(generator), uniform(generator), 0;
   functions(points / 2, 2) = 1;  // the force of a single point
-  const std::vector<ForceGradient> gradients = force_gradients(forces, functions);
+  const TriangleMesh mesh = s.geometry.tiles.mesh;
+  const VertexPatches patches(s.geometry);
+  std::vector<VertexPatch> vertices;
+  for (int v = 0; v < mesh.V.rows(); ++v) vertices.push_back(patches.around(v));
+  const std::vector<ForceGradient> gradients = force_gradients(forces, functions, vertices);
   ASSERT_EQ(gradients.size(), 3u);
   const double step = 1e-4;
-  for (int kind = 0; kind < 3; ++kind) {  // positions, angles, insets
+  for (int kind = 0; kind < 4; ++kind) {  // positions, angles, insets, actuated vertices
+    Points3 vertex_direction = Points3::Zero(mesh.V.rows(), 3);
+    for (int v = 0; v < mesh.V.rows() && kind == 3; ++v) {
+      vertex_direction.row(v) << uniform(generator), uniform(generator), uniform(generator);
+    }
     FlatPoses pose_direction = FlatPoses::Zero(count, 3);
     Array6 inset_direction = Array6::Zero(count, 6);
     for (int i = 0; i < count; ++i) {
@@ -77,8 +87,10 @@ void expect_gradients_match(const Edges& cuts, const std::string& model) {
     std::array<Eigen::Vector3d, 4> values;
     const std::array<double, 4> at = {-2, -1, 1, 2};
     for (int m = 0; m < 4; ++m) {
-      forces.move(s.poses + at[m] * step * pose_direction, s.q + at[m] * step * inset_direction,
-                  {});
+      const DesignGeometry moved =
+          make_geometry({mesh.V + at[m] * step * vertex_direction, mesh.F}, s.cuts, s.parameters);
+      forces.move(moved, s.poses + at[m] * step * pose_direction,
+                  s.q + at[m] * step * inset_direction, {});
       for (int k = 0; k < 3; ++k) values[m](k) = weighted(forces, functions.col(k));
     }
     for (int k = 0; k < 3; ++k) {
@@ -86,7 +98,8 @@ void expect_gradients_match(const Edges& cuts, const std::string& model) {
       const double difference =
           (values[0](k) - 8 * values[1](k) + 8 * values[2](k) - values[3](k)) / (12 * step);
       const double exact = gradients[k].by_pose.cwiseProduct(pose_direction).sum() +
-                           gradients[k].by_inset.cwiseProduct(inset_direction).sum();
+                           gradients[k].by_inset.cwiseProduct(inset_direction).sum() +
+                           gradients[k].by_vertex.cwiseProduct(vertex_direction).sum();
       EXPECT_NEAR(exact / difference, 1, 1e-6) << "kind " << kind << " function " << k;
     }
   }

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/design/vertex_patch.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "curveups/design/remote_overlaps.hpp"
+
+namespace curveups {
+
+VertexPatches::VertexPatches(const DesignGeometry& geometry) : geometry_(geometry) {
+  const TileMesh& tiles = geometry.tiles;
+  const int corners = 3 * tiles.tile_count();
+  first_.assign(tiles.mesh.V.rows() + 1, 0);
+  for (int c = 0; c < corners; ++c) ++first_[tiles.mesh.F(c / 3, c % 3) + 1];
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  tile_of_.resize(corners);
+  std::vector<int> cursor(first_.begin(), first_.end() - 1);
+  for (int c = 0; c < corners; ++c) tile_of_[cursor[tiles.mesh.F(c / 3, c % 3)]++] = c / 3;
+  contact_of_.assign(corners, -1);
+  for (std::size_t k = 0; k < tiles.contacts.size(); ++k) {
+    for (int s = 0; s < 2; ++s) {
+      contact_of_[3 * tiles.contacts[k].tile[s] + tiles.contacts[k].side[s]] = static_cast<int>(k);
+    }
+  }
+}
+
+std::vector<int> VertexPatches::tiles_at(const std::vector<int>& tiles) const {
+  std::vector<int> out;
+  for (int tile : tiles) {
+    for (int t = 0; t < 3; ++t) {
+      const int v = geometry_.tiles.mesh.F(tile, t);
+      out.insert(out.end(), tile_of_.begin() + first_[v], tile_of_.begin() + first_[v + 1]);
+    }
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+VertexPatch VertexPatches::around(int vertex) const {
+  const TileMesh& tiles = geometry_.tiles;
+  const std::vector<int> star(tile_of_.begin() + first_[vertex],
+                              tile_of_.begin() + first_[vertex + 1]);
+  // The vertex changes its tiles, by their folds those across their edges, by truncation planes the
+  // interfaces that end at a vertex of either; planes there need all tiles at these vertices.
+  std::vector<int> changed = star;
+  for (int tile : star) {
+    for (int t = 0; t < 3; ++t) {
+      const int n = tiles.topology.neighbour(tile, t);
+      if (n >= 0) changed.push_back(n);
+    }
+  }
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  VertexPatch out;
+  const std::vector<int> near = tiles_at(changed);
+  out.tiles = tiles_at(near);
+  const int count = static_cast<int>(out.tiles.size());
+
+  std::vector<int> vertices;
+  for (int tile : out.tiles) {
+    for (int t = 0; t < 3; ++t) vertices.push_back(tiles.mesh.F(tile, t));
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  auto local = [&](int v) {
+    return static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                            vertices.begin());
+  };
+  out.moving = local(vertex);
+  out.mesh.V.resize(static_cast<Eigen::Index>(vertices.size()), 3);
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    out.mesh.V.row(v) = tiles.mesh.V.row(vertices[v]);
+  out.mesh.F.resize(count, 3);
+  std::vector<std::array<int, 2>> cuts;
+  out.remote = false;
+  out.H_body = tiles.H_body;
+  for (int k = 0; k < count; ++k) {
+    const int tile = out.tiles[k];
+    if (std::binary_search(changed.begin(), changed.end(), tile)) out.changed.push_back(k);
+    for (const TruncationPlane& plane : geometry_.truncation.of_tile[tile]) {
+      out.remote = out.remote || plane.vertex < 0;
+    }
+    for (int t = 0; t < 3; ++t) {
+      out.mesh.F(k, t) = local(tiles.mesh.F(tile, t));
+      const int other = tiles.topology.neighbour(tile, t);
+      // Each edge once, where its first tile names it: the order of TileMesh::contacts.
+      if (other < tile || !std::binary_search(out.tiles.begin(), out.tiles.end(), other)) continue;
+      if (tiles.cut[tiles.topology.edge_of(tile, t)]) {
+        cuts.push_back({local(tiles.mesh.F(tile, t)), local(tiles.mesh.F(tile, next3(t)))});
+        continue;
+      }
+      const bool inside = std::binary_search(near.begin(), near.end(), tile) &&
+                          std::binary_search(near.begin(), near.end(), other);
+      out.contacts.push_back(inside ? contact_of_[3 * tile + t] : -1);
+    }
+  }
+  out.cuts.resize(static_cast<Eigen::Index>(cuts.size()), 2);
+  for (std::size_t c = 0; c < cuts.size(); ++c) out.cuts.row(c) << cuts[c][0], cuts[c][1];
+  return out;
+}
+
+LocalGeometry local_geometry(const VertexPatch& patch, const Vec3& position) {
+  TriangleMesh mesh = patch.mesh;
+  mesh.V.row(patch.moving) = position.transpose();
+  LocalGeometry out;
+  out.tiles = make_tile_mesh(mesh, patch.cuts, patch.H_body);
+  Truncation truncation = truncate_at_vertices(out.tiles);
+  out.patches = compute_contact_patches(out.tiles, truncation);
+  if (patch.remote) separate_remote_tiles(out.tiles, out.patches, truncation);
+  return out;
+}
+
+Eigen::MatrixXd derivatives_by_vertex(
+    const VertexPatch& patch, const std::function<Eigen::VectorXd(const LocalGeometry&)>& measure) {
+  // Shapes vary over millimetres: the error of the differences is h^4, that of rounding 1e-14 / h.
+  constexpr double h = 1e-3;
+  const Vec3 here = patch.mesh.V.row(patch.moving);
+  Eigen::MatrixXd out;
+  for (int axis = 0; axis < 3; ++axis) {
+    auto at = [&](double step) {
+      return measure(local_geometry(patch, here + step * h * Vec3::Unit(axis)));
+    };
+    const Eigen::VectorXd column = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
+    if (out.size() == 0) out.resize(column.size(), 3);
+    out.col(axis) = column;
+  }
+  return out;
+}
+
+}  // namespace curveups
