@@ -143,21 +143,28 @@ void bind_physics(py::module_& module) {
                              "Least normal force at each tile's contact points, N.")
       .def_property_readonly("elastic_wrenches", array(&ValidationReport::elastic),
                              "M x 6: membranes' force (N) and torque about the tile's centre.")
-      .def_property_readonly("membranes", [](const ValidationReport& report) {
-        return py::make_tuple(report.membrane[0], report.membrane[1]);
-      });
+      .def_property_readonly("membranes",
+                             [](const ValidationReport& report) {
+                               return py::make_tuple(report.membrane[0], report.membrane[1]);
+                             })
+      .def(
+          "drop_solution", [](ValidationReport& report) { report.solved.reset(); },
+          "Gives back the memory of what keep_solution kept.");
   module.def(
       "verify_design",
       [](const Design& design, py::object progress, std::vector<Points3> bump_tips,
-         std::vector<int> held) {
+         std::vector<int> held, bool keep_solution) {
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return verify_design(design, {std::move(bump_tips), std::move(held)}, sink);
+          return verify_design(design, {std::move(bump_tips), std::move(held), keep_solution},
+                               sink);
         });
       },
       py::arg("design"), py::arg("progress") = py::none(),
       py::arg("bump_tips") = std::vector<Points3>(), py::arg("held") = std::vector<int>(),
+      py::arg("keep_solution") = false,
       "Membranes, contact forces and verdict. bump_tips: per contact the points (n x 3) at which "
-      "its tiles touch when actuated. held: tiles that carry the piece with gravity 'held'.");
+      "its tiles touch when actuated. held: tiles that carry the piece with gravity 'held'. "
+      "keep_solution: for repair_design.");
 }
 
 }  // namespace curveups::bindings

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/physics/design_forces.hpp"
 
+#include <utility>
+
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 
@@ -34,6 +36,20 @@ DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& par
                            membrane_mesh_options(parameters), progress);
   }
   solve_membranes(true, progress);
+}
+
+DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
+                           std::array<SolvedMembrane, 2> solved, const FlatPoses& poses,
+                           const Array6& q)
+    : geometry_(geometry),
+      parameters_(parameters),
+      poses_(poses),
+      q_(q),
+      membranes_(std::move(solved)),
+      gravity_(gravity_load(geometry, parameters, {})),
+      system_(all_points(geometry, gravity_), tile_centres(geometry.tiles), parameters.L,
+              gravity_.held) {
+  solve_contacts();
 }
 
 void DesignForces::move(const FlatPoses& poses, const Array6& q, const Progress& progress) {
@@ -72,6 +88,10 @@ void DesignForces::solve_membranes(bool fresh, const Progress& progress) {
       },
       [&] { solve(Side::back, {}); });
   if (!going) throw Cancelled();
+  solve_contacts();
+}
+
+void DesignForces::solve_contacts() {
   loads_ = gravity_.weight;
   for (Side side : sides) {
     const SolvedMembrane& m = membrane(side);
@@ -81,8 +101,8 @@ void DesignForces::solve_membranes(bool fresh, const Progress& progress) {
                               " membrane found no equilibrium",
                           "use the tension-field model");
     }
-    add_wrenches(pin_corner_forces(m.mesh, m.state, tiles.tile_count()), m.actuated_corners,
-                 system_.centres(), loads_);
+    add_wrenches(pin_corner_forces(m.mesh, m.state, geometry_.tiles.tile_count()),
+                 m.actuated_corners, system_.centres(), loads_);
   }
   forces_ = solve_contact_forces(system_, loads_);
 }

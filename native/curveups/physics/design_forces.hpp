@@ -13,15 +13,6 @@
 
 namespace curveups {
 
-// One membrane of a design at its equilibrium.
-struct SolvedMembrane {
-  MembraneMesh mesh;
-  Points2 flat_corners;      // 3 M pin corners in the layout ...
-  Points3 actuated_corners;  // ... and in space
-  std::unique_ptr<MembraneEquilibrium> equilibrium;
-  MembraneState state;
-};
-
 class DesignForces {
  public:
   // Meshes the membranes and solves for their equilibrium and the contact forces. Throws what
@@ -29,6 +20,9 @@ class DesignForces {
   // found, Cancelled. geometry must outlive this.
   DesignForces(const DesignGeometry& geometry, const Parameters& parameters, const FlatPoses& poses,
                const Array6& q, const Progress& progress);
+  // The same from membranes that are solved already, on the coarser mesh, for these poses and q.
+  DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
+               std::array<SolvedMembrane, 2> solved, const FlatPoses& poses, const Array6& q);
 
   // Other poses and insets, same mesh. Throws InvalidInput where a triangle of the mesh turns over
   // (then mesh again), SolverFailure, Cancelled; what is held is then of no use until the next
@@ -47,6 +41,7 @@ class DesignForces {
 
  private:
   void solve_membranes(bool fresh, const Progress& progress);
+  void solve_contacts();
 
   const DesignGeometry& geometry_;
   Parameters parameters_;

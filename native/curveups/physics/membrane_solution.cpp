@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/physics/membrane_solution.hpp"
 
+#include <mutex>
+
 #include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
 
 namespace curveups {
 
@@ -31,32 +34,50 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
   const EquilibriumOptions options;
   MembraneSolution out;
   out.domain = make_membrane_domain(tiles, side);
-  const Points2 flat_corners = flat_pin_corners(tiles, poses, q, side);
   out.pin_corners = actuated_pin_corners(tiles, q, side, parameters.H_pin);
-  const MembraneMesh coarse =
-      make_membrane_mesh(out.domain, flat_corners, membrane_mesh_options(parameters), progress);
-  Points3 coarse_x;
-  {
-    MembraneEquilibrium equilibrium(coarse, vertex_positions(coarse.weights, flat_corners),
-                                    parameters.tau, material);
-    const MembraneState state = equilibrium.solve(
-        equilibrium.energy().harmonic(vertex_positions(coarse.weights, out.pin_corners)), options,
-        progress, what);
-    if (!keep_going(progress, what)) throw Cancelled();
-    out.coarse_iterations = state.iterations;
-    out.coarse_converged = state.converged;
-    out.coarse_forces = pin_corner_forces(coarse, state, tiles.tile_count());
-    coarse_x = state.x;
-  }
-  out.mesh = refine_mesh(coarse);
-  out.flat = vertex_positions(out.mesh.weights, flat_corners);
-  out.equilibrium =
-      std::make_unique<MembraneEquilibrium>(out.mesh, out.flat, parameters.tau, material);
+  SolvedMembrane& coarse = out.coarse;
+  coarse.flat_corners = flat_pin_corners(tiles, poses, q, side);
+  coarse.actuated_corners = out.pin_corners;
+  coarse.mesh = make_membrane_mesh(out.domain, coarse.flat_corners,
+                                   membrane_mesh_options(parameters), progress);
+  coarse.equilibrium = std::make_unique<MembraneEquilibrium>(
+      coarse.mesh, vertex_positions(coarse.mesh.weights, coarse.flat_corners), parameters.tau,
+      material);
+  coarse.state = coarse.equilibrium->solve(
+      coarse.equilibrium->energy().harmonic(vertex_positions(coarse.mesh.weights, out.pin_corners)),
+      options, progress, what);
+  if (!keep_going(progress, what)) throw Cancelled();
+  out.coarse_forces = pin_corner_forces(coarse.mesh, coarse.state, tiles.tile_count());
+
+  out.mesh = refine_mesh(coarse.mesh);
+  out.flat = vertex_positions(out.mesh.weights, coarse.flat_corners);
+  MembraneEquilibrium equilibrium(out.mesh, out.flat, parameters.tau, material);
   const Points3 glued = vertex_positions(out.mesh.weights, out.pin_corners);
-  out.state = out.equilibrium->solve(prolong(out.mesh, coarse_x, glued), options, progress, what);
+  out.state = equilibrium.solve(prolong(out.mesh, coarse.state.x, glued), options, progress, what);
   if (!keep_going(progress, what)) throw Cancelled();
   out.forces = pin_corner_forces(out.mesh, out.state, tiles.tile_count());
-  out.stretch = out.equilibrium->energy().stretches(out.state.x);
+  out.stretch = equilibrium.energy().stretches(out.state.x);
+  out.free_vertices = equilibrium.energy().free_count();
+  return out;
+}
+
+std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
+                                                const FlatPoses& poses, const Array6& q,
+                                                const Parameters& parameters,
+                                                const Progress& progress) {
+  std::mutex mutex;
+  Progress serial;
+  if (progress) {
+    serial = [&](const std::string& what, double fraction) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      return progress(what, fraction);
+    };
+  }
+  std::array<MembraneSolution, 2> out;
+  auto solve = [&](Side side) {
+    out[static_cast<int>(side)] = solve_membrane(geometry, poses, q, parameters, side, serial);
+  };
+  parallel_pair([&] { solve(Side::front); }, [&] { solve(Side::back); });
   return out;
 }
 

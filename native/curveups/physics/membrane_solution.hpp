@@ -3,6 +3,7 @@
 // finer, and the difference of the two estimates the error of discretisation.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "curveups/core/progress.hpp"
@@ -19,18 +20,26 @@ Forces extrapolate(const Forces& fine, const Forces& coarse) {
   return 2 * fine - coarse;
 }
 
+// A membrane at its equilibrium on one mesh, ready to follow other poses and pins (DesignForces).
+struct SolvedMembrane {
+  MembraneMesh mesh;
+  Points2 flat_corners;      // 3 M pin corners in the layout ...
+  Points3 actuated_corners;  // ... and in space
+  std::unique_ptr<MembraneEquilibrium> equilibrium;
+  MembraneState state;
+};
+
 struct MembraneSolution {
   MembraneDomain domain;
-  MembraneMesh mesh;                                 // the fine one
-  Points2 flat;                                      // of its vertices
-  Points3 pin_corners;                               // actuated, 3 M x 3
-  std::unique_ptr<MembraneEquilibrium> equilibrium;  // factorized at the fine solution
-  MembraneState state;
+  SolvedMembrane coarse;
+  MembraneMesh mesh;                     // the fine one
+  Points2 flat;                          // of its vertices
+  Points3 pin_corners;                   // actuated, 3 M x 3
+  MembraneState state;                   // on the fine mesh
   Points3 forces;                        // at pin corners, 3 M x 3, N
   Points3 coarse_forces;                 // the same from the coarse mesh
   std::vector<TriangleStretch> stretch;  // per triangle of `mesh`
-  int coarse_iterations = 0;
-  bool coarse_converged = false;
+  int free_vertices = 0;                 // of `mesh`
 };
 
 MembraneMeshOptions membrane_mesh_options(const Parameters& parameters);
@@ -40,5 +49,11 @@ MembraneMaterial membrane_material(const Parameters& parameters, Side side);
 MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses& poses,
                                 const Array6& q, const Parameters& parameters, Side side,
                                 const Progress& progress);
+
+// Front and back, on two threads where there are two; calls of progress come one at a time.
+std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
+                                                const FlatPoses& poses, const Array6& q,
+                                                const Parameters& parameters,
+                                                const Progress& progress);
 
 }  // namespace curveups

@@ -39,26 +39,6 @@ void check_arrays(const Design& design, const VerifyOptions& options, const Tile
   }
 }
 
-// Both sides, on two threads where there are two; calls of progress one at a time.
-Membranes solve_membranes(const DesignGeometry& geometry, const Design& design,
-                          const FlatPoses& poses, const Progress& progress) {
-  std::mutex mutex;
-  Progress serial;
-  if (progress) {
-    serial = [&](const std::string& what, double fraction) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      return progress(what, fraction);
-    };
-  }
-  Membranes out;
-  auto solve = [&](Side side) {
-    out[static_cast<int>(side)] =
-        solve_membrane(geometry, poses, design.q, design.parameters, side, serial);
-  };
-  parallel_pair([&] { solve(Side::front); }, [&] { solve(Side::back); });
-  return out;
-}
-
 Wrenches sum_wrenches(const Membranes& membranes, const Points3& centres,
                       Points3 MembraneSolution::*forces) {
   Wrenches wrenches = Wrenches::Zero(centres.rows(), 6);
@@ -76,11 +56,11 @@ void describe_membranes(const Membranes& membranes, const Points3& centres, doub
   for (int s = 0; s < 2; ++s) {
     const MembraneSolution& m = membranes[s];
     f.triangles += static_cast<int>(m.mesh.triangles.size());
-    f.free_vertices += m.equilibrium->energy().free_count();
-    f.newton_iterations[s] = m.coarse_iterations + m.state.iterations;
+    f.free_vertices += m.free_vertices;
+    f.newton_iterations[s] = m.coarse.state.iterations + m.state.iterations;
     f.fine_iterations[s] = m.state.iterations;
     f.residual = std::max(f.residual, m.state.residual);
-    f.converged = f.converged && m.state.converged && m.coarse_converged;
+    f.converged = f.converged && m.state.converged && m.coarse.state.converged;
     MembranePicture& picture = report.membrane[s];
     picture.flat = m.flat;
     picture.actuated = m.state.x;
@@ -184,6 +164,10 @@ std::vector<ContactPoint> tip_points(const TileMesh& tiles, const DesignGeometry
 
 }  // namespace
 
+bool SolvedDesign::belongs_to(const Design& design) const {
+  return mesh.V == design.mesh.V && mesh.F == design.mesh.F && T == design.T && q == design.q;
+}
+
 ValidationReport verify_design(const Design& design, const VerifyOptions& options,
                                const Progress& progress) {
   const Parameters& parameters = design.parameters;
@@ -194,7 +178,7 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
   ValidationReport report;
   Membranes membranes;
   try {
-    membranes = solve_membranes(geometry, design, poses, progress);
+    membranes = solve_membranes(geometry, poses, design.q, parameters, progress);
   } catch (const InfeasibleDesign& error) {
     report.reasons.push_back(error.what());
     return report;
@@ -223,6 +207,11 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
       forces.normal_mean > 0 ? forces.normal_mean : std::max(report.physics.mean_tile_force, 1e-12);
   report.contact_forces.f_min = least * std::max(0.0, forces.normal_mean);
   describe_contacts(tiles, system, forces, report);
+  if (options.keep_solution) {
+    report.solved = std::make_shared<SolvedDesign>();
+    *report.solved = {design.mesh, design.T, design.q, {}, forces.force.col(0)};
+    for (int s = 0; s < 2; ++s) report.solved->membranes[s] = std::move(membranes[s].coarse);
+  }
 
   // Three second-order cone programs and two clearances, independent of one another.
   UnilateralOptions coulomb_options;

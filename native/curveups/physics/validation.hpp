@@ -3,6 +3,7 @@
 // contacts that push only, and what a user must know before printing.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 #include "curveups/core/progress.hpp"
 #include "curveups/design/design.hpp"
 #include "curveups/physics/density.hpp"
-#include "curveups/physics/elastic_forces.hpp"
+#include "curveups/physics/membrane_solution.hpp"
 #include "curveups/physics/unilateral.hpp"
 
 namespace curveups {
@@ -19,7 +20,21 @@ struct VerifyOptions {
   // Where tiles touch when actuated, per contact: the bumps' tips (n x 3, world). Contacts without
   // any touch at their corners. Empty: no bumps.
   std::vector<Points3> bump_tips;
-  std::vector<int> held;  // with gravity "held"; empty: the lowest tile of each piece
+  std::vector<int> held;       // with gravity "held"; empty: the lowest tile of each piece
+  bool keep_solution = false;  // for repair
+};
+
+// What verification has solved and repair can start from.
+struct SolvedDesign {
+  TriangleMesh mesh;  // of the design ...
+  FlatCorners T;      // ... it belongs to
+  Array6 q;
+  std::array<SolvedMembrane, 2> membranes;  // front, back; on the coarser mesh, factorized there
+  // Least-squares normal forces from both meshes (extrapolated), N: in the order of
+  // interface_points, then the ground's.
+  Eigen::VectorXd normal;
+
+  bool belongs_to(const Design& design) const;
 };
 
 struct Warning {
@@ -90,6 +105,8 @@ struct ValidationReport {
       tile_normal_min;  // least normal force at each tile's points; NaN without contacts
   Wrenches elastic;     // M x 6, of the membranes
   MembranePicture membrane[2];
+  // Where it was asked for. Repair takes it over: what it pointed to is then empty.
+  std::shared_ptr<SolvedDesign> solved;
 };
 
 // Throws what make_geometry throws (InfeasibleDesign, TopologyError, InvalidInput), InvalidInput

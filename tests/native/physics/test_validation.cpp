@@ -3,7 +3,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/physics/membrane_solution.hpp"
+#include "curveups/physics/design_forces.hpp"
 #include "curveups/physics/validation.hpp"
 #include "domes.hpp"
 
@@ -186,6 +186,29 @@ TEST(Verify, IsTheSameWithOneThreadAndTwo) {
   EXPECT_EQ(one.contact_forces.normal_min, two.contact_forces.normal_min);
   EXPECT_EQ(one.physics.clearance_mm, two.physics.clearance_mm);
   EXPECT_EQ(one.reasons, two.reasons);
+}
+
+TEST(Verify, KeepsWhatRepairStartsFrom) {
+  Design design = dome();
+  EXPECT_FALSE(verify_design(design, {}, {}).solved);
+  VerifyOptions options;
+  options.keep_solution = true;
+  const ValidationReport r = verify_design(design, options, {});
+  ASSERT_TRUE(r.solved);
+  EXPECT_TRUE(r.solved->belongs_to(design));
+  EXPECT_EQ(r.solved->normal.minCoeff(), r.contact_forces.normal_min);
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  const FlatPoses poses = fit_poses(geometry.tiles, design.T);
+  const DesignForces fresh(geometry, design.parameters, poses, design.q, {});
+  DesignForces kept(geometry, design.parameters, std::move(r.solved->membranes), poses, design.q);
+  EXPECT_EQ(kept.contact_forces().force, fresh.contact_forces().force);
+  // It follows other poses and insets as a fresh one does.
+  const Array6 q = design.q.array() + 0.01;
+  kept.move(poses, q, {});
+  EXPECT_LT((kept.contact_forces().force - fresh.contact_forces().force).norm(),
+            0.1 * fresh.contact_forces().force.norm());
+  design.T(0, 0) += 1e-9;
+  EXPECT_FALSE(r.solved->belongs_to(design));
 }
 
 TEST(Verify, StopsWhenAskedTo) {
