@@ -12,11 +12,16 @@ import numpy as np
 
 from . import freecad_session, mesh_files
 from .errors import CurveUpsError
+from .gui_document import MESH_FLAT_LINES, SHADED, Box, View, append_views
 from .mesh_files import Mesh
 
 # Objects of the document, and the native module's kinds of bodies.
 BODIES = {"Tiles": "tiles", "Support": "support", "Anchors": "anchors"}
-# Showing the solids of more tiles takes OpenCASCADE's meshing several seconds: hidden until asked for.
+# sRGB as in STEP and 3MF (fabrication/palette.hpp), the target in the colour of its tiles.
+COLOURS = {"Tiles": (58, 110, 165), "Support": (222, 203, 164), "Anchors": (190, 92, 67),
+           "Target": (58, 110, 165)}
+# Showing the solids of more tiles takes OpenCASCADE's meshing several seconds: the target is shown
+# instead of them until they are asked for.
 MOST_SHOWN = 800
 
 FORMATS = "an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP"
@@ -153,7 +158,6 @@ def write_document(outcome: Any, path: Path) -> dict[str, str]:
     # A name that FreeCAD would take for another document's file is no harm: it is never shown.
     document = freecad.newDocument("CurveUps", hidden=True, temp=True)
     try:
-        # The view type is kept in the file: a window shows the shape without any Python of ours.
         design = document.addObject("App::FeaturePython", "Design")
         DesignProxy(design, outcome.design, outcome.verdict)
         design.Proxy.model = outcome.model
@@ -161,16 +165,34 @@ def write_document(outcome: Any, path: Path) -> dict[str, str]:
         surface.Mesh = mesh.Mesh([[tuple(map(float, outcome.design.V[v])) for v in face]
                                   for face in outcome.design.F])
         for name, kind in BODIES.items():
+            # A view without Python: those with it are shown on opening, hidden or not.
             body = document.addObject("Part::FeaturePython", name, None, None, False,
-                                      "PartGui::ViewProviderPart")
+                                      "PartGui::ViewProviderPartExt")
             BodiesProxy(body, design, kind)
-            body.Visibility = kind != "support" and len(outcome.design.F) <= MOST_SHOWN
         document.recompute()
         broken = [obj.Name for obj in document.Objects if "Invalid" in obj.State]
         if broken:
             raise CurveUpsError(f"the document's {broken[0]} can't be computed", outcome.name,
                                 "see FreeCAD's report view")
+        solids = len(outcome.design.F) <= MOST_SHOWN
+        shown = {"Design": True, "Target": not solids, "Tiles": solids, "Support": False,
+                 "Anchors": solids}
+        for name, value in shown.items():
+            document.getObject(name).Visibility = value
         document.saveAs(str(path))
     finally:
         freecad.closeDocument(document.Name)
+    views = [View(name, value, COLOURS.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
+             for name, value in shown.items()]
+    append_views(path, views, _print_box(outcome.model) if solids else _box(outcome.design.V))
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
+
+
+def _print_box(model: Any) -> Box:
+    """The print stands on z = 0, centred on the origin."""
+    x, y, z = model.bbox
+    return (-x / 2, -y / 2, 0.0), (x / 2, y / 2, z)
+
+
+def _box(V: np.ndarray) -> Box:
+    return V.min(axis=0), V.max(axis=0)

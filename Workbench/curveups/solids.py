@@ -42,11 +42,12 @@ def measure(model: Any, parameters: Any, progress: Progress) -> SolidFigures:
         smallest_feature_mm=min((size for _, _, size in model.thinnest), default=0.0),
         min_clearance_flat_mm=model.min_clearance_flat(),
         max_overlap_actuated_mm3=model.max_overlap_actuated(), unsound=unsound)
-    figures.warnings = _model_warnings(model) + _printer_warnings(model, figures, parameters)
+    figures.warnings = model_warnings(model) + _printer_warnings(model, figures, parameters)
     return figures
 
 
-def _model_warnings(model: Any) -> list[dict]:
+def model_warnings(model: Any) -> list[dict]:
+    """What the bodies lack, though they can be built."""
     warnings = []
     bare = list(model.bare_interfaces)
     if bare:

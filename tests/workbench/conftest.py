@@ -10,16 +10,8 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 
-from running import ROOT, dome, environment  # noqa: E402
-
-
-def freecad_home(folder, with_workbench):
-    """A home folder whose FreeCAD has the checkout as a Mod, or has not."""
-    for base in (folder / ".local/share/FreeCAD", folder / ".local/share/FreeCAD/v1-1"):
-        (base / "Mod").mkdir(parents=True)
-        if with_workbench:
-            (base / "Mod" / "CurveUps").symlink_to(ROOT)
-    return folder
+from running import dome, environment  # noqa: E402
+from window import freecad_home  # noqa: E402
 
 
 @pytest.fixture(scope="session")

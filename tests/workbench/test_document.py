@@ -2,6 +2,7 @@
 """The document in FreeCAD: reopening, recomputing, errors, and a FreeCAD without the workbench."""
 
 import json
+import re
 
 OPEN = """
 import FreeCAD
@@ -28,6 +29,7 @@ done()
 
 def test_every_parameter_is_a_property_with_unit_group_and_tooltip(freecad, document):
     freecad(OPEN + """
+from curveups.features import properties
 from curveups.native import native
 kept = native.read_design(design.Layout).parameters
 for row in native.parameter_table():
@@ -37,12 +39,13 @@ for row in native.parameter_table():
     assert design.getDocumentationOfProperty(row.name).startswith(row.meaning)
     kind = design.getTypeIdOfProperty(row.name)
     assert (kind == 'App::PropertyLength') == (row.unit == 'mm'), row.name
-    value = getattr(design, row.name)
-    value = getattr(value, 'Value', value)
+    assert (kind == 'App::PropertyPressure') == (row.unit == 'MPa'), row.name
+    value = properties.value_of(design, row)
     expected = kept.get(row.name)
     assert value == expected or abs(value - expected) < 1e-12 * abs(expected), row.name
     read_only = 'ReadOnly' in design.getEditorMode(row.name)
     assert read_only == (row.affects != 'geometry'), row.name
+assert design.shear_modulus_front.getValueAs('kPa').Value == 1000 * kept.get('shear_modulus_front')
 assert design.CurveUpsVersion
 done()
 """, path=document)
@@ -123,7 +126,17 @@ assert 'Up-to-date' in design.State
 assert abs(tiles.Shape.Volume / volume - 1) < 1e-12
 done()
 """, path=document)
-    assert "T000" in out, out
+    assert re.search(r"[1-9]\d* back faces vanish \(Design, T000", out), out
+
+
+def test_interfaces_that_lose_their_bumps_are_said(freecad, document):
+    out = freecad(OPEN + """
+design.bump_diameter = 9.9
+document.recompute()
+assert 'Up-to-date' in design.State
+done()
+""", path=document)
+    assert re.search(r"Design: [1-9]\d* interfaces carry no bumps", out), out
 
 
 def test_out_of_range_value_is_an_error_with_the_range(freecad, document):

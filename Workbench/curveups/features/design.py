@@ -13,6 +13,7 @@ from typing import Any
 from .. import __version__, pipeline
 from ..errors import CurveUpsError, from_native
 from ..native import native
+from ..solids import model_warnings
 from . import properties
 from .properties import HIDDEN, OUTPUT, READ_ONLY
 
@@ -55,10 +56,12 @@ class DesignProxy:
             model = native.make_print_model(design)
         except native.Error as error:
             raise from_native(error, obj.Label) from None
-        self._judge(obj, outcome, changed)
         self.model = model
+        self._judge(obj, outcome, changed)
 
     def _judge(self, obj: Any, outcome: Any, changed: list[str]) -> None:
+        import FreeCAD
+
         saved = json.loads(obj.SolvedVerdict)
         valid, reasons = saved["valid"], saved["reasons"]
         if changed:
@@ -67,10 +70,15 @@ class DesignProxy:
             valid, reasons = verdict.valid, verdict.reasons
         obj.Verdict = {True: "valid", False: "not valid", None: "not judged"}[valid]
         obj.Reasons = reasons
-        if valid is False and changed:
-            import FreeCAD
+        if changed:
+            found = [warning["what"] for warning in model_warnings(self.model)]
+            for text in (reasons if valid is False else []) + found:
+                FreeCAD.Console.PrintWarning(f"{obj.Label}: {text}\n")
 
-            FreeCAD.Console.PrintWarning(f"{obj.Label}: {'; '.join(reasons)}\n")
+    def onChanged(self, obj: Any, name: str) -> None:
+        """A parameter that changed, by undo as well, leaves the model behind."""
+        if properties.is_free(name):
+            self.model = None
 
     def shape(self, obj: Any, kind: str) -> Any:
         """The compound of one kind of body, from the last recompute."""

@@ -11,7 +11,11 @@ READ_ONLY, TRANSIENT, HIDDEN, OUTPUT = 1, 2, 4, 8
 
 _TYPES = {"integer": "App::PropertyInteger", "switch": "App::PropertyBool",
           "choice": "App::PropertyEnumeration"}
-_UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea"}
+# Types whose editor shows the unit. Where a FreeCAD lacks one (density before 0.21) the number is
+# plain and its tooltip names the unit.
+_UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
+               "MPa": "App::PropertyPressure", "g/cm3": "App::PropertyDensity"}
+_UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
 
 # What a recompute can follow without solving the layout again.
 FREE = ("geometry",)
@@ -22,10 +26,13 @@ def add_parameters(obj: Any, parameters: Any) -> None:
 
     Those that need the layout solved again are read-only: recomputing never solves.
     """
+    supported = obj.supportedProperties()
     for row in native.parameter_table():
         if row.name in obj.PropertiesList or row.group in ("Files", "Stages"):
             continue
-        kind = _TYPES.get(row.type) or _UNIT_TYPES.get(row.unit, "App::PropertyFloat")
+        kind = _TYPES.get(row.type) or _UNIT_TYPES.get(row.unit)
+        if kind not in supported:
+            kind = "App::PropertyFloat"
         free = row.affects in FREE
         tip = row.meaning + _range(row)
         if not free:
@@ -33,7 +40,18 @@ def add_parameters(obj: Any, parameters: Any) -> None:
         obj.addProperty(kind, row.name, row.group, tip, 0 if free else READ_ONLY)
         if row.choices:
             setattr(obj, row.name, list(row.choices))
-        setattr(obj, row.name, parameters.get(row.name))
+        value = parameters.get(row.name)
+        if hasattr(getattr(obj, row.name), "getValueAs"):
+            value = f"{value!r} {_UNITS.get(row.unit, row.unit)}"  # FreeCAD's own unit may be another
+        setattr(obj, row.name, value)
+
+
+def value_of(obj: Any, row: Any) -> Any:
+    """What the property of a parameter says, in the parameter's unit."""
+    value = getattr(obj, row.name)
+    if hasattr(value, "getValueAs"):
+        return value.getValueAs(_UNITS.get(row.unit, row.unit)).Value
+    return value
 
 
 def _range(row: Any) -> str:
@@ -41,6 +59,11 @@ def _range(row: Any) -> str:
         return ""
     unit = f" {row.unit}" if row.unit else ""
     return f" From {row.minimum:g} to {row.maximum:g}{unit}."
+
+
+def is_free(name: str) -> bool:
+    """Whether a recompute follows the property of this name."""
+    return any(row.name == name and row.affects in FREE for row in native.parameter_table())
 
 
 def apply_to(obj: Any, parameters: Any) -> list[str]:
@@ -52,8 +75,7 @@ def apply_to(obj: Any, parameters: Any) -> list[str]:
     for row in native.parameter_table():
         if row.affects not in FREE or row.name not in obj.PropertiesList:
             continue
-        value = getattr(obj, row.name)
-        value = getattr(value, "Value", value)
+        value = value_of(obj, row)
         before = parameters.get(row.name)
         if isinstance(before, float):
             same = abs(value - before) <= 1e-12 * max(abs(value), abs(before))

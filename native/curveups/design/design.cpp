@@ -2,6 +2,7 @@
 #include "curveups/design/design.hpp"
 
 #include <cmath>
+#include <string>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/design/remote_overlaps.hpp"
@@ -14,9 +15,10 @@ DesignGeometry make_geometry(const TriangleMesh& mesh, const Edges& cuts,
   geometry.tiles = make_tile_mesh(mesh, cuts, parameters.H_body);
   std::vector<int> without = tiles_without_back(geometry.tiles);
   if (!without.empty()) {
-    throw InfeasibleDesign("folds are too sharp for tiles of this thickness: " +
-                               std::to_string(without.size()) + " back faces vanish",
-                           "lower H_body, raise L or smooth the target there", std::move(without));
+    const std::string count = std::to_string(without.size());
+    throw InfeasibleDesign(
+        "folds are too sharp for tiles of this thickness: " + count + " back faces vanish",
+        "lower H_body, raise L or smooth the target there", std::move(without));
   }
   geometry.truncation = truncate_at_vertices(geometry.tiles);
   geometry.patches = compute_contact_patches(geometry.tiles, geometry.truncation);

@@ -52,9 +52,9 @@ Json to_json(const Matrix& m, int rows_per_entry) {
   return out;
 }
 
-const Json& field(const Json& json, const std::string& name) {
+const Json& field(const Json& json, const char* name) {
   const auto it = json.find(name);
-  if (it == json.end()) refuse("\"" + name + "\"", "is missing");
+  if (it == json.end()) refuse("\"" + std::string(name) + "\"", "is missing");
   return *it;
 }
 

@@ -2,10 +2,16 @@
 // This file uses CGAL's AABB tree, which is GPL-3.0-or-later (see README, Licence).
 #include "curveups/geometry/closest_points.hpp"
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/config.h>
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else  // the names of before, without the dimension
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +25,22 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Triangle = Kernel::Triangle_3;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using TriangleList = std::vector<Triangle>;
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, TriangleList::const_iterator>;
+using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, TriangleList::const_iterator>;
+using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
+using Tree = CGAL::AABB_tree<Traits>;
 
 Kernel::Point_3 point(const Points3& V, int v) { return {V(v, 0), V(v, 1), V(v, 2)}; }
 
 }  // namespace
 
 struct ClosestPoints::Impl {
-  std::vector<Triangle> triangles;
+  TriangleList triangles;
   Tree tree;
 };
 

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a window shows of a document that was made without one.
+
+FreeCAD keeps visibility, colours and camera in a part of the file that only a window writes; without
+it every shape is shown, in grey, whatever the objects say. This writes that part, with just the
+properties that differ from FreeCAD's defaults.
+"""
+
+from __future__ import annotations
+
+import math
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Sequence
+from xml.sax.saxutils import quoteattr
+
+Box = tuple[Sequence[float], Sequence[float]]  # least and largest corner, mm
+
+# Places in FreeCAD's lists of display modes.
+SHADED, MESH_FLAT_LINES = 1, 2
+TWO_SIDE = 1
+
+
+@dataclass
+class View:
+    """How one object is shown. `colour`: sRGB, 0 to 255; None for an object without a shape."""
+
+    name: str
+    shown: bool
+    colour: tuple[int, int, int] | None = None
+    display_mode: int = SHADED
+
+
+def append_views(path: Path, views: Sequence[View], box: Box) -> None:
+    """Adds the views and a camera that sees `box` from the front to a document without them."""
+    with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as archive:
+        # A fixed time: the same document has the same bytes here.
+        entry = zipfile.ZipInfo("GuiDocument.xml", (1980, 1, 1, 0, 0, 0))
+        entry.compress_type = zipfile.ZIP_DEFLATED
+        archive.writestr(entry, _document(views, box))
+
+
+def _document(views: Sequence[View], box: Box) -> str:
+    providers = "\n".join(_provider(view) for view in views)
+    return ("<?xml version='1.0' encoding='utf-8'?>\n"
+            '<Document SchemaVersion="1">\n'
+            f'<ViewProviderData Count="{len(views)}">\n{providers}\n</ViewProviderData>\n'
+            f"<Camera settings={quoteattr(_camera(box), {chr(10): '&#10;'})}/>\n</Document>\n")
+
+
+def _provider(view: View) -> str:
+    properties = []
+    if view.colour is not None:
+        red, green, blue = view.colour
+        packed = red << 24 | green << 16 | blue << 8
+        properties += [
+            ("ShapeColor", "App::PropertyColor", f'<PropertyColor value="{packed}"/>'),
+            ("DisplayMode", "App::PropertyEnumeration", f'<Integer value="{view.display_mode}"/>'),
+            ("Lighting", "App::PropertyEnumeration", f'<Integer value="{TWO_SIDE}"/>')]
+    shown = "true" if view.shown else "false"
+    properties.append(("Visibility", "App::PropertyBool", f'<Bool value="{shown}"/>'))
+    rows = "\n".join(f'<Property name="{name}" type="{kind}">{value}</Property>'
+                     for name, kind, value in properties)
+    return (f'<ViewProvider name="{view.name}" expanded="1">\n'
+            f'<Properties Count="{len(properties)}" TransientCount="0">\n{rows}\n</Properties>\n'
+            "</ViewProvider>")
+
+
+def _camera(box: Box) -> str:
+    """Looks at the box obliquely from above (a print lies flat), wide enough for it."""
+    middle = [(a + b) / 2 for a, b in zip(*box)]
+    size = math.dist(*box) or 1.0
+    turn, tilt = math.radians(20), math.radians(38)  # about z, then from the view from the top
+    towards = (math.sin(turn) * math.sin(tilt), -math.cos(turn) * math.sin(tilt), math.cos(tilt))
+    eye = [m + s * size for m, s in zip(middle, towards)]
+    # The rotation as axis and angle, by way of its quaternion.
+    w = math.cos(turn / 2) * math.cos(tilt / 2)
+    axis = (math.cos(turn / 2) * math.sin(tilt / 2), math.sin(turn / 2) * math.sin(tilt / 2),
+            math.sin(turn / 2) * math.cos(tilt / 2))
+    length = math.hypot(*axis)
+    x, y, z = (component / length for component in axis)
+    return ("OrthographicCamera {\n"
+            "  viewportMapping ADJUST_CAMERA\n"
+            f"  position {eye[0]:.6g} {eye[1]:.6g} {eye[2]:.6g}\n"
+            f"  orientation {x:.8g} {y:.8g} {z:.8g} {2 * math.acos(w):.8g}\n"
+            f"  nearDistance 0\n  farDistance {2 * size:.6g}\n"
+            f"  aspectRatio 1\n  focalDistance {size:.6g}\n  height {0.85 * size:.6g}\n}}\n")
