@@ -2,6 +2,7 @@
 #include "curveups/design/parameters.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -138,7 +139,12 @@ std::vector<ParameterInfo> make_table() {
 }
 // clang-format on
 
+// Insertions, deletions and replacements of letters, whatever their case.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
+  const auto differ = [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) !=
+           std::tolower(static_cast<unsigned char>(y));
+  };
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -146,7 +152,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + differ(a[i - 1], b[j - 1])});
       diagonal = above;
     }
   }
@@ -164,9 +170,11 @@ const ParameterInfo& find(std::string_view name) {
       least = distance;
     }
   }
+  // One wrong letter in three still leaves a name that can be told from others.
+  const std::size_t most = std::min<std::size_t>(3, name.size() / 3);
   throw InvalidInput("unknown parameter '" + std::string(name) + "'",
-                     least <= 3 ? "did you mean '" + std::string(nearest->name) + "'?"
-                                : "list them with 'curveups parameters'");
+                     least <= most ? "did you mean '" + std::string(nearest->name) + "'?"
+                                   : "list them with 'curveups parameters'");
 }
 
 std::string number(double value) {
