@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/design/pins.hpp"
 
-#include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "curveups/design/pin_room.hpp"
 
 namespace curveups {
 namespace {
@@ -12,94 +11,6 @@ namespace {
 std::array<double, 3> insets(Side side, const double* q) {
   const double* own = q + inset_index(side, 0);
   return {own[0], own[1], own[2]};
-}
-
-// Inset t of a pin's lower bound: p_min from the recessed edge, and no nearer to a facing pin than
-// concave folds allow.
-double lower_bound(const TileMesh& tiles, const Parameters& p, int tile, Side side, int t,
-                   double p_min) {
-  const int edge = tiles.topology.edge_of(tile, t);
-  const bool interior = tiles.topology.neighbour(tile, t) >= 0;
-  const double half = 0.5 * tiles.fold(tile, t);
-  const double recess = interior && !tiles.cut[edge] ? wall_recess(p) / std::cos(half) : 0.0;
-  const double bend = side == Side::front ? -half : half;  // positive: concave on this side
-  const double facing = bend > 0 ? p.H_pin * std::tan(bend) + p.pin_clearance : 0.0;
-  return std::max(recess + p_min, facing);
-}
-
-double upper_bound(const TileMesh& tiles, const Parameters& p, int tile, Side side, int t) {
-  const int edge = tiles.topology.edge_of(tile, t);
-  if (tiles.topology.neighbour(tile, t) < 0 || tiles.cut[edge]) return p.p_max;
-  const double half = 0.5 * tiles.fold(tile, t);
-  const double bend = side == Side::front ? half : -half;  // positive: convex on this side
-  if (bend <= 0) return p.p_max;
-  return std::min(p.p_max, p.H_pin / std::tan(bend) - p.pin_clearance);
-}
-
-// Pin corners that a plane could reach within the bounds. levels: z of the pin's foot and top.
-void add_keepouts(const TileMesh& tiles, int tile, Side side, const TruncationPlane& truncation,
-                  double clearance, const std::array<double, 2>& levels, const double* lower,
-                  const double* upper, std::vector<PinKeepout>& out) {
-  const Plane& plane = truncation.plane;
-  const Vec2 normal = plane.normal.head<2>();
-  if (normal.norm() < 1e-9) return;
-  const std::array<Vec2, 3>& face = tiles.corners(tile, side);
-  for (int t = 0; t < 3; ++t) {
-    const Vec2 along = (face[next3(t)] - face[t]).normalized();
-    const Vec2 back = (face[prev3(t)] - face[t]).normalized();
-    const double sine = wedge(along, back);
-    const double level = std::max(plane.normal.z() * levels[0], plane.normal.z() * levels[1]);
-    const PinKeepout keepout{
-        tile,
-        side,
-        t,
-        -normal.dot(along) / sine,
-        -normal.dot(back) / sine,
-        normal.dot(face[t]) + level - plane.offset + clearance * normal.norm()};
-    const int prev = inset_index(side, prev3(t)), here = inset_index(side, t);
-    const double least = keepout.a_prev * (keepout.a_prev > 0 ? lower : upper)[prev] +
-                         keepout.a_here * (keepout.a_here > 0 ? lower : upper)[here];
-    if (least < keepout.bound) out.push_back(keepout);
-  }
-}
-
-// The least of sum l_t q_t within bounds and keep-outs: a linear program in three unknowns, solved
-// by visiting the vertices of its polyhedron. Infinite where there is none.
-double least_inset_sum(const Vec3& weight, const double* lower, const double* upper,
-                       const std::vector<PinKeepout>& keepouts, Side side) {
-  std::vector<std::pair<Vec3, double>> half_spaces;  // a . q >= b
-  for (int t = 0; t < 3; ++t) {
-    half_spaces.push_back({Vec3::Unit(t), lower[t]});
-    half_spaces.push_back({-Vec3::Unit(t), -upper[t]});
-  }
-  for (const PinKeepout& keepout : keepouts) {
-    if (keepout.side != side) continue;
-    Vec3 a = Vec3::Zero();
-    a(prev3(keepout.corner)) = keepout.a_prev;
-    a(keepout.corner) = keepout.a_here;
-    half_spaces.push_back({a, keepout.bound});
-  }
-  double best = std::numeric_limits<double>::infinity();
-  const std::size_t n = half_spaces.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      for (std::size_t k = j + 1; k < n; ++k) {
-        Eigen::Matrix3d m;
-        m << half_spaces[i].first.transpose(), half_spaces[j].first.transpose(),
-            half_spaces[k].first.transpose();
-        const double det = m.determinant();
-        if (std::abs(det) < 1e-9) continue;
-        const Vec3 q =
-            m.inverse() * Vec3(half_spaces[i].second, half_spaces[j].second, half_spaces[k].second);
-        if (weight.dot(q) >= best) continue;
-        const bool feasible =
-            std::all_of(half_spaces.begin(), half_spaces.end(),
-                        [&](const auto& h) { return h.first.dot(q) >= h.second - 1e-9; });
-        if (feasible) best = weight.dot(q);
-      }
-    }
-  }
-  return best;
 }
 
 }  // namespace
@@ -130,50 +41,27 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
   out.lower.resize(count, 6);
   out.upper.resize(count, 6);
   out.least_area.resize(count, 2);
-  constexpr double room = 0.02;  // between bounds that contradict one another, for interior points
-  std::vector<PinKeepout> keepouts;
   for (int i = 0; i < count; ++i) {
     for (Side side : {Side::front, Side::back}) {
-      const int s = static_cast<int>(side), first = inset_index(side, 0);
-      double* lower = out.lower.row(i).data();
-      double* upper = out.upper.row(i).data();
-      const double face_z = side == Side::front ? 0.0 : -tiles.H_body;
-      const double top_z = side == Side::front ? p.H_pin : face_z - p.H_pin;
-      const Vec3 weight = tiles.length.row(i);
-      double shift = 0;
-      if (side == Side::back) shift = tiles.back_shift.row(i).dot(tiles.length.row(i));
-      // The largest area with this p_min.
-      auto largest_area = [&](double p_min) {
-        for (int t = 0; t < 3; ++t) {
-          lower[first + t] = lower_bound(tiles, p, i, side, t, p_min);
-          upper[first + t] = std::max(lower[first + t] + room, upper_bound(tiles, p, i, side, t));
-        }
-        keepouts.clear();
-        const auto& planes = side == Side::front ? truncation.front_pins : truncation.of_tile;
-        for (const TruncationPlane& plane : planes[i]) {
-          add_keepouts(tiles, i, side, plane, p.pin_clearance, {face_z, top_z}, lower, upper,
-                       keepouts);
-        }
-        const double sum = keepouts.empty() ? weight.dot(Eigen::Map<const Vec3>(lower + first))
-                                            : least_inset_sum(weight, lower + first, upper + first,
-                                                              keepouts, side);
-        const double scale = 1 - (shift + sum) / (2 * tiles.area(i));
-        return scale > 0 ? tiles.area(i) * scale * scale : 0.0;
-      };
-      double largest = largest_area(p.p_min);
-      if (largest < p.A_pin_floor) {
+      auto with = [&](double p_min) { return pin_room(tiles, truncation, p, i, side, p_min); };
+      PinRoom room = with(p.p_min);
+      if (room.area < p.A_pin_floor) {
         double low = 0.1 * p.p_min, high = p.p_min;
         for (int k = 0; k < 30; ++k) {
           const double middle = 0.5 * (low + high);
-          (largest_area(middle) >= 1.02 * p.A_pin_floor ? low : high) = middle;
+          (with(middle).area >= 1.02 * p.A_pin_floor ? low : high) = middle;
         }
-        largest = largest_area(low);
+        room = with(low);
+      }
+      for (int t = 0; t < 3; ++t) {
+        out.lower(i, inset_index(side, t)) = room.lower[t];
+        out.upper(i, inset_index(side, t)) = room.upper[t];
       }
       // A hair of room where only a single point would be feasible.
-      const bool small = largest < p.A_pin_min * (1 + 1e-4);
-      out.least_area(i, s) = small ? 0.99 * largest : p.A_pin_min;
-      if (small) out.small.push_back({i, side, largest});
-      out.keepouts.insert(out.keepouts.end(), keepouts.begin(), keepouts.end());
+      const bool small = room.area < p.A_pin_min * (1 + 1e-4);
+      out.least_area(i, static_cast<int>(side)) = small ? 0.99 * room.area : p.A_pin_min;
+      if (small) out.small.push_back({i, side, room.area});
+      out.keepouts.insert(out.keepouts.end(), room.keepouts.begin(), room.keepouts.end());
     }
   }
   return out;

@@ -79,6 +79,7 @@ VertexPatch VertexPatches::around(int vertex) const {
   for (int k = 0; k < count; ++k) {
     const int tile = out.tiles[k];
     if (std::binary_search(changed.begin(), changed.end(), tile)) out.changed.push_back(k);
+    if (std::binary_search(near.begin(), near.end(), tile)) out.near.push_back(k);
     for (const TruncationPlane& plane : geometry_.truncation.of_tile[tile]) {
       out.remote = out.remote || plane.vertex < 0;
     }
@@ -106,23 +107,24 @@ LocalGeometry local_geometry(const VertexPatch& patch, const Vec3& position) {
   mesh.V.row(patch.moving) = position.transpose();
   LocalGeometry out;
   out.tiles = make_tile_mesh(mesh, patch.cuts, patch.H_body);
-  Truncation truncation = truncate_at_vertices(out.tiles);
-  out.patches = compute_contact_patches(out.tiles, truncation);
-  if (patch.remote) separate_remote_tiles(out.tiles, out.patches, truncation);
+  out.truncation = truncate_at_vertices(out.tiles);
+  out.patches = compute_contact_patches(out.tiles, out.truncation);
+  if (patch.remote) separate_remote_tiles(out.tiles, out.patches, out.truncation);
   return out;
 }
 
 Eigen::MatrixXd derivatives_by_vertex(
     const VertexPatch& patch, const std::function<Eigen::VectorXd(const LocalGeometry&)>& measure) {
-  // Shapes vary over millimetres: the error of the differences is h^4, that of rounding 1e-14 / h.
-  constexpr double h = 1e-3;
+  // Shapes vary over millimetres: the error of the differences is some h^2, that of rounding
+  // 1e-14 / h.
+  constexpr double h = 1e-4;
   const Vec3 here = patch.mesh.V.row(patch.moving);
   Eigen::MatrixXd out;
   for (int axis = 0; axis < 3; ++axis) {
     auto at = [&](double step) {
       return measure(local_geometry(patch, here + step * h * Vec3::Unit(axis)));
     };
-    const Eigen::VectorXd column = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
+    const Eigen::VectorXd column = (at(1) - at(-1)) / (2 * h);
     if (out.size() == 0) out.resize(column.size(), 3);
     out.col(axis) = column;
   }

@@ -15,6 +15,7 @@ namespace curveups {
 // Tiles and interfaces around a vertex, numbered as in a mesh of their own.
 struct LocalGeometry {
   TileMesh tiles;
+  Truncation truncation;
   std::vector<ContactPatch> patches;
 };
 
@@ -25,6 +26,7 @@ struct VertexPatch {
   int moving;                 // the vertex, in `mesh`
   std::vector<int> tiles;     // of the design, ascending
   std::vector<int> changed;   // into `tiles`: those whose shape the vertex changes
+  std::vector<int> near;      // into `tiles`: those whose shape or truncation planes it changes
   std::vector<int> contacts;  // of the design, as `mesh` numbers them; -1 where the vertex does not
                               // change the interface
   bool remote;                // tiles without a common vertex overlap here
@@ -52,8 +54,8 @@ class VertexPatches {
 LocalGeometry local_geometry(const VertexPatch& patch, const Vec3& position);
 
 // Derivatives (one row per entry of what `measure` returns, columns x, y, z) by the patch's vertex,
-// by central differences of fourth order: the functions are closed forms, differentiated to some
-// 1e-10. `measure` must not depend on the rim.
+// by central differences: the functions are closed forms, differentiated to some 1e-8. `measure`
+// must not depend on the rim.
 Eigen::MatrixXd derivatives_by_vertex(
     const VertexPatch& patch, const std::function<Eigen::VectorXd(const LocalGeometry&)>& measure);
 

@@ -109,6 +109,9 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
   ArrayXd price(rows);
   price.head(sparse) = problem.sparse_price;
   price.tail(dense) = problem.dense_price;
+  ArrayXd stiffness = ArrayXd::Zero(rows);
+  stiffness.tail(dense) = problem.dense_stiffness;
+  const VectorXd wanted = problem.wanted.size() > 0 ? problem.wanted : VectorXd::Zero(n);
   WeightedNormal normal(problem.sparse);
   SparseCholesky cholesky;
 
@@ -118,7 +121,8 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
   double mu = 1e-2;
   const ArrayXd at_start = rows_times(problem, z.matrix()).array() + c.array();
   ArrayXd s = at_start.max(0.1), e = (s - at_start).max(1e-3);
-  ArrayXd m = (mu / s).min(0.5 * price), slack_price = price - m;
+  // What e costs beyond its row's multiplier.
+  ArrayXd m = (mu / s).min(0.5 * (price + stiffness * e)), slack_price = price + stiffness * e - m;
   ArrayXd ml = mu / (z - problem.lower.array()), mh = mu / (problem.upper.array() - z);
 
   LeastStep out;
@@ -126,7 +130,8 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
   while (out.iterations < most_iterations) {
     const ArrayXd low = z - problem.lower.array(), high = problem.upper.array() - z;
     const ArrayXd residual = rows_times(problem, z.matrix()).array() + c.array() + e - s;
-    const ArrayXd dual = z - transposed_times(problem, m.matrix()).array() - ml + mh;
+    const ArrayXd dual =
+        z - wanted.array() - transposed_times(problem, m.matrix()).array() - ml + mh;
     const double products =
         (s * m).sum() + (e * slack_price).sum() + (low * ml).sum() + (high * mh).sum();
     mu = products / static_cast<double>(2 * rows + 2 * n);
@@ -141,9 +146,11 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
     }
     ++out.iterations;
     const double target = 0.15 * mu;
-    const ArrayXd weight = 1 / (s / m + e / slack_price);
-    const ArrayXd k = -residual - target / slack_price + e + target / m - s;
-    const VectorXd right = -z.matrix() + transposed_times(problem, (m + weight * k).matrix()) +
+    const ArrayXd give = slack_price + stiffness * e;
+    const ArrayXd weight = 1 / (s / m + e / give);
+    const ArrayXd k = -residual - (target - e * slack_price) / give + target / m - s;
+    const VectorXd right = wanted - z.matrix() +
+                           transposed_times(problem, (m + weight * k).matrix()) +
                            (target / low - target / high).matrix();
     if (!cholesky.factorize(normal.assemble(weight.head(sparse), 1 + ml / low + mh / high))) break;
     Eigen::MatrixXd sides(n, 1 + dense);
@@ -159,20 +166,22 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
     }
     if (!dz.allFinite()) break;
     const ArrayXd dm = weight * (k - rows_times(problem, dz).array());
-    const ArrayXd de = target / slack_price - e + e / slack_price * dm,
+    const ArrayXd de = (target - e * slack_price + e * dm) / give, dl = stiffness * de - dm,
                   ds = target / m - s - s / m * dm;
     const ArrayXd dml = target / low - ml - ml / low * dz.array(),
                   dmh = target / high - mh + mh / high * dz.array();
-    const double primal = std::min({step_length(s, ds), step_length(e, de),
-                                    step_length(low, dz.array()), step_length(high, -dz.array())});
-    const double dual_step = std::min({step_length(m, dm), step_length(slack_price, -dm),
-                                       step_length(ml, dml), step_length(mh, dmh)});
+    double primal = std::min({step_length(s, ds), step_length(e, de), step_length(low, dz.array()),
+                              step_length(high, -dz.array())});
+    double dual_step = std::min({step_length(m, dm), step_length(slack_price, dl),
+                                 step_length(ml, dml), step_length(mh, dmh)});
+    // The price of e couples both kinds where it rises with e.
+    if (problem.dense_stiffness > 0) primal = dual_step = std::min(primal, dual_step);
     z += primal * dz.array();
     s += primal * ds;
     e += primal * de;
     m += dual_step * dm;
     // Kept apart from price - m, which cancels where a row stays unmet.
-    slack_price -= dual_step * dm;
+    slack_price += dual_step * dl;
     ml += dual_step * dml;
     mh += dual_step * dmh;
   }

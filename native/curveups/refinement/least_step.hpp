@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The subproblem of every repair step: the least step that keeps linearised constraints,
-//   minimise 1/2 |z|^2 + price . e   subject to   C z + c + e >= 0,  e >= 0,  lower <= z <= upper.
+//   minimise 1/2 |z - wanted|^2 + price . e + 1/2 e . stiffness e
+//   subject to   C z + c + e >= 0,  e >= 0,  lower <= z <= upper.
 // Rows are sparse (layout constraints) or dense (normal forces: few, each of all unknowns). The
 // elastic e makes every problem feasible: where constraints contradict one another the dearer ones
 // win, and a row's e tells what is missing. A convex problem, solved by a primal-dual
@@ -20,8 +21,10 @@ struct LeastStepProblem {
   Eigen::VectorXd sparse_value;  // c
   Eigen::MatrixXd dense;         // one column per row of C
   Eigen::VectorXd dense_value;
-  Eigen::VectorXd lower, upper;  // lower < upper, zero between them or on one of them
+  Eigen::VectorXd lower, upper;  // lower < upper, within which zero lies or on one of which
+  Eigen::VectorXd wanted;        // empty for zero
   double sparse_price = 1e4, dense_price = 1e3;
+  double dense_stiffness = 0;  // with a small price: dense rows as a quadratic penalty
 };
 
 struct LeastStep {

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/refinement/pin_relief.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
+#include "curveups/design/pin_room.hpp"
+#include "curveups/design/vertex_patch.hpp"
+#include "curveups/refinement/least_step.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr double largest_move_of_L = 1.0 / 15;
+// Sides are lifted to a little more than A_pin_min, room for the layout; those with less than
+// `watched` times A_pin_min must not lose what they need.
+constexpr double goal = 1.03, watched = 1.5;
+// Steps after which sides that still miss A_pin_min are given up.
+constexpr int patience = 5;
+
+using PinSide = std::pair<int, Side>;  // of a tile
+using PinSides = std::set<PinSide>;
+
+// By how much the linear scale of the largest pin exceeds the goal, in mm.
+double excess(const TileMesh& tiles, const Truncation& truncation, const Parameters& p, int tile,
+              Side side) {
+  const double scale = pin_room(tiles, truncation, p, tile, side, p.p_min).scale;
+  return p.L * (scale - std::sqrt(goal * p.A_pin_min / tiles.area(tile)));
+}
+
+class Relief {
+ public:
+  Relief(const TriangleMesh& target, const Edges& cuts, const Parameters& parameters,
+         const Progress& progress)
+      : target_(target), cuts_(cuts), parameters_(parameters), progress_(progress) {
+    weight_ = Eigen::VectorXd::Zero(target.V.rows());
+    for (int i = 0; i < target.F.rows(); ++i) {
+      const double third = face_area_vector(target, i).norm() / 3;
+      for (int t = 0; t < 3; ++t) weight_(target.F(i, t)) += third;
+    }
+  }
+
+  DesignGeometry geometry(const TriangleMesh& mesh) const {
+    return make_geometry(mesh, cuts_, parameters_);
+  }
+
+  // The target moved as little as lets sides reach the goal. Sides out of reach leave `asked`:
+  // nothing moves for them.
+  TriangleMesh lift(PinSides& asked) const;
+
+ private:
+  struct Row {
+    double value;  // must stay or become positive
+    std::vector<std::pair<int, Vec3>> by_vertex;
+  };
+  std::vector<Row> rows(const DesignGeometry& here, const PinSides& asked,
+                        const std::vector<int>& vertices) const;
+  bool step(const std::vector<Row>& rows, const std::vector<int>& vertices,
+            TriangleMesh& mesh) const;
+
+  const TriangleMesh& target_;
+  const Edges& cuts_;
+  const Parameters& parameters_;
+  const Progress& progress_;
+  Eigen::VectorXd weight_;  // A_j of Eq. 4
+};
+
+std::vector<Relief::Row> Relief::rows(const DesignGeometry& here, const PinSides& asked,
+                                      const std::vector<int>& vertices) const {
+  struct Entry {
+    PinSide side;
+    Vec3 derivative;
+  };
+  const VertexPatches patches(here);
+  std::vector<std::vector<Entry>> entries(vertices.size());
+  parallel_ranges(static_cast<int>(vertices.size()), [&](int begin, int end) {
+    for (int v = begin; v < end; ++v) {
+      const VertexPatch patch = patches.around(vertices[v]);
+      std::vector<std::pair<int, Side>> local;
+      for (int k : patch.near) {
+        for (Side side : {Side::front, Side::back}) {
+          const int tile = patch.tiles[k];
+          const PinRoom room =
+              pin_room(here.tiles, here.truncation, parameters_, tile, side, parameters_.p_min);
+          const bool close = room.area < watched * parameters_.A_pin_min;
+          if (!std::isfinite(room.scale) || !(close || asked.count({tile, side}))) continue;
+          local.push_back({k, side});
+        }
+      }
+      if (local.empty()) continue;
+      const Eigen::MatrixXd by_vertex = derivatives_by_vertex(patch, [&](const LocalGeometry& g) {
+        Eigen::VectorXd out(static_cast<Eigen::Index>(local.size()));
+        for (std::size_t r = 0; r < local.size(); ++r) {
+          out(static_cast<Eigen::Index>(r)) =
+              excess(g.tiles, g.truncation, parameters_, local[r].first, local[r].second);
+        }
+        return out;
+      });
+      for (std::size_t r = 0; r < local.size(); ++r) {
+        const Vec3 derivative = by_vertex.row(static_cast<Eigen::Index>(r));
+        if (derivative.allFinite() && derivative.norm() > 1e-9) {
+          entries[v].push_back({{patch.tiles[local[r].first], local[r].second}, derivative});
+        }
+      }
+    }
+  });
+  std::map<PinSide, Row> found;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    for (const Entry& entry : entries[v]) {
+      found[entry.side].by_vertex.push_back({static_cast<int>(v), entry.derivative});
+    }
+  }
+  std::vector<Row> out;
+  for (auto& [side, row] : found) {
+    const double value = excess(here.tiles, here.truncation, parameters_, side.first, side.second);
+    // Sides that are not asked for must not lose what they have.
+    row.value = asked.count(side) ? value : std::max(0.0, value);
+    out.push_back(std::move(row));
+  }
+  return out;
+}
+
+// Towards the least movement that keeps the rows; false where nothing moves any more.
+bool Relief::step(const std::vector<Row>& rows, const std::vector<int>& vertices,
+                  TriangleMesh& mesh) const {
+  const Eigen::Index count = 3 * static_cast<Eigen::Index>(vertices.size());
+  const double trust = parameters_.L / 40, limit = largest_move_of_L * parameters_.L;
+  LeastStepProblem problem;
+  problem.lower.resize(count);
+  problem.upper.resize(count);
+  problem.wanted.resize(count);
+  Eigen::VectorXd scale(count);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const int v = vertices[k];
+    for (int c = 0; c < 3; ++c) {
+      const Eigen::Index at = 3 * static_cast<Eigen::Index>(k) + c;
+      scale(at) = std::sqrt(weight_(v)) / parameters_.L;
+      const double moved = mesh.V(v, c) - target_.V(v, c);
+      problem.wanted(at) = -scale(at) * moved;
+      problem.lower(at) = scale(at) * std::min(0.0, std::max(-trust, -limit - moved));
+      problem.upper(at) = scale(at) * std::max(0.0, std::min(trust, limit - moved));
+    }
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  problem.sparse_value.resize(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    problem.sparse_value(static_cast<Eigen::Index>(r)) = rows[r].value;
+    for (const auto& [k, derivative] : rows[r].by_vertex) {
+      for (int c = 0; c < 3; ++c) {
+        entries.emplace_back(static_cast<int>(r), 3 * k + c, derivative(c) / scale(3 * k + c));
+      }
+    }
+  }
+  problem.sparse.resize(static_cast<Eigen::Index>(rows.size()), count);
+  problem.sparse.setFromTriplets(entries.begin(), entries.end());
+  problem.dense.resize(count, 0);
+  problem.dense_value.resize(0);
+  const Eigen::VectorXd z = solve_least_step(problem).z;
+  double largest = 0;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    for (int c = 0; c < 3; ++c) {
+      const Eigen::Index at = 3 * static_cast<Eigen::Index>(k) + c;
+      mesh.V(vertices[k], c) += z(at) / scale(at);
+      largest = std::max(largest, std::abs(z(at) / scale(at)));
+    }
+  }
+  return largest > 1e-5 * parameters_.L;
+}
+
+// What may move: the vertices of the tiles around.
+std::vector<int> vertices_around(const PinSides& sides, const TriangleMesh& mesh) {
+  std::vector<char> marked(mesh.V.rows(), 0), moves(mesh.V.rows(), 0);
+  for (const PinSide& side : sides) {
+    for (int t = 0; t < 3; ++t) marked[mesh.F(side.first, t)] = 1;
+  }
+  for (int i = 0; i < mesh.F.rows(); ++i) {
+    if (!marked[mesh.F(i, 0)] && !marked[mesh.F(i, 1)] && !marked[mesh.F(i, 2)]) continue;
+    for (int t = 0; t < 3; ++t) moves[mesh.F(i, t)] = 1;
+  }
+  std::vector<int> vertices;
+  for (int v = 0; v < mesh.V.rows(); ++v) {
+    if (moves[v]) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+TriangleMesh Relief::lift(PinSides& asked) const {
+  const std::vector<int> vertices = vertices_around(asked, target_);
+  TriangleMesh mesh = target_;
+  DesignGeometry here = geometry(mesh);
+  for (int round = 1; !asked.empty(); ++round) {
+    if (!keep_going(progress_, "making room for pins", -1)) throw Cancelled();
+    TriangleMesh next = mesh;
+    const bool moved = step(rows(here, asked, vertices), vertices, next);
+    DesignGeometry there;
+    try {
+      there = geometry(next);
+    } catch (const InfeasibleDesign&) {  // a tile lost its back face
+      asked.clear();
+      break;
+    }
+    mesh = std::move(next);
+    here = std::move(there);
+    if (moved && round % patience != 0) continue;
+    const std::size_t before = asked.size();
+    for (const SmallPin& pin : here.pin_bounds.small) asked.erase({pin.tile, pin.side});
+    if (asked.size() == before) return mesh;
+  }
+  return target_;
+}
+
+}  // namespace
+
+PinRelief relieve_pins(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters,
+                       const Progress& progress) {
+  const Relief relief(mesh, cuts, parameters, progress);
+  const DesignGeometry given = relief.geometry(mesh);
+  PinRelief out;
+  out.mesh = mesh;
+  out.remaining = given.pin_bounds.small;
+  PinSides asked;
+  for (const SmallPin& pin : out.remaining) asked.insert({pin.tile, pin.side});
+  if (asked.empty()) return out;
+  const TriangleMesh moved = relief.lift(asked);
+  const DesignGeometry there = relief.geometry(moved);
+  if (asked.empty() || there.pin_bounds.small.size() >= out.remaining.size() ||
+      there.truncation.unresolved.size() > given.truncation.unresolved.size()) {
+    return out;
+  }
+  PinSides small;
+  for (const SmallPin& pin : there.pin_bounds.small) small.insert({pin.tile, pin.side});
+  for (const SmallPin& pin : out.remaining) {
+    if (!small.count({pin.tile, pin.side})) out.relieved.push_back(pin);
+  }
+  out.mesh = moved;
+  out.largest_move = (moved.V - mesh.V).rowwise().norm().maxCoeff();
+  out.remaining = there.pin_bounds.small;
+  return out;
+}
+
+}  // namespace curveups

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Pin sides that no layout can give A_pin_min, because the folds around their tile leave too little
+// of its face, become feasible by moving vertices of the actuated surface a little: the least
+// movement in the sense of Eq. 4, sum_j A_j |x_j - c_j|^2. Before any layout, as folds alone
+// decide.
+#pragma once
+
+#include <vector>
+
+#include "curveups/core/progress.hpp"
+#include "curveups/design/design.hpp"
+
+namespace curveups {
+
+struct PinRelief {
+  TriangleMesh mesh;        // moved; the given one, bit for bit, where nothing was to be done
+  double largest_move = 0;  // of a vertex, mm
+  std::vector<SmallPin>
+      relieved;  // sides below A_pin_min that now reach it, with their area before
+  std::vector<SmallPin> remaining;
+};
+
+// No vertex moves farther than L / 15. Sides out of reach are left as they are, and no vertex moves
+// for them. Throws what make_geometry throws for the given mesh; Cancelled.
+PinRelief relieve_pins(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters,
+                       const Progress& progress);
+
+}  // namespace curveups
