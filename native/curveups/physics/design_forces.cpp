@@ -21,13 +21,8 @@ std::vector<ContactPoint> all_points(const DesignGeometry& geometry, const Gravi
 
 DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
                            const FlatPoses& poses, const Array6& q, const Progress& progress)
-    : geometry_(geometry),
-      parameters_(parameters),
-      poses_(poses),
-      q_(q),
-      gravity_(gravity_load(geometry, parameters, {})),
-      system_(all_points(geometry, gravity_), tile_centres(geometry.tiles), parameters.L,
-              gravity_.held) {
+    : parameters_(parameters), poses_(poses), q_(q) {
+  take_geometry(geometry);
   for (Side side : sides) {
     SolvedMembrane& membrane = membranes_[static_cast<int>(side)];
     membrane.flat_corners = flat_pin_corners(geometry.tiles, poses, q, side);
@@ -41,15 +36,16 @@ DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& par
 DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
                            std::array<SolvedMembrane, 2> solved, const FlatPoses& poses,
                            const Array6& q)
-    : geometry_(geometry),
-      parameters_(parameters),
-      poses_(poses),
-      q_(q),
-      membranes_(std::move(solved)),
-      gravity_(gravity_load(geometry, parameters, {})),
-      system_(all_points(geometry, gravity_), tile_centres(geometry.tiles), parameters.L,
-              gravity_.held) {
+    : parameters_(parameters), poses_(poses), q_(q), membranes_(std::move(solved)) {
+  take_geometry(geometry);
   solve_contacts();
+}
+
+void DesignForces::take_geometry(const DesignGeometry& geometry) {
+  geometry_ = &geometry;
+  gravity_ = gravity_load(geometry, parameters_, {});
+  system_.emplace(all_points(geometry, gravity_), tile_centres(geometry.tiles), parameters_.L,
+                  gravity_.held);
 }
 
 void DesignForces::move(const FlatPoses& poses, const Array6& q, const Progress& progress) {
@@ -58,8 +54,14 @@ void DesignForces::move(const FlatPoses& poses, const Array6& q, const Progress&
   solve_membranes(false, progress);
 }
 
+void DesignForces::move(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
+                        const Progress& progress) {
+  take_geometry(geometry);
+  move(poses, q, progress);
+}
+
 void DesignForces::solve_membranes(bool fresh, const Progress& progress) {
-  const TileMesh& tiles = geometry_.tiles;
+  const TileMesh& tiles = geometry_->tiles;
   auto solve = [&](Side side, const Progress& sink) {
     SolvedMembrane& m = membranes_[static_cast<int>(side)];
     m.flat_corners = flat_pin_corners(tiles, poses_, q_, side);
@@ -101,10 +103,10 @@ void DesignForces::solve_contacts() {
                               " membrane found no equilibrium",
                           "use the tension-field model");
     }
-    add_wrenches(pin_corner_forces(m.mesh, m.state, geometry_.tiles.tile_count()),
-                 m.actuated_corners, system_.centres(), loads_);
+    add_wrenches(pin_corner_forces(m.mesh, m.state, geometry_->tiles.tile_count()),
+                 m.actuated_corners, system_->centres(), loads_);
   }
-  forces_ = solve_contact_forces(system_, loads_);
+  forces_ = solve_contact_forces(*system_, loads_);
 }
 
 }  // namespace curveups

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "curveups/physics/contact_forces.hpp"
 #include "curveups/physics/loads.hpp"
@@ -28,28 +29,32 @@ class DesignForces {
   // (then mesh again), SolverFailure, Cancelled; what is held is then of no use until the next
   // successful move.
   void move(const FlatPoses& poses, const Array6& q, const Progress& progress);
+  // Other vertices as well: a geometry with the same tiles and cuts, which must outlive this.
+  void move(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
+            const Progress& progress);
 
-  const DesignGeometry& geometry() const { return geometry_; }
+  const DesignGeometry& geometry() const { return *geometry_; }
   const Parameters& parameters() const { return parameters_; }
   const FlatPoses& poses() const { return poses_; }
   const Array6& insets() const { return q_; }
   const SolvedMembrane& membrane(Side side) const { return membranes_[static_cast<int>(side)]; }
   // Its factorization is that of A A^T.
-  const BalanceSystem& system() const { return system_; }
+  const BalanceSystem& system() const { return *system_; }
   const Wrenches& loads() const { return loads_; }
   const ContactForces& contact_forces() const { return forces_; }
 
  private:
   void solve_membranes(bool fresh, const Progress& progress);
   void solve_contacts();
+  void take_geometry(const DesignGeometry& geometry);
 
-  const DesignGeometry& geometry_;
+  const DesignGeometry* geometry_ = nullptr;
   Parameters parameters_;
   FlatPoses poses_;
   Array6 q_;
   std::array<SolvedMembrane, 2> membranes_;
   GravityLoad gravity_;
-  BalanceSystem system_;
+  std::optional<BalanceSystem> system_;
   Wrenches loads_;
   ContactForces forces_;
 };
