@@ -131,10 +131,22 @@ std::vector<ParameterInfo> make_table() {
      Affects::verification, &P::gravity_y, -1, 1},
     {"gravity_z", "", "Physics", "Direction in which gravity pulls: z.",
      Affects::verification, &P::gravity_z, -1, 1},
+    {"move_vertices", "", "Repair",
+     "Lets repair move the actuated vertices a little where poses and pins alone do not do.",
+     Affects::layout, &P::move_vertices},
+    {"tightness", "", "Repair",
+     "Least normal forces as hard constraints, or weighed against fidelity by w_tight (penalty).",
+     Affects::layout, &P::tightness, 0, 0, {"hard", "penalty"}},
+    {"w_tight", "", "Repair",
+     "Weight of missing normal force against deviation from the target where tightness is penalty.",
+     Affects::layout, &P::w_tight, 0, 1e9},
     {"verify", "", "Stages", "Computes membranes and contact forces and judges the design.",
      Affects::verification, &P::verify},
-    {"repair", "", "Stages", "Repairs weak contacts after verification.",
+    {"repair", "", "Stages",
+     "Makes room for pins before the layout and repairs weak contacts after verification.",
      Affects::layout, &P::repair},
+    {"recheck", "", "Stages", "Verifies a second time, with a membrane mesh half as coarse.",
+     Affects::verification, &P::recheck},
   };
 }
 // clang-format on

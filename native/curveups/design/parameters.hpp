@@ -72,9 +72,14 @@ struct Parameters {
   double gravity_x = 0.0;
   double gravity_y = 0.0;
   double gravity_z = -1.0;
+  // Repair
+  bool move_vertices = true;
+  std::string tightness = "hard";
+  double w_tight = 100.0;
   // Stages
   bool verify = true;
   bool repair = true;
+  bool recheck = false;
 };
 
 // Which stages a change of the parameter makes out of date.
