@@ -375,4 +375,22 @@ BumpPlan plan_bumps(const DesignGeometry& geometry, const FlatPoses& poses,
   return Planner(geometry, poses, parameters).run();
 }
 
+std::vector<Points3> bump_tips(const TileMesh& tiles, const BumpPlan& plan) {
+  std::vector<std::vector<Vec3>> of_contact(tiles.contacts.size());
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (const WallCap& cap : plan.of_tile[i]) {
+      if (!cap.bump) continue;
+      of_contact[cap.contact].push_back(
+          tiles.frame[i].to_world(cap.centre + cap.height * cap.axis));
+    }
+  }
+  std::vector<Points3> tips;
+  for (const std::vector<Vec3>& apexes : of_contact) {
+    Points3 rows(apexes.size(), 3);
+    for (std::size_t k = 0; k < apexes.size(); ++k) rows.row(k) = apexes[k].transpose();
+    tips.push_back(std::move(rows));
+  }
+  return tips;
+}
+
 }  // namespace curveups

@@ -43,4 +43,7 @@ struct BumpPlan {
 BumpPlan plan_bumps(const DesignGeometry& geometry, const FlatPoses& poses,
                     const Parameters& parameters);
 
+// Per contact the apexes of its bumps in the actuated configuration (world): where its tiles touch.
+std::vector<Points3> bump_tips(const TileMesh& tiles, const BumpPlan& plan);
+
 }  // namespace curveups

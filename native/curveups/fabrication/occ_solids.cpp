@@ -195,22 +195,29 @@ namespace {
 // holes. Faces with more holes than this are checked in parts: the outline without holes, then some
 // holes at a time in a rectangle. That holes of different groups do not meet is what
 // min_clearance_flat measures, that all lie inside the outline what the exact volume shows.
-constexpr std::size_t holes_at_once = 20;
+constexpr std::size_t holes_at_once = 8;
 
-bool is_valid(const TopoDS_Shape& shape) { return BRepCheck_Analyzer(shape).IsValid(); }
+// What BRepCheck looks at in one go, and the body that it belongs to.
+struct CheckPart {
+  int body;
+  TopoDS_Shape shape;
+};
 
-bool is_face_valid(const TopoDS_Face& shown) {
+void add_face_parts(int body, const TopoDS_Face& shown, std::vector<CheckPart>& parts) {
   const TopoDS_Face face = TopoDS::Face(shown.Oriented(TopAbs_FORWARD));
   const TopoDS_Wire outer = BRepTools::OuterWire(face);
   std::vector<TopoDS_Shape> holes;
   for (TopoDS_Iterator it(face); it.More(); it.Next()) {
     if (!it.Value().IsSame(outer)) holes.push_back(it.Value());
   }
-  if (holes.size() <= holes_at_once) return is_valid(face);
+  if (holes.size() <= holes_at_once) {
+    parts.push_back({body, face});
+    return;
+  }
   const BRep_Builder builder;
   TopoDS_Shape outline = face.EmptyCopied();
   builder.Add(outline, outer);
-  if (!is_valid(outline)) return false;
+  parts.push_back({body, outline});
   double u_low, u_high, v_low, v_high;
   BRepTools::UVBounds(face, outer, u_low, u_high, v_low, v_high);
   for (std::size_t first = 0; first < holes.size(); first += holes_at_once) {
@@ -220,19 +227,36 @@ bool is_face_valid(const TopoDS_Face& shown) {
     for (std::size_t k = first; k < std::min(holes.size(), first + holes_at_once); ++k) {
       builder.Add(part, holes[k]);
     }
-    if (!is_valid(part)) return false;
+    parts.push_back({body, part});
   }
-  return true;
 }
 
-bool is_solid_valid(const PrintBody& body, const TopoDS_Shape& solid) {
-  std::size_t most = 0;
-  for (const PlanarFace& face : body.faces) most = std::max(most, face.inner.size());
-  if (most <= holes_at_once) return is_valid(solid);
-  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
-    if (!is_face_valid(TopoDS::Face(it.Current()))) return false;
+// Whole solids, and the faces of those that have faces with many holes: one slab may be as much
+// work as all tiles, which threads share.
+std::vector<CheckPart> check_parts(const std::vector<const PrintBody*>& bodies,
+                                   const std::vector<TopoDS_Shape>& solids) {
+  std::vector<CheckPart> parts;
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const int body = static_cast<int>(i);
+    std::size_t most = 0;
+    for (const PlanarFace& face : bodies[i]->faces) most = std::max(most, face.inner.size());
+    if (most <= holes_at_once) {
+      parts.push_back({body, solids[i]});
+      continue;
+    }
+    for (TopExp_Explorer it(solids[i], TopAbs_FACE); it.More(); it.Next()) {
+      add_face_parts(body, TopoDS::Face(it.Current()), parts);
+    }
   }
-  return true;
+  return parts;
+}
+
+std::string closed_and_of_volume(const TopoDS_Shape& solid, double exact) {
+  for (TopExp_Explorer it(solid, TopAbs_SHELL); it.More(); it.Next()) {
+    if (!BRep_Tool::IsClosed(it.Current())) return "open";
+  }
+  if (!(exact > 0)) return "no volume";
+  return std::abs(solid_volume(solid) - exact) > volume_tolerance * exact ? "volume" : "";
 }
 
 }  // namespace
@@ -240,22 +264,16 @@ bool is_solid_valid(const PrintBody& body, const TopoDS_Shape& solid) {
 std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodies,
                                        const std::vector<TopoDS_Shape>& solids,
                                        const Progress& progress) {
+  const std::vector<CheckPart> parts = check_parts(bodies, solids);
+  std::vector<char> broken(parts.size(), 0);
+  in_chunks(static_cast<int>(parts.size()), progress, "checking solids",
+            [&](int k) { broken[k] = !BRepCheck_Analyzer(parts[k].shape).IsValid(); });
   std::vector<std::string> reason(solids.size());
-  in_chunks(static_cast<int>(solids.size()), progress, "checking solids", [&](int i) {
-    const double exact = volume(*bodies[i]);
-    if (!is_solid_valid(*bodies[i], solids[i])) {
-      reason[i] = "invalid";
-      return;
-    }
-    for (TopExp_Explorer it(solids[i], TopAbs_SHELL); it.More(); it.Next()) {
-      if (!BRep_Tool::IsClosed(it.Current())) reason[i] = "open";
-    }
-    if (!reason[i].empty()) return;
-    if (!(exact > 0)) {
-      reason[i] = "no volume";
-    } else if (std::abs(solid_volume(solids[i]) - exact) > volume_tolerance * exact) {
-      reason[i] = "volume";
-    }
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (broken[k]) reason[parts[k].body] = "invalid";
+  }
+  in_chunks(static_cast<int>(solids.size()), progress, "measuring solids", [&](int i) {
+    if (reason[i].empty()) reason[i] = closed_and_of_volume(solids[i], volume(*bodies[i]));
   });
   std::vector<UnsoundSolid> out;
   for (std::size_t i = 0; i < reason.size(); ++i) {

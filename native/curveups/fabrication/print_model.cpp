@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 
 #include "curveups/core/errors.hpp"
@@ -227,22 +228,41 @@ class Builder {
       }
       return in;
     };
-    bool clash = false;
-    for (int other = 0; other < model_.piece_count && !clash; ++other) {
+    auto refuse = [&](int other, const Vec2& where) {
+      throw InfeasibleDesign("the support of piece " + std::to_string(piece + 1) +
+                                 " runs into piece " + std::to_string(other + 1),
+                             "lower anchor_radius, anchor_distance or support_margin, or compute "
+                             "the layout again with these",
+                             {nearest_tile(piece, where), nearest_tile(other, where)});
+    };
+    for (int other = 0; other < model_.piece_count; ++other) {
       if (other == piece) continue;
       for (const Polygon& tile : footprints_[other].tiles) {
-        for (const Vec2& q : tile) clash = clash || inside(q);
+        for (const Vec2& q : tile) {
+          if (inside(q)) refuse(other, q);
+        }
       }
     }
-    for (const Polygon& earlier : outer_) {
-      for (const Vec2& q : earlier) clash = clash || inside(q);
+    for (std::size_t earlier = 0; earlier < outer_.size(); ++earlier) {
+      for (const Vec2& q : outer_[earlier]) {
+        if (inside(q)) refuse(static_cast<int>(earlier), q);
+      }
     }
-    if (clash) {
-      throw InfeasibleDesign(
-          "the support of piece " + std::to_string(piece + 1) + " runs into another piece",
-          "lower anchor_radius, anchor_distance or support_margin, or compute "
-          "the layout again with these");
+  }
+
+  int nearest_tile(int piece, const Vec2& place) const {
+    int nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    const std::vector<Polygon>& footprints = footprints_[piece].tiles;  // in the order of tiles
+    for (std::size_t tile = 0, k = 0; tile < model_.piece_of_tile.size(); ++tile) {
+      if (model_.piece_of_tile[tile] != piece) continue;
+      for (const Vec2& corner : footprints[k]) {
+        const double distance = (corner - place).norm();
+        if (distance < least) nearest = static_cast<int>(tile), least = distance;
+      }
+      ++k;
     }
+    return nearest;
   }
 
   void add_bridges() {

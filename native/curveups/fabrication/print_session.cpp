@@ -66,14 +66,8 @@ std::vector<UnsoundSolid> PrintSession::check(const Progress& progress) {
 }
 
 void PrintSession::write_step(const std::string& kind, const std::string& path,
-                              const Progress& progress) {
-  const std::vector<const PrintBody*> own = bodies(kind);
-  const std::vector<TopoDS_Shape> shapes = solids_of(kind, progress);
-  std::vector<NamedSolid> named;
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    named.push_back({own[k]->name, own[k]->kind, shapes[k]});
-  }
-  curveups::write_step(named, model_.name + "-" + kind, path, progress);
+                              const Progress& progress) const {
+  curveups::write_step(bodies(kind), model_.name + "-" + kind, path, progress);
 }
 
 MeshingOptions PrintSession::meshing() const {

@@ -31,7 +31,7 @@ class PrintSession {
   std::vector<UnsoundSolid> check(const Progress& progress);
 
   // Each writes under a temporary name and renames. Throw IoError, Cancelled.
-  void write_step(const std::string& kind, const std::string& path, const Progress& progress);
+  void write_step(const std::string& kind, const std::string& path, const Progress& progress) const;
   void write_stl(const std::string& kind, const std::string& path, const Progress& progress) const;
   void write_3mf(const std::string& path, const Progress& progress) const;
 

@@ -3,11 +3,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <Interface_Static.hxx>
-#include <STEPControl_Reader.hxx>
-#include <TopAbs_ShapeEnum.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS_Shape.hxx>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -57,35 +52,6 @@ class Files : public ::testing::Test {
 
   fs::path folder_;
 };
-
-TEST_F(Files, StepHoldsEverySolidByNameWithItsVolume) {
-  PrintSession s = session();
-  for (const char* kind : {"tiles", "support", "anchors", "print", "actuated"}) {
-    SCOPED_TRACE(kind);
-    testing::internal::CaptureStdout();
-    s.write_step(kind, path("a.step"), {});
-    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
-    STEPControl_Reader reader;
-    ASSERT_EQ(reader.ReadFile(path("a.step").c_str()), IFSelect_RetDone);
-    reader.TransferRoots();
-    const TopoDS_Shape shape = reader.OneShape();
-    std::size_t solids = 0;
-    for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) ++solids;
-    const std::vector<const PrintBody*> bodies = s.bodies(kind);
-    EXPECT_EQ(solids, bodies.size());
-    EXPECT_NEAR(solid_volume(shape), s.volume(kind), 1e-6 * s.volume(kind));
-    const std::string text = read_file(path("a.step"));
-    for (const PrintBody* body : bodies) {
-      EXPECT_NE(text.find("PRODUCT('" + body->name + "'"), std::string::npos) << body->name;
-    }
-    // And a colour for every body.
-    std::size_t styled = 0;
-    for (std::size_t at = 0; (at = text.find("STYLED_ITEM(", at)) != std::string::npos; ++at) {
-      ++styled;
-    }
-    EXPECT_EQ(styled, bodies.size());
-  }
-}
 
 TEST_F(Files, AreTheSameByteForByteEveryTime) {
   PrintSession a = session(), b = session();
