@@ -112,7 +112,7 @@ def _finish(outcome: Any, folder: Path | None, session: Session) -> int:
                          f"{words[outcome.verdict.valid]}")
     for reason in outcome.verdict.reasons:
         session.reporter.say(f"  {reason}")
-    if outcome.stopped or session.interrupt.requested:
+    if outcome.stopped:  # a signal that came too late to leave anything out stopped nothing
         session.reporter.say("stopped: what there is, is written" if folder else "stopped")
         return STOPPED
     return NOT_VALID if outcome.verdict.valid is False else VALID

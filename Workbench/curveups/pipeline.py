@@ -201,20 +201,25 @@ def _repair(outcome: Outcome, progress: Progress, where: str) -> bool:
     outcome.design = outcome.repair.design
     with _errors(where):
         outcome.figures = native.evaluate_design(outcome.design)
-    if outcome.stopped:
-        # The verdict was on the design as it was before.
-        outcome.verification, outcome.verify_note = None, "stopped during repair"
+    # The verdict was on the design as it was before.
+    outcome.verification, outcome.verify_note = None, "stopped during repair"
     return not outcome.stopped
 
 
 def _build(outcome: Outcome, progress: Progress, where: str) -> None:
     """The print model, before verification: it knows where bumps touch."""
+    outcome.model = None
     if outcome.stopped or not progress("building solids", 0.0):
         outcome.stopped = True
         return
-    with _stage(outcome.stages, "solids", where):
-        outcome.model = native.make_print_model(outcome.design)
-        outcome.model.build_solids(progress)
+    try:
+        with _stage(outcome.stages, "solids", where):
+            model = native.make_print_model(outcome.design)
+            model.build_solids(progress)
+    except Stopped:
+        outcome.stopped = True
+        return
+    outcome.model = model
 
 
 def _measure(outcome: Outcome, progress: Progress, where: str) -> None:

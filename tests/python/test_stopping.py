@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""SIGINT at every kind of work: status 3, the best so far is written, every file whole."""
+
+import json
+import signal
+import struct
+import subprocess
+import time
+import zipfile
+
+import pytest
+from running import command, dome, environment
+from schema import check_design, check_report
+
+
+def interrupted(word, *arguments, wait=0.0):
+    """Runs a command and sends SIGINT once its progress says `word`; status and what it said."""
+    process = subprocess.Popen(command(*arguments), env=environment(), stderr=subprocess.PIPE, text=True)
+    said = ""
+    for line in process.stderr:
+        said += line
+        if word in line:
+            break
+    else:
+        pytest.fail(f"'{word}' was not reached:\n{said}")
+    time.sleep(wait)
+    process.send_signal(signal.SIGINT)
+    said += process.stderr.read()
+    return process.wait(timeout=120), said
+
+
+def check_whole(path):
+    """A file that was cut short does not pass."""
+    assert not path.name.startswith("."), path
+    if path.suffix == ".json":
+        json.loads(path.read_text())
+    elif path.suffix == ".html":
+        assert path.read_text().rstrip().endswith("</html>")
+    elif path.suffix == ".step":
+        assert path.read_text().rstrip().endswith("END-ISO-10303-21;")
+    elif path.suffix == ".stl":
+        data = path.read_bytes()
+        assert len(data) == 84 + 50 * struct.unpack_from("<I", data, 80)[0]
+    else:
+        with zipfile.ZipFile(path) as archive:
+            assert archive.testzip() is None
+
+
+def check_stopped(folder, status, said):
+    """What was written is whole and the report knows it; returns the names of the files."""
+    assert status == 3, said
+    assert "Traceback" not in said and said.splitlines()[-1].startswith("stopped"), said
+    report = json.loads((folder / "report.json").read_text())
+    check_report(report)
+    assert report["status"] == "stopped"
+    names = {path.name for path in folder.iterdir()}
+    assert {"design.json", "report.json", "report.html"} <= names
+    for path in folder.iterdir():
+        check_whole(path)
+    if "print" in report:
+        files = report["print"]["files"]
+        assert set(files) == names - {"report.json"}
+        assert all((folder / name).stat().st_size == size for name, size in files.items())
+    check_design(json.loads((folder / "design.json").read_text()))
+    return names
+
+
+def test_stopping_the_layout_keeps_the_best_so_far(tmp_path):
+    out = tmp_path / "out"
+    status, said = interrupted("layout", "design", "tower", "-o", out, "--no-solids", wait=0.05)
+    assert check_stopped(out, status, said) == {"design.json", "report.json", "report.html"}
+
+
+@pytest.mark.parametrize("word", ["building solids", "meshing membranes", "front membrane",
+                                  "checking solids"])
+def test_stopping_before_the_files(tmp_path, word):
+    (tmp_path / "dome.obj").write_text(dome(7))
+    out = tmp_path / "out"
+    status, said = interrupted(word, "design", tmp_path / "dome.obj", "-o", out, "--no-remesh")
+    assert check_stopped(out, status, said) == {"design.json", "report.json", "report.html"}
+
+
+@pytest.fixture(scope="module")
+def laid_out(curveups, tmp_path_factory):
+    """The design of a dome that is large enough to be interrupted."""
+    folder = tmp_path_factory.mktemp("laid-out")
+    (folder / "dome.obj").write_text(dome(7))
+    ran = curveups("design", folder / "dome.obj", "-o", folder, "--no-remesh", "--no-solids", "--set",
+                   "verify=off")
+    assert ran.status == 0, ran.err
+    return folder / "design.json"
+
+
+@pytest.mark.parametrize("number, ending", [(0, "-tiles.step"), (3, "-print.step"), (5, "-tiles.stl"),
+                                            (8, "-print.3mf")])
+def test_stopping_an_export(laid_out, tmp_path, number, ending):
+    """`number`: how many of the print's files come before."""
+    out = tmp_path / "out"
+    status, said = interrupted(ending, "export", laid_out, "-o", out)
+    names = check_stopped(out, status, said)
+    # The file that was being written may have been complete before the signal was seen.
+    assert number <= len(names) - 3 <= number + 1, names
+
+
+def test_stopping_verify(laid_out, tmp_path):
+    out = tmp_path / "out"
+    status, said = interrupted("meshing membranes", "verify", laid_out, "-o", out)
+    assert status == 3, said
+    report = json.loads((out / "report.json").read_text())
+    assert report["status"] == "stopped" and report["valid"] is None
+    assert report["reasons"] == ["stopped during verification"]
+
+
+def test_stopping_where_there_is_nothing_yet(tmp_path):
+    status, said = interrupted("remeshing", "design", "tower", "-o", tmp_path / "out", "--set", "L=3")
+    assert status == 3 and said.splitlines()[-1] == "curveups: stopped", said
+    assert not (tmp_path / "out").exists()
