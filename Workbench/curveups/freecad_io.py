@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 import struct
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -148,7 +149,7 @@ _READERS = {
 def write_document(outcome: Any, path: Path) -> dict[str, str]:
     """The parametric document of a finished outcome, saved to `path`; returns versions of software.
 
-    Shapes are kept in the file (2531 tiles: 3 s, 13 MB), so that a FreeCAD without this workbench
+    Shapes are kept in the file (2500 tiles: 3 s, 16 MB), so that a FreeCAD without this workbench
     shows them too.
     """
     freecad, part, mesh = freecad_session.load("Part", "Mesh")
@@ -179,13 +180,26 @@ def write_document(outcome: Any, path: Path) -> dict[str, str]:
                  "Anchors": solids}
         for name, value in shown.items():
             document.getObject(name).Visibility = value
-        document.saveAs(str(path))
+        with _binary_shapes(freecad):
+            document.saveAs(str(path))
     finally:
         freecad.closeDocument(document.Name)
     views = [View(name, value, COLOURS.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
              for name, value in shown.items()]
     append_views(path, views, _print_box(outcome.model) if solids else _box(outcome.design.V))
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
+
+
+@contextmanager
+def _binary_shapes(freecad: Any):
+    """Shapes saved in binary: all bits of them, in a third less time and space than as text."""
+    preferences = freecad.ParamGet("User parameter:BaseApp/Preferences/Document")
+    before = preferences.GetBool("SaveBinaryBrep", False)
+    preferences.SetBool("SaveBinaryBrep", True)
+    try:
+        yield
+    finally:
+        preferences.SetBool("SaveBinaryBrep", before)
 
 
 def _print_box(model: Any) -> Box:

@@ -43,9 +43,9 @@ class DesignProxy:
         obj.Proxy = self
 
     def execute(self, obj: Any) -> None:
-        """Builds the solids for the current geometry parameters. Where they can't be, raises and
-        leaves what depends on this object as it was."""
-        self.model = None
+        """Builds the solids for the current geometry parameters, unless they stand already. Where they
+        can't be, raises and leaves what depends on this object as it was."""
+        standing, self.model = self.model, None
         try:
             design = native.read_design(obj.Layout)
             parameters = design.parameters
@@ -53,7 +53,7 @@ class DesignProxy:
             parameters.check()
             design.parameters = parameters
             outcome = pipeline.Outcome(design.name, design, native.evaluate_design(design))
-            model = native.make_print_model(design)
+            model = standing or native.make_print_model(design)
         except native.Error as error:
             raise from_native(error, obj.Label) from None
         self.model = model
