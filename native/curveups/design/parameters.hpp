@@ -44,7 +44,7 @@ struct Parameters {
   double support_drop = 0.3;
   double support_margin = 2.0;
   double bridge_width = 0.8;
-  double bridge_thickness = 0.6;
+  double bridge_thickness = 0.8;
   double bridge_notch = 0.2;
   double bridge_depth = 0.2;
   // Anchors
