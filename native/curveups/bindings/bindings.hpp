@@ -55,6 +55,7 @@ void bind_core(py::module_& module);
 void bind_geometry(py::module_& module);
 void bind_design(py::module_& module);
 void bind_layout(py::module_& module);
+void bind_cuts(py::module_& module);
 void bind_physics(py::module_& module);
 void bind_refinement(py::module_& module);
 void bind_fabrication(py::module_& module);

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_native, module) {
   bind_geometry(module);
   bind_design(module);
   bind_layout(module);
+  bind_cuts(module);
   bind_physics(module);
   bind_refinement(module);
   bind_fabrication(module);

@@ -29,11 +29,7 @@ void check_topology(const TriangleMesh& mesh, const MeshTopology& topology) {
   if (loops == 0) {
     throw TopologyError("the surface is closed and has no flat layout", "cut it open");
   }
-  std::vector<char> used(mesh.V.rows(), 0);
-  for (int i = 0; i < mesh.F.size(); ++i) used[mesh.F.data()[i]] = 1;
-  const int vertices = static_cast<int>(std::count(used.begin(), used.end(), 1));
-  const int euler = vertices - static_cast<int>(topology.edges.size() - mesh.F.rows());
-  const int handles = (2 - loops - euler) / 2;
+  const int handles = handle_count(topology, loops);
   if (handles > 0) {
     throw TopologyError("the surface has " + std::to_string(handles) +
                             (handles == 1 ? " handle" : " handles") + " and no flat layout",

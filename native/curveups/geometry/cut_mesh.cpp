@@ -79,4 +79,38 @@ CutMesh cut_open(const TriangleMesh& mesh, const MeshTopology& topology,
   return out;
 }
 
+std::vector<MeshPiece> cut_into_pieces(const TriangleMesh& mesh, const MeshTopology& topology,
+                                       const std::vector<char>& cut) {
+  const CutMesh open = cut_open(mesh, topology, cut);
+  std::vector<char> joined(topology.edges.size(), 1);
+  for (std::size_t e = 0; e < cut.size(); ++e) joined[e] = !cut[e];
+  const std::vector<int> component = face_components(topology, joined);
+  std::vector<MeshPiece> pieces;
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    if (component[f] >= static_cast<int>(pieces.size())) pieces.resize(component[f] + 1);
+    pieces[component[f]].faces.push_back(f);
+  }
+  std::vector<int> index(open.mesh.V.rows(), -1);
+  for (MeshPiece& piece : pieces) {
+    piece.mesh.F.resize(static_cast<Eigen::Index>(piece.faces.size()), 3);
+    std::vector<int> used;
+    for (std::size_t k = 0; k < piece.faces.size(); ++k) {
+      for (int t = 0; t < 3; ++t) {
+        const int v = open.mesh.F(piece.faces[k], t);
+        if (index[v] < 0) {
+          index[v] = static_cast<int>(used.size());
+          used.push_back(v);
+        }
+        piece.mesh.F(static_cast<Eigen::Index>(k), t) = index[v];
+      }
+    }
+    piece.mesh.V.resize(static_cast<Eigen::Index>(used.size()), 3);
+    for (std::size_t k = 0; k < used.size(); ++k) {
+      piece.mesh.V.row(static_cast<Eigen::Index>(k)) = open.mesh.V.row(used[k]);
+      piece.original.push_back(open.original[used[k]]);
+    }
+  }
+  return pieces;
+}
+
 }  // namespace curveups

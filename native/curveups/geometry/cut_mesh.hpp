@@ -21,4 +21,15 @@ struct CutMesh {
 CutMesh cut_open(const TriangleMesh& mesh, const MeshTopology& topology,
                  const std::vector<char>& cut);
 
+// A component of a cut mesh as a mesh of its own.
+struct MeshPiece {
+  TriangleMesh mesh;          // only the vertices that its faces use, in the order of their use
+  std::vector<int> faces;     // rows of the whole mesh's F, ascending
+  std::vector<int> original;  // per vertex the whole, uncut mesh's vertex
+};
+
+// The pieces in the order of their lowest faces; `cut` as above.
+std::vector<MeshPiece> cut_into_pieces(const TriangleMesh& mesh, const MeshTopology& topology,
+                                       const std::vector<char>& cut);
+
 }  // namespace curveups

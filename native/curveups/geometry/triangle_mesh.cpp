@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "curveups/core/errors.hpp"
 
@@ -61,9 +62,9 @@ MeshTopology build_topology(const Triangles& F, int vertex_count) {
     }
   }
   if (!crowded.empty()) {
-    throw TopologyError(std::to_string(crowded.size()) +
-                            " edges have more than two faces (non-manifold)",
-                        "remove duplicate and inner faces", crowded);
+    throw TopologyError(
+        std::to_string(crowded.size()) + " edges have more than two faces (non-manifold)",
+        "remove duplicate and inner faces", crowded);
   }
   if (!twisted.empty()) {
     throw TopologyError("neighbouring faces are oriented differently at " +
@@ -84,8 +85,7 @@ std::vector<std::vector<int>> boundary_loops(const MeshTopology& topology) {
     const bool fresh = next.emplace(edge.v[0], std::array<int, 2>{edge.v[1], edge.face[0]}).second;
     if (!fresh) {
       throw TopologyError("the boundary touches itself in vertex " + std::to_string(edge.v[0]),
-                          "split that vertex or fill the hole",
-                          {next[edge.v[0]][1], edge.face[0]});
+                          "split that vertex or fill the hole", {next[edge.v[0]][1], edge.face[0]});
     }
     starts.push_back(edge.v[0]);
   }
@@ -103,6 +103,14 @@ std::vector<std::vector<int>> boundary_loops(const MeshTopology& topology) {
     loops.push_back(std::move(loop));
   }
   return loops;
+}
+
+int handle_count(const MeshTopology& topology, int loop_count) {
+  std::unordered_set<int> vertices;
+  for (const MeshEdge& edge : topology.edges) vertices.insert(edge.v, edge.v + 2);
+  const int euler = static_cast<int>(vertices.size()) - static_cast<int>(topology.edges.size()) +
+                    static_cast<int>(topology.neighbour.rows());
+  return (2 - loop_count - euler) / 2;
 }
 
 std::vector<int> face_components(const MeshTopology& topology, const std::vector<char>& joined) {

@@ -16,9 +16,9 @@ struct TriangleMesh {
 
 // Edge t of a face joins its corners t and t + 1.
 struct MeshEdge {
-  int v[2];           // as its first face runs along it
-  int face[2];        // the second is -1 on the boundary; face[0] < face[1] otherwise
-  int side[2];        // which edge (0 to 2) of those faces it is
+  int v[2];     // as its first face runs along it
+  int face[2];  // the second is -1 on the boundary; face[0] < face[1] otherwise
+  int side[2];  // which edge (0 to 2) of those faces it is
   bool boundary() const { return face[1] < 0; }
 };
 
@@ -29,12 +29,16 @@ struct MeshTopology {
 };
 
 // Throws TopologyError, naming the faces, for an index out of range, a face that uses a vertex
-// twice, an edge of more than two faces, and an edge that two faces run along in the same direction.
+// twice, an edge of more than two faces, and an edge that two faces run along in the same
+// direction.
 MeshTopology build_topology(const Triangles& F, int vertex_count);
 
 // Boundary loops: vertices in the order of the boundary with the surface on its left.
 // Throws TopologyError where the boundary touches itself in a vertex.
 std::vector<std::vector<int>> boundary_loops(const MeshTopology& topology);
+
+// Handles (genus) of a connected surface with that many boundary loops.
+int handle_count(const MeshTopology& topology, int loop_count);
 
 // For each face the number of its component, from 0 in the order of the lowest face; two faces are
 // in one component where a chain of edges for which `joined` is true leads from one to the other.

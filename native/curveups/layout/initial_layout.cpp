@@ -10,28 +10,6 @@
 namespace curveups {
 namespace {
 
-// The faces of one piece with the vertices they use.
-TriangleMesh extract(const TriangleMesh& mesh, const std::vector<int>& faces) {
-  std::vector<int> index(mesh.V.rows(), -1), used;
-  TriangleMesh piece;
-  piece.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (std::size_t k = 0; k < faces.size(); ++k) {
-    for (int t = 0; t < 3; ++t) {
-      const int v = mesh.F(faces[k], t);
-      if (index[v] < 0) {
-        index[v] = static_cast<int>(used.size());
-        used.push_back(v);
-      }
-      piece.F(static_cast<Eigen::Index>(k), t) = index[v];
-    }
-  }
-  piece.V.resize(static_cast<Eigen::Index>(used.size()), 3);
-  for (std::size_t k = 0; k < used.size(); ++k) {
-    piece.V.row(static_cast<Eigen::Index>(k)) = mesh.V.row(used[k]);
-  }
-  return piece;
-}
-
 double inradius(double area, double perimeter) { return 2 * area / perimeter; }
 
 }  // namespace
@@ -50,11 +28,10 @@ std::vector<std::vector<int>> pieces_of(const TileMesh& tiles) {
 
 LayoutState initial_layout(const LayoutModel& model) {
   const TileMesh& tiles = model.geometry->tiles;
-  const CutMesh open = cut_open(tiles.mesh, tiles.topology, tiles.cut);
   LayoutState state(model.tile_count(), unknowns_per_tile);
   double left = 0;
-  for (const std::vector<int>& piece : pieces_of(tiles)) {
-    const TriangleMesh mesh = extract(open.mesh, piece);
+  for (const auto& [mesh, piece, original] :
+       cut_into_pieces(tiles.mesh, tiles.topology, tiles.cut)) {
     Points2 map = conformal_map(mesh);
     std::vector<double> needed;
     for (std::size_t k = 0; k < piece.size(); ++k) {

@@ -206,7 +206,8 @@ void InteriorPoint::solve_step(const LayoutState& state, double mu, Linearizatio
   }
   if (!factorized) {
     throw SolverFailure("the layout's linear system can't be factorized",
-                        "check the target for degenerate triangles");
+                        "check the target for degenerate triangles, or cut it (--auto-cuts N): it "
+                        "may be stretched too far to lie flat");
   }
   const Eigen::VectorXd solution =
       cholesky.solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));

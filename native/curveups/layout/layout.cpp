@@ -2,7 +2,10 @@
 #include "curveups/layout/layout.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
+#include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/print_margin.hpp"
 #include "curveups/layout/arrange.hpp"
@@ -16,16 +19,33 @@ namespace {
 // collisions, and at the end, where the objective has four digits.
 constexpr double mu_start = 1e-1, mu_search = 2e-3, mu_end = 1e-6;
 constexpr int most_iterations = 600, most_rounds = 12;
+constexpr int most_draft_iterations = 60;  // twice what a sound start takes
+
+void require_room_for_pins(const PinBounds& bounds) {
+  std::vector<int> without;
+  for (const SmallPin& pin : bounds.small) {
+    if (pin.area <= 0 && (without.empty() || without.back() != pin.tile)) {
+      without.push_back(pin.tile);
+    }
+  }
+  if (without.empty()) return;
+  throw InfeasibleDesign("folds and neighbours leave no room for pins on " +
+                             std::to_string(without.size()) +
+                             (without.size() == 1 ? " tile" : " tiles"),
+                         "lower H_body or p_min, raise L, or smooth the target there", without);
+}
 
 }  // namespace
 
 LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& parameters,
-                          const Progress& progress) {
+                          const Progress& progress, LayoutEffort effort) {
+  require_room_for_pins(geometry.pin_bounds);
   LayoutModel model = make_layout_model(geometry, parameters);
   LayoutState state = initial_layout(model);
   InteriorPoint method(model);
   LayoutResult result;
   double mu = mu_start, goal = mu_search;
+  const int most = effort == LayoutEffort::draft ? most_draft_iterations : most_iterations;
   while (true) {
     // Of all rounds' progress the share of this one: rounds after the first are short.
     const double done = result.collision_rounds == 0 && goal > mu_end ? 0.0 : 0.6;
@@ -33,7 +53,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
       return keep_going(progress, what, done + (done > 0 ? 0.4 : 0.6) * fraction);
     };
     const InteriorPointOutcome outcome =
-        method.run(state, mu, goal, most_iterations - result.iterations, scaled);
+        method.run(state, mu, goal, most - result.iterations, scaled);
     result.iterations += outcome.iterations;
     result.converged = outcome.converged;
     result.largest_violation = outcome.largest_violation;
@@ -41,6 +61,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
       result.stopped = true;
       break;
     }
+    if (effort == LayoutEffort::draft) break;
     const double clearance = parameters.d_gap_min - 0.5 * tolerance::constraint;
     const std::vector<Separation> close =
         find_close_pairs(geometry.tiles, poses_of(model, state),
@@ -48,7 +69,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
     for (const Separation& pair : close) add_separation(model, pair);
     result.separations += static_cast<int>(close.size());
     if (!close.empty()) ++result.collision_rounds;
-    if ((goal <= mu_end && close.empty()) || result.iterations >= most_iterations ||
+    if ((goal <= mu_end && close.empty()) || result.iterations >= most ||
         result.collision_rounds >= most_rounds) {
       result.converged = result.converged && close.empty();
       break;

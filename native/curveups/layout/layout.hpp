@@ -22,11 +22,16 @@ struct LayoutResult {
   std::map<std::string, double> energies;  // Eq. 9's terms by name, with their weights
 };
 
+// draft: stops where the first solve of a full one looks for collisions. The objective has settled
+// to some 2 % then; tiles without a contact may be too near to one another.
+enum class LayoutEffort { full, draft };
+
 // Conformal start, then Eq. 9 under hard constraints (interior_point.hpp). Eq. 7 alone does not
 // keep tiles apart that share a vertex only, or nothing: pairs nearer than d_gap_min are searched
 // for, constrained and the layout goes on, until there are none. Turned to the smallest bounding
-// rectangle, pieces side by side. Stopped by the progress sink it returns what it has.
+// rectangle, pieces side by side. Stopped by the progress sink it returns what it has. Throws what
+// initial_layout throws, InfeasibleDesign where a tile has no room for a pin, SolverFailure.
 LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& parameters,
-                          const Progress& progress);
+                          const Progress& progress, LayoutEffort effort = LayoutEffort::full);
 
 }  // namespace curveups

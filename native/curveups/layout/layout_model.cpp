@@ -10,30 +10,32 @@ Vec2 centroid_of(const std::array<Vec2, 3>& triangle) {
 
 }  // namespace
 
+LayoutTile make_layout_tile(const TileMesh& tiles, int i) {
+  LayoutTile tile;
+  const Vec2 middle = centroid_of(tiles.front[i]);
+  tile.area = tiles.area(i);
+  tile.shift = {0, tiles.back_shift.row(i).dot(tiles.length.row(i))};
+  for (int t = 0; t < 3; ++t) {
+    tile.corner[0][t] = tiles.front[i][t] - middle;
+    tile.corner[1][t] = tiles.back[i][t] - middle;
+    tile.outward[t] = -tiles.inward(i, t);
+    tile.length[t] = tiles.length(i, t);
+    const Vec2 along = left_of(tile.outward[t]);
+    const Vec2 back = (tiles.front[i][prev3(t)] - tiles.front[i][t]).normalized();
+    const double sine = wedge(along, back);
+    tile.per_previous[t] = along / sine;
+    tile.per_own[t] = back / sine;
+  }
+  return tile;
+}
+
 LayoutModel make_layout_model(const DesignGeometry& geometry, const Parameters& parameters) {
   const TileMesh& tiles = geometry.tiles;
   LayoutModel model;
   model.geometry = &geometry;
   model.parameters = parameters;
   model.L = parameters.L;
-  model.tiles.resize(tiles.tile_count());
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    LayoutTile& tile = model.tiles[i];
-    const Vec2 middle = centroid_of(tiles.front[i]);
-    tile.area = tiles.area(i);
-    tile.shift = {0, tiles.back_shift.row(i).dot(tiles.length.row(i))};
-    for (int t = 0; t < 3; ++t) {
-      tile.corner[0][t] = tiles.front[i][t] - middle;
-      tile.corner[1][t] = tiles.back[i][t] - middle;
-      tile.outward[t] = -tiles.inward(i, t);
-      tile.length[t] = tiles.length(i, t);
-      const Vec2 along = left_of(tile.outward[t]);
-      const Vec2 back = (tiles.front[i][prev3(t)] - tiles.front[i][t]).normalized();
-      const double sine = wedge(along, back);
-      tile.per_previous[t] = along / sine;
-      tile.per_own[t] = back / sine;
-    }
-  }
+  for (int i = 0; i < tiles.tile_count(); ++i) model.tiles.push_back(make_layout_tile(tiles, i));
   for (const Contact& contact : tiles.contacts) {
     for (int d = 0; d < 2; ++d) {
       const int other_side = contact.side[1 - d];

@@ -45,6 +45,8 @@ struct LayoutModel {
   int tile_count() const { return static_cast<int>(tiles.size()); }
 };
 
+LayoutTile make_layout_tile(const TileMesh& tiles, int tile);
+
 // geometry must outlive the model. Contacts' gaps are in it; collisions are added as they are
 // found.
 LayoutModel make_layout_model(const DesignGeometry& geometry, const Parameters& parameters);

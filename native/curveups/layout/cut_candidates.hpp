@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Places where a cut may relieve a layout.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "curveups/design/tile_mesh.hpp"
+
+namespace curveups {
+
+struct CutCandidate {
+  Edges edges;         // vertex pairs of the whole mesh, along the path
+  double length = 0;   // mm
+  std::string reason;  // one phrase that names tiles
+};
+
+// Cuts along shortest edge paths, each from a place that asks for one to the nearest boundary or
+// cut; none splits a piece. Places are, in this order: tiles in `weak` (contacts between two of
+// them are cut themselves), clustered; interior extremes of the conformal scale, tips first, the
+// strongest first; holes, which are joined to another boundary. scale: relative_scale of the tiles,
+// all of whose pieces must be open and without handles.
+std::vector<CutCandidate> cut_candidates(const TileMesh& tiles, const Eigen::VectorXd& scale,
+                                         const std::vector<std::array<int, 2>>& weak);
+
+// Length of edges of the mesh, mm.
+double length_of(const TriangleMesh& mesh, const Edges& edges);
+
+}  // namespace curveups

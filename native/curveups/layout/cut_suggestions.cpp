@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/layout/cut_suggestions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
+#include "curveups/geometry/cut_graph.hpp"
+#include "curveups/layout/layout.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr int most_drafts = 3;
+constexpr double least_scale = 1e-6;
+
+Edges with(const Edges& a, const Edges& b) {
+  Edges out(a.rows() + b.rows(), 2);
+  out << a, b;
+  return out;
+}
+
+// Variance of the log scale over the area: what a cut does to the map, at the cost of the map.
+double unevenness(const TileMesh& tiles, const Eigen::VectorXd& scale) {
+  const Eigen::ArrayXd log = scale.array().max(least_scale).log();
+  return (tiles.area.array() * log.square()).sum() / tiles.area.sum();
+}
+
+double energy_of(const std::optional<LayoutFigures>& figures) {
+  return figures ? figures->energy : std::numeric_limits<double>::infinity();
+}
+
+// Sides of tiles that have room for a pin, however small.
+int sides_with_room(const PinBounds& bounds) {
+  return static_cast<int>((bounds.least_area.array() > 0).count());
+}
+
+struct Tried {
+  CutCandidate cut;
+  double unevenness = 0;
+  int sides_with_room = 0;
+  std::optional<LayoutFigures> figures;
+};
+
+class Suggester {
+ public:
+  Suggester(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters,
+            const CutSuggestionOptions& options, const Progress& progress)
+      : mesh_(mesh), parameters_(parameters), options_(options), progress_(progress), cuts_(cuts) {}
+
+  CutSuggestions run() {
+    try {
+      open();
+      while (static_cast<int>(out_.cuts.size()) < options_.most && add_best()) {
+      }
+    } catch (const Cancelled&) {
+      out_.stopped = true;
+    }
+    return std::move(out_);
+  }
+
+ private:
+  TileMesh tiles_with(const Edges& more) const {
+    return make_tile_mesh(mesh_, with(cuts_, more), parameters_.H_body);
+  }
+
+  bool go_on() const {
+    return keep_going(progress_, "looking for cuts",
+                      static_cast<double>(out_.cuts.size()) / std::max(1, options_.most));
+  }
+
+  // None where the solver breaks down. Throws Cancelled.
+  std::optional<LayoutFigures> draft(const Edges& more) const {
+    const Progress progress = [this](const std::string&, double) { return go_on(); };
+    try {
+      const DesignGeometry geometry = make_geometry(mesh_, with(cuts_, more), parameters_);
+      const LayoutResult result =
+          solve_layout(geometry, parameters_, progress, LayoutEffort::draft);
+      if (result.stopped) throw Cancelled();
+      return layout_figures(geometry, parameters_, result.poses, result.q);
+    } catch (const SolverFailure&) {
+      return {};
+    } catch (const InfeasibleDesign&) {
+      return {};
+    }
+  }
+
+  // What can't lie flat at all, as one suggestion.
+  void open() {
+    const Edges none(0, 2);
+    const TileMesh given = tiles_with(none);
+    CutSuggestion needed;
+    needed.opens = true;
+    needed.edges = opening_cuts(mesh_, given.topology, given.cut);
+    if (needed.edges.rows() > 0) needed.reason = "opens what is closed or has handles";
+    while (true) {
+      if (!go_on()) throw Cancelled();
+      const TileMesh tiles = tiles_with(needed.edges);
+      const Eigen::VectorXd scale = relative_scale(tiles);
+      if (scale_spread(scale) <= options_.workable_spread) break;
+      std::vector<Tried> found = candidates(tiles, scale, needed.edges);
+      if (found.empty() || !(found.front().unevenness < unevenness(tiles, scale))) break;
+      needed.edges = with(needed.edges, found.front().cut.edges);
+      needed.reason += (needed.reason.empty() ? "" : "; ") + found.front().cut.reason;
+    }
+    if (needed.edges.rows() == 0 || options_.most < 1) return;
+    needed.after = draft(needed.edges);
+    ++out_.layouts;
+    take(std::move(needed));
+  }
+
+  // Cuts that may help, those with the most even maps first.
+  std::vector<Tried> candidates(const TileMesh& tiles, const Eigen::VectorXd& scale,
+                                const Edges& pending) const {
+    std::vector<Tried> found;
+    for (CutCandidate& cut : cut_candidates(tiles, scale, options_.weak)) {
+      found.push_back({std::move(cut), 0, 0, {}});
+    }
+    parallel_ranges(static_cast<int>(found.size()), [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        const DesignGeometry cut =
+            make_geometry(mesh_, with(with(cuts_, pending), found[k].cut.edges), parameters_);
+        found[k].unevenness = unevenness(cut.tiles, relative_scale(cut.tiles));
+        found[k].sides_with_room = sides_with_room(cut.pin_bounds);
+      }
+    });
+    // Along a cut tiles are truncated further, which may take all room from a pin.
+    const int sides =
+        sides_with_room(make_geometry(mesh_, with(cuts_, pending), parameters_).pin_bounds);
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [&](const Tried& tried) { return tried.sides_with_room < sides; }),
+                found.end());
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Tried& a, const Tried& b) { return a.unevenness < b.unevenness; });
+    return found;
+  }
+
+  // Returns whether there was a cut worth making.
+  bool add_best() {
+    if (!go_on()) throw Cancelled();
+    const Edges none(0, 2);
+    const TileMesh tiles = tiles_with(none);
+    std::vector<Tried> found = candidates(tiles, relative_scale(tiles), none);
+    if (found.empty()) return false;
+    if (found.size() > most_drafts) found.resize(most_drafts);
+    if (!drafted_) {
+      now_ = draft(none);
+      drafted_ = true;
+      ++out_.layouts;
+    }
+    parallel_ranges(static_cast<int>(found.size()), [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) found[k].figures = draft(found[k].cut.edges);
+    });
+    out_.layouts += static_cast<int>(found.size());
+    const auto best = std::min_element(
+        found.begin(), found.end(),
+        [](const Tried& a, const Tried& b) { return energy_of(a.figures) < energy_of(b.figures); });
+    if (!(energy_of(best->figures) < (1 - options_.worth) * energy_of(now_))) return false;
+    take({best->cut.edges, 0, best->cut.reason, false, now_, best->figures});
+    return true;
+  }
+
+  void take(CutSuggestion&& made) {
+    made.length = length_of(mesh_, made.edges);
+    cuts_ = with(cuts_, made.edges);
+    now_ = made.after;
+    drafted_ = true;
+    out_.cuts.push_back(std::move(made));
+  }
+
+  const TriangleMesh& mesh_;
+  const Parameters& parameters_;
+  const CutSuggestionOptions& options_;
+  const Progress& progress_;
+  Edges cuts_;                        // those given and those suggested
+  std::optional<LayoutFigures> now_;  // of the layout with cuts_
+  bool drafted_ = false;              // now_ is what a draft gave
+  CutSuggestions out_;
+};
+
+}  // namespace
+
+CutSuggestions suggest_cuts(const TriangleMesh& mesh, const Edges& cuts,
+                            const Parameters& parameters, const CutSuggestionOptions& options,
+                            const Progress& progress) {
+  return Suggester(mesh, cuts, parameters, options, progress).run();
+}
+
+}  // namespace curveups
