@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Sequence
 
 from .progress import Progress
 
@@ -66,11 +66,10 @@ def model_warnings(model: Any) -> list[dict]:
 
 def _printer_warnings(model: Any, figures: SolidFigures, parameters: Any) -> list[dict]:
     """What the chosen printer can't make: bed, gaps, features."""
-    path = PRINTERS / f"{parameters.get('printer')}.json"
-    printer = json.loads(path.read_text(encoding="utf-8"))
+    printer = read_printer(parameters.get("printer"))
     warnings = []
-    bed, box = printer["bed_mm"], figures.bbox_mm
-    if box[2] > bed[2] or sorted(box[:2])[0] > min(bed[:2]) or max(box[:2]) > max(bed[:2]):
+    box = figures.bbox_mm
+    if not fits_bed(box, printer):
         warnings.append({"what": f"the print ({box[0]:.0f} x {box[1]:.0f} x {box[2]:.0f} mm) is larger "
                                  f"than the bed of a {printer['name']}",
                          "kind": "bed", "tiles": []})
@@ -87,3 +86,14 @@ def _printer_warnings(model: Any, figures: SolidFigures, parameters: Any) -> lis
                                  f"makes; {body}: {what}, {size:.3g} mm",
                          "kind": "feature", "tiles": tiles})
     return warnings
+
+
+def read_printer(name: str) -> dict:
+    """What is known of a printer: bed, resolution, smallest gap and feature, sources."""
+    return json.loads((PRINTERS / f"{name}.json").read_text(encoding="utf-8"))
+
+
+def fits_bed(box: Sequence[float], printer: dict) -> bool:
+    """Whether a print of this size fits, turned by a right angle where that helps."""
+    bed = printer["bed_mm"]
+    return (box[2] <= bed[2] and min(box[:2]) <= min(bed[:2]) and max(box[:2]) <= max(bed[:2]))

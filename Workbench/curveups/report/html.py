@@ -11,18 +11,20 @@ import numpy as np
 
 from ..errors import tile_list
 from ..native import native
-from . import pictures
+from ..solids import fits_bed, read_printer
+from . import cut_pictures, pictures
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #2b2620; background: #faf8f4; margin: 0; }
 main { max-width: 62rem; margin: 0 auto; padding: 2rem 1.5rem 4rem; }
 h1 { font-size: 1.9rem; margin: 0 0 .3rem; } h2 { margin: 2.2rem 0 .6rem; font-size: 1.25rem; }
+h3 { margin: 1.2rem 0 .3rem; font-size: 1rem; }
 .verdict { display: inline-block; padding: .2rem .8rem; border-radius: 1rem; font-weight: 600; }
 .valid { background: #d8efd9; color: #1c5a24; } .invalid { background: #f9dcd8; color: #8c1d12; }
 .open { background: #eee6d4; color: #5d4a1d; }
 table { border-collapse: collapse; width: 100%; background: #fff; }
 td, th { padding: .3rem .7rem; border-bottom: 1px solid #e8e1d3; text-align: left; vertical-align: top; }
-th { font-weight: 600; background: #f3ede0; } td.n { text-align: right; font-variant-numeric: tabular-nums; }
+th { font-weight: 600; background: #f3ede0; } td { font-variant-numeric: tabular-nums; } .pairs td:first-child { width: 32%; }
 img { width: 100%; background: #fff; border: 1px solid #e8e1d3; border-radius: .4rem; }
 figure { margin: 0; } figcaption { color: #6d6454; font-size: .9rem; }
 .note { color: #6d6454; }
@@ -41,6 +43,7 @@ def build_html(outcome: Any, report: dict) -> str:
         _picture(pictures.flat_layout(design),
                  "As it is printed, front side up; the pins that carry the membrane in dark."),
     ]
+    parts += _cuts(design, report)
     parts += _physics_pictures(outcome)
     if "print" in report:
         parts += ["<h2>For the print shop</h2>", _quote(report, design)]
@@ -64,6 +67,26 @@ def _verdict(report: dict) -> str:
     return (f'<p><span class="verdict {kind}">{text}</span> &nbsp; {report["tiles"]} tiles, '
             f'{report["contacts"]} contacts, {report["cuts"]} cuts</p>'
             + (f"<ul>{reasons}</ul>" if reasons else ""))
+
+
+def _cuts(design: Any, report: dict) -> list[str]:
+    """Suggested cuts with their predicted effect."""
+    cuts = report.get("suggested_cuts")
+    if not cuts:
+        return []
+    rows = []
+    for number, cut in enumerate(cuts, 1):
+        before, after = cut["predicted"]["before"] or {}, cut["predicted"]["after"] or {}
+        rows.append((number, "made" if cut["applied"] else "proposed", cut["reason"],
+                     cut["length_mm"], *(f"{_show(before.get(key))} → {_show(after.get(key))}" for key in
+                                         ("scale_spread", "area_ratio", "slack_springs"))))
+    return ["<h2>Suggested cuts</h2>",
+            _picture(cut_pictures.cut_view(design, cuts),
+                     "Cuts that were made in blue, those proposed in red; the target from two sides."),
+            _table(rows, ("No.", "State", "Where", "Length, mm", "Spread of scale", "Flat / actuated area",
+                          "Slack membrane at")),
+            '<p class="note">Figures are predictions by draft layouts, each with the cuts before it '
+            "made.</p>"]
 
 
 def _physics_pictures(outcome: Any) -> list[str]:
@@ -94,14 +117,10 @@ def _table(rows: list[tuple[str, Any]], head: tuple[str, ...] = ()) -> str:
     top = "<tr>" + "".join(f"<th>{escape(cell)}</th>" for cell in head) + "</tr>" if head else ""
     lines = []
     for row in rows:
-        cells = "".join(f'<td{" class=n" if _is_number(cell) else ""}>{escape(_show(cell))}</td>'
-                        for cell in row)
+        cells = "".join(f"<td>{escape(_show(cell))}</td>" for cell in row)
         lines.append(f"<tr>{cells}</tr>")
-    return f"<table>{top}{''.join(lines)}</table>"
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
+    kind = "" if len(head) > 2 else ' class="pairs"'
+    return f"<table{kind}>{top}{''.join(lines)}</table>"
 
 
 def _show(value: Any) -> str:
@@ -112,40 +131,81 @@ def _show(value: Any) -> str:
     if isinstance(value, float):
         return f"{value:.4g}" if abs(value) < 1e5 else f"{value:.0f}"
     if isinstance(value, (list, tuple)):
-        return " × ".join(_show(item) for item in value)
+        return ", ".join(_show(item) for item in value)
     return str(value)
 
 
 def _quote(report: dict, design: Any) -> str:
-    block, get = report["print"], design.parameters.get
+    block, get, name = report["print"], design.parameters.get, report["name"]
+    x, y, z = block["bbox_mm"]
+    rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"]
+    printer = read_printer(get("printer"))
+    bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
+    moduli = {get("shear_modulus_front"), get("shear_modulus_back")}
+    thicknesses = {get("thickness_front"), get("thickness_back")}
     rows = [
-        ("Bounding box, mm", block["bbox_mm"]),
-        ("Bodies", block["bodies"]), ("Pieces", block["pieces"]),
-        ("Volume of tiles, cm3 (rigid material)", block["tile_volume_cm3"]),
-        (f"Volume of support, cm3 ({get('support')})", block["support_volume_cm3"]),
-        ("Volume of anchors, cm3 (rigid material)", block["anchor_volume_cm3"]),
-        ("Smallest feature, mm", block["smallest_feature_mm"]),
-        ("Least clearance between bodies, mm", report["solids"]["min_clearance_flat_mm"]),
-        ("Printer compared with", get("printer")),
-        ("Membranes", f"two latex sheets, stretched to {get('tau'):g} times their length"),
-        ("Orientation", "front side up, as the file stands; support is built with the parts"),
+        ("To be printed", f"{name}-print.3mf or {name}-print.step: every body with its name, in place; "
+                          "or the files of tiles, anchors and support, which share one origin"),
+        ("Orientation", "front side up, as the files stand; support is printed with the parts"),
+        ("Size", f"{x:.1f} × {y:.1f} × {z:.1f} mm"),
+        ("Printer compared with", f"{printer['name']}: bed {bed} mm, "
+         + ("the print fits" if fits_bed(block["bbox_mm"], printer) else "the print does not fit")),
+        ("Bodies", f"{block['bodies']}, of which {report['tiles']} tiles; separate pieces: "
+                   f"{block['pieces']}"),
+        ("Rigid material", f"{rigid:.1f} cm³, {rigid * get('density'):.0f} g at "
+                           f"{get('density'):g} g/cm³ (tiles {block['tile_volume_cm3']:.1f} cm³, anchors "
+                           f"{block['anchor_volume_cm3']:.1f} cm³)"),
+        ("Support material", f"{block['support_volume_cm3']:.1f} cm³ ({get('support')})"),
+        ("Smallest feature", f"{block['smallest_feature_mm']:.3g} mm; the printer makes "
+                             f"{printer['smallest_feature_mm']:g} mm"),
+        ("Least clearance between tiles", f"{_show(report['solids']['min_clearance_flat_mm'])} mm; the "
+                                          f"printer needs {printer['smallest_gap_mm']:g} mm"),
+        ("Membranes", f"two sheets of latex, {_either(thicknesses)} mm thick, shear modulus "
+                      f"{_either(moduli)} MPa, stretched to {get('tau'):g} times their length in both "
+                      f"directions: at least {x / get('tau'):.0f} × {y / get('tau'):.0f} mm each before "
+                      "stretching, and what the frame holds"),
     ]
-    files = [(name, size) for name, size in sorted(block["files"].items())]
+    files = [(file, f"{size / 1e6:.2f}") for file, size in sorted(block["files"].items())]
     return (_table(rows) + '<p class="note">Lengths are in millimetres in every file.</p>'
-            + _table(files, ("File", "Bytes")))
+            + _table(files, ("File", "MB")))
+
+
+def _either(values: set[float]) -> str:
+    """One number, or the front's and the back's."""
+    return " and ".join(f"{value:g}" for value in sorted(values))
+
+
+# Units that names of figures do not end in.
+_FORCES = ("normal_mean", "normal_min", "f_min", "floor", "largest_floor", "mean_tile_force",
+           "largest_floor_unlimited_friction", "largest_floor_at_bump_tips")
+_UNITS = {"mm": "mm", "mm2": "mm²", "mm3": "mm³", "cm2": "cm²", "cm3": "cm³"}
 
 
 def _figures(report: dict) -> str:
     # Times and memory stay out: the same design gives the same page.
-    rows = []
+    parts = []
     for block in ("area", "constraints", "target", "deviation", "layout", "truncation", "physics",
                   "contact_forces", "unilateral", "solids"):
+        rows = []
         for key, value in report.get(block, {}).items():
             if isinstance(value, dict):
-                rows += [(f"{block} {key} {inner}", item) for inner, item in value.items()]
-            elif key not in ("invalid_contacts", "notes"):
-                rows.append((f"{block} {key}".replace("_", " "), value))
-    return _table(rows)
+                rows += [(f"{_words(key)}: {_words(inner)}", item) for inner, item in value.items()]
+            elif key not in ("invalid_contacts", "notes", "unit"):
+                rows.append(_figure(key, value))
+        if rows:
+            parts += [f"<h3>{escape(_words(block).capitalize())}</h3>", _table(rows)]
+    return "".join(parts)
+
+
+def _figure(key: str, value: Any) -> tuple[str, str]:
+    stem, _, end = key.rpartition("_")
+    if end in _UNITS:
+        return _words(stem), f"{_show(value)} {_UNITS[end]}"
+    return _words(key), f"{_show(value)}{' N' if key in _FORCES else ''}"
+
+
+def _words(name: str) -> str:
+    return name.replace("_", " ")
 
 
 def _warnings(warnings: list[dict]) -> str:

@@ -43,12 +43,13 @@ def flat_layout(design: Any, values: np.ndarray | None = None, label: str = "",
     """Tiles with their front pins, to scale; `values` colours the tiles, `marked` pairs of tiles are
     joined by a line."""
     low, high = _bounds(np.asarray(design.T))
-    height = width * (high[1] - low[1]) / (high[0] - low[0])
+    share = 0.92 if values is None else 0.8  # of the width; the rest is for the colours' scale
+    height = share * width * (high[1] - low[1]) / (high[0] - low[0]) / 0.92
     figure = Figure(figsize=(width, float(np.clip(height, 3, 14))))
-    axes = figure.add_axes([0.06, 0.05, 0.92, 0.92])
+    axes = figure.add_axes([0.06, 0.05, share, 0.92])
     tiles = _draw_flat(axes, design, values)
     if values is not None:
-        figure.colorbar(tiles, ax=axes, shrink=0.6, label=label)
+        figure.colorbar(tiles, cax=figure.add_axes([0.9, 0.2, 0.02, 0.6]), label=label)
     if len(marked):
         centres = np.asarray(design.T).mean(1)
         axes.add_collection(LineCollection([centres[list(pair)] for pair in marked], colors=WEAK,
@@ -94,8 +95,8 @@ def _draw_flat(axes: Any, design: Any, values: np.ndarray | None) -> PolyCollect
     return tiles
 
 
-def _draw_actuated(axes: Any, design: Any) -> None:
-    corners, normal = _seen(design)
+def _draw_actuated(axes: Any, design: Any, turned: bool = False) -> None:
+    corners, normal = _seen(design, turned)
     light = np.array([-0.35, 0.5, 0.8])
     light /= np.linalg.norm(light)
     shade = 0.3 + 0.7 * np.abs(normal @ light)
@@ -108,10 +109,13 @@ def _draw_actuated(axes: Any, design: Any) -> None:
     axes.axis("off")
 
 
-def _seen(design: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Corners (M x 3 x 3) and normals of the actuated tiles in the camera's coordinates."""
+def _seen(design: Any, turned: bool = False) -> tuple[np.ndarray, np.ndarray]:
+    """Corners (M x 3 x 3) and normals of the actuated tiles in the camera's coordinates; `turned`:
+    from the opposite side."""
     V, F = np.asarray(design.V), np.asarray(design.F)
     corners = ((V - V.mean(0)) @ _camera(V, F).T)[F]
+    if turned:
+        corners = corners * np.array([-1.0, 1.0, -1.0])
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return corners, normal / np.linalg.norm(normal, axis=1, keepdims=True)
 
