@@ -137,13 +137,17 @@ std::optional<Span> find_span(const ConvexBody& a, const ConvexBody& b,
   return span;
 }
 
+double thickness(const Parameters& p) {
+  return std::min(p.bridge_thickness, p.H_body - 2 * clearance);
+}
+
 }  // namespace
 
+double bridge_neck(const Parameters& p) { return thickness(p) - 2 * p.bridge_notch; }
+
 Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
-                     const std::vector<BridgeWish>& wishes, double z, double z_top,
-                     const Parameters& p) {
-  const double z0 = z + clearance;
-  const double z1 = std::min(z0 + p.bridge_thickness, z_top - clearance);
+                     const std::vector<BridgeWish>& wishes, double z, const Parameters& p) {
+  const double z0 = z + clearance, z1 = z0 + thickness(p);
   if (z1 - z0 < std::max(0.1, 2.5 * p.bridge_notch)) {
     throw InfeasibleDesign("the tiles are too thin for breakaway bridges",
                            "raise H_body or lower bridge_notch, or choose another support");

@@ -33,12 +33,13 @@ struct BridgeObstacle {
   std::vector<double> ball_radii;
 };
 
+// Thickness of a bridge where it breaks, mm: between the notches.
+double bridge_neck(const Parameters& parameters);
+
 // One bridge per wish where one of its lines of sight is free: it enters both bodies by
-// bridge_depth and keeps clear of all bumps and third bodies. z: the height of the back faces,
-// z_top that of the front faces. Throws InfeasibleDesign where the body is too thin for bridges of
-// this thickness.
+// bridge_depth and keeps clear of all bumps and third bodies. z: the height of the back faces.
+// Throws InfeasibleDesign where the body is too thin for bridges with these notches.
 Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
-                     const std::vector<BridgeWish>& wishes, double z, double z_top,
-                     const Parameters& parameters);
+                     const std::vector<BridgeWish>& wishes, double z, const Parameters& parameters);
 
 }  // namespace curveups

@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/fabrication/bump_pattern.hpp"
 #include "curveups/fabrication/convex_distance.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
 
@@ -16,8 +16,10 @@ namespace {
 
 constexpr double edge_margin = 0.1;      // between a cap and the rim of its wall, mm
 constexpr double bump_spacing = 0.2;     // between two caps of an interface, mm
-constexpr double least_spread = 0.3;     // height of the triangle of three bumps, mm
 constexpr double flat_clearance = 0.05;  // between a cap and the neighbour in the flat layout, mm
+constexpr double rim_margin = 0.05;      // material between a hollow's rim and another face, mm
+constexpr double hollow_margin = 0.2;    // below the rim, and between two hollows, mm
+constexpr int shrink_steps = 4;          // of the diameter, down to
 constexpr double least_diameter = 0.5;   // fraction of bump_diameter that shrinking stops at
 
 const BodyFace* find_face(const ConvexBody& body, int tag) {
@@ -53,86 +55,6 @@ Shape dimple_of(const Shape& bump, double clearance) {
   return {std::sqrt((R + clearance) * (R + clearance) - flat * flat), bump.height + clearance};
 }
 
-// The interval of the polygon at height v.
-std::optional<std::array<double, 2>> chord(const Polygon& polygon, double v) {
-  double low = 1e300, high = -1e300;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    if ((a.y() - v) * (b.y() - v) > 0) continue;
-    for (double u :
-         {a.y() == b.y() ? a.x() : a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x()),
-          a.y() == b.y() ? b.x() : a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x())}) {
-      low = std::min(low, u);
-      high = std::max(high, u);
-    }
-  }
-  if (low > high) return std::nullopt;
-  return std::array<double, 2>{low, high};
-}
-
-bool far_apart(const std::vector<Vec2>& centres, double spacing) {
-  for (std::size_t i = 0; i < centres.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if ((centres[i] - centres[j]).norm() < spacing) return false;
-    }
-  }
-  return true;
-}
-
-// Rows from one side of the region to the other, the longer ones with one bump more.
-std::vector<Vec2> in_rows(const Polygon& region, int count, int rows) {
-  double low = 1e300, high = -1e300;
-  for (const Vec2& p : region) {
-    low = std::min(low, p.y());
-    high = std::max(high, p.y());
-  }
-  if (high - low < least_spread) return {};
-  std::vector<std::array<double, 2>> chords;  // -length, v
-  for (int row = 0; row < rows; ++row) {
-    const double v = low + (high - low) * (1e-6 + (1 - 2e-6) * row / (rows - 1));
-    const auto c = chord(region, v);
-    if (!c) return {};
-    chords.push_back({(*c)[0] - (*c)[1], v});
-  }
-  std::stable_sort(chords.begin(), chords.end(), [](const auto& a, const auto& b) {
-    return a[0] < b[0] - 1e-6;  // rows of like length keep their order
-  });
-  std::vector<Vec2> centres;
-  for (int row = 0; row < rows; ++row) {
-    const int bumps = count / rows + (row < count % rows ? 1 : 0);
-    const auto c = *chord(region, chords[row][1]);
-    // Single bumps in every row: at alternating ends, so that they do not stand in a line.
-    const double single = count > rows ? 0.5 : row % 2 ? 0.8 : 0.2;
-    for (int k = 0; k < bumps; ++k) {
-      const double s = bumps == 1 ? single : static_cast<double>(k) / (bumps - 1);
-      centres.emplace_back(c[0] + s * (c[1] - c[0]), chords[row][1]);
-    }
-  }
-  return centres;
-}
-
-bool spread_out(const std::vector<Vec2>& centres) {
-  return !centres.empty() && width(convex_hull(centres)) >= least_spread &&
-         convex_hull(centres).size() >= 3;
-}
-
-// The corners of the region that span the largest triangle.
-std::vector<Vec2> largest_triangle(const Polygon& region) {
-  std::vector<Vec2> best;
-  double largest = 0;
-  for (std::size_t i = 0; i < region.size(); ++i) {
-    for (std::size_t j = i + 1; j < region.size(); ++j) {
-      for (std::size_t k = j + 1; k < region.size(); ++k) {
-        const double a = std::abs(wedge(region[j] - region[i], region[k] - region[i]));
-        if (a <= largest) continue;
-        largest = a;
-        best = {region[i], region[j], region[k]};
-      }
-    }
-  }
-  return best;
-}
-
 class Planner {
  public:
   Planner(const DesignGeometry& geometry, const FlatPoses& poses, const Parameters& parameters)
@@ -149,6 +71,7 @@ class Planner {
     build_bodies();
     centres_.resize(count);
     shape_.resize(count);
+    shrink_.assign(count, 0);
     reason_.assign(count, "");
     parallel_ranges(count, [&](int begin, int end) {
       for (int k = begin; k < end; ++k) place(k);
@@ -156,7 +79,7 @@ class Planner {
     parallel_ranges(count, [&](int begin, int end) {
       for (int k = begin; k < end; ++k) check_flat(k);
     });
-    if (p_.bumps == "dimples") check_dimples();
+    if (p_.bumps == "dimples") fit_hollows();
     for (int k = 0; k < count; ++k) {
       if (reason_[k].empty()) continue;
       plan_.bare.push_back({k, reason_[k]});
@@ -194,8 +117,11 @@ class Planner {
     }
   }
 
-  // Where the centres of caps of this radius may be, in the interface's plane.
-  Polygon region(int k, const InterfacePlane& plane, double radius) const {
+  // Where the centres of bumps of this shape may be, in the interface's plane.
+  Polygon region(int k, const InterfacePlane& plane, const Shape& bump) const {
+    const bool dimples = p_.bumps == "dimples";
+    const Shape hollow = dimple_of(bump, p_.dimple_clearance);
+    const double radius = dimples ? hollow.radius : bump.radius;
     const Contact& contact = tiles_.contacts[k];
     std::vector<Vec2> corners;
     for (const Vec3& p : geometry_.patches[k].polygon) corners.push_back(plane.to_plane(p));
@@ -211,11 +137,7 @@ class Planner {
       common = intersection(common, convex_hull(corners));
     }
     common = inset(common, radius + edge_margin);
-    if (p_.bumps == "dimples" && !common.empty()) {  // hollows of neighbouring walls stay apart
-      const double length = (geometry_.patches[k].point[1] - plane.origin).norm();
-      common = clip(common, Vec2::UnitX(), length - 2 * radius - edge_margin);
-      common = clip(common, -Vec2::UnitX(), -2 * radius - edge_margin);
-    }
+    if (dimples) common = room_for_hollows(k, plane, hollow, std::move(common));
     if (p_.support == "soluble" && p_.support_drop >= p_.H_pin) {
       // The slab ends beside the walls: caps stay below its top, so that it need not cut them.
       const double top = p_.H_pin - p_.support_drop - p_.bump_height - radius;
@@ -228,34 +150,69 @@ class Planner {
     return common;
   }
 
+  // The part of the region in which hollows, whichever wall they are in, keep their distance from
+  // the other faces of their tile and from hollows that stand as near to the corner as they do.
+  Polygon room_for_hollows(int k, const InterfacePlane& plane, const Shape& hollow,
+                           Polygon room) const {
+    const double R = sphere_radius(hollow.radius, hollow.height), flat = R - hollow.height;
+    const Contact& contact = tiles_.contacts[k];
+    const double length = (geometry_.patches[k].point[1] - plane.origin).norm();
+    for (int s = 0; s < 2; ++s) {
+      const int tile = contact.tile[s], wall = contact.side[s];
+      const TileFrame& frame = tiles_.frame[tile];
+      const Vec3 origin = frame.to_local(plane.origin);
+      const Vec3 u = frame.to_local(plane.origin + plane.u) - origin;
+      const Vec3 v = frame.to_local(plane.origin + plane.v) - origin;
+      const Vec3 inward = -tiles_.wall_normal(tile, wall);
+      for (const BodyFace& face : plan_.body[tile].faces) {
+        if (face.tag == body_tag::wall + wall) continue;
+        // The hollow's point nearest to the face lies on its sphere, or else on its rim.
+        const Vec3& n = face.plane.normal;
+        const double slope = inward.dot(n);
+        const double depth = slope * R >= flat
+                                 ? face.plane.distance(origin - flat * inward) + R + hollow_margin
+                                 : face.plane.distance(origin) +
+                                       hollow.radius * std::sqrt(1 - slope * slope) + rim_margin;
+        room = clip(room, Vec2(n.dot(u), n.dot(v)), -depth);
+      }
+      for (int end = 0; end < 2; ++end) {
+        const double sine = std::sin(0.5 * corner_angle(tile, end ? next3(wall) : wall));
+        const double keep = (hollow.radius + 0.5 * edge_margin) / sine;
+        // Tile 0 runs along u from the origin, tile 1 the other way.
+        const bool at_origin = (end == 0) == (s == 0);
+        room = at_origin ? clip(room, -Vec2::UnitX(), -keep)
+                         : clip(room, Vec2::UnitX(), length - keep);
+      }
+    }
+    return room;
+  }
+
+  double corner_angle(int tile, int corner) const {
+    const std::array<Vec2, 3>& c = tiles_.front[tile];
+    const Vec2 a = c[next3(corner)] - c[corner], b = c[next3(next3(corner))] - c[corner];
+    return std::atan2(std::abs(wedge(a, b)), a.dot(b));
+  }
+
+  // Bumps of the largest diameter that fits, from shrink_[k] steps below the standard one.
   void place(int k) {
+    centres_[k].clear();
     if (geometry_.patches[k].point_count < 3) {
       reason_[k] = "the tiles touch along their front edge only";
       return;
     }
     const InterfacePlane plane = make_plane(geometry_.patches[k]);
-    const double least = std::max(2 * p_.bump_height, least_diameter * p_.bump_diameter);
-    constexpr int steps = 5;
-    for (int step = 0; step < steps; ++step) {
-      const double diameter =
-          p_.bump_diameter +
-          (std::min(least, p_.bump_diameter) - p_.bump_diameter) * step / (steps - 1);
-      const Shape bump{0.5 * diameter, p_.bump_height};
-      const double reach =
-          p_.bumps == "dimples" ? dimple_of(bump, p_.dimple_clearance).radius : bump.radius;
-      const Polygon room = region(k, plane, reach);
-      if (room.empty()) continue;
-      std::vector<Vec2> found = in_rows(room, p_.bump_count, p_.bump_rows);
-      if (!spread_out(found) || !far_apart(found, 2 * reach + bump_spacing)) {
-        found = largest_triangle(room);
+    const double least =
+        std::min(p_.bump_diameter, std::max(2 * p_.bump_height, least_diameter * p_.bump_diameter));
+    for (int& step = shrink_[k]; step <= shrink_steps; ++step) {
+      const double diameter = p_.bump_diameter + (least - p_.bump_diameter) * step / shrink_steps;
+      shape_[k] = {0.5 * diameter, p_.bump_height};
+      const double reach = p_.bumps == "dimples" ? dimple_of(shape_[k], p_.dimple_clearance).radius
+                                                 : shape_[k].radius;
+      for (const Vec2& p : bump_pattern(region(k, plane, shape_[k]), p_.bump_count, p_.bump_rows,
+                                        2 * reach + bump_spacing)) {
+        centres_[k].push_back(plane.to_world(p));
       }
-      if (!spread_out(found) || !far_apart(found, 2 * reach + bump_spacing)) continue;
-      std::sort(found.begin(), found.end(), [](const Vec2& a, const Vec2& b) {
-        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-      });
-      for (const Vec2& p : found) centres_[k].push_back(plane.to_world(p));
-      shape_[k] = bump;
-      return;
+      if (!centres_[k].empty()) return;
     }
     reason_[k] = "too small for three bumps";
   }
@@ -303,40 +260,51 @@ class Planner {
     if (least < flat_clearance) reason_[k] = "bumps would touch the neighbour in the flat layout";
   }
 
-  // Hollows must not pierce another face of their tile, nor meet one another.
-  void check_dimples() {
-    std::vector<std::vector<WallCap>> hollows(tiles_.tile_count());
-    for (std::size_t k = 0; k < tiles_.contacts.size(); ++k) {
-      if (!reason_[k].empty()) continue;
-      std::array<std::vector<WallCap>, 2> caps{caps_of(k, 0), caps_of(k, 1)};
-      bool fits = true;
-      for (int s = 0; s < 2; ++s) {
-        const int tile = tiles_.contacts[k].tile[s];
-        for (const WallCap& cap : caps[s]) {
-          if (cap.bump) continue;
-          const CapSphere sphere = cap_sphere(cap.centre, cap.axis, cap.radius, cap.height);
-          for (const BodyFace& face : plan_.body[tile].faces) {
-            if (face.tag == body_tag::wall + cap.wall) continue;
-            const Vec3 deepest = sphere.centre + sphere.radius * face.plane.normal;
-            if (sphere.on_cap(face.plane.normal) &&
-                face.plane.distance(deepest) > -2 * edge_margin) {
-              fits = false;
-            }
-          }
-          for (const WallCap& other : hollows[tile]) {
-            if ((other.centre - cap.centre).norm() < other.radius + cap.radius + edge_margin) {
-              fits = false;
-            }
+  // Whether the hollows of an interface pierce no other face and meet none of those that are there.
+  bool hollows_fit(int k, const std::vector<std::vector<WallCap>>& there) const {
+    for (int s = 0; s < 2; ++s) {
+      const int tile = tiles_.contacts[k].tile[s];
+      for (const WallCap& cap : caps_of(k, s)) {
+        if (cap.bump) continue;
+        const CapSphere sphere = cap_sphere(cap.centre, cap.axis, cap.radius, cap.height);
+        for (const BodyFace& face : plan_.body[tile].faces) {
+          if (face.tag == body_tag::wall + cap.wall) continue;
+          const Vec3 deepest = sphere.centre + sphere.radius * face.plane.normal;
+          if (sphere.on_cap(face.plane.normal) &&
+              face.plane.distance(deepest) > -hollow_margin + 1e-9) {
+            return false;
           }
         }
+        for (const WallCap& other : there[tile]) {
+          // Where the spheres are nearest beyond the caps, the base discs are nearer still.
+          const double apart =
+              distance(sphere, cap_sphere(other.centre, other.axis, other.radius, other.height));
+          const double discs = (other.centre - cap.centre).norm() - other.radius - cap.radius;
+          if ((std::isfinite(apart) ? apart : discs) < hollow_margin) return false;
+        }
       }
-      if (!fits) {
-        reason_[k] = "its hollows would break into another face";
-        continue;
+    }
+    return true;
+  }
+
+  // Interface after interface, with smaller hollows where others are in the way.
+  void fit_hollows() {
+    std::vector<std::vector<WallCap>> there(tiles_.tile_count());
+    for (int k = 0; k < static_cast<int>(tiles_.contacts.size()); ++k) {
+      bool fits = reason_[k].empty() && hollows_fit(k, there);
+      while (!fits && reason_[k].empty()) {
+        if (++shrink_[k] > shrink_steps) {
+          reason_[k] = "its hollows would break into another face";
+          break;
+        }
+        place(k);
+        if (reason_[k].empty()) check_flat(k);
+        fits = reason_[k].empty() && hollows_fit(k, there);
       }
+      if (!fits) continue;
       for (int s = 0; s < 2; ++s) {
-        for (const WallCap& cap : caps[s]) {
-          if (!cap.bump) hollows[tiles_.contacts[k].tile[s]].push_back(cap);
+        for (const WallCap& cap : caps_of(k, s)) {
+          if (!cap.bump) there[tiles_.contacts[k].tile[s]].push_back(cap);
         }
       }
     }
@@ -365,6 +333,7 @@ class Planner {
   BumpPlan plan_;
   std::vector<std::vector<Vec3>> centres_;  // per contact, in the unrecessed interface plane
   std::vector<Shape> shape_;
+  std::vector<int> shrink_;
   std::vector<std::string> reason_;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -38,6 +39,25 @@ void require(long result, const std::string& what) {
   throw SolverFailure("lib3mf could not " + what + " (" + code + ")",
                       "report this with the design file");
 }
+
+// Takes the archive as lib3mf writes it: asking for its size first, as writing to a buffer needs,
+// would make it twice.
+struct Archive {
+  std::string bytes;
+  std::size_t at = 0;
+
+  static std::uint32_t write(std::uint8_t* data, std::uint32_t count, void* self) {
+    Archive& archive = *static_cast<Archive*>(self);
+    archive.bytes.resize(std::max(archive.bytes.size(), archive.at + count));
+    std::copy(data, data + count, archive.bytes.begin() + archive.at);
+    archive.at += count;
+    return 0;
+  }
+  static std::uint32_t seek(std::uint64_t position, void* self) {
+    static_cast<Archive*>(self)->at = position;
+    return 0;
+  }
+};
 
 // lib3mf would draw random ones; files must be the same every time.
 std::string uuid(unsigned kind, unsigned number) {
@@ -131,13 +151,13 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
   }
   Held<NMR::PLib3MFModelWriter> writer;
   require(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), "make a writer");
-  ULONG64 size = 0;
-  require(NMR::lib3mf_writer_getstreamsize(writer.get(), &size), "write the archive");
-  std::string bytes(size, '\0');
-  require(NMR::lib3mf_writer_writetobuffer(writer.get(), reinterpret_cast<BYTE*>(&bytes[0]), size),
+  Archive archive;
+  require(NMR::lib3mf_writer_writetocallback(writer.get(), reinterpret_cast<void*>(&Archive::write),
+                                             reinterpret_cast<void*>(&Archive::seek), &archive),
           "write the archive");
-  strip_dates(bytes);
-  write_atomically(path, [&](const std::string& temporary) { write_bytes(temporary, bytes); });
+  strip_dates(archive.bytes);
+  write_atomically(path,
+                   [&](const std::string& temporary) { write_bytes(temporary, archive.bytes); });
 }
 
 }  // namespace curveups

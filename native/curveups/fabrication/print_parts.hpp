@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the parts of a print model have in common while it is built.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "curveups/fabrication/print_model.hpp"
+
+namespace curveups {
+
+// "Anchor P1 A002" and the like.
+std::string numbered(const char* format, int a, int b = 0);
+
+// The flat front corners of one side of a contact, as its tile runs along it.
+std::array<Vec2, 2> front_edge(const PrintModel& model, const Contact& contact, int side);
+
+// Tiles of these bodies (in their frames, row by row) with their pins and caps, where the layout
+// has them. Needs the model's geometry, q, pieces and flat motions.
+std::vector<PrintBody> flat_tiles(const PrintModel& model, const std::vector<ConvexBody>& bodies,
+                                  const std::vector<std::vector<WallCap>>& caps);
+
+}  // namespace curveups

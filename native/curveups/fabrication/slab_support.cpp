@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <limits>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/core/tolerances.hpp"
+#include "curveups/fabrication/outline.hpp"
+#include "curveups/fabrication/print_parts.hpp"
+#include "curveups/fabrication/slab.hpp"
+#include "curveups/fabrication/supports.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr double slab_grid = 0.5;  // mm
+
+// What the slab surrounds of each tile: everything below its top.
+std::vector<PrintBody> cavities(const PrintModel& model, double top) {
+  const Parameters& p = model.parameters;
+  const TileMesh& tiles = model.geometry.tiles;
+  const double cut = top - p.H_pin - p.H_body;  // in the tile's frame
+  if (cut >= 0) return model.tiles;
+  if (top > p.H_pin + tolerance::snap) {
+    std::vector<ConvexBody> bodies = model.bumps.body;
+    std::vector<std::vector<WallCap>> caps(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      clip(bodies[i], {Vec3::UnitZ(), cut}, body_tag::front);
+      for (const WallCap& cap : model.bumps.of_tile[i]) {
+        if (cap.centre.z() < cut) caps[i].push_back(cap);
+      }
+    }
+    return flat_tiles(model, bodies, caps);
+  }
+  std::vector<PrintBody> pins(model.tiles.size());  // only the back pins stand in the slab
+  for (std::size_t i = 0; i < pins.size(); ++i) {
+    PrintBody& pin = pins[i];
+    PlanarFace foot, mouth;
+    std::vector<int> base;
+    const int tile = static_cast<int>(i);
+    for (const Vec2& c :
+         place(model.poses, tile, pin_corners(tiles, tile, Side::back, model.q.row(i).data()))) {
+      base.push_back(static_cast<int>(pin.points.size()));
+      pin.points.emplace_back(c.x(), c.y(), 0);
+    }
+    foot.normal = -Vec3::UnitZ();
+    foot.outer.points.assign(base.rbegin(), base.rend());
+    foot.role = FaceRole::foot;
+    mouth.normal = Vec3::UnitZ();
+    mouth.outer.points = extrude(pin, base, Vec3(0, 0, top), FaceRole::back_pin);
+    mouth.role = FaceRole::front;
+    pin.faces.push_back(foot);
+    pin.faces.push_back(mouth);
+  }
+  return pins;
+}
+
+int nearest_tile(const PrintModel& model, const PieceFootprint& footprint, int piece,
+                 const Vec2& place) {
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t tile = 0, k = 0; tile < model.piece_of_tile.size(); ++tile) {
+    if (model.piece_of_tile[tile] != piece) continue;
+    for (const Vec2& corner : footprint.tiles[k]) {
+      const double distance = (corner - place).norm();
+      if (distance < least) nearest = static_cast<int>(tile), least = distance;
+    }
+    ++k;
+  }
+  return nearest;
+}
+
+// No other piece's tiles or slab (`outer`, of the pieces before) may be where this piece's slab is.
+void refuse_strangers(const PrintModel& model, int piece, const Polygon& loop,
+                      const std::vector<PieceFootprint>& footprints,
+                      const std::vector<Polygon>& outer) {
+  auto inside = [&](const Vec2& q) {
+    bool in = false;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Vec2 &a = loop[k], &b = loop[(k + 1) % loop.size()];
+      if ((a.y() > q.y()) == (b.y() > q.y())) continue;
+      if (q.x() < a.x() + (q.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) in = !in;
+    }
+    return in;
+  };
+  auto refuse = [&](int other, const Vec2& where) {
+    throw InfeasibleDesign("the support of piece " + std::to_string(piece + 1) +
+                               " runs into piece " + std::to_string(other + 1),
+                           "lower anchor_radius, anchor_distance or support_margin, or compute "
+                           "the layout again with these",
+                           {nearest_tile(model, footprints[piece], piece, where),
+                            nearest_tile(model, footprints[other], other, where)});
+  };
+  for (int other = 0; other < model.piece_count; ++other) {
+    if (other == piece) continue;
+    for (const Polygon& tile : footprints[other].tiles) {
+      for (const Vec2& q : tile) {
+        if (inside(q)) refuse(other, q);
+      }
+    }
+  }
+  for (std::size_t earlier = 0; earlier < outer.size(); ++earlier) {
+    for (const Vec2& q : outer[earlier]) {
+      if (inside(q)) refuse(static_cast<int>(earlier), q);
+    }
+  }
+}
+
+}  // namespace
+
+void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
+  const Parameters& p = model.parameters;
+  std::vector<std::vector<int>> anchors_of_piece(model.piece_count);
+  for (std::size_t k = 0; k < model.anchors.size(); ++k) {
+    anchors_of_piece[model.anchors[k].piece].push_back(static_cast<int>(k));
+  }
+  std::vector<Polygon> outer;
+  const double top = 2 * p.H_pin + p.H_body - p.support_drop;
+  const std::vector<PrintBody> cavity = cavities(model, top);
+  for (int piece = 0; piece < model.piece_count; ++piece) {
+    std::vector<PrintBody> inside;
+    std::vector<const PrintBody*> anchors;
+    std::vector<OutlineShape> shapes;
+    const Disc none{Vec2::Zero(), 0};
+    const bool anchored = p.anchors && !anchors_of_piece[piece].empty();
+    // Up to the anchors' axes, so that the slab holds them firmly.
+    const double reach = anchored ? std::max(p.support_margin, p.anchor_distance + p.anchor_radius)
+                                  : p.support_margin;
+    for (const Polygon& tile : footprints[piece].tiles) shapes.push_back({tile, none, reach});
+    for (const Polygon& joint : footprints[piece].joints) shapes.push_back({joint, none, reach});
+    if (anchored) {
+      for (int a : anchors_of_piece[piece]) {
+        anchors.push_back(&model.anchors[a]);
+        const Vec3& c = model.anchors[a].circles[0].centre;
+        shapes.push_back({{}, {c.head<2>(), p.anchor_radius}, p.support_margin});
+      }
+    }
+    for (std::size_t i = 0; i < cavity.size(); ++i) {
+      if (model.piece_of_tile[i] == piece) inside.push_back(cavity[i]);
+    }
+    std::vector<Polygon> loops = outline_of(shapes, std::min(slab_grid, p.support_margin));
+    for (std::size_t k = 1; k < loops.size(); ++k) {
+      if (area(loops[k]) < 0) continue;
+      throw SolverFailure("the support of piece " + std::to_string(piece + 1) + " falls apart",
+                          "raise support_margin");
+    }
+    refuse_strangers(model, piece, loops[0], footprints, outer);
+    PrintBody slab = make_slab(loops, inside, anchors, top);
+    slab.name = numbered("Support P%d", piece + 1);
+    slab.piece = piece;
+    model.supports.push_back(std::move(slab));
+    outer.push_back(loops[0]);
+  }
+}
+
+}  // namespace curveups
