@@ -72,8 +72,9 @@ def _target_arguments(parser: argparse.ArgumentParser) -> None:
                         help="a built-in name, or an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP file")
     _output_argument(parser)
     _set_argument(parser)
-    parser.add_argument("--config", type=Path, metavar="FILE.json",
-                        help='parameters as { "name": value, ... }; --set wins over it')
+    parser.add_argument("--config", type=Path, action="append", default=[], metavar="FILE.json",
+                        help='parameters as { "name": value, ... }, with a note as "about"; may be '
+                             "given several times: the last wins, and --set wins over all")
 
 
 def _output_argument(parser: argparse.ArgumentParser) -> None:

@@ -120,9 +120,10 @@ def _finish(outcome: Any, folder: Path | None, session: Session) -> int:
 
 def _request(options: Any, session: Session) -> pipeline.Request:
     values = native.Parameters()
-    if options.config:
-        for name, value in cuts.read_json_object(options.config).items():
-            _set(values, name, value, str(options.config))
+    for path in options.config:
+        for name, value in cuts.read_json_object(path).items():
+            if name != "about":  # a note of the file's author
+                _set(values, name, value, str(path))
     for name, text in _settings(options.settings):
         _set(values, name, text, f"--set {name}")
     try:
