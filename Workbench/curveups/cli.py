@@ -17,6 +17,9 @@ _EPILOG = """exit status: 0 valid, or not judged because verification was off; 1
 2 bad input or usage, nothing written; 3 stopped, best so far written; 4 a file could not be written"""
 
 
+MOST_CUTS = 100
+
+
 class _Parser(argparse.ArgumentParser):
     """Argument errors in the one-line form of all others."""
 
@@ -36,6 +39,8 @@ def make_parser() -> argparse.ArgumentParser:
     _target_arguments(design)
     design.add_argument("--cuts", type=Path, metavar="FILE.json",
                         help="cuts, as vertex pairs or polylines")
+    design.add_argument("--auto-cuts", type=_count, default=0, metavar="N",
+                        help="make up to N suggested cuts; the first opens a closed target")
     design.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
     design.add_argument("--no-solids", action="store_true",
                         help="only design.json and the reports")
@@ -57,6 +62,13 @@ def make_parser() -> argparse.ArgumentParser:
     _output_argument(export)
     _set_argument(export)
     return parser
+
+
+def _count(text: str) -> int:
+    """A whole number that is not negative."""
+    if not text.isdecimal() or not text.isascii() or int(text) > MOST_CUTS:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of cuts from 0 to {MOST_CUTS}")
+    return int(text)
 
 
 def _command(commands, name: str, text: str, quiet: bool = True) -> argparse.ArgumentParser:

@@ -15,6 +15,7 @@ from .files import write_obj, write_outcome, write_reports
 from .native import native
 from .output import Folder, require_folder_name, safe_name
 from .progress import Interrupt, Reporter
+from .suggestions import describe
 
 
 @dataclass
@@ -31,6 +32,7 @@ def design(options: Any, session: Session) -> int:
     require_folder_name(options.output)
     request = _request(options, session)
     request.remesh, request.solids = not options.no_remesh, not options.no_solids
+    request.auto_cuts = options.auto_cuts
     if options.cuts:
         request.cuts = cuts.read_cuts(options.cuts)
     outcome = pipeline.run_design(request, session.reporter)
@@ -112,10 +114,23 @@ def _finish(outcome: Any, folder: Path | None, session: Session) -> int:
                          f"{words[outcome.verdict.valid]}")
     for reason in outcome.verdict.reasons:
         session.reporter.say(f"  {reason}")
+    _tell_of_cuts(outcome, session.reporter)
     if outcome.stopped:  # a signal that came too late to leave anything out stopped nothing
         session.reporter.say("stopped: what there is, is written" if folder else "stopped")
         return STOPPED
     return NOT_VALID if outcome.verdict.valid is False else VALID
+
+
+def _tell_of_cuts(outcome: Any, reporter: Reporter) -> None:
+    """Where cuts are proposed: how to make them."""
+    found = outcome.suggestions
+    if found.proposed:
+        count = len(found.applied) + len(found.proposed)
+        if outcome.verdict.valid is not False:  # otherwise they stand among the reasons
+            for cut in found.proposed:
+                reporter.say(f"  warning: {describe(cut)} would relieve the layout")
+        reporter.say(f"  to make them: --cuts with {outcome.name}-cuts.json, or --auto-cuts {count} for as "
+                     "many, chosen anew")
 
 
 def _request(options: Any, session: Session) -> pipeline.Request:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from pathlib import Path
 from typing import Any, Callable
@@ -24,6 +25,8 @@ def write_outcome(outcome: Any, path: Path, progress: Progress) -> Folder:
     folder = Folder(path)
     start = time.perf_counter()
     folder.write_text("design.json", native.write_design(outcome.design))
+    if outcome.suggestions.proposed:
+        folder.write_text(f"{outcome.name}-cuts.json", cuts_text(outcome))
     software: dict[str, str] = {}
     if outcome.model is not None:
         try:
@@ -71,6 +74,12 @@ def write_reports(outcome: Any, folder: Folder, software: dict[str, str] | None 
     html = build_html(outcome, build_report(outcome, folder.files, software))
     folder.write_text("report.html", html)
     folder.write_text("report.json", to_text(build_report(outcome, folder.files, software)))
+
+
+def cuts_text(outcome: Any) -> str:
+    """The design's cuts and those proposed, as `--cuts` takes them."""
+    edges = np.vstack([outcome.design.cuts, *(cut.edges for cut in outcome.suggestions.proposed)])
+    return json.dumps({"edges": np.sort(edges, axis=1).tolist()}) + "\n"
 
 
 def write_obj(folder: Folder, name: str, V: np.ndarray, F: np.ndarray) -> None:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From a target surface to a finished design: arrays in, arrays out, no FreeCAD.
 
-target -> remesh -> layout -> solids -> verify -> repair -> check. Each stage is one function, timed by `_stage`; what it
-finds is kept in an `Outcome`, from which reports, files and documents are made.
+target -> remesh -> (cuts) -> layout -> solids -> verify -> repair -> check -> (cuts). Each stage is one function, timed by
+`_stage`; what it finds is kept in an `Outcome`, from which reports, files and documents are made. Cuts are looked for before
+the layout where they were asked for, and at the end for a design that needs them.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from typing import Any, Optional
 
 import numpy as np
 
+from . import suggestions
 from .cuts import CutRequest, resolve_cuts
 from .errors import CurveUpsError, Stopped, from_native, tile_list
 from .native import native
@@ -35,6 +37,7 @@ class Request:
     F: np.ndarray
     parameters: Any
     cuts: CutRequest = field(default_factory=CutRequest)
+    auto_cuts: int = 0  # how many suggested cuts are made besides
     remesh: bool = True
     solids: bool = True
     where: str = ""  # names the target in messages
@@ -75,6 +78,8 @@ class Outcome:
     repair: Any = None                       # native RepairResult, where weak contacts were repaired
     model: Any = None                        # native PrintModel
     solids: Optional[SolidFigures] = None
+    stretch: Optional[dict] = None           # of the layout: suggestions.stretch_of
+    suggestions: suggestions.Suggestions = field(default_factory=suggestions.Suggestions)
     stopped: bool = False
     stages: list[Stage] = field(default_factory=list)
     warnings: list[dict] = field(default_factory=list)
@@ -96,7 +101,8 @@ def prepare_target(request: Request, progress: Progress, stages: list[Stage],
         else:
             _refuse(native.check_mesh(V, F, 1.0, True), request.where, BROKEN)
             parameters.set("L", _own_length(V, F, request.where))
-        findings = native.check_mesh(V, F, parameters.get("L"), bool(request.cuts))
+        findings = native.check_mesh(V, F, parameters.get("L"),
+                                     bool(request.cuts) or request.auto_cuts > 0)
         notes += [finding.message for finding in findings if finding.kind == "components"]
         _report([f for f in findings if f.kind != "components"], warnings, request.where)
         if not request.remesh:
@@ -116,8 +122,20 @@ def run_design(request: Request, progress: Progress) -> Outcome:
     _go_on(progress, "cutting")
     with _errors(request.where):
         cuts = resolve_cuts(request.cuts, target.V, target.F)
-        _report(native.check_target(target.V, target.F, cuts, parameters), warnings,
-                request.where, tiles=True)
+        findings = native.check_target(target.V, target.F, cuts, parameters)
+        _report(findings, [], request.where, tiles=True)
+    applied = []
+    if request.auto_cuts:
+        with _stage(stages, "cuts", request.where):
+            found = native.suggest_cuts(target.V, target.F, cuts, parameters, request.auto_cuts,
+                                        progress=progress)
+            if found.stopped:
+                raise Stopped
+            applied = list(found.cuts)
+            cuts = suggestions.joined([cuts, *(cut.edges for cut in applied)])
+            findings = native.check_target(target.V, target.F, cuts, parameters)
+        stages[-1].iterations = int(found.layouts)
+    _report(findings, warnings, request.where, tiles=True)
     with _stage(stages, "layout", request.where):
         begun = _FirstCall(progress)
         layout = native.solve_layout(request.name, target.V, target.F, cuts, parameters, begun)
@@ -128,6 +146,7 @@ def run_design(request: Request, progress: Progress) -> Outcome:
         figures = native.evaluate_design(layout.design)
     outcome = Outcome(request.name, layout.design, figures, target, layout, stages=stages,
                       warnings=warnings, stopped=bool(layout.stopped))
+    outcome.suggestions.applied = applied
     if request.solids:
         _build(outcome, progress, request.where)
     _verify(outcome, progress, request.where)
@@ -137,6 +156,7 @@ def run_design(request: Request, progress: Progress) -> Outcome:
         _verify(outcome, progress, request.where)
     if request.solids:
         _measure(outcome, progress, request.where)
+    _suggest(outcome, progress, request.where)
     outcome.verdict = judge(outcome)
     return outcome
 
@@ -173,10 +193,8 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
         return
     try:
         with _stage(outcome.stages, "verify", where):
-            # Where printed tiles touch, whether or not solids are wanted.
-            tips = (outcome.model.bump_tips if outcome.model is not None
-                    else native.bump_tips(outcome.design))
-            outcome.verification = native.verify_design(outcome.design, progress, tips)
+            outcome.verification = native.verify_design(outcome.design, progress,
+                                                        _bump_tips(outcome.model))
         physics = outcome.verification.blocks.get("physics", {})
         outcome.stages[-1].iterations = sum(physics.get("newton_iterations", ()))
     except Stopped:
@@ -192,7 +210,7 @@ def _repair(outcome: Outcome, progress: Progress, where: str) -> bool:
         return False
     try:
         with _stage(outcome.stages, "refine", where):
-            outcome.repair = native.repair_design(outcome.design, progress)
+            outcome.repair = native.repair_design(outcome.design, progress=progress)
     except Stopped:
         outcome.stopped = True
         return False
@@ -237,6 +255,28 @@ def _measure(outcome: Outcome, progress: Progress, where: str) -> None:
             outcome.stopped = True
     if outcome.stopped:
         outcome.model = None
+
+
+def _suggest(outcome: Outcome, progress: Progress, where: str) -> None:
+    """Cuts and other remedies for a design that did not verify, or is badly stretched."""
+    if outcome.stopped:
+        return
+    with _errors(where):
+        outcome.stretch = suggestions.stretch_of(outcome.design)
+    stretched = suggestions.is_stretched(outcome.stretch, int(outcome.figures.contacts))
+    failed = outcome.verification is not None and not outcome.verification.valid
+    if not (stretched or failed or not outcome.layout.converged):
+        return
+    with _stage(outcome.stages, "cuts", where):
+        suggestions.propose(outcome, progress)
+    if stretched:
+        outcome.warnings.append(suggestions.stretch_warning(outcome))
+
+
+def _bump_tips(model: Any) -> list[np.ndarray]:
+    if model is None:
+        return []
+    return [np.array(tips, float).reshape(-1, 3) for tips in model.bump_tips]
 
 
 def _scaled(request: Request) -> tuple[np.ndarray, np.ndarray]:

@@ -28,11 +28,17 @@ def judge(outcome: Any) -> Verdict:
             broken += list(physical["reasons"])
             if outcome.repair is not None:
                 broken += [contact.reason for contact in outcome.repair.blocked]
-                broken += list(outcome.repair.suggestions)
+            broken += _remedies(outcome)
         return Verdict(not broken, broken)
     if broken:
         return Verdict(False, broken)
     return Verdict(None, [outcome.verify_note] if outcome.verify_note else [])
+
+
+def _remedies(outcome: Any) -> list[str]:
+    """What would help, with values where they are known, in general words otherwise."""
+    known = [f"this would help: {sentence}" for sentence in outcome.suggestions.sentences()]
+    return known or (list(outcome.repair.suggestions) if outcome.repair is not None else [])
 
 
 def small_pins(outcome: Any) -> tuple[list, list]:

@@ -30,7 +30,9 @@ OPTIONAL = {
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
               "smallest_feature_mm": NUMBER, "files": dict},
 }
-STAGES = ("remesh", "flatten", "layout", "verify", "refine", "solids", "check", "export")
+STRETCH = {"scale_spread": None, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
+           "spring_mean": NUMBER, "slack_springs": COUNT}
+STAGES = ("remesh", "cuts", "flatten", "layout", "verify", "refine", "solids", "check", "export")
 
 
 def check(value, expected, where):
@@ -63,6 +65,14 @@ def check_report(report):
     for warning in report["warnings"]:
         assert warning["what"] and isinstance(warning["tiles"], list)
         assert all(0 <= tile < report["tiles"] for tile in warning["tiles"])
+    if "layout" in report and "stretch" in report["layout"]:
+        check(report["layout"]["stretch"], STRETCH, "layout.stretch")
+    for cut in report.get("suggested_cuts", []):
+        check(cut, {"edges": list, "length_mm": NUMBER, "reason": TEXT, "predicted": dict}, "cut")
+        assert cut["edges"] and all(a != b for a, b in cut["edges"]) and cut["applied"] in (True, False)
+        for figures in (cut["predicted"]["before"], cut["predicted"]["after"]):
+            if figures is not None:
+                check(figures, STRETCH, "predicted")
     for stage in report["stages"]:
         assert stage["name"] in STAGES and stage["seconds"] >= 0 and stage["iterations"] >= 0
 

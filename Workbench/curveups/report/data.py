@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from .. import __version__
+from .. import __version__, suggestions
 from ..native import native
 from ..verdict import small_pins
 
@@ -43,6 +43,10 @@ def build_report(outcome: Any, files: dict[str, int], software: dict[str, str]) 
         report["deviation"] = _deviation(outcome)
     if outcome.layout is not None:
         report["layout"] = _layout(outcome.layout)
+        if outcome.stretch is not None:
+            report["layout"]["stretch"] = outcome.stretch
+    if outcome.suggestions:
+        report["suggested_cuts"] = suggestions.to_list(outcome.suggestions)
     if outcome.verification is not None:
         blocks = outcome.verification.to_dict()
         report.update({key: blocks[key] for key in ("physics", "contact_forces", "unilateral")

@@ -27,13 +27,14 @@ void check_topology(const TriangleMesh& mesh, const MeshTopology& topology) {
   }
   const int loops = static_cast<int>(boundary_loops(topology).size());
   if (loops == 0) {
-    throw TopologyError("the surface is closed and has no flat layout", "cut it open");
+    throw TopologyError("the surface is closed and has no flat layout",
+                        "cut it open (--auto-cuts 1 does)");
   }
   const int handles = handle_count(topology, loops);
   if (handles > 0) {
     throw TopologyError("the surface has " + std::to_string(handles) +
                             (handles == 1 ? " handle" : " handles") + " and no flat layout",
-                        "cut each handle open");
+                        "cut each handle open (--auto-cuts 1 does)");
   }
 }
 

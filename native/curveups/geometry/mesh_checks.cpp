@@ -154,7 +154,7 @@ void check_shape(const TriangleMesh& mesh, double L, bool cuts_given, Findings& 
   }
   if (!closed.empty() && !cuts_given) {
     findings.add("closed", "the surface is closed: it can't lie flat in one piece",
-                 "cut it open (--cuts), or remove a part of it", closed);
+                 "let it be cut open (--auto-cuts 1), give --cuts, or remove a part of it", closed);
   }
   findings.add_faces("self-intersections", " faces run through others of the same surface",
                      "repair the surface: tiles can't pass through one another",
