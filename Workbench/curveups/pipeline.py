@@ -193,8 +193,10 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
         return
     try:
         with _stage(outcome.stages, "verify", where):
-            outcome.verification = native.verify_design(outcome.design, progress,
-                                                        _bump_tips(outcome.model))
+            # Where printed tiles touch, whether or not solids are wanted.
+            tips = (outcome.model.bump_tips if outcome.model is not None
+                    else native.bump_tips(outcome.design))
+            outcome.verification = native.verify_design(outcome.design, progress, tips)
         physics = outcome.verification.blocks.get("physics", {})
         outcome.stages[-1].iterations = sum(physics.get("newton_iterations", ()))
     except Stopped:
@@ -271,12 +273,6 @@ def _suggest(outcome: Outcome, progress: Progress, where: str) -> None:
         suggestions.propose(outcome, progress)
     if stretched:
         outcome.warnings.append(suggestions.stretch_warning(outcome))
-
-
-def _bump_tips(model: Any) -> list[np.ndarray]:
-    if model is None:
-        return []
-    return [np.array(tips, float).reshape(-1, 3) for tips in model.bump_tips]
 
 
 def _scaled(request: Request) -> tuple[np.ndarray, np.ndarray]:
