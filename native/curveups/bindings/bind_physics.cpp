@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The exact physical model and its verdict.
+#include <algorithm>
+
 #include "curveups/bindings/bindings.hpp"
 #include "curveups/physics/validation.hpp"
 
@@ -22,7 +24,11 @@ py::dict physics_block(const PhysicsFigures& f) {
   py::dict out;
   out["triangles"] = f.triangles;
   out["free_vertices"] = f.free_vertices;
-  out["newton_iterations"] = py::make_tuple(f.newton_iterations[0], f.newton_iterations[1]);
+  // Per side: the most on one of its two meshes; then the coarser and the finer by themselves.
+  out["newton_iterations"] =
+      py::make_tuple(std::max(f.coarse_iterations[0], f.fine_iterations[0]),
+                     std::max(f.coarse_iterations[1], f.fine_iterations[1]));
+  out["newton_iterations_coarse"] = py::make_tuple(f.coarse_iterations[0], f.coarse_iterations[1]);
   out["newton_iterations_fine"] = py::make_tuple(f.fine_iterations[0], f.fine_iterations[1]);
   out["converged"] = f.converged;
   out["residual"] = f.residual;

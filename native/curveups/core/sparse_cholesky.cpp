@@ -4,6 +4,7 @@
 
 #include <cholmod.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -33,14 +34,20 @@ cholmod_sparse view(const SparseMatrix& a) {
 }  // namespace
 
 struct SparseCholesky::Impl {
-  Impl() {
+  explicit Impl(Ordering ordering) {
+    const bool given = ordering == Ordering::as_given;
     cholmod_start(&common);
     common.print = 0;
     common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_AMD;
-    common.postorder = 1;
+    common.method[0].ordering = given ? CHOLMOD_NATURAL : CHOLMOD_AMD;
+    common.postorder = given ? 0 : 1;
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.final_ll = 1;
+    // Supernodes somewhat larger than by default: a fifth less time with blocks of 3 to 9 unknowns.
+    const std::size_t columns[3] = {8, 24, 64};
+    const double zeros[3] = {0.8, 0.2, 0.05};
+    std::copy_n(columns, 3, common.nrelax);
+    std::copy_n(zeros, 3, common.zrelax);
     common.error_handler = nullptr;
   }
   ~Impl() {
@@ -54,10 +61,30 @@ struct SparseCholesky::Impl {
   cholmod_factor* factor = nullptr;
 };
 
-SparseCholesky::SparseCholesky() : impl_(std::make_unique<Impl>()) {}
+SparseCholesky::SparseCholesky(Ordering ordering) : impl_(std::make_unique<Impl>(ordering)) {}
 SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
+
+std::vector<int> elimination_order(const std::vector<std::vector<int>>& above) {
+  const int count = static_cast<int>(above.size());
+  if (count == 0) return {};
+  SparseMatrix graph(count, count);
+  int entries = count;
+  for (const std::vector<int>& rows : above) entries += static_cast<int>(rows.size());
+  graph.resizeNonZeros(entries);
+  int at = 0;
+  for (int v = 0; v < count; ++v) {
+    graph.outerIndexPtr()[v] = at;
+    graph.innerIndexPtr()[at++] = v;
+    for (int u : above[v]) graph.innerIndexPtr()[at++] = u;
+  }
+  graph.outerIndexPtr()[count] = at;
+  std::fill(graph.valuePtr(), graph.valuePtr() + entries, 1.0);
+  SparseCholesky symbolic;
+  symbolic.analyze(graph);
+  return symbolic.order();
+}
 
 void SparseCholesky::analyze(const SparseMatrix& lower) {
   const OneThread guard;
@@ -69,6 +96,11 @@ void SparseCholesky::analyze(const SparseMatrix& lower) {
                             std::to_string(lower.rows()) + " unknowns",
                         "use a coarser mesh or a machine with more memory");
   }
+}
+
+std::vector<int> SparseCholesky::order() const {
+  const int* first = static_cast<const int*>(impl_->factor->Perm);
+  return std::vector<int>(first, first + impl_->factor->n);
 }
 
 bool SparseCholesky::factorize(const SparseMatrix& lower) {

@@ -6,21 +6,34 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <memory>
+#include <vector>
 
 namespace curveups {
 
 // Only the lower triangle of the matrix is read.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
+// An order of elimination with little fill (AMD, in postorder) for a graph: `above[v]` are the
+// neighbours of v with higher numbers, ascending. The k-th entry goes k-th. Unknowns that come in
+// blocks of one pattern are ordered many times faster by the graph of their blocks.
+std::vector<int> elimination_order(const std::vector<std::vector<int>>& above);
+
+enum class Ordering {
+  by_fill,  // AMD, when the pattern is analyzed
+  as_given  // the unknowns are numbered by an elimination_order already: no permuted copies
+};
+
 class SparseCholesky {
  public:
-  SparseCholesky();
+  explicit SparseCholesky(Ordering ordering = Ordering::by_fill);
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-  // Symbolic factorization (AMD ordering). Throws SolverFailure when memory runs out.
+  // Symbolic factorization. Throws SolverFailure when memory runs out.
   void analyze(const SparseMatrix& lower);
+  // The order of elimination that the analysis chose.
+  std::vector<int> order() const;
   // Numeric factorization of a matrix with the pattern last analyzed (analyzes when there is none).
   // Returns false when the matrix is not positive definite or holds a value that is not finite.
   bool factorize(const SparseMatrix& lower);

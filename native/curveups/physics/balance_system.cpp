@@ -52,30 +52,47 @@ BalanceSystem::BalanceSystem(std::vector<ContactPoint> points, const Points3& ce
     row_of_tile_[i] = rows_;
     rows_ += 6;
   }
+  number_rows();
   make_pattern();
+  make_arms();
+}
+
+std::array<int, 2> BalanceSystem::blocks_of(const ContactPoint& point) const {
+  std::array<int, 2> block = {-1, -1};
+  for (int end = 0; end < 2; ++end) {
+    const int tile = point.tile[end];
+    if (tile >= 0 && row_of_tile_[tile] >= 0) block[end] = row_of_tile_[tile] / 6;
+  }
+  return block;
+}
+
+std::vector<std::vector<int>> BalanceSystem::neighbours_above() const {
+  std::vector<std::vector<int>> above(rows_ / 6);
+  for (const ContactPoint& point : points_) {
+    const auto [a, b] = blocks_of(point);
+    if (a >= 0 && b >= 0) above[std::min(a, b)].push_back(std::max(a, b));
+  }
+  for (std::vector<int>& list : above) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return above;
+}
+
+void BalanceSystem::number_rows() {
+  const std::vector<int> order = elimination_order(neighbours_above());
+  std::vector<int> number(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = static_cast<int>(k);
+  for (int& row : row_of_tile_) {
+    if (row >= 0) row = 6 * number[row / 6];
+  }
 }
 
 void BalanceSystem::make_pattern() {
   const int blocks = rows_ / 6;
-  std::vector<std::vector<int>> below(blocks);
-  auto ends = [&](const ContactPoint& point) {
-    std::array<int, 2> block = {-1, -1};
-    for (int end = 0; end < 2; ++end) {
-      const int tile = point.tile[end];
-      if (tile >= 0 && row_of_tile_[tile] >= 0) block[end] = row_of_tile_[tile] / 6;
-    }
-    return block;
-  };
-  for (const ContactPoint& point : points_) {
-    const auto [a, b] = ends(point);
-    if (a >= 0 && b >= 0) below[std::min(a, b)].push_back(std::max(a, b));
-  }
+  const std::vector<std::vector<int>> above = neighbours_above();
   int entries = 0;
-  for (std::vector<int>& list : below) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    entries += 21 + 36 * static_cast<int>(list.size());
-  }
+  for (const std::vector<int>& list : above) entries += 21 + 36 * static_cast<int>(list.size());
   matrix_.resize(rows_, rows_);
   matrix_.resizeNonZeros(entries);
   int at = 0;
@@ -83,7 +100,7 @@ void BalanceSystem::make_pattern() {
     for (int c = 0; c < 6; ++c) {
       matrix_.outerIndexPtr()[6 * v + c] = at;
       for (int r = c; r < 6; ++r) matrix_.innerIndexPtr()[at++] = 6 * v + r;
-      for (int u : below[v]) {
+      for (int u : above[v]) {
         for (int r = 0; r < 6; ++r) matrix_.innerIndexPtr()[at++] = 6 * u + r;
       }
     }
@@ -91,24 +108,32 @@ void BalanceSystem::make_pattern() {
   matrix_.outerIndexPtr()[rows_] = at;
   offset_.assign(points_.size(), -1);
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    const auto [a, b] = ends(points_[p]);
+    const auto [a, b] = blocks_of(points_[p]);
     if (a < 0 || b < 0) continue;
-    const std::vector<int>& list = below[std::min(a, b)];
+    const std::vector<int>& list = above[std::min(a, b)];
     offset_[p] = 6 * static_cast<int>(std::lower_bound(list.begin(), list.end(), std::max(a, b)) -
                                       list.begin());
   }
 }
 
-BalanceSystem::Arm BalanceSystem::arm(int point, int end) const {
-  const ContactPoint& contact = points_[point];
-  const double sign = end == 0 ? -1.0 : 1.0;
-  const Vec3 r = contact.position - centres_.row(contact.tile[end]).transpose();
-  Arm out;
-  out.topRows<3>() = sign * basis_[point];
-  for (int c = 0; c < 3; ++c) {
-    out.block<3, 1>(3, c) = (sign / lever_) * r.cross(basis_[point].col(c));
+void BalanceSystem::make_arms() {
+  arm_.resize(points_.size());
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    for (int end = 0; end < 2; ++end) {
+      Arm& out = arm_[p][end];
+      const int tile = points_[p].tile[end];
+      if (tile < 0) {
+        out.setZero();
+        continue;
+      }
+      const double sign = end == 0 ? -1.0 : 1.0;
+      const Vec3 r = points_[p].position - centres_.row(tile).transpose();
+      out.topRows<3>() = sign * basis_[p];
+      for (int c = 0; c < 3; ++c) {
+        out.block<3, 1>(3, c) = (sign / lever_) * r.cross(basis_[p].col(c));
+      }
+    }
   }
-  return out;
 }
 
 Eigen::VectorXd BalanceSystem::restrict(const Wrenches& wrenches) const {
@@ -122,7 +147,15 @@ Eigen::VectorXd BalanceSystem::restrict(const Wrenches& wrenches) const {
 }
 
 Eigen::VectorXd BalanceSystem::apply(const Eigen::VectorXd& f) const {
-  return restrict(wrenches(f));
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(rows_);
+  for (int p = 0; p < point_count(); ++p) {
+    for (int end = 0; end < 2; ++end) {
+      const int tile = points_[p].tile[end];
+      if (tile < 0 || row_of_tile_[tile] < 0) continue;
+      out.segment<6>(row_of_tile_[tile]).noalias() += arm_[p][end] * f.segment<3>(3 * p);
+    }
+  }
+  return out;
 }
 
 Eigen::VectorXd BalanceSystem::apply_transposed(const Eigen::VectorXd& y) const {
@@ -131,7 +164,8 @@ Eigen::VectorXd BalanceSystem::apply_transposed(const Eigen::VectorXd& y) const 
     for (int end = 0; end < 2; ++end) {
       const int tile = points_[p].tile[end];
       if (tile < 0 || row_of_tile_[tile] < 0) continue;
-      out.segment<3>(3 * p) += arm(p, end).transpose() * y.segment<6>(row_of_tile_[tile]);
+      out.segment<3>(3 * p).noalias() +=
+          arm_[p][end].transpose() * y.segment<6>(row_of_tile_[tile]);
     }
   }
   return out;
@@ -151,7 +185,7 @@ Wrenches BalanceSystem::wrenches(const Eigen::VectorXd& f) const {
     for (int end = 0; end < 2; ++end) {
       const int tile = points_[p].tile[end];
       if (tile < 0) continue;
-      Vector6 wrench = arm(p, end) * f.segment<3>(3 * p);
+      Vector6 wrench = arm_[p][end] * f.segment<3>(3 * p);
       wrench.tail<3>() *= lever_;
       out.row(tile) += wrench.transpose();
     }
@@ -165,13 +199,12 @@ bool BalanceSystem::factorize(const std::vector<Eigen::Matrix3d>& D) {
   const int* outer = matrix_.outerIndexPtr();
   std::fill(values, values + matrix_.nonZeros(), 0.0);
   for (int p = 0; p < point_count(); ++p) {
-    std::array<Arm, 2> arms;
     std::array<int, 2> row = {-1, -1};
+    const std::array<Arm, 2>& arms = arm_[p];
     for (int end = 0; end < 2; ++end) {
       const int tile = points_[p].tile[end];
       if (tile < 0 || row_of_tile_[tile] < 0) continue;
       row[end] = row_of_tile_[tile];
-      arms[end] = arm(p, end);
       const Matrix6 block = arms[end] * D[p] * arms[end].transpose();
       for (int c = 0; c < 6; ++c) {
         for (int r = c; r < 6; ++r) values[outer[row[end] + c] + r - c] += block(r, c);

@@ -59,18 +59,22 @@ class BalanceSystem {
 
  private:
   using Arm = Eigen::Matrix<double, 6, 3>;  // force in the basis to wrench on a tile
-  Arm arm(int point, int end) const;
+  void make_arms();
+  std::array<int, 2> blocks_of(const ContactPoint& point) const;  // -1 where a tile has no rows
+  std::vector<std::vector<int>> neighbours_above() const;         // of the blocks
+  void number_rows();
   void make_pattern();
 
   std::vector<ContactPoint> points_;
   std::vector<Eigen::Matrix3d> basis_;
+  std::vector<std::array<Arm, 2>> arm_;  // per point, on its two tiles
   Points3 centres_;
   double lever_;
   std::vector<int> row_of_tile_;  // first row, or -1
   int rows_ = 0;
   std::vector<int> offset_;  // per point: rows behind the diagonal block, -1 where not coupled
   SparseMatrix matrix_;
-  SparseCholesky factor_;
+  SparseCholesky factor_{Ordering::as_given};
 };
 
 }  // namespace curveups

@@ -94,13 +94,17 @@ MembraneClearance membrane_clearance(const DesignGeometry& geometry,
   for (std::size_t p = patches.size(); p-- > 0;) {
     if (first[p] == patch_of.size()) first[p] = first[p + 1];
   }
+  std::vector<ConvexBody> bodies(tiles.tile_count());
+  parallel_ranges(tiles.tile_count(), [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) bodies[i] = tile_body(tiles, geometry.truncation, i);
+  });
   std::vector<MembraneClearance> of_patch(patches.size());
   parallel_ranges(static_cast<int>(patches.size()), [&](int begin, int end) {
     for (int p = begin; p < end; ++p) {
       MembraneClearance& best = of_patch[p];
       best = {H_pin, -1, p};
       for (int tile : tiles_of(patches[p])) {
-        const ConvexBody body = tile_body(tiles, geometry.truncation, tile);
+        const ConvexBody& body = bodies[tile];
         const BodyFace* face = nullptr;
         for (const BodyFace& f : body.faces) {
           if (f.tag == tag) face = &f;

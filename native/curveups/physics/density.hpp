@@ -21,14 +21,16 @@ struct Density {
   double value = 0;
   Vector6 gradient = Vector6::Zero();
   Matrix6 hessian = Matrix6::Zero();  // left zero unless asked for
-  MembraneTension tension = MembraneTension::taut;
 };
 
 // Squared principal stretches l1 >= l2 of F: the eigenvalues of C = F^T F.
 struct PrincipalStretches {
   double l1, l2;
-  Eigen::Vector2d n1;  // unit eigenvector of l1; that of l2 is n1 turned by +90 degrees
+  MembraneTension tension() const;
 };
 PrincipalStretches principal_stretches(const Gradient32& F);
+
+// Unit eigenvector of C for l1; that for l2 is the same turned by +90 degrees.
+Eigen::Vector2d principal_direction(const Gradient32& F);
 
 }  // namespace curveups

@@ -53,7 +53,7 @@ class MembraneEquilibrium {
 
   MembraneEnergy energy_;
   SparseMatrix hessian_;
-  SparseCholesky factor_;
+  SparseCholesky factor_{Ordering::as_given};
 };
 
 // Positions on a mesh that refine_mesh made from the one `coarse` belongs to: midpoints, except for

@@ -44,6 +44,7 @@ MembraneEnergy::MembraneEnergy(const MembraneMesh& mesh, const Points2& flat, do
     elements_.push_back({t, Eigen::Matrix2d::Zero(), 0, {-1, -1, -1}});
   }
   set_rest(flat, tau);
+  number_free_vertices();
   make_pattern();
 }
 
@@ -96,21 +97,35 @@ void MembraneEnergy::second_derivatives(const Points3& x, const std::vector<Poin
   }
 }
 
-void MembraneEnergy::make_pattern() {
-  // Per free vertex the free neighbours of higher number, ascending.
-  std::vector<std::vector<int>> below(free_count_);
+// Per free vertex its free neighbours of higher number, ascending.
+std::vector<std::vector<int>> MembraneEnergy::neighbours_above() const {
+  std::vector<std::vector<int>> above(free_count_);
   for (const Element& e : elements_) {
     for (int k = 0; k < 3; ++k) {
       const int a = free_index_[e.vertex[k]], b = free_index_[e.vertex[next3(k)]];
-      if (a >= 0 && b >= 0) below[std::min(a, b)].push_back(std::max(a, b));
+      if (a >= 0 && b >= 0) above[std::min(a, b)].push_back(std::max(a, b));
     }
   }
-  int entries = 0;
-  for (std::vector<int>& rows : below) {
+  for (std::vector<int>& rows : above) {
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    entries += 6 + 9 * static_cast<int>(rows.size());
   }
+  return above;
+}
+
+void MembraneEnergy::number_free_vertices() {
+  const std::vector<int> order = elimination_order(neighbours_above());
+  std::vector<int> number(free_count_);
+  for (int k = 0; k < free_count_; ++k) number[order[k]] = k;
+  for (int& index : free_index_) {
+    if (index >= 0) index = number[index];
+  }
+}
+
+void MembraneEnergy::make_pattern() {
+  const std::vector<std::vector<int>> above = neighbours_above();
+  int entries = 0;
+  for (const std::vector<int>& rows : above) entries += 6 + 9 * static_cast<int>(rows.size());
   pattern_.resize(3 * free_count_, 3 * free_count_);
   pattern_.resizeNonZeros(entries);
   int at = 0;
@@ -118,7 +133,7 @@ void MembraneEnergy::make_pattern() {
     for (int c = 0; c < 3; ++c) {
       pattern_.outerIndexPtr()[3 * v + c] = at;
       for (int r = c; r < 3; ++r) pattern_.innerIndexPtr()[at++] = 3 * v + r;
-      for (int u : below[v]) {
+      for (int u : above[v]) {
         for (int r = 0; r < 3; ++r) pattern_.innerIndexPtr()[at++] = 3 * u + r;
       }
     }
@@ -128,7 +143,7 @@ void MembraneEnergy::make_pattern() {
     for (int k = 0; k < 3; ++k) {
       const int a = free_index_[e.vertex[k]], b = free_index_[e.vertex[next3(k)]];
       if (a < 0 || b < 0) continue;
-      const std::vector<int>& rows = below[std::min(a, b)];
+      const std::vector<int>& rows = above[std::min(a, b)];
       const auto it = std::lower_bound(rows.begin(), rows.end(), std::max(a, b));
       e.offset[k] = 3 * static_cast<int>(it - rows.begin());
     }
@@ -242,7 +257,7 @@ Points3 MembraneEnergy::harmonic(const Points3& glued) const {
   }
   SparseMatrix lower(free_count_, free_count_);
   lower.setFromTriplets(entries.begin(), entries.end());
-  SparseCholesky cholesky;
+  SparseCholesky cholesky(Ordering::as_given);
   if (!cholesky.factorize(lower)) {
     throw SolverFailure("the membrane's harmonic start could not be computed",
                         "a part of the membrane hangs on no pin: check cuts and layout");
@@ -258,9 +273,8 @@ std::vector<TriangleStretch> MembraneEnergy::stretches(const Points3& x) const {
   std::vector<TriangleStretch> out;
   out.reserve(elements_.size());
   for (const Element& e : elements_) {
-    const Gradient32 F = deformation(e, x);
-    const PrincipalStretches l = principal_stretches(F);
-    out.push_back({std::sqrt(l.l1), std::sqrt(l.l2), density(F, false).tension});
+    const PrincipalStretches l = principal_stretches(deformation(e, x));
+    out.push_back({std::sqrt(l.l1), std::sqrt(l.l2), l.tension()});
   }
   return out;
 }

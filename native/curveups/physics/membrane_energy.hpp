@@ -24,7 +24,8 @@ struct TriangleStretch {
   MembraneTension tension;
 };
 
-// The unknowns are the vertices that no pin holds, in the order of the mesh, three numbers each.
+// The unknowns are the vertices that no pin holds, three numbers each, in an order that suits the
+// Hessian's factorization (Ordering::as_given).
 class MembraneEnergy {
  public:
   // flat: per mesh vertex. Throws InvalidInput for a modulus, thickness or tau that is not
@@ -70,6 +71,8 @@ class MembraneEnergy {
   };
   Gradient32 deformation(const Element& element, const Points3& x) const;
   Density density(const Gradient32& F, bool second) const;
+  std::vector<std::vector<int>> neighbours_above() const;
+  void number_free_vertices();
   void make_pattern();
 
   std::vector<Element> elements_;

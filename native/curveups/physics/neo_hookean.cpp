@@ -6,16 +6,38 @@
 
 namespace curveups {
 
+namespace {
+
+// Of C: half the difference of its diagonal, and its other entry.
+Eigen::Vector2d deviator(const Gradient32& F) {
+  return {0.5 * (F.col(0).squaredNorm() - F.col(1).squaredNorm()), F.col(0).dot(F.col(1))};
+}
+
+}  // namespace
+
 PrincipalStretches principal_stretches(const Gradient32& F) {
-  const double a = F.col(0).squaredNorm(), b = F.col(1).squaredNorm(), c = F.col(0).dot(F.col(1));
-  const double half_difference = 0.5 * (a - b), radius = std::hypot(half_difference, c);
   PrincipalStretches out;
-  out.l1 = 0.5 * (a + b) + radius;
-  // The product from the cross product: a + b - l1 cancels.
+  out.l1 = 0.5 * F.squaredNorm() + deviator(F).norm();
+  // The product from the cross product: a difference cancels.
   out.l2 = out.l1 > 0 ? F.col(0).cross(F.col(1)).squaredNorm() / out.l1 : 0.0;
-  const double angle = 0.5 * std::atan2(c, half_difference);
-  out.n1 = {std::cos(angle), std::sin(angle)};
   return out;
+}
+
+MembraneTension PrincipalStretches::tension() const {
+  if (l1 < 1) return MembraneTension::slack;
+  return l2 * l2 * l1 < 1 ? MembraneTension::wrinkled : MembraneTension::taut;
+}
+
+Eigen::Vector2d principal_direction(const Gradient32& F) {
+  // Half the angle of the deviator, from whichever of sine and cosine is the larger.
+  const Eigen::Vector2d d = deviator(F);
+  const double radius = d.norm();
+  if (!(radius > 0)) return {1, 0};
+  const double larger = std::sqrt(0.5 * (1 + std::abs(d.x()) / radius)),
+               smaller = 0.5 * std::abs(d.y()) / (radius * larger);
+  const double sign = d.y() < 0 ? -1.0 : 1.0;
+  return d.x() >= 0 ? Eigen::Vector2d(larger, sign * smaller)
+                    : Eigen::Vector2d(smaller, sign * larger);
 }
 
 Density neo_hookean(const Gradient32& F, bool second) {
@@ -31,11 +53,6 @@ Density neo_hookean(const Gradient32& F, bool second) {
   out.value = norm + s - 3;
   out.gradient << f1, f2;
   out.gradient = 2 * (out.gradient - s * s * a);
-  // l2 < 1 / sqrt(l1), without the eigenvalues: l1 l2^2 < 1, and so on.
-  const PrincipalStretches l = principal_stretches(F);
-  out.tension = l.l1 < 1                 ? MembraneTension::slack
-                : l.l2 * l.l2 * l.l1 < 1 ? MembraneTension::wrinkled
-                                         : MembraneTension::taut;
   if (!second) return out;
   const Matrix3d off =
       2 * f1 * f2.transpose() - f2 * f1.transpose() - f1.dot(f2) * Matrix3d::Identity();

@@ -12,11 +12,11 @@ namespace {
 // basis: d l1 = 2 g1 . d1 and d2 l1 = 2 |d1|^2 + 2 (g2 . d1 + g1 . d2)^2 / (l1 - l2).
 Density uniaxial(const Gradient32& F, const PrincipalStretches& l, bool second) {
   Density out;
-  out.tension = MembraneTension::wrinkled;
   const double root = std::sqrt(l.l1), slope = 1 - 1 / (l.l1 * root);
   out.value = l.l1 + 2 / root - 3;
-  const Eigen::Vector3d g1 = F * l.n1;
-  const double c = l.n1.x(), s = l.n1.y();
+  const Eigen::Vector2d n1 = principal_direction(F);
+  const double c = n1.x(), s = n1.y();
+  const Eigen::Vector3d g1 = F * n1;
   out.gradient << 2 * slope * c * g1, 2 * slope * s * g1;
   if (!second) return out;
   const Eigen::Vector3d g2 = F * Eigen::Vector2d(-s, c);
@@ -39,12 +39,15 @@ Density uniaxial(const Gradient32& F, const PrincipalStretches& l, bool second) 
 Density tension_field(const Gradient32& F, double regularization, bool second) {
   const PrincipalStretches l = principal_stretches(F);
   Density out;
-  if (l.l1 < 1) {
-    out.tension = MembraneTension::slack;
-  } else if (l.l2 * l.l2 * l.l1 < 1) {
-    out = uniaxial(F, l, second);
-  } else {
-    out = neo_hookean(F, second);
+  switch (l.tension()) {
+    case MembraneTension::taut:
+      out = neo_hookean(F, second);
+      break;
+    case MembraneTension::wrinkled:
+      out = uniaxial(F, l, second);
+      break;
+    case MembraneTension::slack:
+      break;
   }
   out.value += regularization * F.squaredNorm();
   out.gradient.head<3>() += 2 * regularization * F.col(0);

@@ -24,7 +24,7 @@ struct UnilateralOptions {
   double friction_coefficient = 0.5;
   // The unit of forces (N), and the cap on the floor: the mean normal force of least squares.
   double scale = 1;
-  double tolerance = 1e-5;  // on the floor, in units of scale
+  double tolerance = 1e-4;  // on the floor, in units of scale
   int max_iterations = 100;
 };
 

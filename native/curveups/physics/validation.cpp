@@ -57,7 +57,7 @@ void describe_membranes(const Membranes& membranes, const Points3& centres, doub
     const MembraneSolution& m = membranes[s];
     f.triangles += static_cast<int>(m.mesh.triangles.size());
     f.free_vertices += m.free_vertices;
-    f.newton_iterations[s] = m.coarse.state.iterations + m.state.iterations;
+    f.coarse_iterations[s] = m.coarse.state.iterations;
     f.fine_iterations[s] = m.state.iterations;
     f.residual = std::max(f.residual, m.state.residual);
     f.converged = f.converged && m.state.converged && m.coarse.state.converged;
@@ -219,7 +219,8 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
   coulomb_options.scale = scale;
   UnilateralOptions unlimited_options = coulomb_options;
   unlimited_options.friction_coefficient = infinity;
-  const bool with_tips = !options.bump_tips.empty();
+  const bool with_tips = std::any_of(options.bump_tips.begin(), options.bump_tips.end(),
+                                     [](const Points3& tips) { return tips.rows() > 0; });
   BalanceSystem unlimited_system = make_system(corners);
   BalanceSystem tips_system =
       make_system(with_tips ? tip_points(tiles, geometry, options.bump_tips) : corners);
@@ -230,19 +231,25 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
     const std::lock_guard<std::mutex> lock(mutex);
     return keep_going(progress, what, fraction);
   };
+  auto solve_unlimited = [&] {
+    unlimited = solve_unilateral(unlimited_system, loads, forces.force, unlimited_options, serial);
+  };
   parallel_pair(
-      [&] { coulomb = solve_unilateral(system, loads, forces.force, coulomb_options, serial); },
       [&] {
-        unlimited =
-            solve_unilateral(unlimited_system, loads, forces.force, unlimited_options, serial);
+        coulomb = solve_unilateral(system, loads, forces.force, coulomb_options, serial);
+        if (with_tips) solve_unlimited();
+      },
+      [&] {
         if (with_tips) {
           const ContactForces start = solve_contact_forces(tips_system, loads);
           tips = solve_unilateral(tips_system, loads, start.force, coulomb_options, serial);
+        } else {
+          solve_unlimited();
+        }
+        for (int s = 0; s < 2; ++s) {
+          clearance[s] = membrane_clearance(geometry, membranes[s], parameters.H_pin);
         }
       });
-  for (int s = 0; s < 2; ++s) {
-    clearance[s] = membrane_clearance(geometry, membranes[s], parameters.H_pin);
-  }
   report.physics.clearance_mm = std::min(clearance[0].distance, clearance[1].distance);
   UnilateralFigures& u = report.unilateral;
   u.friction_coefficient = parameters.friction_coefficient;

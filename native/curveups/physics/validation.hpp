@@ -45,8 +45,8 @@ struct Warning {
 // Figures of both membranes.
 struct PhysicsFigures {
   int triangles = 0, free_vertices = 0;
-  int newton_iterations[2] = {0, 0};  // coarse and fine mesh together; front, back
-  int fine_iterations[2] = {0, 0};
+  // Per side (front, back), on each of the two meshes.
+  int coarse_iterations[2] = {0, 0}, fine_iterations[2] = {0, 0};
   double residual = 0;  // largest force on a free vertex over the mean on a glued one
   bool converged = false;
   double wrinkled_fraction = 0;  // of the membranes' rest area: wrinkled or slack

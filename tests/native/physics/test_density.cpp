@@ -60,8 +60,7 @@ TEST(Density, TensionFieldDerivativesMatchFiniteDifferencesInEveryBranch) {
   std::mt19937 generator(2);
   for (const Stretch& s : stretches) {
     const Gradient32 F = random_gradient(s.s1, s.s2, generator);
-    EXPECT_EQ(tension_field(F, 0, false).tension, s.tension);
-    EXPECT_EQ(neo_hookean(F, false).tension, s.tension);
+    EXPECT_EQ(principal_stretches(F).tension(), s.tension);
     check_derivatives(
         F, [](const Gradient32& G, bool second) { return tension_field(G, 1e-4, second); });
   }
@@ -96,14 +95,29 @@ TEST(Density, RelaxedDensityIsTheLowerOneAndSmoothAcrossBranches) {
   }
   for (double s1 : {1.2, 2.0, 3.0}) {  // across l2 = l1^-1/2
     std::mt19937 same(6), again(6);
-    const Density a =
-        tension_field(random_gradient(s1, (1 - 1e-9) / std::sqrt(s1), same), 0, false);
-    const Density b =
-        tension_field(random_gradient(s1, (1 + 1e-9) / std::sqrt(s1), again), 0, false);
-    EXPECT_NE(static_cast<int>(a.tension), static_cast<int>(b.tension));
+    const Gradient32 below = random_gradient(s1, (1 - 1e-9) / std::sqrt(s1), same),
+                     above = random_gradient(s1, (1 + 1e-9) / std::sqrt(s1), again);
+    EXPECT_EQ(principal_stretches(below).tension(), MembraneTension::wrinkled);
+    EXPECT_EQ(principal_stretches(above).tension(), MembraneTension::taut);
+    const Density a = tension_field(below, 0, false), b = tension_field(above, 0, false);
     EXPECT_NEAR(a.value, b.value, 1e-8);
     EXPECT_LT((a.gradient - b.gradient).norm(), 1e-7);
   }
+}
+
+TEST(Density, PrincipalDirectionsAreEigenvectors) {
+  std::mt19937 generator(9);
+  for (int k = 0; k < 100; ++k) {
+    const Gradient32 F = random_gradient(2.0, k % 2 ? 1.9 : 0.1, generator);
+    const Eigen::Matrix2d C = F.transpose() * F;
+    const Eigen::Vector2d n = principal_direction(F);
+    EXPECT_NEAR(n.norm(), 1, 1e-14);
+    EXPECT_LT((C * n - principal_stretches(F).l1 * n).norm(), 1e-13);
+  }
+  Gradient32 F = Gradient32::Zero();
+  EXPECT_EQ(principal_direction(F).norm(), 1);
+  F(0, 1) = 2;  // C = diag(0, 4)
+  EXPECT_NEAR(std::abs(principal_direction(F).y()), 1, 1e-15);
 }
 
 TEST(Density, RelaxedHessianIsNeverIndefinite) {
