@@ -23,7 +23,8 @@ struct OutlineShape {
 
 // Loops of the boundary of the union of all shapes grown by their offsets, simple and disjoint; the
 // outer ones counter-clockwise, holes clockwise, the one with the largest area first. Accurate to
-// about 0.1 times `step` outwards of the exact boundary; simplified by as much.
+// about 0.1 times `step` outwards of the exact boundary, half a step in its re-entrant corners;
+// simplified by as much.
 std::vector<Polygon> outline_of(const std::vector<OutlineShape>& shapes, double step);
 
 }  // namespace curveups

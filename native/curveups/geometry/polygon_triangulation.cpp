@@ -88,7 +88,12 @@ std::vector<std::array<int, 3>> triangulate_region(const std::vector<Vec2>& poin
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     refuse();
   }
-  if (cdt.number_of_vertices() != used) refuse();
+  // An edge that passes through a corner of a loop is no edge of the triangulation.
+  for (const std::vector<int>& loop : loops) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      if (!cdt.is_edge(vertex[loop[k]], vertex[loop[(k + 1) % loop.size()]])) refuse();
+    }
+  }
   mark_depths(cdt);
   std::vector<std::array<int, 3>> triangles;
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {

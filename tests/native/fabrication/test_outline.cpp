@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "curveups/fabrication/outline.hpp"
+
+namespace curveups {
+namespace {
+
+const Disc no_disc{Vec2::Zero(), 0};
+
+OutlineShape disc(double x, double y, double radius, double offset) {
+  return {{}, {Vec2(x, y), radius}, offset};
+}
+
+double length(const Polygon& loop) {
+  double sum = 0;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    sum += (loop[(k + 1) % loop.size()] - loop[k]).norm();
+  }
+  return sum;
+}
+
+// How far p is outside the exact boundary.
+double excess(const std::vector<OutlineShape>& shapes, const Vec2& p) {
+  double least = 1e300;
+  for (const OutlineShape& shape : shapes) {
+    const double d = shape.polygon.empty()
+                         ? std::max(0.0, (p - shape.disc.centre).norm() - shape.disc.radius)
+                         : distance(shape.polygon, p);
+    least = std::min(least, d - shape.offset);
+  }
+  return least;
+}
+
+void expect_on_boundary(const std::vector<OutlineShape>& shapes, const std::vector<Polygon>& loops,
+                        double step) {
+  for (const Polygon& loop : loops) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      for (double s : {0.0, 0.25, 0.5, 0.75}) {
+        const double e = excess(shapes, loop[k] + s * (loop[(k + 1) % loop.size()] - loop[k]));
+        EXPECT_GT(e, -0.2 * step);
+        EXPECT_LT(e, 0.5 * step);  // in re-entrant corners
+      }
+    }
+  }
+}
+
+TEST(Outline, OfADiscAndOfASquareHasTheAreaOfTheGrownShape) {
+  for (double step : {0.5, 0.2}) {
+    const std::vector<OutlineShape> round{disc(3, -2, 4, 2)};
+    std::vector<Polygon> loops = outline_of(round, step);
+    ASSERT_EQ(loops.size(), 1u);
+    EXPECT_NEAR(area(loops[0]), M_PI * 36, 0.25 * step * length(loops[0]));
+    expect_on_boundary(round, loops, step);
+    const std::vector<OutlineShape> square{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, no_disc, 3}};
+    loops = outline_of(square, step);
+    ASSERT_EQ(loops.size(), 1u);
+    EXPECT_NEAR(area(loops[0]), 100 + 4 * 30 + M_PI * 9, 0.25 * step * length(loops[0]));
+    expect_on_boundary(square, loops, step);
+  }
+}
+
+TEST(Outline, HasHolesAndSeveralOuterLoops) {
+  std::vector<OutlineShape> ring;
+  for (int k = 0; k < 24; ++k) {
+    const double a = 2 * M_PI * k / 24;
+    ring.push_back(disc(20 * std::cos(a), 20 * std::sin(a), 2, 1.5));
+  }
+  std::vector<Polygon> loops = outline_of(ring, 0.5);
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_GT(area(loops[0]), 0);
+  EXPECT_LT(area(loops[1]), 0);
+  EXPECT_NEAR(area(loops[0]) + area(loops[1]), M_PI * (23.2 * 23.2 - 16.8 * 16.8), 40);
+  expect_on_boundary(ring, loops, 0.5);
+  ring.push_back(disc(60, 0, 1, 1));
+  loops = outline_of(ring, 0.5);
+  ASSERT_EQ(loops.size(), 3u);
+  int holes = 0;
+  for (const Polygon& loop : loops) holes += area(loop) < 0;
+  EXPECT_EQ(holes, 1);
+  for (const Polygon& loop : loops) EXPECT_LE(std::abs(area(loop)), area(loops[0]));
+}
+
+TEST(Outline, KeepsItsDistanceFromAnyLayout) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-30, 30), size(1, 6);
+  for (int run = 0; run < 10; ++run) {
+    std::vector<OutlineShape> shapes;
+    for (int k = 0; k < 25; ++k) {
+      const Vec2 c(place(random), place(random));
+      if (k % 3 == 0) {
+        shapes.push_back(disc(c.x(), c.y(), size(random), 1.0));
+        continue;
+      }
+      std::vector<Vec2> corners;
+      for (int i = 0; i < 4; ++i) corners.emplace_back(c.x() + size(random), c.y() + size(random));
+      shapes.push_back({convex_hull(corners), no_disc, 2.0});
+    }
+    const std::vector<Polygon> loops = outline_of(shapes, 0.5);
+    ASSERT_FALSE(loops.empty());
+    expect_on_boundary(shapes, loops, 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace curveups
