@@ -37,7 +37,7 @@ def judge(outcome: Any) -> Verdict:
 
 def _remedies(outcome: Any) -> list[str]:
     """What would help, with values where they are known, in general words otherwise."""
-    known = [f"this would help: {sentence}" for sentence in outcome.suggestions.sentences()]
+    known = [f"suggested: {sentence}" for sentence in outcome.suggestions.sentences()]
     return known or (list(outcome.repair.suggestions) if outcome.repair is not None else [])
 
 

@@ -123,6 +123,19 @@ def test_a_deep_vase_gets_suggestions_that_can_be_given_back(curveups, shapes_fo
     assert relieved["layout"]["stretch"]["slack_springs"] < report["layout"]["stretch"]["slack_springs"]
 
 
+def test_a_design_that_fails_verification_says_what_may_help(curveups, shapes_folder, tmp_path):
+    ran, design, report = run(curveups, shapes_folder, tmp_path, "sphere", "--no-solids", "--set", "L=12",
+                              "--set", "repair=off", "--auto-cuts", "1")
+    assert ran.status == 1 and report["valid"] is False
+    applied = [cut["applied"] for cut in report["suggested_cuts"]]
+    assert applied == sorted(applied, reverse=True) and applied[0] and not applied[-1]
+    suggested = [reason for reason in report["reasons"] if reason.startswith("suggested: ")]
+    assert len(suggested) >= applied.count(False)
+    assert sum("a cut of " in reason for reason in suggested) == applied.count(False)
+    edges = json.loads((tmp_path / "sphere-cuts.json").read_text())["edges"]
+    assert len(edges) == sum(len(cut["edges"]) for cut in report["suggested_cuts"])
+
+
 def test_given_and_suggested_cuts_add_up(curveups, shapes_folder, tmp_path):
     _, design, _ = run(curveups, shapes_folder, tmp_path / "first", "sphere", *FAST, "--auto-cuts", "1")
     (tmp_path / "cuts.json").write_text(json.dumps({"edges": design["cuts"]}))
