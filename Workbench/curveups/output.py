@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import glob
 import os
 import re
 from pathlib import Path
@@ -68,7 +69,9 @@ class Folder:
                 size = temporary.stat().st_size
                 os.replace(temporary, self.path / name)
             finally:
-                temporary.unlink(missing_ok=True)
+                # FreeCAD writes beside a name, under one that begins with it.
+                for left in self.path.glob(glob.escape(temporary.name) + "*"):
+                    left.unlink(missing_ok=True)
         except (OSError, CurveUpsError, RuntimeError) as error:
             if isinstance(error, CurveUpsError) or type(error).__name__ == "Cancelled":
                 raise

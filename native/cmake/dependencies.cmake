@@ -32,10 +32,15 @@ add_library(curveups_occt INTERFACE)
 target_include_directories(curveups_occt SYSTEM INTERFACE ${OpenCASCADE_INCLUDE_DIR})
 target_link_libraries(curveups_occt INTERFACE TKernel TKMath TKG2d TKG3d TKGeomBase TKGeomAlgo
   TKBRep TKTopAlgo TKPrim)
-# What reads STEP files back in tests.
+# What reads STEP files back in tests; one toolkit since 7.8.
+if(OpenCASCADE_VERSION VERSION_LESS 7.8)
+  set(step_toolkits TKSTEPBase TKSTEPAttr TKSTEP209 TKSTEP TKXDESTEP)
+else()
+  set(step_toolkits TKDESTEP)
+endif()
 add_library(curveups_occt_step INTERFACE)
 target_link_libraries(curveups_occt_step INTERFACE curveups_occt TKMesh TKShHealing TKXSBase
-  TKSTEPBase TKSTEPAttr TKSTEP209 TKSTEP TKCDF TKLCAF TKCAF TKVCAF TKXCAF TKXDESTEP)
+  ${step_toolkits} TKCDF TKLCAF TKCAF TKVCAF TKXCAF)
 
 # lib3mf: named bodies in 3MF files.
 find_path(LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)

@@ -11,7 +11,7 @@ import zipfile
 
 import numpy as np
 import pytest
-from running import command, dome, environment
+from running import command, dome, environment, horn
 from schema import check_design, check_report
 
 VALID = (0, 1)  # finished; whether the verdict is good is another test's matter
@@ -108,6 +108,23 @@ def test_small_targets(curveups, tmp_path, name, text, tiles):
     assert report["constraints"]["overlaps"] == 0
     assert report["solids"]["invalid"] == 0
     check_report(report)
+
+
+@pytest.mark.parametrize("sectors, rings, lies_flat", [(2, 3, True), (1, 7, False)])
+def test_horns(curveups, tmp_path, sectors, rings, lies_flat):
+    """A long horn's conformal map shrinks a thousandfold: where the layout does not settle, that is a
+    finding with a reason, and the geometry stays sound."""
+    (tmp_path / "horn.obj").write_text(horn(sectors, rings))
+    ran = curveups("design", tmp_path / "horn.obj", "-o", tmp_path / "out", "--no-remesh",
+                   "--no-solids", "--set", "verify=off")
+    assert ran.status == (0 if lies_flat else 1), ran.err
+    design = json.loads((tmp_path / "out" / "design.json").read_text())
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    check_design(design)
+    check_report(report)
+    assert report["valid"] is (None if lies_flat else False)
+    if not lies_flat:
+        assert any("did not converge" in reason for reason in report["reasons"]), report["reasons"]
 
 
 def test_supports_that_run_into_one_another_are_named(curveups, tmp_path):

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {
@@ -181,7 +180,7 @@ void InteriorPoint::linearize(const LayoutState& state, Linearization& at) const
   at.dual_error = (at.gradient - at.pull).cwiseAbs().maxCoeff() / (10 * scale);
 }
 
-void InteriorPoint::solve_step(const LayoutState& state, double mu, Linearization& at,
+bool InteriorPoint::solve_step(const LayoutState& state, double mu, Linearization& at,
                                SparseCholesky& cholesky, double& damping, Step& step) const {
   const PinBounds& bounds = model_.geometry->pin_bounds;
   LayoutState right = -at.gradient;
@@ -204,11 +203,7 @@ void InteriorPoint::solve_step(const LayoutState& state, double mu, Linearizatio
     factorized = cholesky.factorize(at.matrix.assemble(damping, 1e-9));
     if (!factorized) damping = std::max(1e-6, 10 * damping);
   }
-  if (!factorized) {
-    throw SolverFailure("the layout's linear system can't be factorized",
-                        "check the target for degenerate triangles, or cut it (--auto-cuts N): it "
-                        "may be stretched too far to lie flat");
-  }
+  if (!factorized) return false;
   const Eigen::VectorXd solution =
       cholesky.solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
   step.state =
@@ -245,6 +240,14 @@ void InteriorPoint::solve_step(const LayoutState& state, double mu, Linearizatio
       limit(upper_multiplier_(i, k), step.upper_multiplier(i, k), step.dual_length);
     }
   }
+  return true;
+}
+
+void InteriorPoint::forget() {
+  slack_.clear();
+  multiplier_.clear();
+  lower_multiplier_.resize(0, 6);
+  upper_multiplier_.resize(0, 6);
 }
 
 double InteriorPoint::merit(const LayoutState& state, const Vectors& slack, double mu,
@@ -308,7 +311,7 @@ InteriorPointOutcome InteriorPoint::run(LayoutState& state, double mu_start, dou
     while (mu > mu_end && at.error(mu) <= barrier_accuracy * mu) {
       mu = std::max(mu_end, std::min(0.2 * mu, std::pow(mu, 1.5)));
     }
-    solve_step(state, mu, at, cholesky, damping, step);
+    if (!solve_step(state, mu, at, cholesky, damping, step)) break;
 
     // The penalty that makes the step a descent direction of the merit function.
     if (at.residual_sum > 1e-12) {

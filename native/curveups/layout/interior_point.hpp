@@ -37,6 +37,9 @@ class InteriorPoint {
   InteriorPointOutcome run(LayoutState& state, double mu_start, double mu_end, int max_iterations,
                            const Progress& progress);
 
+  // Drops slacks and multipliers: the next run starts afresh from its state.
+  void forget();
+
  private:
   using Vectors = std::vector<Eigen::VectorXd>;  // one entry per block of each constraint function
   struct Linearization;
@@ -44,7 +47,8 @@ class InteriorPoint {
 
   void prepare(LayoutState& state, double mu);
   void linearize(const LayoutState& state, Linearization& at) const;
-  void solve_step(const LayoutState& state, double mu, Linearization& at, SparseCholesky& cholesky,
+  // False where multipliers have grown so far that no damping makes the matrix definite.
+  bool solve_step(const LayoutState& state, double mu, Linearization& at, SparseCholesky& cholesky,
                   double& damping, Step& step) const;
   double merit(const LayoutState& state, const Vectors& slack, double mu, double penalty) const;
   double largest_violation(const LayoutState& state) const;

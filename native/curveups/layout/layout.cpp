@@ -76,6 +76,12 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
     }
     mu = goal > mu_end ? mu_search : 1e-4;
     goal = mu_end;
+    if (!outcome.converged) {
+      // Pairs that were far into one another have let multipliers grow without bound: what was
+      // found of the pairs stays, the rest starts again.
+      method.forget();
+      mu = mu_start;
+    }
   }
   for (const auto& term : make_energies(model, false)) {
     result.energies[std::string(term->name())] = energy(*term, state);

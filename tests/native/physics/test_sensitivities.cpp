@@ -119,6 +119,70 @@ TEST(Sensitivities, MatchFiniteDifferencesOnACutModel) {
   expect_gradients_match(cuts, "tension-field");
 }
 
+// The largest floor of the unilateral problem.
+UnilateralResult largest_floor(const DesignForces& forces, double friction, double scale) {
+  BalanceSystem system(forces.system().points(), forces.system().centres(), forces.system().lever(),
+                       {});
+  UnilateralOptions options;
+  options.friction_coefficient = friction;
+  options.scale = scale;
+  options.tolerance = 1e-8;
+  return solve_unilateral(system, forces.loads(), forces.contact_forces().force, options);
+}
+
+TEST(Sensitivities, OfTheLargestFloorMatchFiniteDifferences) {
+  Edges cuts(2, 2);
+  cuts << 10, 11, 11, 12;
+  Sample s = make_sample(cuts);
+  DesignForces forces(s.geometry, s.parameters, s.poses, s.q, {});
+  const double scale = forces.contact_forces().normal_mean;
+  const TriangleMesh mesh = s.geometry.tiles.mesh;
+  const VertexPatches patches(s.geometry);
+  std::vector<VertexPatch> vertices;
+  for (int v = 0; v < mesh.V.rows(); ++v) vertices.push_back(patches.around(v));
+  for (double friction : {0.3, 1.0}) {
+    const UnilateralResult here = largest_floor(forces, friction, scale);
+    ASSERT_NE(here.status, UnilateralStatus::unsolved);
+    ASSERT_LT(here.largest_floor, 0.999 * scale);
+    const ForceGradient gradient = floor_gradient(forces, here, vertices);
+    const int count = s.geometry.tiles.tile_count();
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (int kind = 0; kind < 3; ++kind) {
+      FlatPoses pose = FlatPoses::Zero(count, 3);
+      Array6 inset = Array6::Zero(count, 6);
+      Points3 vertex = Points3::Zero(mesh.V.rows(), 3);
+      for (int i = 0; i < count; ++i) {
+        if (kind == 0)
+          pose.row(i) << uniform(generator), uniform(generator), 0.2 * uniform(generator);
+        for (int k = 0; k < 6 && kind == 1; ++k) inset(i, k) = uniform(generator);
+      }
+      for (int v = 0; v < mesh.V.rows() && kind == 2; ++v) {
+        vertex.row(v) << uniform(generator), uniform(generator), uniform(generator);
+      }
+      // Wide, for the optimum is known to some 1e-8 only.
+      const double step = 1e-3;
+      std::array<double, 2> values;
+      for (int m = 0; m < 2; ++m) {
+        const double h = m == 0 ? -step : step;
+        const DesignGeometry moved =
+            make_geometry({mesh.V + h * vertex, mesh.F}, s.cuts, s.parameters);
+        forces.move(moved, s.poses + h * pose, s.q + h * inset, {});
+        values[m] = largest_floor(forces, friction, scale).largest_floor;
+      }
+      forces.move(s.geometry, s.poses, s.q, {});
+      const double difference = (values[1] - values[0]) / (2 * step);
+      const double exact = gradient.by_pose.cwiseProduct(pose).sum() +
+                           gradient.by_inset.cwiseProduct(inset).sum() +
+                           gradient.by_vertex.cwiseProduct(vertex).sum();
+      const double size = gradient.by_pose.cwiseProduct(pose).cwiseAbs().sum() +
+                          gradient.by_inset.cwiseProduct(inset).cwiseAbs().sum() +
+                          gradient.by_vertex.cwiseProduct(vertex).cwiseAbs().sum();
+      EXPECT_NEAR(exact, difference, 1e-3 * size) << "friction " << friction << " kind " << kind;
+    }
+  }
+}
+
 TEST(Sensitivities, AFreshMeshAndAMovedOneAgree) {
   Sample s = make_sample(Edges(0, 2));
   DesignForces moved(s.geometry, s.parameters, s.poses, s.q, {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "curveups/refinement/least_step.hpp"
@@ -51,6 +52,22 @@ TEST(LeastStep, SharesTheLoadWhereAnUnknownIsAtItsBound) {
   EXPECT_NEAR(step.upper_multiplier(0), 2.0, 1e-5);
 }
 
+TEST(LeastStep, WeighsQuadraticPenalties) {
+  // minimise 1/2 (z - 0.2)^2 + 1/2 k [1 - z]^2.
+  for (double k : {1e-2, 1.0, 1e3, 1e6}) {
+    LeastStepProblem p = make_problem(2, 3);
+    p.wanted = Eigen::Vector2d(0.2, -0.4);
+    p.dense = Eigen::Vector2d(1, 0);
+    p.dense_value = Eigen::VectorXd::Constant(1, -1);
+    p.dense_price = 0;
+    p.dense_stiffness = k;
+    const LeastStep step = solve_least_step(p);
+    EXPECT_TRUE(step.converged) << k;
+    EXPECT_NEAR(step.z(0), (0.2 + k) / (1 + k), 1e-6) << k;
+    EXPECT_NEAR(step.z(1), -0.4, 1e-6) << k;
+  }
+}
+
 TEST(LeastStep, SaysByTheMultiplierWhatCannotBeMet) {
   // z1 >= 3 is asked of a box of 1: the row stays at its price; the dearer row z2 <= z1 - 1 holds.
   LeastStepProblem p = make_problem(2, 1);
@@ -70,7 +87,8 @@ TEST(LeastStep, SaysByTheMultiplierWhatCannotBeMet) {
 TEST(LeastStep, MeetsTheOptimalityConditionsOfRandomProblems) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int round = 0; round < 5; ++round) {
+  for (int round = 0; round < 8; ++round) {
+    const double stiffness = std::array<double, 8>{0, 0, 0, 0, 0.1, 10, 1e3, 1e5}[round];
     const int n = 60, rows = 90, dense = 6;
     LeastStepProblem p = make_problem(n, 0.3);
     p.sparse.resize(rows, n);
@@ -85,15 +103,24 @@ TEST(LeastStep, MeetsTheOptimalityConditionsOfRandomProblems) {
       for (int i = 0; i < n; ++i) p.dense(i, k) = uniform(generator);
       p.dense_value(k) = -0.2;
     }
+    p.dense_stiffness = stiffness;
+    if (stiffness > 0) p.dense_price = 0;
     const LeastStep step = solve_least_step(p);
-    ASSERT_TRUE(step.converged);
+    ASSERT_TRUE(step.converged) << stiffness;
     const Eigen::VectorXd c = p.sparse * step.z + p.sparse_value,
                           d = p.dense.transpose() * step.z + p.dense_value;
     for (int r = 0; r < rows; ++r) {
       EXPECT_GE(c(r), -1e-7);
       EXPECT_LT(step.sparse_multiplier(r) * c(r), 1e-6);
     }
-    for (int k = 0; k < dense; ++k) EXPECT_GE(d(k), -1e-7);
+    for (int k = 0; k < dense; ++k) {
+      if (stiffness > 0) {
+        EXPECT_NEAR(step.dense_multiplier(k), stiffness * std::max(0.0, -d(k)),
+                    1e-6 * (1 + stiffness));
+      } else {
+        EXPECT_GE(d(k), -1e-7);
+      }
+    }
     const Eigen::VectorXd stationary = step.z - p.sparse.transpose() * step.sparse_multiplier -
                                        p.dense * step.dense_multiplier - step.lower_multiplier +
                                        step.upper_multiplier;

@@ -72,7 +72,7 @@ Design with_weak_contacts() {
 
 TEST(Repair, LeavesAValidDesignAsItIs) {
   const Design& design = dome_design();
-  const RepairResult result = repair_design(design, {}, {});
+  const RepairResult result = repair_design(design, {}, nullptr, {});
   EXPECT_EQ(result.status, RepairStatus::valid);
   EXPECT_EQ(result.design.T, design.T);
   EXPECT_EQ(result.design.q, design.q);
@@ -82,7 +82,7 @@ TEST(Repair, LeavesAValidDesignAsItIs) {
 TEST(Repair, LiftsWeakContactsAboveAHigherFloor) {
   const Design design = with_weak_contacts();
   ASSERT_GT(weak_points(design), 0);
-  const RepairResult result = repair_design(design, {}, {});
+  const RepairResult result = repair_design(design, {}, nullptr, {});
   EXPECT_EQ(result.status, RepairStatus::valid);
   EXPECT_TRUE(result.steps.front().fresh_mesh);
   EXPECT_TRUE(result.steps.back().fresh_mesh);
@@ -103,7 +103,7 @@ TEST(Repair, RestoresSpoiledPinsAndPoses) {
       design.T(i, k) += k % 2 == 0 ? dx : dy;
     }
   }
-  const RepairResult result = repair_design(design, {}, {});
+  const RepairResult result = repair_design(design, {}, nullptr, {});
   EXPECT_GT(result.restored_mm, 0.01);
   EXPECT_EQ(result.status, RepairStatus::valid);
   expect_constraints_kept(result.design);
@@ -115,7 +115,7 @@ TEST(Repair, SaysWhatBlocksTheImpossible) {
   design.parameters.f_min_ratio = 0.9;  // all points nearly alike: no dome does that
   RepairOptions options;
   options.most_steps = 3;
-  const RepairResult result = repair_design(design, options, {});
+  const RepairResult result = repair_design(design, options, nullptr, {});
   EXPECT_EQ(result.status, RepairStatus::blocked);
   ASSERT_FALSE(result.blocked.empty());
   for (const BlockedContact& contact : result.blocked) {
@@ -128,7 +128,7 @@ TEST(Repair, SaysWhatBlocksTheImpossible) {
 TEST(Repair, StoppedItKeepsTheBestSoFar) {
   const Design design = with_weak_contacts();
   int calls = 0;
-  const RepairResult result = repair_design(design, {}, [&](const std::string& what, double) {
+  const RepairResult result = repair_design(design, {}, nullptr, [&](const std::string& what, double) {
     return what.find("weak points") == std::string::npos || ++calls < 2;
   });
   EXPECT_EQ(result.status, RepairStatus::stopped);
@@ -140,9 +140,9 @@ TEST(Repair, OneThreadOrTwoGiveTheSameBits) {
   const Design design = with_weak_contacts();
   const int threads = thread_count();
   set_thread_count(1);
-  const RepairResult a = repair_design(design, {}, {});
+  const RepairResult a = repair_design(design, {}, nullptr, {});
   set_thread_count(2);
-  const RepairResult b = repair_design(design, {}, {});
+  const RepairResult b = repair_design(design, {}, nullptr, {});
   set_thread_count(threads);
   EXPECT_GT(a.largest_move, 0);
   EXPECT_EQ(a.design.T, b.design.T);

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Wrenches and normal forces against the mesh size: first order, and the default's error.
+#include <gtest/gtest.h>
+
+#include "curveups/physics/validation.hpp"
+#include "domes.hpp"
+
+namespace curveups {
+namespace {
+
+using testing::hexagon;
+using testing::spread_design;
+
+constexpr int levels = 4;
+
+// Wrenches on the default mesh and its uniform refinements.
+std::array<Wrenches, levels> nested_wrenches(const Design& design, const DesignGeometry& geometry) {
+  const Parameters& p = design.parameters;
+  const FlatPoses poses = fit_poses(geometry.tiles, design.T);
+  const int count = geometry.tiles.tile_count();
+  const Points3 centres = tile_centres(geometry.tiles);
+  std::array<Wrenches, levels> out;
+  out.fill(Wrenches::Zero(count, 6));
+  for (Side side : {Side::front, Side::back}) {
+    const Points2 flat = flat_pin_corners(geometry.tiles, poses, design.q, side);
+    const Points3 actuated = actuated_pin_corners(geometry.tiles, design.q, side, p.H_pin);
+    MembraneMesh mesh = make_membrane_mesh(make_membrane_domain(geometry.tiles, side), flat,
+                                           membrane_mesh_options(p));
+    Points3 x;
+    for (int level = 0; level < levels; ++level) {
+      if (level > 0) mesh = refine_mesh(mesh);
+      const Points3 glued = vertex_positions(mesh.weights, actuated);
+      MembraneEquilibrium equilibrium(mesh, vertex_positions(mesh.weights, flat), p.tau,
+                                      membrane_material(p, side));
+      const MembraneState state = equilibrium.solve(
+          level == 0 ? equilibrium.energy().harmonic(glued) : prolong(mesh, x, glued), {});
+      EXPECT_TRUE(state.converged);
+      EXPECT_LE(state.iterations, 20);
+      x = state.x;
+      add_wrenches(pin_corner_forces(mesh, state, count), actuated, centres, out[level]);
+    }
+  }
+  return out;
+}
+
+class Convergence : public ::testing::Test {
+ protected:
+  Convergence()
+      : design_(spread_design(hexagon(3, testing::sphere_cap), 1.35, 1.2)),
+        geometry_(make_geometry(design_.mesh, design_.cuts, design_.parameters)),
+        system_(interface_points(geometry_.tiles, geometry_.patches), tile_centres(geometry_.tiles),
+                design_.parameters.L, {}),
+        wrenches_(nested_wrenches(design_, geometry_)),
+        reference_(extrapolate<Wrenches>(wrenches_[levels - 1], wrenches_[levels - 2])) {}
+
+  Eigen::VectorXd normal(const Wrenches& wrenches) {
+    return solve_contact_forces(system_, wrenches).force.col(0);
+  }
+  // Means over the points, over the mean normal force.
+  double normal_error(const Wrenches& wrenches) {
+    const Eigen::VectorXd exact = normal(reference_);
+    return (normal(wrenches) - exact).cwiseAbs().mean() / exact.mean();
+  }
+  // Means over the tiles, over the mean force on one.
+  double force_error(const Wrenches& wrenches) const {
+    return (wrenches - reference_).leftCols<3>().rowwise().norm().mean() / mean_force();
+  }
+  double torque_error(const Wrenches& wrenches) const {
+    return (wrenches - reference_).rightCols<3>().rowwise().norm().mean() /
+           (design_.parameters.L * mean_force());
+  }
+  double mean_force() const { return reference_.leftCols<3>().rowwise().norm().mean(); }
+
+  Design design_;
+  DesignGeometry geometry_;
+  BalanceSystem system_;
+  std::array<Wrenches, levels> wrenches_;
+  Wrenches reference_;
+};
+
+TEST_F(Convergence, IsOfFirstOrderInForcesTorquesAndNormalForces) {
+  for (int level = 1; level < levels; ++level) {
+    // The reference itself is off by a little: halves are expected within a fifth.
+    EXPECT_NEAR(normal_error(wrenches_[level]) / normal_error(wrenches_[level - 1]), 0.5, 0.1);
+    EXPECT_NEAR(force_error(wrenches_[level]) / force_error(wrenches_[level - 1]), 0.5, 0.1);
+    EXPECT_NEAR(torque_error(wrenches_[level]) / torque_error(wrenches_[level - 1]), 0.5, 0.1);
+  }
+}
+
+TEST_F(Convergence, TheDefaultsErrorIsSmallAndStated) {
+  const Wrenches extrapolated = extrapolate<Wrenches>(wrenches_[1], wrenches_[0]);
+  const double error = normal_error(extrapolated);
+  EXPECT_LT(error, 0.015);
+  EXPECT_LT(error, 0.5 * normal_error(wrenches_[1]));
+  EXPECT_LT(force_error(extrapolated), force_error(wrenches_[1]));
+  const ValidationReport report = verify_design(design_, {}, {});
+  EXPECT_LT(error, report.physics.normal_force_error);
+  EXPECT_LT(report.physics.normal_force_error, 0.015);
+}
+
+}  // namespace
+}  // namespace curveups
