@@ -30,7 +30,7 @@ OPTIONAL = {
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
               "smallest_feature_mm": NUMBER, "files": dict},
 }
-STRETCH = {"scale_spread": None, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
+STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}
 STAGES = ("remesh", "cuts", "flatten", "layout", "verify", "refine", "solids", "check", "export")
 

@@ -15,7 +15,6 @@ namespace {
 constexpr int most_tips = 5, most_basins = 2, most_weak = 3, most_holes = 2;
 constexpr int rings = 3;             // an extreme is one among its vertices this far away
 constexpr double least_depth = 0.1;  // of an extreme: log scale off the mean
-constexpr double least_scale = 1e-6;
 
 // A piece of the cut mesh with what all its candidates need.
 struct Piece {
@@ -114,7 +113,7 @@ void find_extremes(const Piece& piece, const Eigen::VectorXd& scale, std::vector
   std::vector<double> value(count, 0), area(count, 0);
   for (int i = 0; i < piece.part.mesh.F.size(); ++i) {
     const int v = piece.part.mesh.F.data()[i], tile = piece.part.faces[i / 3];
-    value[v] += piece.tiles.area[tile] * std::log(std::max(scale[tile], least_scale));
+    value[v] += piece.tiles.area[tile] * std::log(scale[tile]);
     area[v] += piece.tiles.area[tile];
   }
   for (int v = 0; v < count; ++v) value[v] /= area[v];

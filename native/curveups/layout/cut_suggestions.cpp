@@ -15,7 +15,6 @@ namespace curveups {
 namespace {
 
 constexpr int most_drafts = 3;
-constexpr double least_scale = 1e-6;
 
 Edges with(const Edges& a, const Edges& b) {
   Edges out(a.rows() + b.rows(), 2);
@@ -25,7 +24,7 @@ Edges with(const Edges& a, const Edges& b) {
 
 // Variance of the log scale over the area: what a cut does to the map, at the cost of the map.
 double unevenness(const TileMesh& tiles, const Eigen::VectorXd& scale) {
-  const Eigen::ArrayXd log = scale.array().max(least_scale).log();
+  const Eigen::ArrayXd log = scale.array().log();
   return (tiles.area.array() * log.square()).sum() / tiles.area.sum();
 }
 

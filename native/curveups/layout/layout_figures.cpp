@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "curveups/geometry/conformal_map.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/layout/block_function.hpp"
 
 namespace curveups {
+namespace {
+
+constexpr double least_scale = 1e-6;
+
+}  // namespace
 
 Eigen::VectorXd relative_scale(const TileMesh& tiles) {
   Eigen::VectorXd out(tiles.tile_count());
@@ -22,16 +26,13 @@ Eigen::VectorXd relative_scale(const TileMesh& tiles) {
     }
     const double mean = area > 0 ? std::exp(sum / area) : 1.0;
     for (std::size_t k = 0; k < piece.faces.size(); ++k) {
-      out[piece.faces[k]] = std::max(0.0, scale[static_cast<Eigen::Index>(k)]) / mean;
+      out[piece.faces[k]] = std::max(least_scale, scale[static_cast<Eigen::Index>(k)] / mean);
     }
   }
   return out;
 }
 
-double scale_spread(const Eigen::VectorXd& scale) {
-  const double least = scale.minCoeff();
-  return least > 0 ? scale.maxCoeff() / least : std::numeric_limits<double>::infinity();
-}
+double scale_spread(const Eigen::VectorXd& scale) { return scale.maxCoeff() / scale.minCoeff(); }
 
 Eigen::VectorXd spring_ratios(const DesignGeometry& geometry, const Parameters& parameters,
                               const FlatPoses& poses, const Array6& q) {

@@ -7,11 +7,12 @@
 namespace curveups {
 
 // Of every tile: the factor by which the conformal map, the layout's start, scales it, over the
-// area-weighted geometric mean of its piece. Zero where the map turned the tile over. Tiles can't
-// shrink: where the map shrinks the surface, all the rest of the layout has to spread.
+// area-weighted geometric mean of its piece; at least 1e-6, which it is where the map turned the
+// tile over. Tiles can't shrink: where the map shrinks the surface, all the rest of the layout has
+// to spread.
 Eigen::VectorXd relative_scale(const TileMesh& tiles);
 
-// The largest over the least; infinite where that is zero.
+// The largest over the least.
 double scale_spread(const Eigen::VectorXd& relative_scale);
 
 // Of every contact, front and back: the membrane's length at rest between the facing pins over its
