@@ -198,7 +198,8 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
                     else native.bump_tips(outcome.design))
             outcome.verification = native.verify_design(outcome.design, progress, tips)
         physics = outcome.verification.blocks.get("physics", {})
-        outcome.stages[-1].iterations = sum(physics.get("newton_iterations", ()))
+        outcome.stages[-1].iterations = sum(sum(physics.get(f"newton_iterations_{mesh}", ()))
+                                            for mesh in ("coarse", "fine"))
     except Stopped:
         outcome.stopped = True
         outcome.verify_note = "stopped during verification"
@@ -215,6 +216,11 @@ def _repair(outcome: Outcome, progress: Progress, where: str) -> bool:
             outcome.repair = native.repair_design(outcome.design, progress=progress)
     except Stopped:
         outcome.stopped = True
+        return False
+    except CurveUpsError as error:
+        # No repair can begin from here: the design ends as it is, with the verdict it has.
+        outcome.warnings.append({"what": f"repair can't begin: {error.what}", "kind": "repair",
+                                 "tiles": []})
         return False
     outcome.stages[-1].iterations = len(outcome.repair.steps)
     outcome.stopped = outcome.repair.status == "stopped"
