@@ -44,9 +44,11 @@ def flat_layout(design: Any, values: np.ndarray | None = None, label: str = "",
     joined by a line."""
     low, high = _bounds(np.asarray(design.T))
     share = 0.92 if values is None else 0.8  # of the width; the rest is for the colours' scale
-    height = share * width * (high[1] - low[1]) / (high[0] - low[0]) / 0.92
-    figure = Figure(figsize=(width, float(np.clip(height, 3, 14))))
-    axes = figure.add_axes([0.06, 0.05, share, 0.92])
+    below = 0.5  # inches, for the axis
+    height = share * width * (high[1] - low[1]) / (high[0] - low[0])
+    height = float(np.clip(height, 3, 14)) + below + 0.1
+    figure = Figure(figsize=(width, height))
+    axes = figure.add_axes([0.06, below / height, share, 1 - (below + 0.1) / height])
     tiles = _draw_flat(axes, design, values)
     if values is not None:
         figure.colorbar(tiles, cax=figure.add_axes([0.9, 0.2, 0.02, 0.6]), label=label)
