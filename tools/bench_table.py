@@ -9,7 +9,10 @@ import json
 import subprocess
 import sys
 import tempfile
+import zipfile
+from collections import Counter
 from pathlib import Path
+from xml.etree import ElementTree
 
 MESHES = (".obj", ".stl", ".ply", ".off")
 STAGES = ("remesh", "flatten", "layout", "verify", "refine", "solids", "check", "export")
@@ -48,7 +51,7 @@ def main() -> int:
         print(_line(row), flush=True)
     if options.json:
         options.json.write_text(json.dumps(rows, indent=2) + "\n", encoding="utf-8")
-    return 1 if any("error" in row for row in rows) else 0
+    return 1 if any("error" in row or row["read_back"] != "sound" for row in rows) else 0
 
 
 def _models(folder: Path | None) -> dict[str, str]:
@@ -76,7 +79,8 @@ def _run(name: str, target: str) -> dict:
     seconds = {stage["name"]: stage["seconds"] for stage in found["stages"]}
     design = [s for s in ("remesh", "flatten", "layout", "verify", "refine") if s in seconds]
     return {
-        **row, "read_back": unreadable or "sound", "tiles": found["tiles"], "valid": found["valid"], "stages": found["stages"],
+        **row, "tiles": found["tiles"], "valid": found["valid"], "stages": found["stages"],
+        "read_back": unreadable or "sound",
         "seconds_to_valid": (round(sum(seconds[s] for s in design), 3)
                              if found["valid"] else None),
         "seconds_files": seconds.get("export"), "peak_memory_mb": found["peak_memory_mb"],
@@ -84,24 +88,58 @@ def _run(name: str, target: str) -> dict:
 
 
 def _read_back(folder: Path, report: dict) -> list[str]:
-    """Reads the tiles' files as somebody else would; what is wrong with them."""
+    """Reads the files of all bodies as somebody else would; what is wrong with them."""
     from curveups import freecad_session
 
     _, part, mesh = freecad_session.load("Part", "Mesh")
-    tiles, wrong = report["tiles"], []
-    solids = part.read(str(folder / f"{report['name']}-tiles.step")).Solids
-    expected = 1000 * report["solids"]["volume_cm3"]
+    volumes = {"tiles": report["print"]["tile_volume_cm3"],
+               "support": report["print"]["support_volume_cm3"],
+               "anchors": report["print"]["anchor_volume_cm3"]}
+    wrong, bodies = [], 0
+    for kind, volume in volumes.items():
+        if not volume:
+            continue
+        solids = part.read(str(folder / f"{report['name']}-{kind}.step")).Solids
+        wrong += _wrong_solids(f"{kind}.step", solids, 1000 * volume)
+        if kind == "tiles" and len(solids) != report["tiles"]:
+            wrong.append(f"tiles.step has {len(solids)} solids")
+        facets = mesh.Mesh(str(folder / f"{report['name']}-{kind}.stl"))
+        if not facets.isSolid():
+            wrong.append(f"{kind}.stl is not watertight")
+        if facets.countComponents() != len(solids):
+            wrong.append(f"{kind}.stl has {facets.countComponents()} components")
+        bodies += len(solids)
+    solids = part.read(str(folder / f"{report['name']}-print.step")).Solids
+    wrong += _wrong_solids("print.step", solids, 1000 * sum(volumes.values()))
+    if len(solids) != bodies or bodies != report["print"]["bodies"]:
+        wrong.append(f"print.step has {len(solids)} solids, its parts {bodies}")
+    return wrong + _wrong_3mf(folder / f"{report['name']}-print.3mf", bodies)
+
+
+def _wrong_solids(file: str, solids: list, expected: float) -> list[str]:
     volume = sum(solid.Volume for solid in solids)
-    if len(solids) != tiles:
-        wrong.append(f"STEP has {len(solids)} solids")
-    if abs(volume - expected) > 1e-6 * expected:
-        wrong.append(f"STEP's volume is {volume:.3f} mm3, not {expected:.3f}")
-    facets = mesh.Mesh(str(folder / f"{report['name']}-tiles.stl"))
-    if not facets.isSolid():
-        wrong.append("STL is not watertight")
-    if facets.countComponents() != tiles:
-        wrong.append(f"STL has {facets.countComponents()} components")
-    return wrong
+    return ([] if abs(volume - expected) <= 1e-8 * expected
+            else [f"{file} holds {volume:.3f} mm3, not {expected:.3f}"])
+
+
+def _wrong_3mf(path: Path, bodies: int) -> list[str]:
+    """Objects of a 3MF: one a body, each with its own name, every edge between two triangles."""
+    space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+    names, leaky = set(), 0
+    with zipfile.ZipFile(path) as archive, archive.open("3D/3dmodel.model") as model:
+        for _, item in ElementTree.iterparse(model):
+            if item.tag != space + "object":
+                continue
+            names.add(item.get("name"))
+            edges = Counter()
+            for triangle in item.iter(space + "triangle"):
+                a, b, c = (triangle.get(corner) for corner in ("v1", "v2", "v3"))
+                edges.update(((a, b), (b, c), (c, a)))
+            leaky += not edges or any(count != 1 or edges[b, a] != 1
+                                      for (a, b), count in list(edges.items()))
+            item.clear()
+    return ([f"3mf has {len(names)} names, not {bodies}"] if len(names) != bodies else []) + (
+        [f"{leaky} objects of the 3mf are not watertight"] if leaky else [])
 
 
 def _line(row: dict) -> str:
