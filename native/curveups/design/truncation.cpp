@@ -54,6 +54,18 @@ struct Split {
   Vec3 normal = Vec3::Zero();  // from a to b
 };
 
+// The plane through a ray of the overlap and square to the way from one tile to the other. It takes
+// away more than the one through two crossing rays, but where these are nearly one ray (tiles that
+// all but touch in a line, as around regular vertices) it leaves the front faces alone.
+Split separate_along(const Cone& a, const Cone& b, const Vec3& ray, double slack) {
+  const Vec3 way = b.middle - a.middle;
+  const Vec3 normal = (way - way.dot(ray) * ray).normalized();
+  const bool apart = normal.dot(b.middle) > 0 && normal.dot(a.middle) < 0;
+  const bool fronts_kept = std::max(normal.dot(a.edge[0]), normal.dot(a.edge[1])) <= slack &&
+                           std::min(normal.dot(b.edge[0]), normal.dot(b.edge[1])) >= -slack;
+  return apart && fronts_kept ? Split{2, normal} : Split{-1, Vec3::Zero()};
+}
+
 Split separate(const Cone& a, const Cone& b, double slack) {
   std::vector<Crossing> crossings;
   for (int i = 0; i < 2; ++i) {
@@ -74,7 +86,7 @@ Split separate(const Cone& a, const Cone& b, double slack) {
     for (const Cone* inner : {&a, &b}) {
       const Cone& outer = inner == &a ? b : a;
       for (const Vec3& ray : {inner->spine, inner->edge[0], inner->edge[1]}) {
-        if (outer.contains(ray, -slack)) return {-1};
+        if (outer.contains(ray, -slack)) return separate_along(a, b, inner->spine, slack);
       }
     }
     return {};
@@ -105,7 +117,10 @@ Split separate(const Cone& a, const Cone& b, double slack) {
       best.type = crossings.size() == 4 ? 3 : diagonal ? 2 : 1;
     }
   }
-  return best;
+  if (best.type >= 0) return best;
+  Vec3 middle = Vec3::Zero();
+  for (const Crossing& crossing : crossings) middle += crossing.ray;
+  return separate_along(a, b, middle.normalized(), slack);
 }
 
 Plane plane_in_frame(const TileMesh& tiles, const Cone& cone, const Vec3& normal) {

@@ -44,8 +44,12 @@ DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& par
 void DesignForces::take_geometry(const DesignGeometry& geometry) {
   geometry_ = &geometry;
   gravity_ = gravity_load(geometry, parameters_, {});
-  system_.emplace(all_points(geometry, gravity_), tile_centres(geometry.tiles), parameters_.L,
-                  gravity_.held);
+  system_.emplace(fresh_system());
+}
+
+BalanceSystem DesignForces::fresh_system() const {
+  return BalanceSystem(all_points(*geometry_, gravity_), tile_centres(geometry_->tiles),
+                       parameters_.L, gravity_.held);
 }
 
 void DesignForces::move(const FlatPoses& poses, const Array6& q, const Progress& progress) {

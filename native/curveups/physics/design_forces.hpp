@@ -40,6 +40,8 @@ class DesignForces {
   const SolvedMembrane& membrane(Side side) const { return membranes_[static_cast<int>(side)]; }
   // Its factorization is that of A A^T.
   const BalanceSystem& system() const { return *system_; }
+  // The same without a factorization, for other solves.
+  BalanceSystem fresh_system() const;
   const Wrenches& loads() const { return loads_; }
   const ContactForces& contact_forces() const { return forces_; }
 

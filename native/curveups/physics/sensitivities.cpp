@@ -90,28 +90,29 @@ struct PlaceGradient {
   Points3 point, normal;
 };
 
-// d phi by points and normals, contact forces f, multipliers y and those of the function, z.
-void add_contacts(const BalanceSystem& system, const Points3& f, const Array6& y, const Array6& z,
-                  const Eigen::VectorXd& weights, const Eigen::VectorXd& rest, PlaceGradient& out) {
-  const int count = system.point_count();
-  out.point.resize(count, 3);
-  out.normal.resize(count, 3);
-  auto turns = [&](const Array6& motion, const ContactPoint& point) {
-    Vec3 difference = Vec3::Zero();
+// Work of forces as points move with the turns of the tiles on either side of them: its derivative
+// by the points' places, subtracted from `by_point`. forces: world, one row per point.
+void subtract_work(const BalanceSystem& system, const Points3& forces, const Array6& motion,
+                   Points3& by_point) {
+  for (int p = 0; p < system.point_count(); ++p) {
+    const ContactPoint& point = system.points()[p];
+    Vec3 turns = Vec3::Zero();
     for (int end = 0; end < 2; ++end) {
       if (point.tile[end] < 0) continue;
       const Vec3 turn = motion.row(point.tile[end]).tail<3>() / system.lever();
-      difference += (end == 0 ? -1.0 : 1.0) * turn;
+      turns += (end == 0 ? -1.0 : 1.0) * turn;
     }
-    return difference;
-  };
-  for (int p = 0; p < count; ++p) {
-    const ContactPoint& point = system.points()[p];
-    const Vec3 force = system.basis(p) * f.row(p).transpose(),
-               free = system.basis(p) * rest.segment<3>(3 * p);
-    out.point.row(p) = -(force.cross(turns(z, point)) + free.cross(turns(y, point))).transpose();
-    out.normal.row(p) = weights(p) * force.transpose();
+    by_point.row(p) -= Vec3(forces.row(p)).cross(turns).transpose();
   }
+}
+
+// Forces in the points' bases (three a point) as vectors in the world.
+Points3 in_world(const BalanceSystem& system, const double* forces) {
+  Points3 out(system.point_count(), 3);
+  for (int p = 0; p < system.point_count(); ++p) {
+    out.row(p) = (system.basis(p) * Eigen::Map<const Vec3>(forces + 3 * p)).transpose();
+  }
+  return out;
 }
 
 // What one vertex moves of all that, and by how much.
@@ -218,6 +219,41 @@ void add_vertices(const DesignForces& forces, const std::vector<PlaceGradient>& 
   });
 }
 
+// Derivatives of functions whose share by loads is -motion . db, and by contact points and normals
+// what `places` holds; places is empty where no vertices are asked for.
+std::vector<ForceGradient> gradients_of(const DesignForces& forces,
+                                        const std::vector<Array6>& motions,
+                                        std::vector<PlaceGradient> places,
+                                        const std::vector<VertexPatch>& vertices) {
+  const BalanceSystem& system = forces.system();
+  const int count = static_cast<int>(motions.size());
+  const int tiles = forces.geometry().tiles.tile_count();
+  std::vector<ForceGradient> out(count,
+                                 {Array3::Zero(tiles, 3), Array6::Zero(tiles, 6),
+                                  Points3::Zero(static_cast<Eigen::Index>(vertices.size()), 3)});
+  // Displacement fields of this many functions fit into some hundred MB at 300,000 triangles.
+  constexpr int batch = 16;
+  for (int first = 0; first < count; first += batch) {
+    const std::vector<Array6> some(motions.begin() + first,
+                                   motions.begin() + std::min(count, first + batch));
+    std::array<std::vector<CornerGradient>, 2> corners;
+    auto solve = [&](Side side) {
+      corners[static_cast<int>(side)] =
+          corner_gradients(forces.membrane(side), system.centres(), system.lever(), some);
+    };
+    parallel_pair([&] { solve(Side::front); }, [&] { solve(Side::back); });
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      for (Side side : {Side::front, Side::back}) {
+        CornerGradient& corner = corners[static_cast<int>(side)][k];
+        add_side(forces, side, corner, out[first + k]);
+        if (!places.empty()) places[first + k].pins[static_cast<int>(side)] = std::move(corner);
+      }
+    }
+  }
+  if (!places.empty()) add_vertices(forces, places, vertices, out);
+  return out;
+}
+
 }  // namespace
 
 std::vector<ForceGradient> force_gradients(const DesignForces& forces,
@@ -225,46 +261,41 @@ std::vector<ForceGradient> force_gradients(const DesignForces& forces,
                                            const std::vector<VertexPatch>& vertices) {
   const BalanceSystem& system = forces.system();
   const int count = static_cast<int>(functions.cols()), points = system.point_count();
-  const int tiles = forces.geometry().tiles.tile_count();
+  if (count == 0) return {};
   Eigen::MatrixXd G = Eigen::MatrixXd::Zero(3 * points, count), right(system.rows(), count);
   for (int k = 0; k < count; ++k) {
     for (int p = 0; p < points; ++p) G(3 * p, k) = functions(p, k);
     right.col(k) = system.apply(G.col(k));
   }
   const Eigen::MatrixXd z = system.solve(right);
-  const Points3& f = forces.contact_forces().force;
-  const Array6 y = system.expand(system.solve(system.restrict(forces.loads())));
-  std::vector<ForceGradient> out(count,
-                                 {Array3::Zero(tiles, 3), Array6::Zero(tiles, 6),
-                                  Points3::Zero(static_cast<Eigen::Index>(vertices.size()), 3)});
-  std::vector<PlaceGradient> places(vertices.empty() ? 0 : count);
-  // Displacement fields of this many functions fit into some hundred MB at 300,000 triangles.
-  constexpr int batch = 16;
-  for (int first = 0; first < count; first += batch) {
-    std::vector<Array6> motions;
-    for (int k = first; k < std::min(count, first + batch); ++k) {
-      motions.push_back(system.expand(z.col(k)));
-    }
-    std::array<std::vector<CornerGradient>, 2> corners;
-    auto solve = [&](Side side) {
-      corners[static_cast<int>(side)] =
-          corner_gradients(forces.membrane(side), system.centres(), system.lever(), motions);
-    };
-    parallel_pair([&] { solve(Side::front); }, [&] { solve(Side::back); });
-    for (std::size_t m = 0; m < motions.size(); ++m) {
-      const int k = first + static_cast<int>(m);
-      for (Side side : {Side::front, Side::back}) {
-        CornerGradient& corner = corners[static_cast<int>(side)][m];
-        add_side(forces, side, corner, out[k]);
-        if (!places.empty()) places[k].pins[static_cast<int>(side)] = std::move(corner);
-      }
-      if (places.empty()) continue;
+  std::vector<Array6> motions;
+  for (int k = 0; k < count; ++k) motions.push_back(system.expand(z.col(k)));
+  std::vector<PlaceGradient> places;
+  if (!vertices.empty()) {
+    const Points3 f = in_world(system, forces.contact_forces().force.data());
+    const Array6 y = system.expand(system.solve(system.restrict(forces.loads())));
+    for (int k = 0; k < count; ++k) {
       const Eigen::VectorXd rest = G.col(k) - system.apply_transposed(z.col(k));
-      add_contacts(system, f, y, motions[m], functions.col(k), rest, places[k]);
+      PlaceGradient place{{}, Points3::Zero(points, 3), functions.col(k).asDiagonal() * f};
+      subtract_work(system, f, motions[k], place.point);
+      subtract_work(system, in_world(system, rest.data()), y, place.point);
+      places.push_back(std::move(place));
     }
   }
-  if (!places.empty()) add_vertices(forces, places, vertices, out);
-  return out;
+  return gradients_of(forces, motions, std::move(places), vertices);
+}
+
+ForceGradient floor_gradient(const DesignForces& forces, const UnilateralResult& unilateral,
+                             const std::vector<VertexPatch>& vertices) {
+  const BalanceSystem& system = forces.system();
+  std::vector<PlaceGradient> places;
+  if (!vertices.empty()) {
+    PlaceGradient place{{}, Points3::Zero(system.point_count(), 3), unilateral.by_normal};
+    subtract_work(system, in_world(system, unilateral.force.data()), unilateral.motion,
+                  place.point);
+    places.push_back(std::move(place));
+  }
+  return gradients_of(forces, {unilateral.motion}, std::move(places), vertices).front();
 }
 
 }  // namespace curveups

@@ -20,6 +20,7 @@
 
 #include "curveups/design/vertex_patch.hpp"
 #include "curveups/physics/design_forces.hpp"
+#include "curveups/physics/unilateral.hpp"
 
 namespace curveups {
 
@@ -36,5 +37,10 @@ struct ForceGradient {
 std::vector<ForceGradient> force_gradients(const DesignForces& forces,
                                            const Eigen::MatrixXd& functions,
                                            const std::vector<VertexPatch>& vertices);
+
+// The same of the largest floor of the unilateral problem on forces' contact points and loads, by
+// its multipliers.
+ForceGradient floor_gradient(const DesignForces& forces, const UnilateralResult& unilateral,
+                             const std::vector<VertexPatch>& vertices);
 
 }  // namespace curveups

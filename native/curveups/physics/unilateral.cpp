@@ -43,6 +43,9 @@ class ConeProgram {
     VectorXd force;
     double s = 0;
     VectorXd weight;  // dual weight of each point's cones
+    VectorXd y;       // multipliers of the balance
+    Points3 circle;   // multipliers of the friction cones; no rows with unlimited friction
+    VectorXd floor;   // and of the floor
   };
 
   Outcome solve(const VectorXd& start, const UnilateralOptions& options, const Progress& progress);
@@ -330,6 +333,9 @@ ConeProgram::Outcome ConeProgram::solve(const VectorXd& start, const UnilateralO
   out.force = f_;
   for (int p = 0; p < count_; ++p) out.force(3 * p) += s_;
   out.s = s_;
+  out.y = y_;
+  out.circle = l_.circle;
+  out.floor = l_.floor;
   out.weight = l_.floor;
   for (int p = 0; limited_ && p < count_; ++p) out.weight(p) += mu_ * l_.circle(p, 0);
   return out;
@@ -344,6 +350,24 @@ std::vector<int> heaviest(const VectorXd& weight) {
   });
   order.resize(keep);
   return order;
+}
+
+// The cones' slacks are (mu n . F, F - (n . F) n) and n . F - s, F the force at the point.
+Points3 derivative_by_normals(const BalanceSystem& system, double mu, const Points3& circle,
+                              const VectorXd& floor, const Points3& force) {
+  Points3 out(force.rows(), 3);
+  for (int p = 0; p < force.rows(); ++p) {
+    const Eigen::Matrix3d& basis = system.basis(p);
+    double along = floor(p);
+    Vec3 sideways = Vec3::Zero();
+    if (circle.rows() > 0) {
+      along += mu * circle(p, 0);
+      sideways = circle(p, 1) * basis.col(1) + circle(p, 2) * basis.col(2);
+    }
+    const Vec3 F = basis * force.row(p).transpose();
+    out.row(p) = (along * F - force(p, 0) * sideways).transpose();
+  }
+  return out;
 }
 
 }  // namespace
@@ -385,6 +409,9 @@ UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
     if (imbalance > 1e-6) continue;
     result.force = options.scale * Eigen::Map<const Points3>(outcome.force.data(), count, 3);
     result.critical_points = heaviest(outcome.weight);
+    result.motion = system.expand(outcome.y);
+    result.by_normal =
+        derivative_by_normals(system, mu, outcome.circle, outcome.floor, result.force);
     if (floor >= -options.tolerance && slip <= options.tolerance) {
       result.status = UnilateralStatus::feasible;
       result.largest_floor = options.scale * std::max(0.0, std::min(floor, 1.0));

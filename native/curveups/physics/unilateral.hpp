@@ -42,6 +42,10 @@ struct UnilateralResult {
   Points3 force;  // per point in its basis, N, with that floor
   // Points that hold the floor down, by falling weight in the optimum (dual solution), at most 20.
   std::vector<int> critical_points;
+  // How the largest floor follows small changes of loads b, balance A and normals n (envelope
+  // theorem; multipliers of the optimum): -motion . (db + dA f) + sum_p by_normal_p . dn_p, N.
+  Array6 motion;      // virtual motion of the tiles (BalanceSystem::expand)
+  Points3 by_normal;  // per point, N
   int iterations = 0;
 };
 

@@ -209,7 +209,7 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
   describe_contacts(tiles, system, forces, report);
   if (options.keep_solution) {
     report.solved = std::make_shared<SolvedDesign>();
-    *report.solved = {design.mesh, design.T, design.q, {}, forces.force.col(0)};
+    *report.solved = {design.mesh, design.T, design.q, {}, loads, least};
     for (int s = 0; s < 2; ++s) report.solved->membranes[s] = std::move(membranes[s].coarse);
   }
 

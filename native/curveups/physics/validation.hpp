@@ -30,9 +30,8 @@ struct SolvedDesign {
   FlatCorners T;      // ... it belongs to
   Array6 q;
   std::array<SolvedMembrane, 2> membranes;  // front, back; on the coarser mesh, factorized there
-  // Least-squares normal forces from both meshes (extrapolated), N: in the order of
-  // interface_points, then the ground's.
-  Eigen::VectorXd normal;
+  Wrenches loads;          // on the tiles: of both meshes (extrapolated) and gravity
+  double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the mesh's error
 
   bool belongs_to(const Design& design) const;
 };

@@ -54,31 +54,40 @@ std::vector<int> tiles_that_matter(const LayoutModel& model, const std::vector<F
 
 LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
                              const std::vector<ForceRow>& rows, const std::vector<int>& tiles,
-                             double reach) {
+                             const MovingVertices* vertices, const StepPrices& prices) {
   std::vector<int> slot(model.tile_count(), -1);
   for (std::size_t k = 0; k < tiles.size(); ++k) slot[tiles[k]] = static_cast<int>(k);
-  const int count = static_cast<int>(tiles.size()) * per_tile;
-  Eigen::Matrix<double, 1, per_tile> scale;  // unknown per mm of step
-  scale.setOnes();
-  scale(2) = 1 / angle_lever(model);
+  const int own = static_cast<int>(tiles.size()) * per_tile;
+  const int count = own + (vertices ? 3 * vertices->count() : 0);
+  const double ease = std::sqrt(prices.layout);
+  // Unknowns per unit of the step, which costs half its square.
+  Eigen::Matrix<double, 1, per_tile> scale;
+  scale.setConstant(1 / ease);
+  scale(2) /= angle_lever(model);
+  Eigen::VectorXd vertex_scale(vertices ? vertices->count() : 0);
+  for (int v = 0; v < vertex_scale.size(); ++v) {
+    vertex_scale(v) = 1 / std::sqrt(prices.target * vertices->weight(v));
+  }
 
   LeastStepProblem problem;
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> values;
   std::vector<RowSource> sources;
+  std::vector<ConstraintRow> origin;
   const BlockFunctions constraints = make_constraints(model);
   BlockValue value;
-  for (const auto& constraint : constraints) {
-    const char* what = constraint->name().data();
-    for (int b = 0; b < constraint->block_count(); ++b) {
-      const std::array<int, 2> ends = constraint->tiles(b);
+  for (std::size_t f = 0; f < constraints.size(); ++f) {
+    const BlockFunction& constraint = *constraints[f];
+    for (int b = 0; b < constraint.block_count(); ++b) {
+      const std::array<int, 2> ends = constraint.tiles(b);
       const bool first = slot[ends[0]] >= 0, second = ends[1] >= 0 && slot[ends[1]] >= 0;
       if (!first && !second) continue;
-      constraint->evaluate(b, unknowns(state, ends[0]), unknowns(state, ends[1]), true, value);
-      double most = 0;  // by which this step can lower it
+      constraint.evaluate(b, unknowns(state, ends[0]), unknowns(state, ends[1]), true, value);
+      double most = vertices ? 6 * prices.reach : 0;  // by which this step can lower it
       for (int end = 0; end < 2; ++end) {
         if (!(end == 0 ? first : second)) continue;
-        most += value.jacobian[end].row(0).cwiseProduct(scale).cwiseAbs().sum() * reach;
+        most +=
+            value.jacobian[end].row(0).cwiseProduct(scale).cwiseAbs().sum() * ease * prices.reach;
       }
       if (value.value(0) > most) continue;
       for (int end = 0; end < 2; ++end) {
@@ -92,7 +101,16 @@ LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
         }
       }
       values.push_back(value.value(0));
-      sources.push_back({what, ends});
+      sources.push_back({constraint.name().data(), ends});
+      origin.push_back({static_cast<int>(f), b});
+    }
+  }
+  if (vertices) {
+    for (const VertexEntry& entry : rows_by_vertex(model, state, origin, *vertices)) {
+      for (int c = 0; c < 3; ++c) {
+        entries.emplace_back(entry.row, own + 3 * entry.vertex + c,
+                             entry.derivative(c) * vertex_scale(entry.vertex));
+      }
     }
   }
   problem.sparse.resize(static_cast<Eigen::Index>(values.size()), count);
@@ -101,8 +119,14 @@ LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
       Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   problem.dense.resize(count, static_cast<Eigen::Index>(rows.size()));
   problem.dense_value.resize(static_cast<Eigen::Index>(rows.size()));
+  if (prices.stiffness > 0) {
+    problem.dense_stiffness = prices.stiffness;
+    problem.dense_price = 0;
+  }
+  const double reach = ease * prices.reach;  // in units of the step
   problem.lower = Eigen::VectorXd::Constant(count, -reach);
   problem.upper = Eigen::VectorXd::Constant(count, reach);
+  problem.wanted = Eigen::VectorXd::Zero(count);
   const PinBounds& bounds = model.geometry->pin_bounds;
   for (std::size_t k = 0; k < tiles.size(); ++k) {
     const int i = tiles[k], first = static_cast<int>(k) * per_tile;
@@ -113,8 +137,20 @@ LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
     for (int t = 0; t < 6; ++t) {
       double& low = problem.lower(first + 3 + t);
       double& high = problem.upper(first + 3 + t);
-      low = std::max(low, bounds.lower(i, t) - state(i, 3 + t));
-      high = std::min(high, bounds.upper(i, t) - state(i, 3 + t));
+      low = std::max(low, ease * (bounds.lower(i, t) - state(i, 3 + t)));
+      high = std::min(high, ease * (bounds.upper(i, t) - state(i, 3 + t)));
+    }
+  }
+  for (int v = 0; vertices && v < vertices->count(); ++v) {
+    for (int c = 0; c < 3; ++c) {
+      const int at = own + 3 * v + c;
+      const double moved = vertices->moved(v, c), unit = vertex_scale(v);
+      problem.lower(at) = std::min(0.0, std::max(-prices.reach, -prices.farthest - moved)) / unit;
+      problem.upper(at) = std::max(0.0, std::min(prices.reach, prices.farthest - moved)) / unit;
+      problem.wanted(at) = -moved / unit;
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        problem.dense(at, static_cast<Eigen::Index>(r)) = rows[r].by_vertex(v, c) * unit;
+      }
     }
   }
   for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -129,8 +165,13 @@ LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
                                  .transpose()
                                  .cwiseProduct(scale);
   }
-  for (Eigen::Index r = 0; r < least.dense_multiplier.size(); ++r) {
-    out.unmet.push_back(least.dense_multiplier(r) > 0.5 * problem.dense_price);
+  out.vertex_step.resize(vertex_scale.size(), 3);
+  for (int v = 0; v < vertex_scale.size(); ++v) {
+    out.vertex_step.row(v) = vertex_scale(v) * least.z.segment<3>(own + 3 * v).transpose();
+  }
+  out.unmet.assign(rows.size(), 0);
+  for (Eigen::Index r = 0; prices.stiffness == 0 && r < least.dense_multiplier.size(); ++r) {
+    out.unmet[r] = least.dense_multiplier(r) > 0.5 * problem.dense_price;
   }
   std::map<std::pair<std::vector<int>, std::string>, double> strength;
   for (std::size_t r = 0; r < sources.size(); ++r) {
@@ -175,7 +216,6 @@ bool restore_constraints(LayoutModel& model, LayoutState& state, int most_steps)
   constexpr double accuracy = 0.5 * tolerance::constraint;
   const double clearance = model.parameters.d_gap_min - accuracy;
   BlockValue value;
-  double reach = 0.2;
   for (int step = 0; step <= most_steps; ++step) {
     std::vector<char> chosen(model.tile_count(), 0);
     double worst = 0;
@@ -201,8 +241,10 @@ bool restore_constraints(LayoutModel& model, LayoutState& state, int most_steps)
     for (int ring = 0; ring < 2; ++ring) {
       for (int i : with_neighbours(model, chosen)) chosen[i] = 1;
     }
-    reach = std::max(0.2, 2 * worst);
-    state += least_layout_step(model, state, {}, with_neighbours(model, chosen), reach).step;
+    StepPrices prices;
+    prices.reach = std::max(0.2, 2 * worst);
+    state +=
+        least_layout_step(model, state, {}, with_neighbours(model, chosen), nullptr, prices).step;
   }
   return false;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Steps of the layout's unknowns under its linearised constraints, on some of the tiles.
+// Steps of the layout's unknowns, and of vertices where they may move, under the linearised
+// constraints, on some of the tiles.
 #pragma once
 
 #include <string>
@@ -7,14 +8,26 @@
 
 #include "curveups/layout/block_function.hpp"
 #include "curveups/refinement/least_step.hpp"
+#include "curveups/refinement/vertex_rows.hpp"
 
 namespace curveups {
 
-// One normal force as the step sees it: what it exceeds its goal by, and its gradient, both in
-// units of the mean normal force.
+// One force as the step sees it: what it exceeds its goal by, and its gradient, both in units of
+// the mean normal force.
 struct ForceRow {
   double value;
   LayoutState gradient;
+  Points3 by_vertex;  // of the moving vertices, layout unknowns held
+};
+
+// What a step costs.
+struct StepPrices {
+  double reach;  // mm that no unknown may exceed
+  // Half the square of what a mm of a pose or an inset costs, and of E_target (Eq. 4, mm4).
+  double layout = 1, target = 0;
+  // Forces as hard constraints, or half their missing squares times this.
+  double stiffness = 0;
+  double farthest = 0;  // mm that coordinates of vertices stay within of their places in the target
 };
 
 // What holds a force row back, by falling share.
@@ -26,6 +39,7 @@ struct Obstacle {
 
 struct LayoutStep {
   LayoutState step;                 // zero on tiles that are left alone
+  Points3 vertex_step;              // mm, of the moving vertices
   std::vector<char> unmet;          // per force row: out of this step's reach
   std::vector<Obstacle> obstacles;  // the strongest ones, at most 8
 };
@@ -38,11 +52,11 @@ double angle_lever(const LayoutModel& model);
 std::vector<int> tiles_that_matter(const LayoutModel& model, const std::vector<ForceRow>& rows,
                                    double share);
 
-// The least step (mm) of the given tiles that keeps every constraint they take part in and lifts
-// the force rows to zero; no unknown moves farther than `reach` (mm).
+// The least step of the given tiles and vertices that keeps every constraint the tiles take part in
+// and lifts the force rows to zero. vertices may be null: none move.
 LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
                              const std::vector<ForceRow>& rows, const std::vector<int>& tiles,
-                             double reach);
+                             const MovingVertices* vertices, const StepPrices& prices);
 
 // Largest violation of the constraints, mm.
 double largest_violation(const LayoutModel& model, const LayoutState& state);

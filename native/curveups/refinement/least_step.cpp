@@ -140,15 +140,20 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
                           "check the design for degenerate tiles");
     }
     const double infeasible = rows > 0 ? residual.abs().maxCoeff() : 0.0;
-    if (mu < 1e-10 && infeasible < 1e-9 && dual.abs().maxCoeff() < 1e-6) {
+    const double unpriced_most =
+        rows > 0 ? (price + stiffness * e - m - slack_price).abs().maxCoeff() : 0.0;
+    if (mu < 1e-10 && infeasible < 1e-9 &&
+        std::max(dual.abs().maxCoeff(), unpriced_most / (1 + problem.sparse_price)) < 1e-6) {
       out.converged = true;
       break;
     }
     ++out.iterations;
     const double target = 0.15 * mu;
     const ArrayXd give = slack_price + stiffness * e;
+    const ArrayXd unpriced = price + stiffness * e - m - slack_price;
     const ArrayXd weight = 1 / (s / m + e / give);
-    const ArrayXd k = -residual - (target - e * slack_price) / give + target / m - s;
+    const ArrayXd free = (target - e * (slack_price + unpriced)) / give;
+    const ArrayXd k = -residual - free + target / m - s;
     const VectorXd right = wanted - z.matrix() +
                            transposed_times(problem, (m + weight * k).matrix()) +
                            (target / low - target / high).matrix();
@@ -166,16 +171,14 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
     }
     if (!dz.allFinite()) break;
     const ArrayXd dm = weight * (k - rows_times(problem, dz).array());
-    const ArrayXd de = (target - e * slack_price + e * dm) / give, dl = stiffness * de - dm,
+    const ArrayXd de = free + e / give * dm, dl = stiffness * de - dm + unpriced,
                   ds = target / m - s - s / m * dm;
     const ArrayXd dml = target / low - ml - ml / low * dz.array(),
                   dmh = target / high - mh + mh / high * dz.array();
-    double primal = std::min({step_length(s, ds), step_length(e, de), step_length(low, dz.array()),
-                              step_length(high, -dz.array())});
-    double dual_step = std::min({step_length(m, dm), step_length(slack_price, dl),
-                                 step_length(ml, dml), step_length(mh, dmh)});
-    // The price of e couples both kinds where it rises with e.
-    if (problem.dense_stiffness > 0) primal = dual_step = std::min(primal, dual_step);
+    const double primal = std::min({step_length(s, ds), step_length(e, de),
+                                    step_length(low, dz.array()), step_length(high, -dz.array())});
+    const double dual_step = std::min({step_length(m, dm), step_length(slack_price, dl),
+                                       step_length(ml, dml), step_length(mh, dmh)});
     z += primal * dz.array();
     s += primal * ds;
     e += primal * de;

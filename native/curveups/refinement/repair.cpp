@@ -3,319 +3,479 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 #include <memory>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/core/parallel.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/physics/sensitivities.hpp"
+#include "curveups/refinement/explanation.hpp"
+#include "curveups/refinement/judgement.hpp"
 #include "curveups/refinement/layout_step.hpp"
 
 namespace curveups {
 namespace {
 
-// Normal forces over f_min, f_min being a share of their mean; contacts' points only.
-struct Judgement {
-  Eigen::VectorXd normal;  // N
-  double mean = 0, f_min = 0;
-  int weak = 0;
-  double least = 0;    // in units of f_min
-  double missing = 0;  // sum of what points lack, in units of f_min
-  bool better_than(const Judgement& other) const {
-    return weak != other.weak ? weak < other.weak : missing < other.missing;
-  }
+constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
+// Where tightness is a penalty: what moving a tile by L / ease costs against Eq. 3, next to
+// nothing.
+constexpr double ease = 0.1;
+// Where it is hard: what moving a vertex costs against moving a tile as far.
+constexpr double reluctance = 100;
+
+// Tiles for vertices where they are, and the layout's constraints on them.
+struct Shape {
+  DesignGeometry geometry;
+  LayoutModel model;  // of that geometry
+
+  Shape(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters)
+      : geometry(make_geometry(mesh, cuts, parameters)),
+        model(make_layout_model(geometry, parameters)) {}
+  Shape(const Shape&) = delete;
+  Shape& operator=(const Shape&) = delete;
 };
 
-Judgement judge(const std::vector<ContactPoint>& points, const Eigen::VectorXd& normal,
-                double ratio, double goal) {
-  Judgement out;
-  out.normal = normal;
-  int count = 0;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points[p].contact < 0) continue;
-    out.mean += normal(static_cast<Eigen::Index>(p));
-    ++count;
-  }
-  out.mean /= std::max(1, count);
-  out.f_min = ratio * out.mean;
-  out.least = 1e300;
-  if (!(out.f_min > 0)) {
-    throw InfeasibleDesign("the membranes do not press the tiles together",
-                           "raise tau, or lower p_max so that pins pull more strongly");
-  }
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points[p].contact < 0) continue;
-    const double f = normal(static_cast<Eigen::Index>(p)) / out.f_min;
-    out.weak += f < 1;
-    out.least = std::min(out.least, f);
-    out.missing += std::max(0.0, goal - f);
-  }
-  return out;
-}
+// All unknowns; those of the vertices in the shape.
+struct Place {
+  std::shared_ptr<Shape> shape;
+  LayoutState state;
+};
 
 class Repair {
  public:
-  Repair(const Design& design, const RepairOptions& options, const Progress& progress)
-      : options_(options),
-        progress_(progress),
-        parameters_(design.parameters),
-        geometry_(make_geometry(design.mesh, design.cuts, design.parameters)),
-        model_(make_layout_model(geometry_, design.parameters)) {
-    const int count = geometry_.tiles.tile_count();
-    if (design.T.rows() != count || design.q.rows() != count) {
-      throw InvalidInput("the design's T and q do not have a row for each tile",
-                         "give arrays of one design");
-    }
-    state_ = state_of(model_, fit_poses(geometry_.tiles, design.T), design.q);
-  }
-
+  Repair(const Design& design, const RepairOptions& options, SolvedDesign* solved,
+         const Progress& progress);
   RepairResult run(const Design& design);
 
  private:
-  Judgement judge_here() const {
-    return judge(forces_->system().points(), forces_->contact_forces().force.col(0) + correction_,
-                 parameters_.f_min_ratio, options_.goal);
-  }
-  Judgement judge_fresh();
+  const DesignGeometry& geometry() const { return here_.shape->geometry; }
+  const LayoutModel& model() const { return here_.shape->model; }
+  const Points3& vertices() const { return geometry().tiles.mesh.V; }
+  bool penalty() const { return parameters_.tightness == "penalty"; }
+
   void restore_start(RepairResult& result);
-  bool take_step(RepairResult& result, Judgement& now);
-  std::vector<ForceRow> force_rows(const Judgement& now);
-  void tell(const Judgement& now) {
-    const std::string what = "repair: " + std::to_string(now.weak) + " weak points";
-    const double fraction = first_weak_ > 0 ? 1 - static_cast<double>(now.weak) / first_weak_ : 1;
-    if (!keep_going(progress_, what, std::max(0.0, fraction))) throw Cancelled();
-  }
-  void explain(const Judgement& now, RepairResult& result) const;
+  Judgement judge_fresh();
+  Judgement judge_loads(const Wrenches& loads, bool with_floor) const;
+  Judgement judge_here();
+  UnilateralResult unilateral(const Wrenches& loads) const;
+  double merit(const Judgement& now) const;
+
+  bool improve(RepairResult& result, Judgement& now);
+  bool reached(const Judgement& now) const;
+  bool take_step(RepairResult& result, Judgement& now, bool with_vertices);
+  bool move_to(const LayoutStep& step, const MovingVertices* moving, const Place& from);
+  StepPrices prices() const;
+  MovingVertices moving_vertices(const Judgement& now) const;
+  std::vector<ForceRow> force_rows(const Judgement& now, const MovingVertices* moving) const;
+  ForceRow make_row(double value, double unit, const ForceGradient& gradient,
+                    const MovingVertices* moving) const;
+  void tell(const Judgement& now) const;
 
   RepairOptions options_;
+  SolvedDesign* solved_;
   Progress progress_;
   Parameters parameters_;
-  DesignGeometry geometry_;
-  LayoutModel model_;
-  LayoutState state_;
+  Edges cuts_;
+  Points3 target_;
+  Eigen::VectorXd weight_;  // A_j of Eq. 4
+  Place here_;
   std::unique_ptr<DesignForces> forces_;
-  Eigen::VectorXd correction_;  // fresh, extrapolated normal forces less those of the moving mesh
+  // What a fresh mesh, extrapolated, gave beyond the moving one: normal forces and the floor, N.
+  Eigen::VectorXd correction_;
+  double floor_correction_ = 0;
+  double f_min_ratio_;
+  bool watch_floor_ = false;
+  UnilateralResult floor_;  // on the moving mesh, where it is watched
   double reach_ = 0;
   int first_weak_ = 0;
-  std::vector<int> row_points_;
   LayoutStep last_step_;
 };
 
-// Meshes anew: the verdict, and the correction of the moving mesh from here on.
-Judgement Repair::judge_fresh() {
-  const FlatPoses poses = poses_of(model_, state_);
-  const Array6 q = insets_of(state_);
-  std::array<MembraneSolution, 2> fresh;
-  if (!keep_going(progress_, "repair: fresh membranes")) throw Cancelled();
-  parallel_pair(
-      [&] { fresh[0] = solve_membrane(geometry_, poses, q, parameters_, Side::front, {}); },
-      [&] { fresh[1] = solve_membrane(geometry_, poses, q, parameters_, Side::back, {}); });
-  const GravityLoad gravity = gravity_load(geometry_, parameters_, {});
-  const Points3 centres = tile_centres(geometry_.tiles);
-  Wrenches loads = gravity.weight;
-  for (const MembraneSolution& side : fresh) {
-    add_wrenches(extrapolate<Points3>(side.forces, side.coarse_forces), side.pin_corners, centres,
-                 loads);
+Repair::Repair(const Design& design, const RepairOptions& options, SolvedDesign* solved,
+               const Progress& progress)
+    : options_(options),
+      solved_(solved && solved->belongs_to(design) ? solved : nullptr),
+      progress_(progress),
+      parameters_(design.parameters),
+      cuts_(design.cuts),
+      target_(design.target ? design.target->V : design.mesh.V),
+      f_min_ratio_(design.parameters.f_min_ratio) {
+  here_.shape = std::make_shared<Shape>(design.mesh, design.cuts, design.parameters);
+  const TileMesh& tiles = geometry().tiles;
+  const int count = tiles.tile_count();
+  if (design.T.rows() != count || design.q.rows() != count) {
+    throw InvalidInput("the design's T and q do not have a row for each tile",
+                       "give arrays of one design");
   }
-  std::vector<ContactPoint> points = interface_points(geometry_.tiles, geometry_.patches);
-  points.insert(points.end(), gravity.ground.begin(), gravity.ground.end());
-  BalanceSystem system(std::move(points), centres, parameters_.L, gravity.held);
-  const Eigen::VectorXd exact = solve_contact_forces(system, loads).force.col(0);
-  const Judgement now = judge(system.points(), exact, parameters_.f_min_ratio, options_.goal);
-  if (now.weak > 0) {
-    forces_ = std::make_unique<DesignForces>(geometry_, parameters_, poses, q, progress_);
-    correction_ = exact - forces_->contact_forces().force.col(0);
+  if (target_.rows() != design.mesh.V.rows()) {
+    throw InvalidInput("the design's target has other vertices than its mesh",
+                       "give the target that the mesh was moved away from");
+  }
+  here_.state = state_of(model(), fit_poses(tiles, design.T), design.q);
+  weight_ = Eigen::VectorXd::Zero(target_.rows());
+  for (int i = 0; i < count; ++i) {
+    for (int t = 0; t < 3; ++t) weight_(tiles.mesh.F(i, t)) += tiles.area(i) / 3;
+  }
+}
+
+UnilateralResult Repair::unilateral(const Wrenches& loads) const {
+  BalanceSystem system = forces_->fresh_system();
+  const ContactForces start = solve_contact_forces(system, loads);
+  UnilateralOptions options;
+  options.friction_coefficient = parameters_.friction_coefficient;
+  options.scale = start.normal_mean;
+  return solve_unilateral(system, loads, start.force, options, progress_);
+}
+
+Judgement Repair::judge_loads(const Wrenches& loads, bool with_floor) const {
+  BalanceSystem system = forces_->fresh_system();
+  const Eigen::VectorXd normal = solve_contact_forces(system, loads).force.col(0);
+  const double floor = with_floor ? unilateral(loads).largest_floor : not_computed;
+  return judge(system.points(), normal, floor, f_min_ratio_, options_);
+}
+
+// Meshes anew, where nobody has: the verdict, and the correction of the moving mesh from here on.
+Judgement Repair::judge_fresh() {
+  const FlatPoses poses = poses_of(model(), here_.state);
+  const Array6 q = insets_of(here_.state);
+  Wrenches loads;
+  if (solved_) {
+    loads = solved_->loads;
+    f_min_ratio_ = solved_->f_min_ratio;
+    forces_ = std::make_unique<DesignForces>(geometry(), parameters_, std::move(solved_->membranes),
+                                             poses, q);
+    solved_ = nullptr;
+  } else {
+    if (!keep_going(progress_, "repair: fresh membranes")) throw Cancelled();
+    std::array<MembraneSolution, 2> fresh =
+        solve_membranes(geometry(), poses, q, parameters_, progress_);
+    loads = gravity_load(geometry(), parameters_, {}).weight;
+    for (const MembraneSolution& side : fresh) {
+      add_wrenches(extrapolate<Points3>(side.forces, side.coarse_forces), side.pin_corners,
+                   tile_centres(geometry().tiles), loads);
+    }
+    forces_ = std::make_unique<DesignForces>(
+        geometry(), parameters_,
+        std::array<SolvedMembrane, 2>{std::move(fresh[0].coarse), std::move(fresh[1].coarse)},
+        poses, q);
+  }
+  Judgement now = judge_loads(loads, watch_floor_);
+  if (now.weak == 0 && !watch_floor_) {
+    now = judge_loads(loads, true);
+    watch_floor_ = !now.valid();
+  }
+  correction_ = now.normal - forces_->contact_forces().force.col(0);
+  if (watch_floor_) {
+    floor_ = unilateral(forces_->loads());
+    floor_correction_ = now.floor * now.f_min - floor_.largest_floor;
   }
   return now;
 }
 
+Judgement Repair::judge_here() {
+  if (watch_floor_) floor_ = unilateral(forces_->loads());
+  const double floor = watch_floor_ ? floor_.largest_floor + floor_correction_ : not_computed;
+  Eigen::VectorXd normal = forces_->contact_forces().force.col(0);
+  // Where a contact point came or went with the vertices the next fresh mesh has to tell.
+  if (normal.size() == correction_.size()) normal += correction_;
+  return judge(forces_->system().points(), normal, floor, f_min_ratio_, options_);
+}
+
+// What steps must lower: what forces lack, or Eq. 3 in units of L^4 and of the mean normal force.
+double Repair::merit(const Judgement& now) const {
+  if (!penalty()) return now.missing;
+  const double E_target =
+      weight_.dot((vertices() - target_).rowwise().squaredNorm()) / std::pow(parameters_.L, 4);
+  return E_target + parameters_.w_tight * now.missing_squares;
+}
+
 // A spoiled design is put onto its constraints first.
 void Repair::restore_start(RepairResult& result) {
-  const PinBounds& bounds = geometry_.pin_bounds;
-  const LayoutState given = state_;
-  state_.rightCols<6>() = state_.rightCols<6>().cwiseMax(bounds.lower).cwiseMin(bounds.upper);
-  result.restored_mm = std::max(largest_violation(model_, given),
-                                (state_ - given).rightCols<6>().cwiseAbs().maxCoeff());
-  if (result.restored_mm > tolerance::constraint) keep_going(progress_, "restoring the layout", 0);
-  if (!restore_constraints(model_, state_, 40)) {
+  const PinBounds& bounds = geometry().pin_bounds;
+  const LayoutState given = here_.state;
+  here_.state.rightCols<6>() =
+      here_.state.rightCols<6>().cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+  result.restored_mm = std::max(largest_violation(model(), given),
+                                (here_.state - given).rightCols<6>().cwiseAbs().maxCoeff());
+  if (result.restored_mm > tolerance::constraint) {
+    keep_going(progress_, "restoring the layout", 0);
+    solved_ = nullptr;
+  }
+  if (!restore_constraints(here_.shape->model, here_.state, 40)) {
     throw InfeasibleDesign("the layout breaks constraints that small steps can't restore",
                            "lay the target out anew");
   }
 }
 
-// Points below the watched force, each with its exact gradient.
-std::vector<ForceRow> Repair::force_rows(const Judgement& now) {
+// The vertices of the tiles at points that must be lifted, and of the tiles next to these.
+MovingVertices Repair::moving_vertices(const Judgement& now) const {
+  const TileMesh& tiles = geometry().tiles;
   const std::vector<ContactPoint>& points = forces_->system().points();
-  row_points_.clear();
+  std::vector<char> near(tiles.tile_count(), 0), chosen(target_.rows(), 0);
+  auto mark = [&](const ContactPoint& point) {
+    for (int tile : point.tile) {
+      if (tile < 0) continue;
+      near[tile] = 1;
+      for (int t = 0; t < 3; ++t) {
+        if (const int n = tiles.topology.neighbour(tile, t); n >= 0) near[n] = 1;
+      }
+    }
+  };
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (points[p].contact < 0) continue;
+    if (now.normal(static_cast<Eigen::Index>(p)) < options_.goal * now.f_min) mark(points[p]);
+  }
+  if (watch_floor_) {
+    for (int p : floor_.critical_points) mark(points[p]);
+  }
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int t = 0; t < 3 && near[i]; ++t) chosen[tiles.mesh.F(i, t)] = 1;
+  }
+  const VertexPatches patches(geometry());
+  MovingVertices out;
+  for (int v = 0; v < target_.rows(); ++v) {
+    if (!chosen[v]) continue;
+    out.vertex.push_back(v);
+    out.patches.push_back(patches.around(v));
+  }
+  out.moved.resize(out.count(), 3);
+  out.weight.resize(out.count());
+  for (int k = 0; k < out.count(); ++k) {
+    out.moved.row(k) = vertices().row(out.vertex[k]) - target_.row(out.vertex[k]);
+    out.weight(k) = weight_(out.vertex[k]);
+  }
+  return out;
+}
+
+ForceRow Repair::make_row(double value, double unit, const ForceGradient& gradient,
+                          const MovingVertices* moving) const {
+  const TileMesh& tiles = geometry().tiles;
+  ForceRow row{value, LayoutState(here_.state.rows(), unknowns_per_tile), gradient.by_vertex};
+  row.gradient << gradient.by_pose, gradient.by_inset;
+  for (int i = 0; i < here_.state.rows(); ++i) {
+    // Poses turn about front corner 0, the layout's unknowns about the centroid.
+    const Vec2 arm = PlaneRotation(here_.state(i, 2)) * model().tiles[i].corner[0][0];
+    row.gradient(i, 2) += left_of(arm).dot(Vec2(row.gradient(i, 0), row.gradient(i, 1)));
+  }
+  for (int v = 0; moving && v < moving->count(); ++v) {
+    // And corner 0 moves about the centroid, which is held, as the vertex changes the tile.
+    const VertexPatch& patch = moving->patches[v];
+    for (int k : patch.changed) {
+      const int tile = patch.tiles[k];
+      for (int t = 0; t < 3; ++t) {
+        if (tiles.mesh.F(tile, t) != moving->vertex[v]) continue;
+        const PlaneRotation back(-here_.state(tile, 2));
+        const Vec2 pull = back * Vec2(gradient.by_pose(tile, 0), gradient.by_pose(tile, 1));
+        row.by_vertex.row(v) -= pull.transpose() * centroid_by_corner(tiles, tile, t);
+      }
+    }
+  }
+  row.gradient *= unit;
+  row.by_vertex *= unit;
+  return row;
+}
+
+// Points below the watched force, each with its exact gradient, and the floor.
+std::vector<ForceRow> Repair::force_rows(const Judgement& now, const MovingVertices* moving) const {
+  const std::vector<ContactPoint>& points = forces_->system().points();
+  const double goal = penalty() ? options_.penalty_goal : options_.goal;
+  std::vector<int> chosen;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (points[p].contact >= 0 &&
         now.normal(static_cast<Eigen::Index>(p)) < options_.watched * now.f_min) {
-      row_points_.push_back(static_cast<int>(p));
+      chosen.push_back(static_cast<int>(p));
     }
   }
   Eigen::MatrixXd functions = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()),
-                                                    static_cast<Eigen::Index>(row_points_.size()));
-  for (std::size_t r = 0; r < row_points_.size(); ++r) {
-    functions(row_points_[r], static_cast<Eigen::Index>(r)) = 1 / now.mean;
+                                                    static_cast<Eigen::Index>(chosen.size()));
+  for (std::size_t r = 0; r < chosen.size(); ++r) {
+    functions(chosen[r], static_cast<Eigen::Index>(r)) = 1;
   }
-  const std::vector<ForceGradient> gradients = force_gradients(*forces_, functions, {});
+  const std::vector<VertexPatch> none;
+  const std::vector<VertexPatch>& patches = moving ? moving->patches : none;
   std::vector<ForceRow> rows;
-  for (std::size_t r = 0; r < row_points_.size(); ++r) {
-    ForceRow row{(now.normal(row_points_[r]) - options_.goal * now.f_min) / now.mean,
-                 LayoutState(state_.rows(), unknowns_per_tile)};
-    row.gradient << gradients[r].by_pose, gradients[r].by_inset;
-    for (int i = 0; i < state_.rows(); ++i) {
-      // Poses turn about front corner 0, the layout's unknowns about the centroid.
-      const Vec2 arm = PlaneRotation(state_(i, 2)) * model_.tiles[i].corner[0][0];
-      row.gradient(i, 2) += left_of(arm).dot(Vec2(row.gradient(i, 0), row.gradient(i, 1)));
-    }
-    rows.push_back(std::move(row));
+  const std::vector<ForceGradient> gradients = force_gradients(*forces_, functions, patches);
+  for (std::size_t r = 0; r < chosen.size(); ++r) {
+    const double value = (now.normal(chosen[r]) - goal * now.f_min) / now.mean;
+    rows.push_back(make_row(value, 1 / now.mean, gradients[r], moving));
+  }
+  if (watch_floor_ && floor_.status != UnilateralStatus::unsolved) {
+    const double value = (now.floor - options_.floor_goal) * now.f_min / now.mean;
+    rows.push_back(
+        make_row(value, 1 / now.mean, floor_gradient(*forces_, floor_, patches), moving));
   }
   return rows;
 }
 
-// One accepted step, or false where none lifts the weak forces any more.
-bool Repair::take_step(RepairResult& result, Judgement& now) {
-  const std::vector<ForceRow> rows = force_rows(now);
-  const std::vector<int> tiles = tiles_that_matter(model_, rows, 0.02);
-  const LayoutState before = state_;
-  while (reach_ > 1e-3) {
-    last_step_ = least_layout_step(model_, before, rows, tiles, reach_);
-    state_ = before + last_step_.step;
-    bool sound = restore_constraints(model_, state_, 8);
-    if (sound) {
-      try {
-        forces_->move(poses_of(model_, state_), insets_of(state_), progress_);
-      } catch (const InvalidInput&) {  // the moving mesh turned over
-        sound = false;
-      } catch (const SolverFailure&) {
-        sound = false;
-      }
-    }
-    if (sound) {
-      const Judgement next = judge_here();
-      if (next.missing < now.missing * (1 - 1e-3)) {
-        LayoutState move = state_ - before;
-        move.col(2) *= angle_lever(model_);
-        now = next;
-        result.steps.push_back({now.weak, now.least, move.cwiseAbs().maxCoeff(), false});
-        reach_ = std::min(2 * reach_, options_.reach);
-        return true;
-      }
-    }
-    reach_ *= 0.5;
+StepPrices Repair::prices() const {
+  StepPrices out;
+  out.reach = reach_;
+  out.farthest = options_.farthest * parameters_.L;
+  const double area = parameters_.L * parameters_.L;
+  if (penalty()) {
+    // Eq. 3, in units that make a mm of the layout cost one half.
+    const double unit = area / (ease * ease);
+    out.target = 2 * unit / (area * area);
+    out.stiffness = 2 * unit * parameters_.w_tight;
+  } else {
+    out.target = reluctance / area;
   }
-  state_ = before;
+  return out;
+}
+
+// Takes the step, back onto the constraints, forces following. False where that fails.
+bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const Place& from) {
+  here_ = from;
+  try {
+    if (moving) {
+      TriangleMesh mesh = from.shape->geometry.tiles.mesh;
+      for (int v = 0; v < moving->count(); ++v) {
+        mesh.V.row(moving->vertex[v]) += step.vertex_step.row(v);
+      }
+      here_.shape = std::make_shared<Shape>(mesh, cuts_, parameters_);
+      here_.shape->model.gaps = from.shape->model.gaps;  // collisions found so far
+      if (geometry().truncation.unresolved.size() >
+          from.shape->geometry.truncation.unresolved.size()) {
+        return false;
+      }
+    }
+    const PinBounds& bounds = geometry().pin_bounds;
+    here_.state += step.step;
+    here_.state.rightCols<6>() =
+        here_.state.rightCols<6>().cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+    if (!restore_constraints(here_.shape->model, here_.state, 8)) return false;
+    forces_->move(geometry(), poses_of(model(), here_.state), insets_of(here_.state), progress_);
+    return true;
+  } catch (const InvalidInput&) {  // the moving mesh turned over
+    return false;
+  } catch (const InfeasibleDesign&) {  // a tile lost its back face
+    return false;
+  } catch (const SolverFailure&) {
+    return false;
+  }
+}
+
+// One accepted step, or false where none lifts the weak forces any more.
+bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices) {
+  const Place from = here_;
+  const UnilateralResult floor = floor_;
+  MovingVertices chosen;
+  if (with_vertices) chosen = moving_vertices(now);
+  const MovingVertices* moving = chosen.count() > 0 ? &chosen : nullptr;
+  const std::vector<ForceRow> rows = force_rows(now, moving);
+  std::vector<int> tiles = tiles_that_matter(model(), rows, 0.02);
+  for (const VertexPatch& patch : chosen.patches) {
+    for (int k : patch.changed) tiles.push_back(patch.tiles[k]);
+  }
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  for (; reach_ > 1e-3; reach_ *= 0.5) {
+    last_step_ = least_layout_step(from.shape->model, from.state, rows, tiles, moving, prices());
+    if (!move_to(last_step_, moving, from)) continue;
+    const Judgement next = judge_here();
+    if (!(merit(next) < merit(now) * (1 - 1e-3))) continue;
+    LayoutState move = here_.state - from.state;
+    move.col(2) *= angle_lever(model());
+    double largest = move.cwiseAbs().maxCoeff();
+    if (moving) largest = std::max(largest, last_step_.vertex_step.cwiseAbs().maxCoeff());
+    now = next;
+    result.steps.push_back({now.weak, now.least, now.floor, largest, moving != nullptr, false});
+    reach_ = std::min(2 * reach_, options_.reach);
+    return true;
+  }
+  here_ = from;
+  floor_ = floor;
+  forces_->move(geometry(), poses_of(model(), here_.state), insets_of(here_.state), progress_);
   return false;
 }
 
-void Repair::explain(const Judgement& now, RepairResult& result) const {
-  const std::vector<ContactPoint>& points = forces_->system().points();
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const double force = now.normal(static_cast<Eigen::Index>(p)) / now.f_min;
-    if (points[p].contact < 0 || force >= 1) continue;
-    if (!result.blocked.empty() && result.blocked.back().tiles == points[p].tile) {
-      result.blocked.back().least_force = std::min(result.blocked.back().least_force, force);
-      continue;
+// Near enough to the goals for a fresh mesh to judge.
+bool Repair::reached(const Judgement& now) const {
+  return !penalty() && now.least >= options_.goal - 0.1 &&
+         !(now.floor < options_.floor_goal - 0.05);
+}
+
+// Steps until the goals are reached or nothing helps. Returns whether there was one.
+bool Repair::improve(RepairResult& result, Judgement& now) {
+  bool moved = false, slow = penalty();
+  reach_ = options_.reach;
+  while (static_cast<int>(result.steps.size()) <= options_.most_steps && !reached(now)) {
+    const double before = merit(now);
+    const bool with_vertices = slow && parameters_.move_vertices;
+    if (take_step(result, now, with_vertices)) {
+      moved = true;
+      // Vertices join in where poses and pins alone get on slowly.
+      slow = penalty() || merit(now) > 0.8 * before;
+      tell(now);
+    } else if (slow || !parameters_.move_vertices) {
+      break;
+    } else {
+      slow = true;
+      reach_ = options_.reach;
     }
-    result.blocked.push_back({points[p].tile, force, "", {}});
   }
-  bool gaps = false, areas = false;
-  for (BlockedContact& contact : result.blocked) {
-    // Obstacles near the contact: on its tiles or their neighbours.
-    std::vector<int> near = {contact.tiles[0], contact.tiles[1]};
-    for (int tile : contact.tiles) {
-      for (int t = 0; t < 3; ++t) {
-        const int n = geometry_.tiles.topology.neighbour(tile, t);
-        if (n >= 0) near.push_back(n);
-      }
-    }
-    const Obstacle* found = nullptr;
-    for (const Obstacle& obstacle : last_step_.obstacles) {
-      const bool here = std::any_of(obstacle.tiles.begin(), obstacle.tiles.end(), [&](int tile) {
-        return std::find(near.begin(), near.end(), tile) != near.end();
-      });
-      if (here) {
-        found = &obstacle;
-        break;
-      }
-    }
-    char share[32];
-    std::snprintf(share, sizeof share, "%.2f", contact.least_force);
-    contact.reason = "contact " + tile_name(contact.tiles[0]) + "-" + tile_name(contact.tiles[1]) +
-                     " has " + share + " of f_min";
-    if (!found) {
-      contact.reason += ": no small change of the layout lifts it";
-      continue;
-    }
-    contact.held = found->tiles;
-    contact.reason += ": held by the " + found->what + " of " + tile_names(found->tiles);
-    gaps = gaps || found->what == "gap";
-    areas = areas || found->what != "gap";
-  }
-  if (gaps) result.suggestions.push_back("a cut near the tiles named gives gaps room");
-  if (areas) {
-    result.suggestions.push_back(
-        "a larger L, thinner tiles (H_body) or a smaller A_pin_min give pins room");
-  }
+  return moved;
+}
+
+void Repair::tell(const Judgement& now) const {
+  const std::string what = "repair: " + std::to_string(now.weak) + " weak points";
+  const double fraction = first_weak_ > 0 ? 1 - static_cast<double>(now.weak) / first_weak_ : 1;
+  if (!keep_going(progress_, what, std::max(0.0, fraction))) throw Cancelled();
 }
 
 RepairResult Repair::run(const Design& design) {
   RepairResult result;
   result.design = design;
-  const LayoutState given = state_;
-  LayoutState best = state_;
+  const Place given = here_;
+  Place best = here_;
   Judgement best_judgement;
   bool judged = false;
-  reach_ = options_.reach;
-  auto keep = [&](const Judgement& now) {
-    if (judged && !now.better_than(best_judgement)) return;
-    best = state_;
-    best_judgement = now;
-    judged = true;
-  };
   try {
     restore_start(result);
     while (true) {
       Judgement now = judge_fresh();
       if (!judged) first_weak_ = now.weak;
-      result.steps.push_back({now.weak, now.least, 0, true});
-      keep(now);
+      result.steps.push_back({now.weak, now.least, now.floor, 0, false, true});
+      if (!judged || now.better_than(best_judgement)) {
+        best = here_;
+        best_judgement = now;
+        judged = true;
+      }
       tell(now);
-      if (now.weak == 0) {
+      if (now.valid()) {
         result.status = RepairStatus::valid;
         break;
       }
-      bool moved = false;
-      // A tenth of f_min short of the goal is near enough for a fresh mesh to judge.
-      while (static_cast<int>(result.steps.size()) <= options_.most_steps &&
-             now.least < options_.goal - 0.1 && take_step(result, now)) {
-        moved = true;
-        tell(now);
-      }
-      if (!moved) {
-        explain(now, result);
+      if (!improve(result, now)) {
+        result.blocked = explain_weak_contacts(geometry().tiles, forces_->system().points(), now,
+                                               last_step_.obstacles);
+        result.suggestions = suggest_remedies(result.blocked);
         break;
       }
     }
   } catch (const Cancelled&) {
     result.status = RepairStatus::stopped;
   }
-  if (!judged) return result;
-  if (best == given) return result;  // bit for bit what was given
-  result.design.T = flat_corners(geometry_.tiles, poses_of(model_, best));
-  result.design.q = insets_of(best);
+  const bool reshaped = best.shape != given.shape;
+  if (!judged || (!reshaped && best.state == given.state)) return result;  // bit for bit as given
+  const TileMesh& tiles = best.shape->geometry.tiles;
+  result.design.T = flat_corners(tiles, poses_of(best.shape->model, best.state));
+  result.design.q = insets_of(best.state);
   result.largest_move = std::max((result.design.T - design.T).cwiseAbs().maxCoeff(),
-                                 (best - given).rightCols<6>().cwiseAbs().maxCoeff());
+                                 (best.state - given.state).rightCols<6>().cwiseAbs().maxCoeff());
+  if (reshaped) {
+    if (!design.target) result.design.target = design.mesh;
+    result.design.mesh = tiles.mesh;
+    result.largest_vertex_move = (tiles.mesh.V - design.mesh.V).rowwise().norm().maxCoeff();
+  }
   return result;
 }
 
 }  // namespace
 
-RepairResult repair_design(const Design& design, const RepairOptions& options,
+RepairResult repair_design(const Design& design, const RepairOptions& options, SolvedDesign* solved,
                            const Progress& progress) {
-  return Repair(design, options, progress).run(design);
+  return Repair(design, options, solved, progress).run(design);
 }
 
 }  // namespace curveups

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "curveups/core/parallel.hpp"
@@ -110,9 +111,93 @@ TEST(Repair, RestoresSpoiledPinsAndPoses) {
   EXPECT_EQ(weak_points(result.design), 0);
 }
 
+const Design& small_dome() {
+  static const Design design = laid_out(test::dome(4));
+  return design;
+}
+
+// A floor on normal forces that poses and pins alone can't reach.
+Design with_a_high_floor() {
+  Design design = small_dome();
+  const ContactFigures figures = verify_design(design, {}, {}).contact_forces;
+  design.parameters.f_min_ratio = 1.4 * figures.normal_min / figures.normal_mean;
+  return design;
+}
+
+TEST(Repair, MovesVerticesWherePosesAndPinsDoNotDo) {
+  Design design = with_a_high_floor();
+  const RepairResult result = repair_design(design, {}, nullptr, {});
+  EXPECT_EQ(result.status, RepairStatus::valid);
+  EXPECT_GT(result.largest_vertex_move, 0.01);
+  EXPECT_LT(result.largest_vertex_move, 0.2 * design.parameters.L);
+  ASSERT_TRUE(result.design.target.has_value());
+  EXPECT_EQ(result.design.target->V, design.mesh.V);
+  expect_constraints_kept(result.design);
+  EXPECT_TRUE(verify_design(result.design, {}, {}).valid);
+  // Half the mesh size tells the same.
+  Design finer = result.design;
+  finer.parameters.mesh_size *= 0.5;
+  EXPECT_EQ(weak_points(finer), 0);
+
+  design.parameters.move_vertices = false;
+  RepairOptions few;
+  few.most_steps = 8;
+  const RepairResult without = repair_design(design, few, nullptr, {});
+  EXPECT_EQ(without.status, RepairStatus::blocked);
+  EXPECT_EQ(without.design.mesh.V, design.mesh.V);
+  EXPECT_FALSE(without.design.target.has_value());
+  EXPECT_FALSE(without.suggestions.empty());
+}
+
+TEST(Repair, LiftsTheFloorOfTheUnilateralProblem) {
+  Design design = laid_out(test::saddle(4));
+  design.parameters.friction_coefficient = 0.1;
+  const ValidationReport before = verify_design(design, {}, {});
+  ASSERT_EQ(before.contact_forces.points_below_f_min, 0);
+  ASSERT_FALSE(before.unilateral.feasible);
+  const RepairResult result = repair_design(design, {}, nullptr, {});
+  EXPECT_EQ(result.status, RepairStatus::valid);
+  EXPECT_LT(result.steps.front().least_floor, 1);
+  EXPECT_GE(result.steps.back().least_floor, 1);
+  expect_constraints_kept(result.design);
+  EXPECT_TRUE(verify_design(result.design, {}, {}).unilateral.feasible);
+}
+
+TEST(Repair, WeighsTightnessAgainstFidelityWhereAsked) {
+  Design design = with_a_high_floor();
+  design.parameters.f_min_ratio *= 1.2;
+  design.parameters.tightness = "penalty";
+  RepairOptions options;
+  options.most_steps = 10;
+  std::array<double, 2> moved, least;
+  for (int k = 0; k < 2; ++k) {
+    design.parameters.w_tight = k == 0 ? 1e-4 : 1e3;
+    const RepairResult result = repair_design(design, options, nullptr, {});
+    const Points3 move = result.design.mesh.V - design.mesh.V;
+    moved[k] = move.squaredNorm();
+    const ContactFigures figures = verify_design(result.design, {}, {}).contact_forces;
+    least[k] = figures.normal_min / figures.normal_mean;
+    expect_constraints_kept(result.design);
+  }
+  EXPECT_LT(moved[0], 0.5 * moved[1]);
+  EXPECT_LT(least[0], least[1]);
+}
+
+TEST(Repair, StartsFromWhatVerificationKept) {
+  const Design design = with_weak_contacts();
+  VerifyOptions keep;
+  keep.keep_solution = true;
+  const ValidationReport report = verify_design(design, keep, {});
+  const RepairResult kept = repair_design(design, {}, report.solved.get(), {}),
+                     fresh = repair_design(design, {}, nullptr, {});
+  EXPECT_EQ(kept.status, RepairStatus::valid);
+  EXPECT_LT((kept.design.T - fresh.design.T).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LT((kept.design.q - fresh.design.q).cwiseAbs().maxCoeff(), 1e-4);
+}
+
 TEST(Repair, SaysWhatBlocksTheImpossible) {
-  Design design = dome_design();
-  design.parameters.f_min_ratio = 0.9;  // all points nearly alike: no dome does that
+  Design design = small_dome();
+  design.parameters.f_min_ratio = 0.95;  // all points nearly alike: no dome does that
   RepairOptions options;
   options.most_steps = 3;
   const RepairResult result = repair_design(design, options, nullptr, {});
@@ -128,9 +213,10 @@ TEST(Repair, SaysWhatBlocksTheImpossible) {
 TEST(Repair, StoppedItKeepsTheBestSoFar) {
   const Design design = with_weak_contacts();
   int calls = 0;
-  const RepairResult result = repair_design(design, {}, nullptr, [&](const std::string& what, double) {
-    return what.find("weak points") == std::string::npos || ++calls < 2;
-  });
+  const RepairResult result =
+      repair_design(design, {}, nullptr, [&](const std::string& what, double) {
+        return what.find("weak points") == std::string::npos || ++calls < 2;
+      });
   EXPECT_EQ(result.status, RepairStatus::stopped);
   ASSERT_GE(result.steps.size(), 2u);
   expect_constraints_kept(result.design);

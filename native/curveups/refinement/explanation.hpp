@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Why contacts stay weak, in words that name tiles.
+#pragma once
+
+#include <vector>
+
+#include "curveups/refinement/judgement.hpp"
+#include "curveups/refinement/layout_step.hpp"
+
+namespace curveups {
+
+// The contacts with a point below f_min, in the order of the points, each with the strongest
+// obstacle of the last step on its tiles or their neighbours.
+std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
+                                                  const std::vector<ContactPoint>& points,
+                                                  const Judgement& judgement,
+                                                  const std::vector<Obstacle>& obstacles);
+
+// What would help against what holds them.
+std::vector<std::string> suggest_remedies(const std::vector<BlockedContact>& blocked);
+
+}  // namespace curveups

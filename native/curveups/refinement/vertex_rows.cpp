@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/refinement/vertex_rows.hpp"
+
+#include <algorithm>
+
+#include "curveups/core/parallel.hpp"
+
+namespace curveups {
+
+std::vector<VertexEntry> rows_by_vertex(const LayoutModel& model, const LayoutState& state,
+                                        const std::vector<ConstraintRow>& rows,
+                                        const MovingVertices& vertices) {
+  std::vector<std::vector<int>> rows_of(model.tile_count());
+  {
+    const BlockFunctions functions = make_constraints(model);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      for (int tile : functions[rows[r].function]->tiles(rows[r].block)) {
+        if (tile >= 0) rows_of[tile].push_back(static_cast<int>(r));
+      }
+    }
+  }
+  std::vector<std::vector<VertexEntry>> found(vertices.count());
+  parallel_ranges(vertices.count(), [&](int begin, int end) {
+    LayoutModel varied = model;
+    const BlockFunctions functions = make_constraints(varied);
+    BlockValue value;
+    for (int v = begin; v < end; ++v) {
+      const VertexPatch& patch = vertices.patches[v];
+      std::vector<int> touched;
+      for (int k : patch.changed) {
+        const std::vector<int>& own = rows_of[patch.tiles[k]];
+        touched.insert(touched.end(), own.begin(), own.end());
+      }
+      std::sort(touched.begin(), touched.end());
+      touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+      if (touched.empty()) continue;
+      const Eigen::MatrixXd by_vertex =
+          derivatives_by_vertex(patch, [&](const LocalGeometry& local) {
+            for (int k : patch.changed) {
+              varied.tiles[patch.tiles[k]] = make_layout_tile(local.tiles, k);
+            }
+            Eigen::VectorXd out(static_cast<Eigen::Index>(touched.size()));
+            for (std::size_t r = 0; r < touched.size(); ++r) {
+              const ConstraintRow& row = rows[touched[r]];
+              const auto [i, j] = functions[row.function]->tiles(row.block);
+              functions[row.function]->evaluate(row.block, state.row(i).data(),
+                                                j < 0 ? nullptr : state.row(j).data(), false,
+                                                value);
+              out(static_cast<Eigen::Index>(r)) = value.value(0);
+            }
+            return out;
+          });
+      for (int k : patch.changed) varied.tiles[patch.tiles[k]] = model.tiles[patch.tiles[k]];
+      for (std::size_t r = 0; r < touched.size(); ++r) {
+        const Vec3 derivative = by_vertex.row(static_cast<Eigen::Index>(r));
+        if (derivative != Vec3::Zero()) found[v].push_back({touched[r], v, derivative});
+      }
+    }
+  });
+  std::vector<VertexEntry> out;
+  for (const auto& list : found) out.insert(out.end(), list.begin(), list.end());
+  return out;
+}
+
+Eigen::Matrix<double, 2, 3> centroid_by_corner(const TileMesh& tiles, int tile, int t) {
+  // The frame's origin is corner 0, its x axis runs to corner 1.
+  const TileFrame& frame = tiles.frame[tile];
+  const std::array<Vec2, 3>& front = tiles.front[tile];
+  const Vec2 centroid = (front[0] + front[1] + front[2]) / 3;
+  const double shift = 1.0 / 3 - (t == 0 ? 1.0 : 0.0), turn = t == 1 ? 1.0 : t == 0 ? -1.0 : 0.0;
+  const Eigen::RowVector3d turning = (turn / tiles.length(tile, 0)) * frame.y.transpose();
+  Eigen::Matrix<double, 2, 3> out;
+  out.row(0) = shift * frame.x.transpose() + centroid.y() * turning;
+  out.row(1) = shift * frame.y.transpose() - centroid.x() * turning;
+  return out;
+}
+
+}  // namespace curveups
