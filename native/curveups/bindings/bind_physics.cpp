@@ -25,9 +25,8 @@ py::dict physics_block(const PhysicsFigures& f) {
   out["triangles"] = f.triangles;
   out["free_vertices"] = f.free_vertices;
   // Per side: the most on one of its two meshes; then the coarser and the finer by themselves.
-  out["newton_iterations"] =
-      py::make_tuple(std::max(f.coarse_iterations[0], f.fine_iterations[0]),
-                     std::max(f.coarse_iterations[1], f.fine_iterations[1]));
+  out["newton_iterations"] = py::make_tuple(std::max(f.coarse_iterations[0], f.fine_iterations[0]),
+                                            std::max(f.coarse_iterations[1], f.fine_iterations[1]));
   out["newton_iterations_coarse"] = py::make_tuple(f.coarse_iterations[0], f.coarse_iterations[1]);
   out["newton_iterations_fine"] = py::make_tuple(f.fine_iterations[0], f.fine_iterations[1]);
   out["converged"] = f.converged;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/core/sparse_cholesky.hpp"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <thread>
+
+#include "curveups/core/sparse_cholesky.hpp"
 
 namespace curveups {
 namespace {
@@ -60,6 +61,39 @@ TEST(SparseCholesky, TwoAtOnceGiveTheSameBits) {
   other.join();
   EXPECT_EQ(first, alone);
   EXPECT_EQ(second, alone);
+}
+
+TEST(SparseCholesky, AnEliminationOrderIsOneWithLittleFill) {
+  EXPECT_TRUE(elimination_order({}).empty());
+  // A star: its centre, numbered first, would fill everything, so that it goes among the last two.
+  std::vector<std::vector<int>> star(50);
+  for (int v = 1; v < 50; ++v) star[0].push_back(v);
+  std::vector<int> order = elimination_order(star);
+  ASSERT_EQ(order.size(), 50u);
+  EXPECT_TRUE(order[49] == 0 || order[48] == 0);
+  std::sort(order.begin(), order.end());
+  for (int k = 0; k < 50; ++k) EXPECT_EQ(order[k], k);
+}
+
+TEST(SparseCholesky, SolvesInTheOrderGiven) {
+  const SparseMatrix a = grid(30, 0.1);
+  std::vector<std::vector<int>> above(a.rows());
+  for (int c = 0; c < a.cols(); ++c) {
+    for (SparseMatrix::InnerIterator it(a, c); it; ++it) {
+      if (it.row() > c) above[c].push_back(static_cast<int>(it.row()));
+    }
+  }
+  const std::vector<int> order = elimination_order(above);
+  Eigen::PermutationMatrix<Eigen::Dynamic> P(a.rows());
+  for (int k = 0; k < a.rows(); ++k) P.indices()(order[k]) = k;
+  SparseMatrix permuted(a.rows(), a.cols());
+  permuted.selfadjointView<Eigen::Lower>() = a.selfadjointView<Eigen::Lower>().twistedBy(P);
+  SparseCholesky cholesky(Ordering::as_given);
+  ASSERT_TRUE(cholesky.factorize(permuted));
+  for (int k = 0; k < a.rows(); ++k) EXPECT_EQ(cholesky.order()[k], k);
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(a.rows());
+  const Eigen::VectorXd b = a.selfadjointView<Eigen::Lower>() * x;
+  EXPECT_LT((P.transpose() * cholesky.solve(P * b) - x).norm(), 1e-10 * x.norm());
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST(SpecialDesign, ACutTakesItsContactsAndMembraneAway) {
   for (const MeshEdge& edge : tiles.topology.edges) {
     const Vec3 a = design.mesh.V.row(edge.v[0]), b = design.mesh.V.row(edge.v[1]);
     if (std::abs(a.y()) < 1e-9 && std::abs(b.y()) < 1e-9 && a.x() + b.x() > 0) {
-      slit.push_back(edge.v);
+      slit.push_back({edge.v[0], edge.v[1]});
     }
   }
   ASSERT_EQ(slit.size(), 3u);
