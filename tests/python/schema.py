@@ -15,13 +15,16 @@ REPORT = {
     "stages": list, "peak_memory_mb": NUMBER, "software": {"curveups": TEXT},
 }
 OPTIONAL = {
-    "physics": {"triangles": COUNT, "free_vertices": COUNT, "newton_iterations": list,
-                "residual": NUMBER, "wrinkled_fraction": NUMBER, "force_balance": NUMBER,
-                "torque_balance": NUMBER, "normal_force_error": NUMBER},
+    "physics": {"triangles": COUNT, "free_vertices": COUNT, "newton_iterations": [COUNT, COUNT],
+                "newton_iterations_coarse": [COUNT, COUNT],
+                "newton_iterations_fine": [COUNT, COUNT], "converged": bool,
+                "residual": NUMBER, "wrinkled_fraction": NUMBER, "largest_stretch": NUMBER,
+                "force_balance": NUMBER, "torque_balance": NUMBER, "normal_force_error": NUMBER,
+                "membrane_clearance_mm": NUMBER},
     "contact_forces": {"unit": TEXT, "normal_mean": NUMBER, "normal_min": NUMBER, "f_min": NUMBER,
                        "points_below_f_min": COUNT, "invalid_contacts": list,
                        "friction_ratio_mean": NUMBER, "friction_ratio_max": NUMBER},
-    "unilateral": {"feasible": None, "friction_coefficient": NUMBER, "floor": NUMBER,
+    "unilateral": {"feasible": bool, "friction_coefficient": NUMBER, "floor": NUMBER,
                    "largest_floor": NUMBER, "feasible_at_bump_tips": None},
     "deviation": {"mean_mm": NUMBER, "max_mm": NUMBER, "hausdorff_mm": NUMBER},
     "solids": {"tiles": COUNT, "invalid": COUNT, "volume_cm3": NUMBER,
@@ -32,7 +35,8 @@ OPTIONAL = {
 }
 STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}
-STAGES = ("remesh", "cuts", "flatten", "layout", "verify", "refine", "solids", "check", "export")
+STAGES = ("remesh", "cuts", "relief", "flatten", "layout", "verify", "refine", "recheck", "solids",
+          "check", "export")
 
 
 def check(value, expected, where):
@@ -41,6 +45,10 @@ def check(value, expected, where):
         for name, inner in expected.items():
             assert name in value, f"{where}.{name}"
             check(value[name], inner, f"{where}.{name}")
+    elif isinstance(expected, list):
+        assert isinstance(value, list) and len(value) == len(expected), (where, value)
+        for item, inner in zip(value, expected):
+            check(item, inner, where)
     elif expected == NUMBER:
         assert isinstance(value, (int, float)) and math.isfinite(value), (where, value)
     elif expected == COUNT:
@@ -58,6 +66,10 @@ def check_report(report):
             check(report[name], block, name)
     if "solids" in report and report["tiles"] > 1:  # one tile has nothing to be clear of
         check(report["solids"]["min_clearance_flat_mm"], NUMBER, "solids.min_clearance_flat_mm")
+    if "unilateral" in report:  # unknown only where there are no bumps
+        assert report["unilateral"]["feasible_at_bump_tips"] in (True, False, None)
+        assert (report["unilateral"]["feasible_at_bump_tips"] is None) == (
+            "status_at_bump_tips" not in report["unilateral"])
     assert report["format"] == "curveups-report" and report["version"] == 1
     assert report["status"] in ("complete", "stopped")
     assert report["valid"] in (True, False, None)
