@@ -15,7 +15,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 MESHES = (".obj", ".stl", ".ply", ".off")
-STAGES = ("remesh", "flatten", "layout", "verify", "refine", "solids", "check", "export")
+STAGES = ("remesh", "relief", "flatten", "layout", "verify", "refine", "solids", "check", "export")
 
 # Table 1: tiles and the seconds of soft and hard optimisation, global check and local refinement.
 # "spherical" and "spot" are other versions of the paper's meshes.
@@ -24,6 +24,9 @@ PAPER = {
     "hyperboloid": (571, 51 + 27 + 33), "lilium": (1844, 318 + 286 + 173),
     "turtle": (2212, 665 + 426 + 1162 + 1096), "spot": (2545, 1936 + 557 + 1362 + 6205),
 }
+# OpenCASCADE's reader compares the holes of a face pair by pair: 20 s for a slab around 570 tiles,
+# minutes beyond. Slabs of more tiles are read back from STL and 3MF alone.
+MOST_HOLES = 700
 SETTINGS = {"half-sphere": ["--set", "L=7.5"]}  # the paper's 594 tiles
 
 
@@ -77,7 +80,7 @@ def _run(name: str, target: str) -> dict:
         found = json.loads(report.read_text(encoding="utf-8"))
         unreadable = _read_back(Path(folder), found)
     seconds = {stage["name"]: stage["seconds"] for stage in found["stages"]}
-    design = [s for s in ("remesh", "flatten", "layout", "verify", "refine") if s in seconds]
+    design = [s for s in ("remesh", "relief", "flatten", "layout", "verify", "refine") if s in seconds]
     return {
         **row, "tiles": found["tiles"], "valid": found["valid"], "stages": found["stages"],
         "read_back": unreadable or "sound",
@@ -95,31 +98,36 @@ def _read_back(folder: Path, report: dict) -> list[str]:
     volumes = {"tiles": report["print"]["tile_volume_cm3"],
                "support": report["print"]["support_volume_cm3"],
                "anchors": report["print"]["anchor_volume_cm3"]}
+    slab_is_readable = report["tiles"] <= MOST_HOLES
     wrong, bodies = [], 0
     for kind, volume in volumes.items():
         if not volume:
             continue
-        solids = part.read(str(folder / f"{report['name']}-{kind}.step")).Solids
-        wrong += _wrong_solids(f"{kind}.step", solids, 1000 * volume)
-        if kind == "tiles" and len(solids) != report["tiles"]:
-            wrong.append(f"tiles.step has {len(solids)} solids")
         facets = mesh.Mesh(str(folder / f"{report['name']}-{kind}.stl"))
         if not facets.isSolid():
             wrong.append(f"{kind}.stl is not watertight")
-        if facets.countComponents() != len(solids):
-            wrong.append(f"{kind}.stl has {facets.countComponents()} components")
-        bodies += len(solids)
-    solids = part.read(str(folder / f"{report['name']}-print.step")).Solids
-    wrong += _wrong_solids("print.step", solids, 1000 * sum(volumes.values()))
-    if len(solids) != bodies or bodies != report["print"]["bodies"]:
-        wrong.append(f"print.step has {len(solids)} solids, its parts {bodies}")
+        components = facets.countComponents()
+        if kind == "tiles" and components != report["tiles"]:
+            wrong.append(f"tiles.stl has {components} components")
+        bodies += components
+        if kind == "support" and not slab_is_readable:
+            continue
+        solids = part.read(str(folder / f"{report['name']}-{kind}.step")).Solids
+        wrong += _wrong_solids(f"{kind}.step", solids, components, 1000 * volume)
+    if bodies != report["print"]["bodies"]:
+        wrong.append(f"the STL files have {bodies} components")
+    if slab_is_readable:
+        solids = part.read(str(folder / f"{report['name']}-print.step")).Solids
+        wrong += _wrong_solids("print.step", solids, bodies, 1000 * sum(volumes.values()))
     return wrong + _wrong_3mf(folder / f"{report['name']}-print.3mf", bodies)
 
 
-def _wrong_solids(file: str, solids: list, expected: float) -> list[str]:
+def _wrong_solids(file: str, solids: list, count: int, expected: float) -> list[str]:
     volume = sum(solid.Volume for solid in solids)
-    return ([] if abs(volume - expected) <= 1e-8 * expected
-            else [f"{file} holds {volume:.3f} mm3, not {expected:.3f}"])
+    wrong = [] if len(solids) == count else [f"{file} has {len(solids)} solids, not {count}"]
+    if abs(volume - expected) > 1e-8 * expected:
+        wrong.append(f"{file} holds {volume:.3f} mm3, not {expected:.3f}")
+    return wrong
 
 
 def _wrong_3mf(path: Path, bodies: int) -> list[str]:

@@ -18,7 +18,7 @@ class SolidWriter {
     for (const SphericalCap& cap : body_.caps) add_cap(cap);
     for (const CylinderWall& wall : body_.cylinders) add_cylinder(wall);
     for (const PlanarFace& face : body_.faces) add_planar(face);
-    const StepId shell = step_.add("CLOSED_SHELL('',", faces_, ")");
+    const StepId shell = step_.add("CLOSED_SHELL('',", in_connected_order(), ")");
     return step_.add("MANIFOLD_SOLID_BREP(", step_string(body_.name), ",", shell, ")");
   }
 
@@ -64,6 +64,7 @@ class SolidWriter {
   }
 
   StepId oriented(StepId edge, bool forward) {
+    pending_.push_back(static_cast<int>(edge));
     return step_.add("ORIENTED_EDGE('',*,*,", edge, forward ? ",.T.)" : ",.F.)");
   }
 
@@ -101,6 +102,33 @@ class SolidWriter {
   void add_face(const std::vector<StepId>& bounds, StepId surface, bool forward) {
     faces_.push_back(
         step_.add("ADVANCED_FACE('',", bounds, ",", surface, forward ? ",.T.)" : ",.F.)"));
+    for (int edge : pending_) faces_at_[edge].push_back(static_cast<int>(faces_.size()) - 1);
+    edges_of_.push_back(std::move(pending_));
+    pending_.clear();
+  }
+
+  // Every face after one that it shares an edge with: readers put shells together face by face, and
+  // OpenCASCADE's starts over from the first one left: minutes for a slab in any other order.
+  std::vector<StepId> in_connected_order() const {
+    std::vector<char> seen(faces_.size(), 0);
+    std::vector<int> order;
+    for (std::size_t start = 0; start < faces_.size(); ++start) {
+      if (seen[start]) continue;
+      seen[start] = 1;
+      order.push_back(static_cast<int>(start));
+      for (std::size_t at = order.size() - 1; at < order.size(); ++at) {
+        for (int edge : edges_of_[order[at]]) {
+          for (int face : faces_at_.at(edge)) {
+            if (seen[face]) continue;
+            seen[face] = 1;
+            order.push_back(face);
+          }
+        }
+      }
+    }
+    std::vector<StepId> out;
+    for (int face : order) out.push_back(faces_[face]);
+    return out;
   }
 
   StepId planar_bound(const PlanarFace& face, const BodyLoop& loop, bool outer) {
@@ -158,6 +186,9 @@ class SolidWriter {
   std::unordered_map<long long, StepId> edge_;
   std::vector<Circle> circle_;
   std::vector<StepId> faces_;
+  std::vector<int> pending_;                            // edges of the face to come
+  std::vector<std::vector<int>> edges_of_;              // of each face
+  std::unordered_map<int, std::vector<int>> faces_at_;  // of each edge
 };
 
 }  // namespace
