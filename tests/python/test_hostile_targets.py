@@ -60,6 +60,15 @@ def closed_sphere():
     return text
 
 
+def figure_eight():
+    """A strip along a figure of eight, which runs through itself where that crosses."""
+    def point(u, v):
+        a = 2 * math.pi * (0.8 * u - 0.1)
+        return 40 * math.sin(a), 30 * math.sin(2 * a), 40 * v
+
+    return grid(40, 6, point)
+
+
 def scaled(text, factor):
     return re.sub(r"v (\S+) (\S+) (\S+)",
                   lambda m: "v %r %r %r" % tuple(factor * float(x) for x in m.groups()), text)
@@ -95,6 +104,7 @@ TEXTS = {
     "all-one-point.obj": "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n",
     "moebius.obj": moebius(),
     "closed-sphere.obj": closed_sphere(),
+    "through-itself.obj": figure_eight(),
     "three-at-an-edge.obj": "v 0 0 0\nv 20 0 0\nv 0 20 0\nv 0 -20 0\nv 0 0 20\n"
                             "f 1 2 3\nf 2 1 4\nf 1 2 5\n",
     "huge.obj": scaled(dome(2), 1e12) + "\n",
@@ -134,6 +144,7 @@ AS_THEY_ARE = {
     "duplicate-face.obj": TRIANGLE + "f 1 2 3\nf 1 2 3\n",
     "self-touching.obj": TRIANGLE + "v 20 20 0\nv 30 20 0\nf 1 2 3\nf 4 5 3\n",
     "folded-shut-as-is.obj": SHARP,
+    "through-itself-as-is.obj": figure_eight(),
     "metres-as-is.obj": scaled(dome(2), 1e-3),
 }
 BYTES = {
