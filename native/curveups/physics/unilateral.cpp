@@ -283,7 +283,8 @@ ConeProgram::Outcome ConeProgram::solve(const VectorXd& start, const UnilateralO
     if (r_z_.circle.size()) primal = std::max(primal, r_z_.circle.cwiseAbs().maxCoeff());
     // Dual residuals count by what they move the objective.
     const double dual = std::abs(r_s_) + r_f_.cwiseAbs().dot(f_.cwiseAbs());
-    if (gap < options.tolerance && primal < 0.1 * options.tolerance && dual < options.tolerance) {
+    if (gap < options.tolerance && primal < std::max(1e-6, 0.1 * options.tolerance) &&
+        dual < options.tolerance) {
       out.solved = true;
       break;
     }
