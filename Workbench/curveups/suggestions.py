@@ -115,7 +115,7 @@ def _remedies(outcome: Any, weak: list[tuple[int, int]]) -> list[str]:
     if repair is not None:
         # Gaps are a matter of room between tiles; all other obstacles are pins'.
         pins |= {int(tile) for contact in repair.blocked
-                 if getattr(contact, "obstacle", "pin") not in ("", "gap") for tile in contact.held}
+                 if contact.obstacle not in ("", "gap") for tile in contact.held}
     if not pins and not weak:
         return []
     values, get = native.find_remedies(design, sorted(pins), weak), design.parameters.get
