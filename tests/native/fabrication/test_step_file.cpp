@@ -14,11 +14,12 @@
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
-#include <sstream>
+#include <set>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
@@ -142,6 +143,60 @@ TEST_F(StepFile, HoldsEveryBodyByNameAndColourWithItsVolume) {
         EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
         expect_bodies(session.bodies(kind), std::string("sample-") + kind);
       }
+    }
+  }
+}
+
+// The entities of a file by number, and those that one leads to.
+class Entities {
+ public:
+  explicit Entities(const std::string& path) {
+    std::ifstream file(path);
+    for (std::string entity; std::getline(file, entity, ';');) {
+      const std::size_t at = entity.find('#');
+      if (at == std::string::npos) continue;
+      text_[std::stoi(entity.substr(at + 1))] = entity.substr(entity.find('=') + 1);
+    }
+  }
+  std::vector<int> named(const std::string& keyword) const {
+    std::vector<int> found;
+    for (const auto& [id, text] : text_) {
+      if (text.rfind(keyword + "(", 0) == 0) found.push_back(id);
+    }
+    return found;
+  }
+  std::vector<int> references(int id) const {
+    std::vector<int> found;
+    const std::string& text = text_.at(id);
+    for (std::size_t at = 0; (at = text.find('#', at)) != std::string::npos; ++at) {
+      found.push_back(std::stoi(text.substr(at + 1)));
+    }
+    return found;
+  }
+  std::set<int> edges(int id) const {
+    if (text_.at(id).rfind("EDGE_CURVE(", 0) == 0) return {id};
+    std::set<int> found;
+    for (int part : references(id)) found.merge(edges(part));
+    return found;
+  }
+
+ private:
+  std::map<int, std::string> text_;
+};
+
+TEST_F(StepFile, HasFacesInAnOrderInWhichEachJoinsThoseBefore) {
+  const PrintSession session(test::sample_design(), "0.1");
+  session.write_step("print", path(), {});
+  const Entities entities(path());
+  const std::vector<int> shells = entities.named("CLOSED_SHELL");
+  EXPECT_EQ(shells.size(), session.bodies("print").size());
+  for (int shell : shells) {
+    std::set<int> there;
+    for (int face : entities.references(shell)) {
+      std::set<int> edges = entities.edges(face);
+      EXPECT_TRUE(there.empty() || std::any_of(edges.begin(), edges.end(),
+                                               [&](int edge) { return there.count(edge) > 0; }));
+      there.merge(edges);
     }
   }
 }
