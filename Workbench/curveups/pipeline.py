@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From a target surface to a finished design: arrays in, arrays out, no FreeCAD.
 
-target -> remesh -> (cuts) -> layout -> solids -> verify -> repair -> check -> (cuts). Each stage is one function, timed by
+target -> remesh -> (cuts) -> relief -> layout -> solids -> verify -> repair -> check -> (cuts). Each stage is one function, timed by
 `_stage`; what it finds is kept in an `Outcome`, from which reports, files and documents are made. Cuts are looked for before
 the layout where they were asked for, and at the end for a design that needs them.
 """
@@ -75,6 +75,8 @@ class Outcome:
     layout: Any = None                       # native LayoutResult
     verification: Any = None                 # native ValidationReport
     verify_note: str = ""                    # why there is none
+    recheck: Any = None                      # native ValidationReport at half the mesh size
+    relief: Any = None                       # native PinRelief, where vertices moved for pins
     repair: Any = None                       # native RepairResult, where weak contacts were repaired
     model: Any = None                        # native PrintModel
     solids: Optional[SolidFigures] = None
@@ -122,8 +124,8 @@ def run_design(request: Request, progress: Progress) -> Outcome:
     _go_on(progress, "cutting")
     with _errors(request.where):
         cuts = resolve_cuts(request.cuts, target.V, target.F)
-        findings = native.check_target(target.V, target.F, cuts, parameters)
-        _report(findings, [], request.where, tiles=True)
+        _report(native.check_target(target.V, target.F, cuts, parameters), [], request.where,
+                tiles=True)
     applied = []
     if request.auto_cuts:
         with _stage(stages, "cuts", request.where):
@@ -133,12 +135,17 @@ def run_design(request: Request, progress: Progress) -> Outcome:
                 raise Stopped
             applied = list(found.cuts)
             cuts = suggestions.joined([cuts, *(cut.edges for cut in applied)])
-            findings = native.check_target(target.V, target.F, cuts, parameters)
         stages[-1].iterations = int(found.layouts)
-    _report(findings, warnings, request.where, tiles=True)
+    relief = _relieve(request, target, cuts, progress, stages)
+    V = target.V if relief is None else relief.V
+    with _errors(request.where):
+        _report(native.check_target(V, target.F, cuts, parameters), warnings, request.where,
+                tiles=True)
     with _stage(stages, "layout", request.where):
         begun = _FirstCall(progress)
-        layout = native.solve_layout(request.name, target.V, target.F, cuts, parameters, begun)
+        layout = native.solve_layout(request.name, V, target.F, cuts, parameters, begun)
+        if relief is not None:
+            layout.design.set_target(target.V, target.F)
     stages[-1].iterations = int(layout.iterations)
     stages[-1].seconds -= begun.seconds
     stages.insert(len(stages) - 1, Stage("flatten", begun.seconds))
@@ -147,6 +154,7 @@ def run_design(request: Request, progress: Progress) -> Outcome:
     outcome = Outcome(request.name, layout.design, figures, target, layout, stages=stages,
                       warnings=warnings, stopped=bool(layout.stopped))
     outcome.suggestions.applied = applied
+    outcome.relief = relief
     if request.solids:
         _build(outcome, progress, request.where)
     _verify(outcome, progress, request.where)
@@ -154,6 +162,7 @@ def run_design(request: Request, progress: Progress) -> Outcome:
         if request.solids:
             _build(outcome, progress, request.where)
         _verify(outcome, progress, request.where)
+    _recheck(outcome, progress, request.where)
     if request.solids:
         _measure(outcome, progress, request.where)
     _suggest(outcome, progress, request.where)
@@ -161,11 +170,23 @@ def run_design(request: Request, progress: Progress) -> Outcome:
     return outcome
 
 
+def _relieve(request: Request, target: Target, cuts: np.ndarray, progress: Progress,
+             stages: list[Stage]) -> Any:
+    """Room for pins that folds leave too little of: vertices moved a little, or None."""
+    parameters = request.parameters
+    if not (parameters.get("repair") and parameters.get("move_vertices")):
+        return None
+    with _stage(stages, "relief", request.where):
+        relief = native.relieve_pins(target.V, target.F, cuts, parameters, progress)
+    return relief if relief.relieved else None
+
+
 def run_verify(design: Any, progress: Progress, where: str) -> Outcome:
     """The physical model on a design that exists."""
     with _errors(where):
         outcome = Outcome(design.name, design, native.evaluate_design(design))
     _verify(outcome, progress, where, asked=True)
+    _recheck(outcome, progress, where)
     outcome.verdict = judge(outcome)
     return outcome
 
@@ -196,13 +217,33 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
             # Where printed tiles touch, whether or not solids are wanted.
             tips = (outcome.model.bump_tips if outcome.model is not None
                     else native.bump_tips(outcome.design))
-            outcome.verification = native.verify_design(outcome.design, progress, tips)
+            outcome.verification = native.verify_design(
+                outcome.design, progress, tips,
+                keep_solution=not asked and outcome.repair is None
+                and bool(outcome.design.parameters.get("repair")))
+            if outcome.verification.valid:
+                outcome.verification.drop_solution()
         physics = outcome.verification.blocks.get("physics", {})
         outcome.stages[-1].iterations = sum(sum(physics.get(f"newton_iterations_{mesh}", ()))
                                             for mesh in ("coarse", "fine"))
     except Stopped:
         outcome.stopped = True
         outcome.verify_note = "stopped during verification"
+
+
+def _recheck(outcome: Outcome, progress: Progress, where: str) -> None:
+    """The verdict once more, on a membrane mesh of half the size, where that is asked for."""
+    if (outcome.stopped or outcome.verification is None or not outcome.verification.valid
+            or not outcome.design.parameters.get("recheck")):
+        return
+    try:
+        with _stage(outcome.stages, "recheck", where):
+            finer = native.read_design(native.write_design(outcome.design))
+            size = outcome.design.parameters.get("mesh_size")
+            finer.parameters.set("mesh_size", max(0.05, 0.5 * size))
+            outcome.recheck = native.verify_design(finer, progress, native.bump_tips(finer))
+    except Stopped:
+        outcome.stopped = True
 
 
 def _repair(outcome: Outcome, progress: Progress, where: str) -> bool:
@@ -213,15 +254,17 @@ def _repair(outcome: Outcome, progress: Progress, where: str) -> bool:
         return False
     try:
         with _stage(outcome.stages, "refine", where):
-            outcome.repair = native.repair_design(outcome.design, progress=progress)
+            outcome.repair = native.repair_design(outcome.design, outcome.verification, progress)
     except Stopped:
         outcome.stopped = True
         return False
     except CurveUpsError as error:
+        outcome.verification.drop_solution()
         # No repair can begin from here: the design ends as it is, with the verdict it has.
         outcome.warnings.append({"what": f"repair can't begin: {error.what}", "kind": "repair",
                                  "tiles": []})
         return False
+    outcome.verification.drop_solution()
     outcome.stages[-1].iterations = len(outcome.repair.steps)
     outcome.stopped = outcome.repair.status == "stopped"
     if native.write_design(outcome.repair.design) == native.write_design(outcome.design):

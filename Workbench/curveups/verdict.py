@@ -29,6 +29,9 @@ def judge(outcome: Any) -> Verdict:
             if outcome.repair is not None:
                 broken += [contact.reason for contact in outcome.repair.blocked]
             broken += _remedies(outcome)
+        if outcome.recheck is not None and not outcome.recheck.valid:
+            broken += [f"on a membrane mesh of half the size: {reason}"
+                       for reason in outcome.recheck.reasons]
         return Verdict(not broken, broken)
     if broken:
         return Verdict(False, broken)

@@ -52,6 +52,13 @@ def build_report(outcome: Any, files: dict[str, int], software: dict[str, str]) 
         report.update({key: blocks[key] for key in ("physics", "contact_forces", "unilateral")
                        if key in blocks})
         report["warnings"] += blocks.get("warnings", [])
+    if outcome.recheck is not None:
+        blocks = outcome.recheck.to_dict()
+        report["recheck"] = {key: blocks[key] for key in
+                             ("valid", "reasons", "physics", "contact_forces", "unilateral")
+                             if key in blocks}
+    if outcome.relief is not None:
+        report["relief"] = _relief(outcome.relief)
     if outcome.repair is not None:
         report["repair"] = _repair(outcome.repair)
     if outcome.solids is not None:
@@ -107,10 +114,19 @@ def _deviation(outcome: Any) -> dict:
     return {"mean_mm": mean, "max_mm": largest, "hausdorff_mm": hausdorff}
 
 
+def _relief(relief: Any) -> dict:
+    return {"largest_move_mm": relief.largest_move_mm,
+            "pin_sides": [{"tile": int(pin.tile), "side": pin.side, "area_before_mm2": pin.area}
+                          for pin in relief.relieved],
+            "remaining": len(relief.remaining)}
+
+
 def _repair(repair: Any) -> dict:
     return {"status": repair.status, "restored_mm": repair.restored_mm,
             "largest_move_mm": repair.largest_move_mm,
+            "largest_vertex_move_mm": repair.largest_vertex_move_mm,
             "steps": [{"weak_points": int(step.weak_points), "least_force_of_f_min": step.least_force,
+                       "least_floor_of_f_min": step.least_floor, "vertices": bool(step.vertices),
                        "fresh_mesh": bool(step.fresh_mesh)} for step in repair.steps],
             "blocked": [{"tiles": [int(t) for t in contact.tiles], "reason": contact.reason}
                         for contact in repair.blocked],

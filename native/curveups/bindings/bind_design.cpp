@@ -147,10 +147,17 @@ void bind_design(py::module_& module) {
       .def_property_readonly("T", [](const Design& d) { return to_blocks(d.T, 3, 2); })
       .def_property_readonly("q", [](const Design& d) { return to_blocks(d.q, 2, 3); })
       .def_property_readonly("cuts", [](const Design& d) { return d.cuts; })
-      .def_property_readonly("target", [](const Design& d) -> py::object {
-        if (!d.target) return py::none();
-        return py::make_tuple(d.target->V, d.target->F);
-      });
+      .def_property_readonly("target",
+                             [](const Design& d) -> py::object {
+                               if (!d.target) return py::none();
+                               return py::make_tuple(d.target->V, d.target->F);
+                             })
+      .def(
+          "set_target",
+          [](Design& d, const Points3& V, const Triangles& F) {
+            d.target = TriangleMesh{V, F};
+          },
+          py::arg("V"), py::arg("F"), "The remeshed target, where V has moved away from it.");
   module.def("write_design", &write_design, py::arg("design"), "The text of design.json.");
   module.def("read_design", &read_design, py::arg("text"),
              "Reads the text of design.json; raises InvalidInput naming the field.");

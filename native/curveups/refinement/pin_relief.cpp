@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
@@ -15,12 +16,15 @@
 namespace curveups {
 namespace {
 
-constexpr double largest_move_of_L = 1.0 / 15;
+constexpr double largest_move_of_L = 1.0 / 30;
 // Sides are lifted to a little more than A_pin_min, room for the layout; those with less than
 // `watched` times A_pin_min must not lose what they need.
 constexpr double goal = 1.03, watched = 1.5;
 // Steps after which sides that still miss A_pin_min are given up.
 constexpr int patience = 5;
+
+// Folds sharper than this must not become sharper: they already bound insets on either side.
+constexpr double sharp = 0.3;  // rad
 
 using PinSide = std::pair<int, Side>;  // of a tile
 using PinSides = std::set<PinSide>;
@@ -32,11 +36,21 @@ double excess(const TileMesh& tiles, const Truncation& truncation, const Paramet
   return p.L * (scale - std::sqrt(goal * p.A_pin_min / tiles.area(tile)));
 }
 
+// One requirement: room for a pin, or a fold that is not to become sharper.
+struct Need {
+  int tile, edge;  // edge -1: of a pin
+  Side side;
+  bool operator<(const Need& o) const {
+    return std::tie(tile, edge, side) < std::tie(o.tile, o.edge, o.side);
+  }
+};
+
 class Relief {
  public:
   Relief(const TriangleMesh& target, const Edges& cuts, const Parameters& parameters,
          const Progress& progress)
       : target_(target), cuts_(cuts), parameters_(parameters), progress_(progress) {
+    fold_ = make_tile_mesh(target, cuts, parameters.H_body).fold;
     weight_ = Eigen::VectorXd::Zero(target.V.rows());
     for (int i = 0; i < target.F.rows(); ++i) {
       const double third = face_area_vector(target, i).norm() / 3;
@@ -66,13 +80,26 @@ class Relief {
   const Edges& cuts_;
   const Parameters& parameters_;
   const Progress& progress_;
+  // Positive where the need is met.
+  double value(const Need& need, const TileMesh& tiles, const Truncation& truncation,
+               int tile) const;
+
   Eigen::VectorXd weight_;  // A_j of Eq. 4
+  Array3 fold_;             // of the target
 };
+
+// tile: as `tiles` numbers it.
+double Relief::value(const Need& need, const TileMesh& tiles, const Truncation& truncation,
+                     int tile) const {
+  if (need.edge < 0) return excess(tiles, truncation, parameters_, tile, need.side);
+  const double before = fold_(need.tile, need.edge), now = tiles.fold(tile, need.edge);
+  return 0.5 * parameters_.L * (before > 0 ? before - now : now - before);
+}
 
 std::vector<Relief::Row> Relief::rows(const DesignGeometry& here, const PinSides& asked,
                                       const std::vector<int>& vertices) const {
   struct Entry {
-    PinSide side;
+    Need need;
     Vec3 derivative;
   };
   const VertexPatches patches(here);
@@ -80,15 +107,19 @@ std::vector<Relief::Row> Relief::rows(const DesignGeometry& here, const PinSides
   parallel_ranges(static_cast<int>(vertices.size()), [&](int begin, int end) {
     for (int v = begin; v < end; ++v) {
       const VertexPatch patch = patches.around(vertices[v]);
-      std::vector<std::pair<int, Side>> local;
+      std::vector<std::pair<Need, int>> local;  // with the tile in the patch
       for (int k : patch.near) {
+        const int tile = patch.tiles[k];
         for (Side side : {Side::front, Side::back}) {
-          const int tile = patch.tiles[k];
           const PinRoom room =
               pin_room(here.tiles, here.truncation, parameters_, tile, side, parameters_.p_min);
           const bool close = room.area < watched * parameters_.A_pin_min;
           if (!std::isfinite(room.scale) || !(close || asked.count({tile, side}))) continue;
-          local.push_back({k, side});
+          local.push_back({{tile, -1, side}, k});
+        }
+        for (int t = 0; t < 3; ++t) {
+          if (here.tiles.topology.neighbour(tile, t) < tile) continue;  // each edge once
+          if (std::abs(fold_(tile, t)) > sharp) local.push_back({{tile, t, Side::front}, k});
         }
       }
       if (local.empty()) continue;
@@ -96,29 +127,29 @@ std::vector<Relief::Row> Relief::rows(const DesignGeometry& here, const PinSides
         Eigen::VectorXd out(static_cast<Eigen::Index>(local.size()));
         for (std::size_t r = 0; r < local.size(); ++r) {
           out(static_cast<Eigen::Index>(r)) =
-              excess(g.tiles, g.truncation, parameters_, local[r].first, local[r].second);
+              value(local[r].first, g.tiles, g.truncation, local[r].second);
         }
         return out;
       });
       for (std::size_t r = 0; r < local.size(); ++r) {
         const Vec3 derivative = by_vertex.row(static_cast<Eigen::Index>(r));
         if (derivative.allFinite() && derivative.norm() > 1e-9) {
-          entries[v].push_back({{patch.tiles[local[r].first], local[r].second}, derivative});
+          entries[v].push_back({local[r].first, derivative});
         }
       }
     }
   });
-  std::map<PinSide, Row> found;
+  std::map<Need, Row> found;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     for (const Entry& entry : entries[v]) {
-      found[entry.side].by_vertex.push_back({static_cast<int>(v), entry.derivative});
+      found[entry.need].by_vertex.push_back({static_cast<int>(v), entry.derivative});
     }
   }
   std::vector<Row> out;
-  for (auto& [side, row] : found) {
-    const double value = excess(here.tiles, here.truncation, parameters_, side.first, side.second);
+  for (auto& [need, row] : found) {
+    row.value = value(need, here.tiles, here.truncation, need.tile);
     // Sides that are not asked for must not lose what they have.
-    row.value = asked.count(side) ? value : std::max(0.0, value);
+    if (need.edge < 0 && !asked.count({need.tile, need.side})) row.value = std::max(0.0, row.value);
     out.push_back(std::move(row));
   }
   return out;
@@ -232,7 +263,15 @@ PinRelief relieve_pins(const TriangleMesh& mesh, const Edges& cuts, const Parame
     return out;
   }
   PinSides small;
-  for (const SmallPin& pin : there.pin_bounds.small) small.insert({pin.tile, pin.side});
+  for (const SmallPin& pin : there.pin_bounds.small) {
+    small.insert({pin.tile, pin.side});
+    // Sides out of reach must stay above the floor.
+    const auto before =
+        std::find_if(out.remaining.begin(), out.remaining.end(),
+                     [&](const SmallPin& p) { return p.tile == pin.tile && p.side == pin.side; });
+    const double area = before == out.remaining.end() ? parameters.A_pin_min : before->area;
+    if (pin.area < parameters.A_pin_floor && area >= parameters.A_pin_floor) return out;
+  }
   for (const SmallPin& pin : out.remaining) {
     if (!small.count({pin.tile, pin.side})) out.relieved.push_back(pin);
   }

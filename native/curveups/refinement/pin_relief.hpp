@@ -20,8 +20,10 @@ struct PinRelief {
   std::vector<SmallPin> remaining;
 };
 
-// No vertex moves farther than L / 15. Sides out of reach are left as they are, and no vertex moves
-// for them. Throws what make_geometry throws for the given mesh; Cancelled.
+// No coordinate of a vertex moves farther than L / 30: farther, membranes begin to cut into tiles
+// beside the dents. Folds beyond 0.3 rad do not become sharper. Sides out of reach are left as they
+// are, and no vertex moves for them. Throws what make_geometry throws for the given mesh;
+// Cancelled.
 PinRelief relieve_pins(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters,
                        const Progress& progress);
 

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Room for pins before the layout, repair after verification, and the second verdict."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from running import dome
+from schema import check_design, check_report
+
+
+@pytest.fixture(scope="module")
+def steep(tmp_path_factory):
+    """A dome whose centre is pulled out: folds there leave pins little room."""
+    path = tmp_path_factory.mktemp("targets") / "steep.obj"
+    lines = dome(3, radius=30.0).splitlines()
+    lines[0] = "v 0.0 0.0 32.0"
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+@pytest.fixture(scope="module")
+def patch(tmp_path_factory):
+    """A dome over a rhombus: its contacts at the sharp corners are the weak ones."""
+    n, edge, radius = 4, 7.0, 40.0
+    vertices, faces = [], []
+    for r in range(n + 1):
+        for c in range(n + 1):
+            x = edge * (c + 0.5 * (r % 2) - 0.5 * n)
+            y = edge * math.sqrt(0.75) * (r - 0.5 * n)
+            vertices.append((x, y, math.sqrt(radius**2 - x * x - y * y) - radius))
+    for r in range(n):
+        for c in range(n):
+            a = r * (n + 1) + c
+            b, d, e = a + 1, a + n + 1, a + n + 2
+            faces += [(a, e, d), (a, b, e)] if r % 2 else [(a, b, d), (b, e, d)]
+    path = tmp_path_factory.mktemp("targets") / "patch.obj"
+    path.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in vertices)
+                    + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces))
+    return path
+
+
+def run(curveups, target, folder, *settings):
+    done = curveups("design", target, "-o", folder, "--no-remesh", "--no-solids", *settings)
+    assert done.status in (0, 1), done.err
+    report = json.loads((folder / "report.json").read_text())
+    design = json.loads((folder / "design.json").read_text())
+    check_report(report)
+    check_design(design)
+    return report, design
+
+
+def test_vertices_make_room_for_pins(curveups, steep, tmp_path):
+    setting = ("--set", "A_pin_min=9")
+    report, design = run(curveups, steep, tmp_path / "off", *setting, "--set", "repair=off")
+    small = report["constraints"]["pin_sides_below_area"]
+    assert small > 0 and "relief" not in report and "target" not in design
+    assert report["deviation"]["max_mm"] < 1e-9
+
+    report, moved = run(curveups, steep, tmp_path / "on", *setting)
+    relief = report["relief"]
+    assert len(relief["pin_sides"]) == small and relief["remaining"] == 0
+    assert report["constraints"]["pin_sides_below_area"] == 0
+    assert all(side["area_before_mm2"] < 9 for side in relief["pin_sides"])
+    # What moved, and from where, is in the design; how far, in the report.
+    distance = np.linalg.norm(np.array(moved["V"]) - np.array(moved["target"]["V"]), axis=1)
+    assert np.isclose(distance.max(), relief["largest_move_mm"], atol=1e-9)
+    assert 0 < report["deviation"]["max_mm"] <= distance.max() + 1e-9
+    assert moved["target"]["V"] == design["V"]
+
+    report, held = run(curveups, steep, tmp_path / "held", *setting, "--set", "move_vertices=off")
+    assert held["V"] == design["V"] and report["constraints"]["pin_sides_below_area"] == small
+
+
+def test_a_higher_floor_is_repaired(curveups, patch, tmp_path):
+    first, _ = run(curveups, patch, tmp_path / "first")
+    forces = first["contact_forces"]
+    ratio = 1.25 * forces["normal_min"] / forces["normal_mean"]
+    report, _ = run(curveups, patch, tmp_path / "second", "--set", f"f_min_ratio={ratio}")
+    assert report["repair"]["status"] == "valid" and report["valid"] is True
+    steps = report["repair"]["steps"]
+    assert steps[0]["weak_points"] > 0 and steps[-1]["weak_points"] == 0
+    assert steps[0]["fresh_mesh"] and steps[-1]["fresh_mesh"]
+    assert report["contact_forces"]["points_below_f_min"] == 0
+    stages = [stage["name"] for stage in report["stages"]]
+    assert stages.index("refine") < stages.index("verify")  # the last verdict is the repaired design's
+
+
+def test_recheck_judges_on_a_finer_mesh(curveups, cap, tmp_path):
+    report, _ = run(curveups, cap, tmp_path, "--set", "recheck=on")
+    assert report["valid"] is True and report["recheck"]["valid"] is True
+    assert report["recheck"]["physics"]["triangles"] > 2.5 * report["physics"]["triangles"]
+    coarse, fine = (block["contact_forces"]["normal_mean"] for block in (report, report["recheck"]))
+    assert abs(coarse / fine - 1) < 0.02
+    assert "recheck" in [stage["name"] for stage in report["stages"]]
