@@ -54,17 +54,7 @@ void bind_fabrication(py::module_& module) {
       .def_property_readonly(
           "bump_tips",
           [](const PrintSession& s) {
-            // Apexes in actuated world coordinates, per contact.
-            const TileMesh& tiles = s.model().geometry.tiles;
-            std::vector<std::vector<Vec3>> tips(tiles.contacts.size());
-            for (int i = 0; i < tiles.tile_count(); ++i) {
-              for (const WallCap& cap : s.model().bumps.of_tile[i]) {
-                if (!cap.bump) continue;
-                tips[cap.contact].push_back(
-                    tiles.frame[i].to_world(cap.centre + cap.height * cap.axis));
-              }
-            }
-            return tips;
+            return bump_tips(s.model().geometry.tiles, s.model().bumps);
           },
           "Per contact the tips of its bumps, in the actuated configuration.")
       .def_property_readonly("loose_tiles",
@@ -151,6 +141,15 @@ void bind_fabrication(py::module_& module) {
       },
       py::arg("design"),
       "The print of a design; raises InfeasibleDesign, naming tiles, where it can't be made.");
+  module.def(
+      "bump_tips",
+      [](const Design& design) {
+        py::gil_scoped_release release;
+        const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+        const FlatPoses poses = fit_poses(geometry.tiles, design.T);
+        return bump_tips(geometry.tiles, plan_bumps(geometry, poses, design.parameters));
+      },
+      py::arg("design"), "As PrintModel.bump_tips, without a print model.");
 }
 
 }  // namespace curveups::bindings
