@@ -220,7 +220,8 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
             outcome.verification = native.verify_design(
                 outcome.design, progress, tips,
                 keep_solution=not asked and outcome.repair is None
-                and bool(outcome.design.parameters.get("repair")))
+                and bool(outcome.design.parameters.get("repair")),
+                solved=None if outcome.repair is None else outcome.repair.solved)
             if outcome.verification.valid:
                 outcome.verification.drop_solution()
         physics = outcome.verification.blocks.get("physics", {})
@@ -254,7 +255,7 @@ def _repair(outcome: Outcome, progress: Progress, where: str) -> bool:
         return False
     try:
         with _stage(outcome.stages, "refine", where):
-            outcome.repair = native.repair_design(outcome.design, outcome.verification, progress)
+            outcome.repair = native.repair_design(outcome.design, outcome.verification.solved, progress)
     except Stopped:
         outcome.stopped = True
         return False

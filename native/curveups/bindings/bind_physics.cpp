@@ -124,6 +124,8 @@ void bind_physics(py::module_& module) {
       .def_readonly("triangles", &MembranePicture::triangles)
       .def_readonly("stretch", &MembranePicture::stretch, "Larger and smaller, per triangle.")
       .def_readonly("tension", &MembranePicture::tension, "0 taut, 1 wrinkled, 2 slack.");
+  py::class_<SolvedDesign, std::shared_ptr<SolvedDesign>>(
+      module, "SolvedDesign", "Membranes and loads that were solved for a design.");
   py::class_<ValidationReport>(module, "ValidationReport", "The physical model and its verdict.")
       .def_readonly("valid", &ValidationReport::valid)
       .def_readonly("reasons", &ValidationReport::reasons)
@@ -152,24 +154,25 @@ void bind_physics(py::module_& module) {
                              [](const ValidationReport& report) {
                                return py::make_tuple(report.membrane[0], report.membrane[1]);
                              })
+      .def_readonly("solved", &ValidationReport::solved, "For repair_design, where it was kept.")
       .def(
           "drop_solution", [](ValidationReport& report) { report.solved.reset(); },
           "Gives back the memory of what keep_solution kept.");
   module.def(
       "verify_design",
       [](const Design& design, py::object progress, std::vector<Points3> bump_tips,
-         std::vector<int> held, bool keep_solution) {
+         std::vector<int> held, bool keep_solution, std::shared_ptr<SolvedDesign> solved) {
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return verify_design(design, {std::move(bump_tips), std::move(held), keep_solution},
-                               sink);
+          return verify_design(
+              design, {std::move(bump_tips), std::move(held), keep_solution, solved.get()}, sink);
         });
       },
       py::arg("design"), py::arg("progress") = py::none(),
       py::arg("bump_tips") = std::vector<Points3>(), py::arg("held") = std::vector<int>(),
-      py::arg("keep_solution") = false,
+      py::arg("keep_solution") = false, py::arg("solved") = py::none(),
       "Membranes, contact forces and verdict. bump_tips: per contact the points (n x 3) at which "
       "its tiles touch when actuated. held: tiles that carry the piece with gravity 'held'. "
-      "keep_solution: for repair_design.");
+      "keep_solution: for repair_design. solved: what a repair that ended valid hands on.");
 }
 
 }  // namespace curveups::bindings

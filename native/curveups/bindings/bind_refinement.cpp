@@ -34,20 +34,19 @@ void bind_refinement(py::module_& module) {
       .def_readonly("restored_mm", &RepairResult::restored_mm)
       .def_readonly("largest_move_mm", &RepairResult::largest_move)
       .def_readonly("largest_vertex_move_mm", &RepairResult::largest_vertex_move)
+      .def_readonly("solved", &RepairResult::solved, "For verify_design, where it is valid.")
       .def_readonly("blocked", &RepairResult::blocked)
       .def_readonly("suggestions", &RepairResult::suggestions);
   module.def(
       "repair_design",
-      [](const Design& design, const ValidationReport* verification, py::object progress) {
-        SolvedDesign* solved = verification ? verification->solved.get() : nullptr;
+      [](const Design& design, std::shared_ptr<SolvedDesign> solved, py::object progress) {
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return repair_design(design, {}, solved, sink);
+          return repair_design(design, {}, solved.get(), sink);
         });
       },
-      py::arg("design"), py::arg("verification") = py::none(), py::arg("progress") = py::none(),
+      py::arg("design"), py::arg("solved") = py::none(), py::arg("progress") = py::none(),
       "Lifts contact forces above f_min by the least steps of poses, pins and, where these do not "
-      "do, vertices. verification: of this design, with keep_solution; what it kept is taken "
-      "over.");
+      "do, vertices. solved: what verification of this design kept; it is taken over.");
   py::class_<SmallPin>(module, "SmallPin", "A pin side whose bounds leave less than A_pin_min.")
       .def_readonly("tile", &SmallPin::tile)
       .def_property_readonly(

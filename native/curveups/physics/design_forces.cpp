@@ -11,13 +11,14 @@ namespace {
 
 constexpr std::array<Side, 2> sides = {Side::front, Side::back};
 
-std::vector<ContactPoint> all_points(const DesignGeometry& geometry, const GravityLoad& gravity) {
+}  // namespace
+
+BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters) {
+  const GravityLoad gravity = gravity_load(geometry, parameters, {});
   std::vector<ContactPoint> points = interface_points(geometry.tiles, geometry.patches);
   points.insert(points.end(), gravity.ground.begin(), gravity.ground.end());
-  return points;
+  return BalanceSystem(std::move(points), tile_centres(geometry.tiles), parameters.L, gravity.held);
 }
-
-}  // namespace
 
 DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
                            const FlatPoses& poses, const Array6& q, const Progress& progress)
@@ -44,12 +45,7 @@ DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& par
 void DesignForces::take_geometry(const DesignGeometry& geometry) {
   geometry_ = &geometry;
   gravity_ = gravity_load(geometry, parameters_, {});
-  system_.emplace(fresh_system());
-}
-
-BalanceSystem DesignForces::fresh_system() const {
-  return BalanceSystem(all_points(*geometry_, gravity_), tile_centres(geometry_->tiles),
-                       parameters_.L, gravity_.held);
+  system_.emplace(make_balance_system(geometry, parameters_));
 }
 
 void DesignForces::move(const FlatPoses& poses, const Array6& q, const Progress& progress) {

@@ -14,6 +14,10 @@
 
 namespace curveups {
 
+// The balance of a design's tiles at their contact points (interface_points, then the ground's),
+// not factorized yet.
+BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters);
+
 class DesignForces {
  public:
   // Meshes the membranes and solves for their equilibrium and the contact forces. Throws what
@@ -40,8 +44,6 @@ class DesignForces {
   const SolvedMembrane& membrane(Side side) const { return membranes_[static_cast<int>(side)]; }
   // Its factorization is that of A A^T.
   const BalanceSystem& system() const { return *system_; }
-  // The same without a factorization, for other solves.
-  BalanceSystem fresh_system() const;
   const Wrenches& loads() const { return loads_; }
   const ContactForces& contact_forces() const { return forces_; }
 

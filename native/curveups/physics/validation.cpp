@@ -178,7 +178,9 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
   ValidationReport report;
   Membranes membranes;
   try {
-    membranes = solve_membranes(geometry, poses, design.q, parameters, progress);
+    membranes = options.solved && options.solved->belongs_to(design)
+                    ? std::move(options.solved->membranes)
+                    : solve_membranes(geometry, poses, design.q, parameters, progress);
   } catch (const InfeasibleDesign& error) {
     report.reasons.push_back(error.what());
     return report;
@@ -207,12 +209,6 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
       forces.normal_mean > 0 ? forces.normal_mean : std::max(report.physics.mean_tile_force, 1e-12);
   report.contact_forces.f_min = least * std::max(0.0, forces.normal_mean);
   describe_contacts(tiles, system, forces, report);
-  if (options.keep_solution) {
-    report.solved = std::make_shared<SolvedDesign>();
-    *report.solved = {design.mesh, design.T, design.q, {}, loads, least};
-    for (int s = 0; s < 2; ++s) report.solved->membranes[s] = std::move(membranes[s].coarse);
-  }
-
   // Three second-order cone programs and two clearances, independent of one another.
   UnilateralOptions coulomb_options;
   coulomb_options.friction_coefficient = parameters.friction_coefficient;
@@ -267,6 +263,10 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
   give_verdict({tiles, system, forces, coulomb, with_tips ? &tips : nullptr,
                 with_tips ? &tips_system : nullptr, clearance, slack_tiles, least > asked},
                report);
+  if (options.keep_solution) {
+    report.solved = std::make_shared<SolvedDesign>();
+    *report.solved = {design.mesh, design.T, design.q, std::move(membranes), loads, least};
+  }
   return report;
 }
 

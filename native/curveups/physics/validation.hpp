@@ -16,24 +16,26 @@
 
 namespace curveups {
 
-struct VerifyOptions {
-  // Where tiles touch when actuated, per contact: the bumps' tips (n x 3, world). Contacts without
-  // any touch at their corners. Empty: no bumps.
-  std::vector<Points3> bump_tips;
-  std::vector<int> held;       // with gravity "held"; empty: the lowest tile of each piece
-  bool keep_solution = false;  // for repair
-};
-
-// What verification has solved and repair can start from.
+// What has been solved for a design: verification hands it to repair, and repair, where it ends
+// valid, back to the verification that follows. Its membranes are taken over by whoever uses them.
 struct SolvedDesign {
   TriangleMesh mesh;  // of the design ...
   FlatCorners T;      // ... it belongs to
   Array6 q;
-  std::array<SolvedMembrane, 2> membranes;  // front, back; on the coarser mesh, factorized there
+  std::array<MembraneSolution, 2> membranes;  // front, back
   Wrenches loads;          // on the tiles: of both meshes (extrapolated) and gravity
   double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the mesh's error
 
   bool belongs_to(const Design& design) const;
+};
+
+struct VerifyOptions {
+  // Where tiles touch when actuated, per contact: the bumps' tips (n x 3, world). Contacts without
+  // any touch at their corners. Empty: no bumps.
+  std::vector<Points3> bump_tips;
+  std::vector<int> held;           // with gravity "held"; empty: the lowest tile of each piece
+  bool keep_solution = false;      // for repair
+  SolvedDesign* solved = nullptr;  // used where it belongs to the design
 };
 
 struct Warning {
@@ -104,7 +106,7 @@ struct ValidationReport {
       tile_normal_min;  // least normal force at each tile's points; NaN without contacts
   Wrenches elastic;     // M x 6, of the membranes
   MembranePicture membrane[2];
-  // Where it was asked for. Repair takes it over: what it pointed to is then empty.
+  // Where it was asked for.
   std::shared_ptr<SolvedDesign> solved;
 };
 

@@ -54,7 +54,7 @@ class Repair {
   bool penalty() const { return parameters_.tightness == "penalty"; }
 
   void restore_start(RepairResult& result);
-  Judgement judge_fresh();
+  Judgement judge_fresh(RepairResult& result);
   Judgement judge_loads(const Wrenches& loads, bool with_floor) const;
   Judgement judge_here();
   UnilateralResult unilateral(const Wrenches& loads) const;
@@ -119,7 +119,7 @@ Repair::Repair(const Design& design, const RepairOptions& options, SolvedDesign*
 }
 
 UnilateralResult Repair::unilateral(const Wrenches& loads) const {
-  BalanceSystem system = forces_->fresh_system();
+  BalanceSystem system = make_balance_system(geometry(), parameters_);
   const ContactForces start = solve_contact_forces(system, loads);
   UnilateralOptions options;
   options.friction_coefficient = parameters_.friction_coefficient;
@@ -128,42 +128,49 @@ UnilateralResult Repair::unilateral(const Wrenches& loads) const {
 }
 
 Judgement Repair::judge_loads(const Wrenches& loads, bool with_floor) const {
-  BalanceSystem system = forces_->fresh_system();
+  BalanceSystem system = make_balance_system(geometry(), parameters_);
   const Eigen::VectorXd normal = solve_contact_forces(system, loads).force.col(0);
   const double floor = with_floor ? unilateral(loads).largest_floor : not_computed;
   return judge(system.points(), normal, floor, f_min_ratio_, options_);
 }
 
 // Meshes anew, where nobody has: the verdict, and the correction of the moving mesh from here on.
-Judgement Repair::judge_fresh() {
-  const FlatPoses poses = poses_of(model(), here_.state);
-  const Array6 q = insets_of(here_.state);
-  Wrenches loads;
+Judgement Repair::judge_fresh(RepairResult& result) {
+  const TileMesh& tiles = geometry().tiles;
+  SolvedDesign fresh;
   if (solved_) {
-    loads = solved_->loads;
-    f_min_ratio_ = solved_->f_min_ratio;
-    forces_ = std::make_unique<DesignForces>(geometry(), parameters_, std::move(solved_->membranes),
-                                             poses, q);
+    fresh = std::move(*solved_);
     solved_ = nullptr;
+    f_min_ratio_ = fresh.f_min_ratio;
   } else {
     if (!keep_going(progress_, "repair: fresh membranes")) throw Cancelled();
-    std::array<MembraneSolution, 2> fresh =
-        solve_membranes(geometry(), poses, q, parameters_, progress_);
-    loads = gravity_load(geometry(), parameters_, {}).weight;
-    for (const MembraneSolution& side : fresh) {
+    fresh.mesh = tiles.mesh;
+    fresh.T = flat_corners(tiles, poses_of(model(), here_.state));
+    fresh.q = insets_of(here_.state);
+    fresh.f_min_ratio = f_min_ratio_;
+    // As verification of the design will have them.
+    fresh.membranes =
+        solve_membranes(geometry(), fit_poses(tiles, fresh.T), fresh.q, parameters_, progress_);
+    fresh.loads = gravity_load(geometry(), parameters_, {}).weight;
+    for (const MembraneSolution& side : fresh.membranes) {
       add_wrenches(extrapolate<Points3>(side.forces, side.coarse_forces), side.pin_corners,
-                   tile_centres(geometry().tiles), loads);
+                   tile_centres(tiles), fresh.loads);
     }
-    forces_ = std::make_unique<DesignForces>(
-        geometry(), parameters_,
-        std::array<SolvedMembrane, 2>{std::move(fresh[0].coarse), std::move(fresh[1].coarse)},
-        poses, q);
   }
-  Judgement now = judge_loads(loads, watch_floor_);
+  Judgement now = judge_loads(fresh.loads, watch_floor_);
   if (now.weak == 0 && !watch_floor_) {
-    now = judge_loads(loads, true);
+    now = judge_loads(fresh.loads, true);
     watch_floor_ = !now.valid();
   }
+  if (now.valid()) {
+    result.solved = std::make_shared<SolvedDesign>(std::move(fresh));
+    return now;
+  }
+  forces_ = std::make_unique<DesignForces>(
+      geometry(), parameters_,
+      std::array<SolvedMembrane, 2>{std::move(fresh.membranes[0].coarse),
+                                    std::move(fresh.membranes[1].coarse)},
+      poses_of(model(), here_.state), insets_of(here_.state));
   correction_ = now.normal - forces_->contact_forces().force.col(0);
   if (watch_floor_) {
     floor_ = unilateral(forces_->loads());
@@ -433,7 +440,7 @@ RepairResult Repair::run(const Design& design) {
   try {
     restore_start(result);
     while (true) {
-      Judgement now = judge_fresh();
+      Judgement now = judge_fresh(result);
       if (!judged) first_weak_ = now.weak;
       result.steps.push_back({now.weak, now.least, now.floor, 0, false, true});
       if (!judged || now.better_than(best_judgement)) {

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,7 @@ struct RepairResult {
   double restored_mm = 0;          // by how much constraints were violated in the design given
   double largest_move = 0;         // of a front corner in the layout or an inset, mm
   double largest_vertex_move = 0;  // of an actuated vertex in this repair, mm
+  std::shared_ptr<SolvedDesign> solved;  // of the design, where it is valid
   std::vector<BlockedContact> blocked;
   std::vector<std::string> suggestions;
 };

@@ -201,7 +201,10 @@ TEST(Verify, KeepsWhatRepairStartsFrom) {
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
   const FlatPoses poses = fit_poses(geometry.tiles, design.T);
   const DesignForces fresh(geometry, design.parameters, poses, design.q, {});
-  DesignForces kept(geometry, design.parameters, std::move(r.solved->membranes), poses, design.q);
+  DesignForces kept(
+      geometry, design.parameters,
+      {std::move(r.solved->membranes[0].coarse), std::move(r.solved->membranes[1].coarse)}, poses,
+      design.q);
   EXPECT_EQ(kept.contact_forces().force, fresh.contact_forces().force);
   // It follows other poses and insets as a fresh one does.
   const Array6 q = design.q.array() + 0.01;
