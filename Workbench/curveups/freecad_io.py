@@ -13,7 +13,7 @@ import numpy as np
 
 from . import freecad_session, mesh_files
 from .errors import CurveUpsError
-from .gui_document import MESH_FLAT_LINES, SHADED, Box, View, append_views
+from .gui_document import MESH_FLAT_LINES, SHADED, Box, View, finish_document
 from .mesh_files import Mesh
 
 # Objects of the document, and the native module's kinds of bodies.
@@ -186,7 +186,8 @@ def write_document(outcome: Any, path: Path) -> dict[str, str]:
         freecad.closeDocument(document.Name)
     views = [View(name, value, COLOURS.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
              for name, value in shown.items()]
-    append_views(path, views, _print_box(outcome.model) if solids else _box(outcome.design.V))
+    finish_document(path, outcome.name, views,
+                    _print_box(outcome.model) if solids else _box(outcome.design.V))
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
 
 

@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a window shows of a document that was made without one.
+"""The last touches to a document that was made without a window.
 
 FreeCAD keeps visibility, colours and camera in a part of the file that only a window writes; without
 it every shape is shown, in grey, whatever the objects say. This writes that part, with just the
-properties that differ from FreeCAD's defaults.
+properties that differ from FreeCAD's defaults. And it takes out what differs from run to run: the
+same design is the same file, byte for byte.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
+import re
+import uuid
 import zipfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,13 +36,43 @@ class View:
     display_mode: int = SHADED
 
 
-def append_views(path: Path, views: Sequence[View], box: Box) -> None:
-    """Adds the views and a camera that sees `box` from the front to a document without them."""
-    with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as archive:
-        # A fixed time: the same document has the same bytes here.
-        entry = zipfile.ZipInfo("GuiDocument.xml", (1980, 1, 1, 0, 0, 0))
-        entry.compress_type = zipfile.ZIP_DEFLATED
-        archive.writestr(entry, _document(views, box))
+def finish_document(path: Path, name: str, views: Sequence[View], box: Box) -> None:
+    """Adds the views and a camera that sees `box` from the front to a document without them; dates,
+    numbers of FreeCAD's own and the temporary file's name go. `name`: the document's label."""
+    finished = path.with_name(path.name + ".finished")
+    try:
+        with (zipfile.ZipFile(path) as old,
+              zipfile.ZipFile(finished, "w", zipfile.ZIP_DEFLATED, compresslevel=4) as new):
+            for entry in old.infolist():
+                content = old.read(entry)
+                if entry.filename == "Document.xml":
+                    content = _settled(content.decode(), name).encode()
+                _add(new, entry.filename, content)
+            _add(new, "GuiDocument.xml", _document(views, box).encode())
+        finished.replace(path)
+    finally:
+        finished.unlink(missing_ok=True)
+
+
+def _add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
+    entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
+    entry.compress_type = zipfile.ZIP_DEFLATED
+    archive.writestr(entry, content)
+
+
+def _settled(text: str, name: str) -> str:
+    """Document.xml with what FreeCAD draws by lot or from the clock made the same for every run."""
+    def set_property(text: str, property_name: str, value: str) -> str:
+        return re.sub(rf'(<Property name="{property_name}"[^>]*>\s*<\w+ value=)"[^"]*"',
+                      lambda match: match[1] + quoteattr(value), text, count=1)
+
+    for date in ("CreationDate", "LastModifiedDate"):
+        text = set_property(text, date, "")
+    text = set_property(text, "Uid", str(uuid.uuid5(uuid.NAMESPACE_URL, name)))
+    text = set_property(text, "Label", name)
+    count = itertools.count(1)
+    return re.sub(r'(<Object type="[^"]*" name="[^"]*" id=)"\d+"',
+                  lambda match: f'{match[1]}"{next(count)}"', text)
 
 
 def _document(views: Sequence[View], box: Box) -> str:
