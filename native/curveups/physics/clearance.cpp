@@ -81,8 +81,8 @@ double triangle_distance(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>
   return least;
 }
 
-MembraneClearance membrane_clearance(const DesignGeometry& geometry,
-                                     const MembraneSolution& membrane, double H_pin) {
+std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
+                                                const MembraneSolution& membrane, double H_pin) {
   const TileMesh& tiles = geometry.tiles;
   const bool front = membrane.domain.side == Side::front;
   const int tag = front ? body_tag::front : body_tag::back;
@@ -134,8 +134,13 @@ MembraneClearance membrane_clearance(const DesignGeometry& geometry,
       }
     }
   });
+  return of_patch;
+}
+
+MembraneClearance membrane_clearance(const DesignGeometry& geometry,
+                                     const MembraneSolution& membrane, double H_pin) {
   MembraneClearance best{H_pin, -1, -1};
-  for (const MembraneClearance& one : of_patch) {
+  for (const MembraneClearance& one : patch_clearances(geometry, membrane, H_pin)) {
     if (one.distance < best.distance) best = one;
   }
   return best;

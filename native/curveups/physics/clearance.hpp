@@ -12,8 +12,12 @@ struct MembraneClearance {
   int patch = -1;       // in the membrane's domain
 };
 
-// Each patch against the faces of the tiles it joins (their front or truncated back faces). Exact
-// distances of triangles and faces; H_pin where a side has no membrane. Deterministic.
+// Per patch of the membrane's domain, against the faces of the tiles it joins (their front or
+// truncated back faces). Exact distances of triangles and faces, H_pin at most. Deterministic.
+std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
+                                                const MembraneSolution& membrane, double H_pin);
+
+// The least of them; H_pin where a side has no membrane.
 MembraneClearance membrane_clearance(const DesignGeometry& geometry,
                                      const MembraneSolution& membrane, double H_pin);
 

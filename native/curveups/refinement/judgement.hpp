@@ -19,10 +19,12 @@ struct Judgement {
   double missing_squares = 0;  // of what points lack of the penalty's goal, in units of the mean
   double floor = 0;            // largest floor in units of f_min; NaN where it was not computed
 
-  bool valid() const { return weak == 0 && !(floor < 1); }
+  double depth = 0;  // to which a membrane cuts into a body, mm, where it was looked at
+
+  bool valid() const { return weak == 0 && !(floor < 1) && depth == 0; }
   bool better_than(const Judgement& other) const {
     if (weak != other.weak) return weak < other.weak;
-    return missing < other.missing;
+    return missing + depth < other.missing + other.depth;
   }
 };
 

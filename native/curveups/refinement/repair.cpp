@@ -8,6 +8,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
+#include "curveups/physics/clearance.hpp"
 #include "curveups/physics/sensitivities.hpp"
 #include "curveups/refinement/explanation.hpp"
 #include "curveups/refinement/judgement.hpp"
@@ -35,6 +36,13 @@ struct Shape {
   Shape& operator=(const Shape&) = delete;
 };
 
+// A pin side beside which a membrane cuts into a body.
+struct Touch {
+  int tile;
+  Side side;
+  double depth;  // mm
+};
+
 // All unknowns; those of the vertices in the shape.
 struct Place {
   std::shared_ptr<Shape> shape;
@@ -53,6 +61,7 @@ class Repair {
   const Points3& vertices() const { return geometry().tiles.mesh.V; }
   bool penalty() const { return parameters_.tightness == "penalty"; }
 
+  std::shared_ptr<Shape> make_shape(const TriangleMesh& mesh) const;
   void restore_start(RepairResult& result);
   Judgement judge_fresh(RepairResult& result);
   Judgement judge_loads(const Wrenches& loads, bool with_floor) const;
@@ -60,6 +69,7 @@ class Repair {
   UnilateralResult unilateral(const Wrenches& loads) const;
   double merit(const Judgement& now) const;
 
+  bool draw_pins_out();
   bool improve(RepairResult& result, Judgement& now);
   bool reached(const Judgement& now) const;
   bool take_step(RepairResult& result, Judgement& now, bool with_vertices);
@@ -89,6 +99,8 @@ class Repair {
   double reach_ = 0;
   int first_weak_ = 0;
   LayoutStep last_step_;
+  Array6 caps_;  // upper bounds of insets beside membranes that were too low
+  std::vector<Touch> touches_;
 };
 
 Repair::Repair(const Design& design, const RepairOptions& options, SolvedDesign* solved,
@@ -100,7 +112,8 @@ Repair::Repair(const Design& design, const RepairOptions& options, SolvedDesign*
       cuts_(design.cuts),
       target_(design.target ? design.target->V : design.mesh.V),
       f_min_ratio_(design.parameters.f_min_ratio) {
-  here_.shape = std::make_shared<Shape>(design.mesh, design.cuts, design.parameters);
+  caps_ = Array6::Constant(design.mesh.F.rows(), 6, std::numeric_limits<double>::infinity());
+  here_.shape = make_shape(design.mesh);
   const TileMesh& tiles = geometry().tiles;
   const int count = tiles.tile_count();
   if (design.T.rows() != count || design.q.rows() != count) {
@@ -116,6 +129,13 @@ Repair::Repair(const Design& design, const RepairOptions& options, SolvedDesign*
   for (int i = 0; i < count; ++i) {
     for (int t = 0; t < 3; ++t) weight_(tiles.mesh.F(i, t)) += tiles.area(i) / 3;
   }
+}
+
+std::shared_ptr<Shape> Repair::make_shape(const TriangleMesh& mesh) const {
+  auto shape = std::make_shared<Shape>(mesh, cuts_, parameters_);
+  PinBounds& bounds = shape->geometry.pin_bounds;
+  bounds.upper = bounds.upper.cwiseMin(caps_.cwiseMax((bounds.lower.array() + 0.005).matrix()));
+  return shape;
 }
 
 UnilateralResult Repair::unilateral(const Wrenches& loads) const {
@@ -161,6 +181,15 @@ Judgement Repair::judge_fresh(RepairResult& result) {
   if (now.weak == 0 && !watch_floor_) {
     now = judge_loads(fresh.loads, true);
     watch_floor_ = !now.valid();
+  }
+  touches_.clear();
+  for (Side side : {Side::front, Side::back}) {
+    for (const MembraneClearance& one :
+         patch_clearances(geometry(), fresh.membranes[static_cast<int>(side)], parameters_.H_pin)) {
+      if (!(one.distance < 0)) continue;
+      touches_.push_back({one.tile, side, -one.distance});
+      now.depth = std::max(now.depth, -one.distance);
+    }
   }
   if (now.valid()) {
     result.solved = std::make_shared<SolvedDesign>(std::move(fresh));
@@ -339,7 +368,7 @@ bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const
       for (int v = 0; v < moving->count(); ++v) {
         mesh.V.row(moving->vertex[v]) += step.vertex_step.row(v);
       }
-      here_.shape = std::make_shared<Shape>(mesh, cuts_, parameters_);
+      here_.shape = make_shape(mesh);
       here_.shape->model.gaps = from.shape->model.gaps;  // collisions found so far
       if (geometry().truncation.unresolved.size() >
           from.shape->geometry.truncation.unresolved.size()) {
@@ -393,6 +422,45 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   here_ = from;
   floor_ = floor;
   forces_->move(geometry(), poses_of(model(), here_.state), insets_of(here_.state), progress_);
+  return false;
+}
+
+// Pins of tiles that membranes cut into, and of those next to them, come nearer to their edges.
+// False where none can, or the layout has no room for it.
+bool Repair::draw_pins_out() {
+  const Place from = here_;
+  PinBounds& bounds = here_.shape->geometry.pin_bounds;
+  const Array6 upper = bounds.upper, caps = caps_;
+  bool any = false;
+  auto draw_out = [&](int tile, const Touch& touch) {
+    for (int t = 0; t < 3; ++t) {
+      const int k = inset_index(touch.side, t);
+      double& q = here_.state(tile, 3 + k);
+      const double cap = std::max(bounds.lower(tile, k) + 0.005, q - 0.1 - 2 * touch.depth);
+      if (!(cap < q)) continue;
+      caps_(tile, k) = bounds.upper(tile, k) = q = cap;
+      any = true;
+    }
+  };
+  for (const Touch& touch : touches_) {
+    draw_out(touch.tile, touch);
+    for (int t = 0; t < 3; ++t) {
+      const int n = geometry().tiles.topology.neighbour(touch.tile, t);
+      if (n >= 0) draw_out(n, touch);
+    }
+  }
+  if (!any) return false;
+  if (restore_constraints(here_.shape->model, here_.state, 20)) {
+    try {
+      forces_->move(geometry(), poses_of(model(), here_.state), insets_of(here_.state), progress_);
+      return true;
+    } catch (const InvalidInput&) {  // the moving mesh turned over
+    } catch (const SolverFailure&) {
+    }
+  }
+  here_ = from;
+  bounds.upper = upper;
+  caps_ = caps;
   return false;
 }
 
@@ -453,7 +521,13 @@ RepairResult Repair::run(const Design& design) {
         result.status = RepairStatus::valid;
         break;
       }
-      if (!improve(result, now)) {
+      const bool drawn =
+          static_cast<int>(result.steps.size()) <= options_.most_steps && draw_pins_out();
+      if (drawn) {
+        now = judge_here();
+        result.steps.push_back({now.weak, now.least, now.floor, 0, false, false});
+      }
+      if (!improve(result, now) && !drawn) {
         result.blocked = explain_weak_contacts(geometry().tiles, forces_->system().points(), now,
                                                last_step_.obstacles);
         result.suggestions = suggest_remedies(result.blocked);

@@ -72,11 +72,12 @@ struct RepairResult {
 };
 
 // Valid: least-squares normal forces at every contact point and the largest floor of the unilateral
-// problem >= f_min, and all constraints of the layout kept. Where vertices move the result's target
-// is the given design's target, or its mesh. Cancelled through progress it is stopped and keeps the
-// best so far. solved: what verification of this very design kept, taken over; or null. Throws what
-// make_geometry throws, InvalidInput for arrays that disagree, InfeasibleDesign where the layout's
-// constraints can't be restored or membranes fold over even so, SolverFailure.
+// problem >= f_min, no membrane cuts into a body, and all constraints of the layout are kept. Where
+// vertices move the result's target is the given design's target, or its mesh. Cancelled through
+// progress it is stopped and keeps the best so far. solved: what verification of this very design
+// kept, taken over; or null. Throws what make_geometry throws, InvalidInput for arrays that
+// disagree, InfeasibleDesign where the layout's constraints can't be restored or membranes fold
+// over even so, SolverFailure.
 RepairResult repair_design(const Design& design, const RepairOptions& options, SolvedDesign* solved,
                            const Progress& progress);
 

@@ -172,6 +172,17 @@ TEST(Repair, LiftsTheFloorOfTheUnilateralProblem) {
   EXPECT_TRUE(verify_design(result.design, {}, {}).unilateral.feasible);
 }
 
+TEST(Repair, DrawsPinsOutWhereAMembraneCutsIntoABody) {
+  Design design = laid_out(test::dome(4, 7, 25));
+  design.parameters.H_pin = 0.5;
+  const ValidationReport before = verify_design(design, {}, {});
+  ASSERT_LT(before.physics.clearance_mm, 0);
+  const RepairResult result = repair_design(design, {}, nullptr, {});
+  EXPECT_EQ(result.status, RepairStatus::valid);
+  expect_constraints_kept(result.design);
+  EXPECT_GT(verify_design(result.design, {}, {}).physics.clearance_mm, 0);
+}
+
 TEST(Repair, WeighsTightnessAgainstFidelityWhereAsked) {
   Design design = with_a_high_floor();
   design.parameters.f_min_ratio *= 1.2;
