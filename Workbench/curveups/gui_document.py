@@ -9,11 +9,13 @@ same design is the same file, byte for byte.
 
 from __future__ import annotations
 
+import errno
 import itertools
 import math
 import re
 import uuid
 import zipfile
+import zlib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Sequence
@@ -38,7 +40,8 @@ class View:
 
 def finish_document(path: Path, name: str, views: Sequence[View], box: Box) -> None:
     """Adds the views and a camera that sees `box` from the front to a document without them; dates,
-    numbers of FreeCAD's own and the temporary file's name go. `name`: the document's label."""
+    numbers of FreeCAD's own and the temporary file's name go. `name`: the document's label. Raises
+    OSError, also where FreeCAD has not saved all of it: it does not say so itself."""
     finished = path.with_name(path.name + ".finished")
     try:
         with (zipfile.ZipFile(path) as old,
@@ -50,6 +53,9 @@ def finish_document(path: Path, name: str, views: Sequence[View], box: Box) -> N
                 _add(new, entry.filename, content)
             _add(new, "GuiDocument.xml", _document(views, box).encode())
         finished.replace(path)
+    except (zipfile.BadZipFile, zlib.error, EOFError) as error:
+        raise OSError(errno.EIO, "FreeCAD could not save the whole document (is the disk full?)",
+                      str(path)) from error
     finally:
         finished.unlink(missing_ok=True)
 
