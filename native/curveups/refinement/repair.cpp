@@ -234,7 +234,7 @@ void Repair::restore_start(RepairResult& result) {
   result.restored_mm = std::max(largest_violation(model(), given),
                                 (here_.state - given).rightCols<6>().cwiseAbs().maxCoeff());
   if (result.restored_mm > tolerance::constraint) {
-    keep_going(progress_, "restoring the layout", 0);
+    if (!keep_going(progress_, "restoring the layout", 0)) throw Cancelled();
     solved_ = nullptr;
   }
   if (!restore_constraints(here_.shape->model, here_.state, 40)) {
@@ -461,6 +461,7 @@ bool Repair::draw_pins_out() {
   here_ = from;
   bounds.upper = upper;
   caps_ = caps;
+  forces_->move(geometry(), poses_of(model(), here_.state), insets_of(here_.state), progress_);
   return false;
 }
 
