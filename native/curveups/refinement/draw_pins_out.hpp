@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where a membrane cuts into a body the pins around draw out: nearer to their edges they hold it
+// up better.
+#pragma once
+
+#include "curveups/refinement/tracked_forces.hpp"
+
+namespace curveups {
+
+// Caps the insets of the tiles touched, and of those next to them, below where they are. Returns
+// whether there is any that can give way.
+bool cap_insets(const std::vector<Touch>& touches, const Place& place, Array6& caps);
+
+}  // namespace curveups

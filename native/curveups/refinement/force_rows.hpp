@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a repair step sees of the contact forces: values, goals and exact gradients, and the
+// vertices it may move.
+#pragma once
+
+#include <vector>
+
+#include "curveups/refinement/layout_step.hpp"
+#include "curveups/refinement/tracked_forces.hpp"
+
+namespace curveups {
+
+// The vertices of the tiles at points that must be lifted, and of the tiles next to these. target:
+// where vertices belong; weight: A_j of Eq. 4, mm2 per vertex.
+MovingVertices vertices_to_move(const Place& place, const TrackedForces& tracked,
+                                const Judgement& now, const RepairOptions& options,
+                                const Points3& target, const Eigen::VectorXd& weight);
+
+// A row per point below the watched force, whose goal is `goal` times f_min, and one for the floor
+// where that is watched. moving may be null.
+std::vector<ForceRow> force_rows(const Place& place, const TrackedForces& tracked,
+                                 const Judgement& now, const RepairOptions& options, double goal,
+                                 const MovingVertices* moving);
+
+}  // namespace curveups

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The contact forces of a design on its way through a repair: from a mesh that follows the tiles,
+// corrected by what a fresh one, extrapolated as in verification, gave last.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "curveups/physics/sensitivities.hpp"
+#include "curveups/refinement/judgement.hpp"
+#include "curveups/refinement/place.hpp"
+
+namespace curveups {
+
+// Membranes and loads as verification of the design at this place will have them. Throws what
+// solve_membranes throws, Cancelled.
+SolvedDesign solve_fresh(const Place& place, const Parameters& parameters, double f_min_ratio,
+                         const Progress& progress);
+
+// A tile beside which a membrane cuts into a body.
+struct Touch {
+  int tile;
+  Side side;
+  double depth;  // mm
+};
+
+std::vector<Touch> find_touches(const DesignGeometry& geometry, const SolvedDesign& solved,
+                                const Parameters& parameters);
+
+class TrackedForces {
+ public:
+  TrackedForces(const Parameters& parameters, const RepairOptions& options,
+                const Progress& progress);
+
+  // The verdict on a place. The largest floor is a part of it where no point is weak, and from then
+  // on where it is what fails. Throws InfeasibleDesign where the membranes don't press the tiles
+  // together.
+  Judgement judge_fresh(const Place& place, const SolvedDesign& fresh);
+  // Follows from here on; takes the membranes. judged: what judge_fresh said of them.
+  void follow(const Place& place, SolvedDesign& fresh, const Judgement& judged);
+
+  // On the moving mesh. Throws what DesignForces::move throws; then what is held is of no use until
+  // the next successful move.
+  void move(const Place& place);
+  Judgement judge();
+  // Back to a place that was judged, with its floor.
+  void move_back(const Place& place, const UnilateralResult& floor);
+
+  const DesignForces& forces() const { return *forces_; }
+  const std::vector<ContactPoint>& points() const { return forces_->system().points(); }
+  // f_min over the mean normal force: as asked, or the mesh's error once that is known.
+  double f_min_ratio() const { return f_min_ratio_; }
+  bool watches_floor() const { return watches_floor_; }
+  // Of the last judgement; only where it is watched.
+  const UnilateralResult& floor() const { return floor_; }
+
+ private:
+  UnilateralResult unilateral(const DesignGeometry& geometry, const Wrenches& loads) const;
+
+  Parameters parameters_;
+  RepairOptions options_;
+  Progress progress_;
+  double f_min_ratio_;
+  std::unique_ptr<DesignForces> forces_;
+  // What the fresh mesh gave beyond the moving one: normal forces and the floor, N.
+  Eigen::VectorXd correction_;
+  double floor_correction_ = 0;
+  bool watches_floor_ = false;
+  UnilateralResult floor_;
+};
+
+}  // namespace curveups
