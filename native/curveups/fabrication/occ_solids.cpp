@@ -3,8 +3,8 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepCheck_Shell.hxx>
 #include <BRepGProp.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
@@ -16,7 +16,6 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -191,11 +190,9 @@ double solid_volume(const TopoDS_Shape& shape) {
 
 namespace {
 
-// BRepCheck compares the wires of a face pair by pair and edge by edge: minutes for a slab of 2500
-// holes. Faces with more holes than this are checked in parts: the outline without holes, then some
-// holes at a time in a rectangle. That holes of different groups do not meet is what
-// min_clearance_flat measures, that all lie inside the outline what the exact volume shows.
-constexpr std::size_t holes_at_once = 8;
+// Solids of more faces are checked so many at a time: a slab is as much work as all tiles, which
+// threads share, and BRepCheck keeps some 20 kB a face until it is done.
+constexpr int faces_at_once = 256;
 
 // What BRepCheck looks at in one go, and the body that it belongs to.
 struct CheckPart {
@@ -203,49 +200,22 @@ struct CheckPart {
   TopoDS_Shape shape;
 };
 
-void add_face_parts(int body, const TopoDS_Face& shown, std::vector<CheckPart>& parts) {
-  const TopoDS_Face face = TopoDS::Face(shown.Oriented(TopAbs_FORWARD));
-  const TopoDS_Wire outer = BRepTools::OuterWire(face);
-  std::vector<TopoDS_Shape> holes;
-  for (TopoDS_Iterator it(face); it.More(); it.Next()) {
-    if (!it.Value().IsSame(outer)) holes.push_back(it.Value());
-  }
-  if (holes.size() <= holes_at_once) {
-    parts.push_back({body, face});
-    return;
-  }
-  const BRep_Builder builder;
-  TopoDS_Shape outline = face.EmptyCopied();
-  builder.Add(outline, outer);
-  parts.push_back({body, outline});
-  double u_low, u_high, v_low, v_high;
-  BRepTools::UVBounds(face, outer, u_low, u_high, v_low, v_high);
-  for (std::size_t first = 0; first < holes.size(); first += holes_at_once) {
-    TopoDS_Shape part = BRepBuilderAPI_MakeFace(BRep_Tool::Surface(face), u_low, u_high, v_low,
-                                                v_high, Precision::Confusion())
-                            .Face();
-    for (std::size_t k = first; k < std::min(holes.size(), first + holes_at_once); ++k) {
-      builder.Add(part, holes[k]);
-    }
-    parts.push_back({body, part});
-  }
-}
-
-// Whole solids, and the faces of those that have faces with many holes: one slab may be as much
-// work as all tiles, which threads share.
-std::vector<CheckPart> check_parts(const std::vector<const PrintBody*>& bodies,
-                                   const std::vector<TopoDS_Shape>& solids) {
+std::vector<CheckPart> check_parts(const std::vector<TopoDS_Shape>& solids) {
   std::vector<CheckPart> parts;
   for (std::size_t i = 0; i < solids.size(); ++i) {
     const int body = static_cast<int>(i);
-    std::size_t most = 0;
-    for (const PlanarFace& face : bodies[i]->faces) most = std::max(most, face.inner.size());
-    if (most <= holes_at_once) {
+    std::vector<TopoDS_Shape> faces;
+    for (TopExp_Explorer it(solids[i], TopAbs_FACE); it.More(); it.Next()) {
+      faces.push_back(it.Current());
+    }
+    if (faces.size() <= faces_at_once) {
       parts.push_back({body, solids[i]});
       continue;
     }
-    for (TopExp_Explorer it(solids[i], TopAbs_FACE); it.More(); it.Next()) {
-      add_face_parts(body, TopoDS::Face(it.Current()), parts);
+    for (std::size_t first = 0; first < faces.size(); first += faces_at_once) {
+      const auto begin = faces.begin() + first;
+      const auto end = faces.begin() + std::min(faces.size(), first + faces_at_once);
+      parts.push_back({body, make_compound({begin, end})});
     }
   }
   return parts;
@@ -253,7 +223,9 @@ std::vector<CheckPart> check_parts(const std::vector<const PrintBody*>& bodies,
 
 std::string closed_and_of_volume(const TopoDS_Shape& solid, double exact) {
   for (TopExp_Explorer it(solid, TopAbs_SHELL); it.More(); it.Next()) {
-    if (!BRep_Tool::IsClosed(it.Current())) return "open";
+    BRepCheck_Shell shell(TopoDS::Shell(it.Current()));
+    if (shell.Closed() != BRepCheck_NoError) return "open";
+    if (shell.Orientation() != BRepCheck_NoError) return "faces turned over";
   }
   if (!(exact > 0)) return "no volume";
   return std::abs(solid_volume(solid) - exact) > volume_tolerance * exact ? "volume" : "";
@@ -264,7 +236,7 @@ std::string closed_and_of_volume(const TopoDS_Shape& solid, double exact) {
 std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodies,
                                        const std::vector<TopoDS_Shape>& solids,
                                        const Progress& progress) {
-  const std::vector<CheckPart> parts = check_parts(bodies, solids);
+  const std::vector<CheckPart> parts = check_parts(solids);
   std::vector<char> broken(parts.size(), 0);
   in_chunks(static_cast<int>(parts.size()), progress, "checking solids",
             [&](int k) { broken[k] = !BRepCheck_Analyzer(parts[k].shape).IsValid(); });

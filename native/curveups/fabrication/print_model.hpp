@@ -34,7 +34,9 @@ struct PrintModel {
   std::vector<PrintBody> tiles;     // in print coordinates, T00001 first
   std::vector<PrintBody> supports;  // "Support P1" (slabs) or "Support P1 B0001" (bridges)
   std::vector<PrintBody> anchors;   // "Anchor P1 A001"
-  std::vector<int> loose_tiles;     // breakaway: not joined to the rest of their piece
+  // What no support holds: breakaway, what is not joined to the rest of its piece; soluble, pieces
+  // whose bodies run into one another, so that no slab fills the gaps between them.
+  std::vector<int> loose_tiles;
   int loose_anchors = 0;
   std::vector<ThinFeature> thin;  // per body that has a size of its own, the narrowest place
   Box box;

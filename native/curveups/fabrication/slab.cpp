@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "curveups/core/tolerances.hpp"
+#include "curveups/fabrication/face_division.hpp"
 
 namespace curveups {
 namespace {
@@ -124,8 +125,8 @@ PrintBody make_slab(const std::vector<Polygon>& outline, const std::vector<Print
     bottom.inner.push_back(std::move(below));
     lid.inner.push_back(std::move(above));
   }
-  slab.faces.push_back(std::move(bottom));
-  slab.faces.push_back(std::move(lid));
+  add_divided(slab, bottom);
+  add_divided(slab, lid);
   return slab;
 }
 

@@ -13,7 +13,8 @@ namespace curveups {
 // surrounds, in print coordinates: tiles that stand on z = 0 with their back pin, of which the
 // slab gets the reversed wall, cut, back and back pin faces; their face of role `front` is the
 // cavity's mouth, at or below `top`, from which its outline rises upright to `top`. anchors: bodies
-// of make_anchor, surrounded over the whole height. Precondition: nothing of this touches.
+// of make_anchor, surrounded over the whole height. Top and bottom are divided into faces without
+// holes (add_divided). Throws TopologyError where outlines cross or touch there.
 PrintBody make_slab(const std::vector<Polygon>& outline, const std::vector<PrintBody>& cavities,
                     const std::vector<const PrintBody*>& anchors, double top);
 

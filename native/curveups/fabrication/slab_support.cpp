@@ -105,6 +105,12 @@ void refuse_strangers(const PrintModel& model, int piece, const Polygon& loop,
   }
 }
 
+void leave_loose(PrintModel& model, int piece) {
+  for (std::size_t tile = 0; tile < model.piece_of_tile.size(); ++tile) {
+    if (model.piece_of_tile[tile] == piece) model.loose_tiles.push_back(static_cast<int>(tile));
+  }
+}
+
 }  // namespace
 
 void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
@@ -144,12 +150,18 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
                           "raise support_margin");
     }
     refuse_strangers(model, piece, loops[0], footprints, outer);
-    PrintBody slab = make_slab(loops, inside, anchors, top);
-    slab.name = numbered("Support P%d", piece + 1);
-    slab.piece = piece;
-    model.supports.push_back(std::move(slab));
     outer.push_back(loops[0]);
+    try {
+      PrintBody slab = make_slab(loops, inside, anchors, top);
+      slab.name = numbered("Support P%d", piece + 1);
+      slab.piece = piece;
+      model.supports.push_back(std::move(slab));
+    } catch (const TopologyError&) {  // a layout whose bodies run into one another
+      leave_loose(model, piece);
+      model.loose_anchors += static_cast<int>(anchors.size());
+    }
   }
+  std::sort(model.loose_tiles.begin(), model.loose_tiles.end());
 }
 
 }  // namespace curveups

@@ -4,7 +4,8 @@
 #pragma once
 
 #include <cmath>
-#include <map>
+#include <functional>
+#include <vector>
 
 #include "curveups/design/design.hpp"
 
@@ -16,7 +17,32 @@ struct SampleOptions {
   double spread = 1.45;
   Edges cuts = Edges(0, 2);
   double piece_offset = 0;  // moves tiles with an x of the plan above 0 further right
+  // Only triangles whose centre's plan this accepts; cuts are then by the numbers that remain.
+  std::function<bool(const Vec2&)> keep = {};
 };
+
+// The triangles that `keep` accepts, and the vertices of these.
+inline void keep_only(TriangleMesh& mesh, const std::function<bool(const Vec2&)>& keep) {
+  std::vector<int> number(mesh.V.rows(), -1);
+  int faces = 0, vertices = 0;
+  for (int i = 0; i < mesh.F.rows(); ++i) {
+    Vec2 centre = Vec2::Zero();
+    for (int k = 0; k < 3; ++k) centre += mesh.V.row(mesh.F(i, k)).head<2>().transpose() / 3;
+    if (!keep(centre)) continue;
+    for (int k = 0; k < 3; ++k) number[mesh.F(i, k)] = 0;
+    mesh.F.row(faces++) = mesh.F.row(i).eval();
+  }
+  mesh.F.conservativeResize(faces, Eigen::NoChange);
+  for (int v = 0; v < mesh.V.rows(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = vertices;
+    mesh.V.row(vertices++) = mesh.V.row(v).eval();
+  }
+  mesh.V.conservativeResize(vertices, Eigen::NoChange);
+  for (int i = 0; i < faces; ++i) {
+    for (int k = 0; k < 3; ++k) mesh.F(i, k) = number[mesh.F(i, k)];
+  }
+}
 
 inline Design sample_design(const Parameters& parameters = {}, const SampleOptions& o = {}) {
   Design design;
@@ -45,6 +71,10 @@ inline Design sample_design(const Parameters& parameters = {}, const SampleOptio
         design.mesh.F.row(f++) << a, d, c;
       }
     }
+  }
+  if (o.keep) {
+    keep_only(design.mesh, o.keep);
+    f = static_cast<int>(design.mesh.F.rows());
   }
   design.cuts = o.cuts;
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, parameters);

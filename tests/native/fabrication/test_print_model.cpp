@@ -14,71 +14,12 @@
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/print_model.hpp"
 #include "fabrication/sample_design.hpp"
+#include "fabrication/soundness.hpp"
 
 namespace curveups {
 namespace {
 
-std::vector<const PrintBody*> pointers(const std::vector<PrintBody>& bodies) {
-  std::vector<const PrintBody*> out;
-  for (const PrintBody& body : bodies) out.push_back(&body);
-  return out;
-}
-
-std::string unsound(const std::vector<PrintBody>& bodies) {
-  const auto list = pointers(bodies);
-  std::string text;
-  for (const UnsoundSolid& u : check_solids(list, make_solids(list, {}), {})) {
-    text += u.body + " " + u.reason + "; ";
-  }
-  return text;
-}
-
-// Every edge twice, in opposite directions.
-bool watertight(const BodyMesh& mesh) {
-  std::map<std::pair<int, int>, int> edges;
-  for (const auto& t : mesh.triangles) {
-    for (int k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
-  }
-  for (const auto& [edge, count] : edges) {
-    auto back = edges.find({edge.second, edge.first});
-    if (count != 1 || back == edges.end() || back->second != 1) return false;
-  }
-  return !edges.empty();
-}
-
-void expect_sound(const PrintModel& model) {
-  EXPECT_EQ(unsound(model.tiles), "");
-  EXPECT_EQ(unsound(model.supports), "");
-  EXPECT_EQ(unsound(model.anchors), "");
-  for (const auto* bodies : {&model.tiles, &model.supports, &model.anchors}) {
-    for (const PrintBody& body : *bodies) {
-      const BodyMesh fine = mesh_body(body, {0.002, true});
-      EXPECT_TRUE(watertight(fine)) << body.name;
-      EXPECT_NEAR(volume(fine), volume(body), 5e-3 * volume(body)) << body.name;
-      EXPECT_TRUE(watertight(mesh_body(body, {0.02, false}))) << body.name;
-    }
-  }
-  EXPECT_LE(max_overlap_actuated(model).value, 1e-6);
-  EXPECT_GT(min_clearance_flat(model).value, 0.05);
-}
-
-double area_of(const PlanarFace& face, const PrintBody& body) {
-  double sum = 0;
-  auto add = [&](const BodyLoop& loop) {
-    if (loop.circle >= 0) {
-      sum -= M_PI * std::pow(body.circles[loop.circle].radius, 2);
-      return;
-    }
-    for (std::size_t k = 0; k < loop.points.size(); ++k) {
-      sum += 0.5 * face.normal.z() *
-             wedge(body.points[loop.points[k]].head<2>(),
-                   body.points[loop.points[(k + 1) % loop.points.size()]].head<2>());
-    }
-  };
-  add(face.outer);
-  for (const BodyLoop& loop : face.inner) add(loop);
-  return sum;
-}
+using test::expect_sound;
 
 class Shapes : public ::testing::TestWithParam<std::array<double, 2>> {};
 
@@ -229,53 +170,6 @@ TEST(Bumps, NeverRecessBoundaryWallsAndLeaveTooSmallInterfacesBare) {
     for (int t = 0; t < 3; ++t) {
       EXPECT_EQ(standard.bumps.recess(i, t), tiles.topology.neighbour(i, t) < 0 ? 0 : 0.125);
     }
-  }
-}
-
-TEST(Slab, IsItsBoxLessWhatItSurrounds) {
-  for (double drop : {0.0, 0.3, 1.0, 2.2, 4.0, 4.5}) {
-    Parameters p;
-    p.support_drop = drop;
-    SCOPED_TRACE(drop);
-    const PrintModel model = make_print_model(test::sample_design(p), "0.1");
-    EXPECT_EQ(unsound(model.supports), "");
-    ASSERT_EQ(model.supports.size(), 1u);
-    const PrintBody& slab = model.supports[0];
-    const double top = 2 * p.H_pin + p.H_body - drop;
-    double removed = 0;
-    for (std::size_t i = 0; i < model.tiles.size(); ++i) {
-      const PrintBody& tile = model.tiles[i];
-      double pin = 0, front_pin = 0, front = 0;
-      for (const PlanarFace& face : tile.faces) {
-        if (face.role == FaceRole::foot) pin = area_of({face.normal, face.outer, {}, {}}, tile);
-        if (face.role == FaceRole::front_pin && face.normal.z() > 0.5) {
-          front_pin = area_of(face, tile);
-        }
-        if (face.role == FaceRole::front) front = area_of({face.normal, face.outer, {}, {}}, tile);
-      }
-      if (top >= p.H_pin + p.H_body) {
-        removed += volume(tile) - front_pin * p.H_pin + front * (top - p.H_pin - p.H_body);
-      } else if (top > p.H_pin) {
-        ConvexBody body = model.bumps.body[i];
-        const double cut = top - p.H_pin - p.H_body;
-        clip(body, {Vec3::UnitZ(), cut}, body_tag::front);
-        removed += volume(body) + pin * p.H_pin;
-        for (const WallCap& cap : model.bumps.of_tile[i]) {
-          ASSERT_GT(std::abs(cap.centre.z() - cut), cap.radius * 0.9);
-          if (cap.centre.z() > cut) continue;
-          const double r = cap.radius, h = cap.height;
-          removed += M_PI * h * (3 * r * r + h * h) / 6;
-        }
-      } else {
-        removed += pin * top;
-      }
-    }
-    const Parameters& q = model.parameters;
-    removed += model.anchors.size() * M_PI * q.anchor_radius * q.anchor_radius * top;
-    double outline = 0;
-    const PlanarFace& lid = slab.faces.back();
-    outline = area_of({lid.normal, lid.outer, {}, {}}, slab);
-    EXPECT_NEAR(volume(slab), outline * top - removed, 1e-6 * outline);
   }
 }
 

@@ -7,37 +7,14 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/polygon_triangulation.hpp"
+#include "geometry/sample_regions.hpp"
 
 namespace curveups {
 namespace {
 
-struct Region {
-  std::vector<Vec2> points;
-  std::vector<std::vector<int>> loops;
-
-  void add(const std::vector<Vec2>& loop, bool turned = false) {
-    std::vector<int> indices;
-    for (const Vec2& p : loop) {
-      indices.push_back(static_cast<int>(points.size()));
-      points.push_back(p);
-    }
-    if (turned) std::reverse(indices.begin(), indices.end());
-    loops.push_back(indices);
-  }
-};
-
-std::vector<Vec2> square(double x, double y, double a) {
-  return {{x, y}, {x + a, y}, {x + a, y + a}, {x, y + a}};
-}
-
-std::vector<Vec2> star(int corners, double outer, double inner) {
-  std::vector<Vec2> points;
-  for (int k = 0; k < 2 * corners; ++k) {
-    const double r = k % 2 ? inner : outer, a = M_PI * k / corners;
-    points.emplace_back(r * std::cos(a), r * std::sin(a));
-  }
-  return points;
-}
+using test::Region;
+using test::square;
+using test::star;
 
 // Counter-clockwise triangles of that area in which loop edges are used once, all others twice.
 void expect_covers(const Region& region, double area, int triangles) {

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <set>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/fabrication/anchors.hpp"
+#include "curveups/fabrication/slab.hpp"
+#include "fabrication/sample_design.hpp"
+#include "fabrication/soundness.hpp"
+
+namespace curveups {
+namespace {
+
+using test::expect_sound;
+using test::unsound;
+using test::watertight;
+
+double polygon_area(const PrintBody& body, const PlanarFace& face) {
+  double sum = 0;
+  const std::vector<int>& loop = face.outer.points;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    sum +=
+        0.5 * face.normal.z() *
+        wedge(body.points[loop[k]].head<2>(), body.points[loop[(k + 1) % loop.size()]].head<2>());
+  }
+  return sum;
+}
+
+// Of the outer loop, whose upright walls are the slab's first faces.
+double outline_area(const PrintBody& slab) {
+  double sum = 0;
+  for (const PlanarFace& wall : slab.faces) {
+    const int a = wall.outer.points[0], b = wall.outer.points[1];
+    sum += 0.5 * wedge(slab.points[a].head<2>(), slab.points[b].head<2>());
+    if (b == slab.faces[0].outer.points[0]) break;
+  }
+  return sum;
+}
+
+// Top and bottom in faces of a few corners, of which those around bores alone have a hole; every
+// edge of the body between two faces, there and back; no face thinner than a printer resolves.
+void expect_divided(const PrintBody& slab, std::size_t bores) {
+  std::set<std::pair<int, int>> edges;
+  std::size_t rings = 0, parts = 0;
+  double top = 0;
+  for (const Vec3& p : slab.points) top = std::max(top, p.z());
+  for (const PlanarFace& face : slab.faces) {
+    auto add_edges = [&](const BodyLoop& loop) {
+      for (std::size_t k = 0; k < loop.points.size(); ++k) {
+        const int a = loop.points[k], b = loop.points[(k + 1) % loop.points.size()];
+        EXPECT_TRUE(edges.insert({a, b}).second);
+      }
+    };
+    add_edges(face.outer);
+    for (const BodyLoop& loop : face.inner) add_edges(loop);
+    const double z = slab.points[face.outer.points[0]].z();
+    const bool lid = face.normal.z() > 0.5 && z == top, bottom = face.normal.z() < -0.5 && z == 0;
+    if (!lid && !bottom) continue;
+    ++parts;
+    if (!face.inner.empty()) {
+      ++rings;
+      ASSERT_EQ(face.inner.size(), 1u);
+      EXPECT_GE(face.inner[0].circle, 0);
+      continue;
+    }
+    const std::vector<int>& loop = face.outer.points;
+    EXPECT_LE(loop.size(), 16u);
+    EXPECT_EQ(std::set<int>(loop.begin(), loop.end()).size(), loop.size());
+    double perimeter = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      perimeter += (slab.points[loop[(k + 1) % loop.size()]] - slab.points[loop[k]]).norm();
+    }
+    EXPECT_GT(2 * polygon_area(slab, face) / perimeter, 0.01);
+  }
+  for (const auto& [a, b] : edges) EXPECT_TRUE(edges.count({b, a}));
+  EXPECT_EQ(rings, 2 * bores);
+  EXPECT_GT(parts, rings);
+  EXPECT_EQ(unsound({slab}), "");
+  EXPECT_TRUE(watertight(mesh_body(slab, {0.02, true})));
+}
+
+TEST(Slab, IsItsBoxLessWhatItSurrounds) {
+  for (double drop : {0.0, 0.3, 1.0, 2.2, 4.0, 4.5}) {
+    Parameters p;
+    p.support_drop = drop;
+    SCOPED_TRACE(drop);
+    const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+    EXPECT_EQ(unsound(model.supports), "");
+    ASSERT_EQ(model.supports.size(), 1u);
+    const PrintBody& slab = model.supports[0];
+    const double top = 2 * p.H_pin + p.H_body - drop;
+    double removed = 0;
+    for (std::size_t i = 0; i < model.tiles.size(); ++i) {
+      const PrintBody& tile = model.tiles[i];
+      double pin = 0, front_pin = 0, front = 0;
+      for (const PlanarFace& face : tile.faces) {
+        if (face.role == FaceRole::foot) pin = polygon_area(tile, face);
+        if (face.role == FaceRole::front_pin && face.normal.z() > 0.5) {
+          front_pin = polygon_area(tile, face);
+        }
+        if (face.role == FaceRole::front) front = polygon_area(tile, face);
+      }
+      if (top >= p.H_pin + p.H_body) {
+        removed += volume(tile) - front_pin * p.H_pin + front * (top - p.H_pin - p.H_body);
+      } else if (top > p.H_pin) {
+        ConvexBody body = model.bumps.body[i];
+        const double cut = top - p.H_pin - p.H_body;
+        clip(body, {Vec3::UnitZ(), cut}, body_tag::front);
+        removed += volume(body) + pin * p.H_pin;
+        for (const WallCap& cap : model.bumps.of_tile[i]) {
+          ASSERT_GT(std::abs(cap.centre.z() - cut), cap.radius * 0.9);
+          if (cap.centre.z() > cut) continue;
+          const double r = cap.radius, h = cap.height;
+          removed += M_PI * h * (3 * r * r + h * h) / 6;
+        }
+      } else {
+        removed += pin * top;
+      }
+    }
+    const Parameters& q = model.parameters;
+    removed += model.anchors.size() * M_PI * q.anchor_radius * q.anchor_radius * top;
+    const double outline = outline_area(slab);
+    EXPECT_NEAR(volume(slab), outline * top - removed, 1e-6 * outline);
+  }
+}
+
+TEST(Slab, HasATopAndABottomOfSmallFacesWithoutHoles) {
+  for (double drop : {0.3, 2.2, 4.5}) {
+    SCOPED_TRACE(drop);
+    Parameters p;
+    p.support_drop = drop;
+    const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+    expect_divided(model.supports[0], model.anchors.size());
+  }
+}
+
+TEST(Slab, AroundOneTile) {
+  test::SampleOptions o;
+  o.rows = o.columns = 1;
+  o.keep = [](const Vec2& centre) { return centre.x() < 0; };
+  for (bool anchors : {true, false}) {
+    Parameters p;
+    p.anchors = anchors;
+    const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+    ASSERT_EQ(model.tiles.size(), 1u);
+    EXPECT_EQ(model.anchors.empty(), !anchors);
+    expect_divided(model.supports[0], model.anchors.size());
+  }
+}
+
+TEST(Slab, AroundARingOfTilesIsOpenInside) {
+  test::SampleOptions o;
+  o.rows = 8;
+  o.columns = 8;
+  o.keep = [](const Vec2& centre) { return centre.norm() > 16; };
+  Parameters p;
+  p.anchors = false;
+  p.support_margin = 1;
+  const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+  const PrintBody& slab = model.supports[0];
+  expect_divided(slab, 0);
+  expect_sound(model);
+  // No face covers the middle, which the outline encloses.
+  for (const Vec3& q : slab.points) EXPECT_GT(q.head<2>().norm(), 10);
+  double top = 0;
+  for (const PlanarFace& face : slab.faces) {
+    if (face.normal.z() < -0.5 && slab.points[face.outer.points[0]].z() == 0) {
+      top += polygon_area(slab, face);
+    }
+  }
+  double feet = 0;
+  for (const PrintBody& tile : model.tiles) {
+    for (const PlanarFace& face : tile.faces) {
+      if (face.role == FaceRole::foot) feet += polygon_area(tile, face);
+    }
+  }
+  EXPECT_LT(top, outline_area(slab) - feet - M_PI * 100);
+}
+
+TEST(Slab, HoldsAnchorsThatStandCloseToEverything) {
+  Parameters p;
+  p.anchor_distance = 0.2;
+  p.support_margin = 0.2;
+  p.anchor_spacing = 2 * p.anchor_radius + p.d_gap_min;
+  const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+  EXPECT_GE(model.anchors.size(), 12u);
+  expect_divided(model.supports[0], model.anchors.size());
+  expect_sound(model);
+}
+
+TEST(Slab, LeavesAThousandthBetweenBores) {
+  const double gap = 1e-3, r = 3;
+  const std::vector<Polygon> outline{
+      {{-r - gap, -r - gap}, {3 * r + 2 * gap, -r - gap}, {3 * r + 2 * gap, 9}, {-r - gap, 9}}};
+  std::vector<PrintBody> bodies;
+  for (double x : {0.0, 2 * r + gap}) bodies.push_back(make_anchor({x, 0}, r, 5, {}, 0));
+  const PrintBody slab = make_slab(outline, {}, {&bodies[0], &bodies[1]}, 4);
+  const double exact = 4 * ((4 * r + 3 * gap) * (9 + r + gap) - 2 * M_PI * r * r);
+  EXPECT_NEAR(volume(slab), exact, 1e-9 * exact);
+  EXPECT_EQ(unsound({slab}), "");
+  EXPECT_TRUE(watertight(mesh_body(slab, {1e-5, true})));
+  bodies[1] = make_anchor({2 * r - gap, 0}, r, 5, {}, 0);
+  EXPECT_THROW(make_slab(outline, {}, {&bodies[0], &bodies[1]}, 4), TopologyError);
+}
+
+TEST(Slab, IsLeftOutWhereBodiesRunIntoOneAnother) {
+  Design design = test::sample_design();
+  design.T.row(0) = design.T.row(1);
+  const PrintModel model = make_print_model(design, "0.1");
+  EXPECT_TRUE(model.supports.empty());
+  EXPECT_EQ(model.loose_tiles.size(), model.tiles.size());
+  EXPECT_EQ(model.loose_anchors, static_cast<int>(model.anchors.size()));
+  EXPECT_EQ(unsound(model.tiles), "");
+}
+
+}  // namespace
+}  // namespace curveups

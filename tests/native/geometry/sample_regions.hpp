@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Plane regions for tests of what is made of their loops.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "curveups/core/types.hpp"
+
+namespace curveups::test {
+
+struct Region {
+  std::vector<Vec2> points;
+  std::vector<std::vector<int>> loops;
+
+  void add(const std::vector<Vec2>& loop, bool turned = false) {
+    std::vector<int> indices;
+    for (const Vec2& p : loop) {
+      indices.push_back(static_cast<int>(points.size()));
+      points.push_back(p);
+    }
+    if (turned) std::reverse(indices.begin(), indices.end());
+    loops.push_back(indices);
+  }
+};
+
+inline std::vector<Vec2> square(double x, double y, double a) {
+  return {{x, y}, {x + a, y}, {x + a, y + a}, {x, y + a}};
+}
+
+inline std::vector<Vec2> star(int corners, double outer, double inner) {
+  std::vector<Vec2> points;
+  for (int k = 0; k < 2 * corners; ++k) {
+    const double r = k % 2 ? inner : outer, a = M_PI * k / corners;
+    points.emplace_back(r * std::cos(a), r * std::sin(a));
+  }
+  return points;
+}
+
+}  // namespace curveups::test
