@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "curveups/core/tolerances.hpp"
 
@@ -23,7 +24,7 @@ struct Cone {
   }
 };
 
-Cone make_cone(const TileMesh& tiles, int tile, int corner, Side side) {
+Cone back_cone(const TileMesh& tiles, int tile, int corner) {
   const TileFrame& frame = tiles.frame[tile];
   auto world = [&](const Vec3& d) { return frame.direction_to_world(d); };
   auto flat = [&](const Vec2& d) { return world(Vec3(d.x(), d.y(), 0)); };
@@ -33,14 +34,19 @@ Cone make_cone(const TileMesh& tiles, int tile, int corner, Side side) {
   cone.corner = corner;
   cone.wall = {world(tiles.wall_normal(tile, corner)),
                world(tiles.wall_normal(tile, prev3(corner)))};
-  const double below = side == Side::back ? 1.0 : -1.0;
-  cone.lid = below * frame.z;
+  cone.lid = frame.z;
   cone.edge = {flat((front[next3(corner)] - front[corner]).normalized()),
                flat((front[prev3(corner)] - front[corner]).normalized())};
   cone.spine = cone.wall[0].cross(cone.wall[1]).normalized();
   if (cone.spine.dot(cone.lid) > 0) cone.spine = -cone.spine;
   cone.middle = (flat((front[0] + front[1] + front[2]) / 3 - front[corner])).normalized();
   return cone;
+}
+
+// The cone above the front face instead.
+void turn_to_front(Cone& cone) {
+  cone.lid = -cone.lid;
+  cone.spine = -cone.spine;
 }
 
 struct Crossing {
@@ -128,59 +134,63 @@ Plane plane_in_frame(const TileMesh& tiles, const Cone& cone, const Vec3& normal
   return {local, local.head<2>().dot(tiles.front[cone.tile][cone.corner])};
 }
 
-}  // namespace
-
-Truncation truncate_at_vertices(const TileMesh& tiles) {
-  const int count = tiles.tile_count();
-  Truncation out;
-  out.of_tile.resize(count);
-  out.front_pins.resize(count);
-  // Corners by vertex, in the order of the tiles.
-  const int vertex_count = static_cast<int>(tiles.mesh.V.rows());
-  std::vector<int> first(vertex_count + 1, 0), corner_of(static_cast<std::size_t>(count) * 3);
-  for (int i = 0; i < count * 3; ++i) ++first[tiles.mesh.F(i / 3, i % 3) + 1];
-  for (int v = 0; v < vertex_count; ++v) first[v + 1] += first[v];
-  std::vector<int> cursor(first.begin(), first.end() - 1);
-  for (int i = 0; i < count * 3; ++i) corner_of[cursor[tiles.mesh.F(i / 3, i % 3)]++] = i;
-
-  std::vector<Cone> cones;
-  for (int v = 0; v < vertex_count; ++v) {
-    const int valence = first[v + 1] - first[v];
-    if (valence < 3) continue;
-    for (Side side : {Side::back, Side::front}) {
-      cones.clear();
-      for (int k = first[v]; k < first[v + 1]; ++k) {
-        cones.push_back(make_cone(tiles, corner_of[k] / 3, corner_of[k] % 3, side));
+// Planes for the tiles at one vertex, on one side of their front faces.
+void truncate_at(int vertex, const TileMesh& tiles, const std::vector<Cone>& cones, Side side,
+                 Truncation& out) {
+  auto& planes = side == Side::front ? out.front_pins : out.of_tile;
+  // Rays within this angle of a plane are less than a snap away from it at the back.
+  const double slack = tolerance::snap / tiles.H_body;
+  for (std::size_t m = 0; m < cones.size(); ++m) {
+    for (std::size_t n = m + 1; n < cones.size(); ++n) {
+      const Cone &a = cones[m], &b = cones[n];
+      if ((tiles.topology.neighbour.row(a.tile).array() == b.tile).any()) continue;
+      const Split split = separate(a, b, slack);
+      if (split.type == 0) continue;
+      if (split.type < 0) {
+        if (side == Side::back) out.unresolved.push_back({a.tile, b.tile});
+        continue;
       }
-      for (int m = 0; m < valence; ++m) {
-        for (int n = m + 1; n < valence; ++n) {
-          const Cone &a = cones[m], &b = cones[n];
-          const auto neighbours = tiles.topology.neighbour.row(a.tile);
-          if ((neighbours.array() == b.tile).any()) continue;
-          // Rays within this angle of a plane are less than a snap away from it at the back.
-          const Split split = separate(a, b, tolerance::snap / tiles.H_body);
-          if (split.type == 0) continue;
-          if (side == Side::front) {
-            if (split.type < 0) continue;
-            out.front_pins[a.tile].push_back(
-                {plane_in_frame(tiles, a, split.normal), b.tile, v, split.type});
-            out.front_pins[b.tile].push_back(
-                {plane_in_frame(tiles, b, -split.normal), a.tile, v, split.type});
-            continue;
-          }
-          if (split.type < 0) {
-            out.unresolved.push_back({a.tile, b.tile});
-            continue;
-          }
-          ++out.pairs_of_type[split.type];
-          out.of_tile[a.tile].push_back(
-              {plane_in_frame(tiles, a, split.normal), b.tile, v, split.type});
-          out.of_tile[b.tile].push_back(
-              {plane_in_frame(tiles, b, -split.normal), a.tile, v, split.type});
-        }
-      }
+      if (side == Side::back) ++out.pairs_of_type[split.type];
+      planes[a.tile].push_back(
+          {plane_in_frame(tiles, a, split.normal), b.tile, vertex, split.type});
+      planes[b.tile].push_back(
+          {plane_in_frame(tiles, b, -split.normal), a.tile, vertex, split.type});
     }
   }
+}
+
+}  // namespace
+
+void truncate_at_vertices(const TileMesh& tiles, const std::vector<int>& vertices,
+                          Truncation& truncation) {
+  // Corners by vertex, in the order of the tiles.
+  std::vector<int> index(tiles.mesh.V.rows(), -1);
+  for (std::size_t k = 0; k < vertices.size(); ++k) index[vertices[k]] = static_cast<int>(k);
+  std::vector<std::vector<std::array<int, 2>>> corners(vertices.size());
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int t = 0; t < 3; ++t) {
+      const int k = index[tiles.mesh.F(i, t)];
+      if (k >= 0) corners[k].push_back({i, t});
+    }
+  }
+  std::vector<Cone> cones;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (corners[k].size() < 3) continue;
+    cones.clear();
+    for (const auto& [tile, corner] : corners[k]) cones.push_back(back_cone(tiles, tile, corner));
+    truncate_at(vertices[k], tiles, cones, Side::back, truncation);
+    for (Cone& cone : cones) turn_to_front(cone);
+    truncate_at(vertices[k], tiles, cones, Side::front, truncation);
+  }
+}
+
+Truncation truncate_at_vertices(const TileMesh& tiles) {
+  Truncation out;
+  out.of_tile.resize(tiles.tile_count());
+  out.front_pins.resize(tiles.tile_count());
+  std::vector<int> all(tiles.mesh.V.rows());
+  std::iota(all.begin(), all.end(), 0);
+  truncate_at_vertices(tiles, all, out);
   return out;
 }
 

@@ -37,6 +37,10 @@ struct Truncation {
 // vertex are listed as unresolved.
 Truncation truncate_at_vertices(const TileMesh& tiles);
 
+// The same at some vertices alone; planes are added to those given.
+void truncate_at_vertices(const TileMesh& tiles, const std::vector<int>& vertices,
+                          Truncation& truncation);
+
 // The tile's body in its own frame with its truncation planes applied; each wall t is moved into
 // the body by recess[t] (mm, along its normal) first.
 ConvexBody tile_body(const TileMesh& tiles, const Truncation& truncation, int tile,

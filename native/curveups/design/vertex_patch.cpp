@@ -80,6 +80,9 @@ VertexPatch VertexPatches::around(int vertex) const {
     const int tile = out.tiles[k];
     if (std::binary_search(changed.begin(), changed.end(), tile)) out.changed.push_back(k);
     if (std::binary_search(near.begin(), near.end(), tile)) out.near.push_back(k);
+    if (!out.changed.empty() && out.changed.back() == k) {
+      for (int t = 0; t < 3; ++t) out.touched.push_back(local(tiles.mesh.F(tile, t)));
+    }
     for (const TruncationPlane& plane : geometry_.truncation.of_tile[tile]) {
       out.remote = out.remote || plane.vertex < 0;
     }
@@ -97,6 +100,25 @@ VertexPatch VertexPatches::around(int vertex) const {
       out.contacts.push_back(inside ? contact_of_[3 * tile + t] : -1);
     }
   }
+  std::sort(out.touched.begin(), out.touched.end());
+  out.touched.erase(std::unique(out.touched.begin(), out.touched.end()), out.touched.end());
+  out.fixed.of_tile.resize(count);
+  out.fixed.front_pins.resize(count);
+  auto keep = [&](const std::vector<TruncationPlane>& planes, std::vector<TruncationPlane>& fixed) {
+    for (TruncationPlane plane : planes) {
+      if (plane.vertex < 0) continue;
+      plane.vertex = local(plane.vertex);
+      plane.other = static_cast<int>(
+          std::lower_bound(out.tiles.begin(), out.tiles.end(), plane.other) - out.tiles.begin());
+      if (!std::binary_search(out.touched.begin(), out.touched.end(), plane.vertex)) {
+        fixed.push_back(plane);
+      }
+    }
+  };
+  for (int k : out.near) {
+    keep(geometry_.truncation.of_tile[out.tiles[k]], out.fixed.of_tile[k]);
+    keep(geometry_.truncation.front_pins[out.tiles[k]], out.fixed.front_pins[k]);
+  }
   out.cuts.resize(static_cast<Eigen::Index>(cuts.size()), 2);
   for (std::size_t c = 0; c < cuts.size(); ++c) out.cuts.row(c) << cuts[c][0], cuts[c][1];
   return out;
@@ -107,7 +129,8 @@ LocalGeometry local_geometry(const VertexPatch& patch, const Vec3& position) {
   mesh.V.row(patch.moving) = position.transpose();
   LocalGeometry out;
   out.tiles = make_tile_mesh(mesh, patch.cuts, patch.H_body);
-  out.truncation = truncate_at_vertices(out.tiles);
+  out.truncation = patch.fixed;
+  truncate_at_vertices(out.tiles, patch.touched, out.truncation);
   out.patches = compute_contact_patches(out.tiles, out.truncation);
   if (patch.remote) separate_remote_tiles(out.tiles, out.patches, out.truncation);
   return out;

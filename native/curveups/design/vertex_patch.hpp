@@ -29,6 +29,8 @@ struct VertexPatch {
   std::vector<int> near;      // into `tiles`: those whose shape or truncation planes it changes
   std::vector<int> contacts;  // of the design, as `mesh` numbers them; -1 where the vertex does not
                               // change the interface
+  std::vector<int> touched;   // of `mesh`: vertices at whose truncation planes it pulls
+  Truncation fixed;           // the planes at other vertices of the tiles `near`
   bool remote;                // tiles without a common vertex overlap here
   double H_body;
 };

@@ -19,9 +19,9 @@ namespace {
 constexpr double largest_move_of_L = 1.0 / 30;
 // Sides are lifted to a little more than A_pin_min, room for the layout; those with less than
 // `watched` times A_pin_min must not lose what they need.
-constexpr double goal = 1.03, watched = 1.5;
+constexpr double goal = 1.03, kept = 1.002, watched = 1.5;
 // Steps after which sides that still miss A_pin_min are given up.
-constexpr int patience = 5;
+constexpr int patience = 3;
 
 // Folds sharper than this must not become sharper: they already bound insets on either side.
 constexpr double sharp = 0.3;  // rad
@@ -29,17 +29,18 @@ constexpr double sharp = 0.3;  // rad
 using PinSide = std::pair<int, Side>;  // of a tile
 using PinSides = std::set<PinSide>;
 
-// By how much the linear scale of the largest pin exceeds the goal, in mm.
+// By how much the linear scale of the largest pin exceeds that of `share` times A_pin_min, in mm.
 double excess(const TileMesh& tiles, const Truncation& truncation, const Parameters& p, int tile,
-              Side side) {
+              Side side, double share) {
   const double scale = pin_room(tiles, truncation, p, tile, side, p.p_min).scale;
-  return p.L * (scale - std::sqrt(goal * p.A_pin_min / tiles.area(tile)));
+  return p.L * (scale - std::sqrt(share * p.A_pin_min / tiles.area(tile)));
 }
 
 // One requirement: room for a pin, or a fold that is not to become sharper.
 struct Need {
   int tile, edge;  // edge -1: of a pin
   Side side;
+  double share;  // of A_pin_min
   bool operator<(const Need& o) const {
     return std::tie(tile, edge, side) < std::tie(o.tile, o.edge, o.side);
   }
@@ -71,7 +72,8 @@ class Relief {
     double value;  // must stay or become positive
     std::vector<std::pair<int, Vec3>> by_vertex;
   };
-  std::vector<Row> rows(const DesignGeometry& here, const PinSides& asked,
+  // small: all sides below A_pin_min; asked: those of them to be lifted.
+  std::vector<Row> rows(const DesignGeometry& here, const PinSides& small, const PinSides& asked,
                         const std::vector<int>& vertices) const;
   bool step(const std::vector<Row>& rows, const std::vector<int>& vertices,
             TriangleMesh& mesh) const;
@@ -91,12 +93,13 @@ class Relief {
 // tile: as `tiles` numbers it.
 double Relief::value(const Need& need, const TileMesh& tiles, const Truncation& truncation,
                      int tile) const {
-  if (need.edge < 0) return excess(tiles, truncation, parameters_, tile, need.side);
+  if (need.edge < 0) return excess(tiles, truncation, parameters_, tile, need.side, need.share);
   const double before = fold_(need.tile, need.edge), now = tiles.fold(tile, need.edge);
   return 0.5 * parameters_.L * (before > 0 ? before - now : now - before);
 }
 
-std::vector<Relief::Row> Relief::rows(const DesignGeometry& here, const PinSides& asked,
+std::vector<Relief::Row> Relief::rows(const DesignGeometry& here, const PinSides& small,
+                                      const PinSides& asked,
                                       const std::vector<int>& vertices) const {
   struct Entry {
     Need need;
@@ -115,11 +118,11 @@ std::vector<Relief::Row> Relief::rows(const DesignGeometry& here, const PinSides
               pin_room(here.tiles, here.truncation, parameters_, tile, side, parameters_.p_min);
           const bool close = room.area < watched * parameters_.A_pin_min;
           if (!std::isfinite(room.scale) || !(close || asked.count({tile, side}))) continue;
-          local.push_back({{tile, -1, side}, k});
+          local.push_back({{tile, -1, side, asked.count({tile, side}) ? goal : kept}, k});
         }
         for (int t = 0; t < 3; ++t) {
           if (here.tiles.topology.neighbour(tile, t) < tile) continue;  // each edge once
-          if (std::abs(fold_(tile, t)) > sharp) local.push_back({{tile, t, Side::front}, k});
+          if (std::abs(fold_(tile, t)) > sharp) local.push_back({{tile, t, Side::front, 0}, k});
         }
       }
       if (local.empty()) continue;
@@ -148,8 +151,11 @@ std::vector<Relief::Row> Relief::rows(const DesignGeometry& here, const PinSides
   std::vector<Row> out;
   for (auto& [need, row] : found) {
     row.value = value(need, here.tiles, here.truncation, need.tile);
-    // Sides that are not asked for must not lose what they have.
-    if (need.edge < 0 && !asked.count({need.tile, need.side})) row.value = std::max(0.0, row.value);
+    // Sides out of reach must not lose what they have.
+    if (need.edge < 0 && !asked.count({need.tile, need.side}) &&
+        small.count({need.tile, need.side})) {
+      row.value = std::max(0.0, row.value);
+    }
     out.push_back(std::move(row));
   }
   return out;
@@ -220,26 +226,31 @@ std::vector<int> vertices_around(const PinSides& sides, const TriangleMesh& mesh
 }
 
 TriangleMesh Relief::lift(PinSides& asked) const {
+  const PinSides small = asked;
   const std::vector<int> vertices = vertices_around(asked, target_);
   TriangleMesh mesh = target_;
   DesignGeometry here = geometry(mesh);
   for (int round = 1; !asked.empty(); ++round) {
     if (!keep_going(progress_, "making room for pins", -1)) throw Cancelled();
-    TriangleMesh next = mesh;
-    const bool moved = step(rows(here, asked, vertices), vertices, next);
-    DesignGeometry there;
+    const bool moved = step(rows(here, small, asked, vertices), vertices, mesh);
     try {
-      there = geometry(next);
+      here = geometry(mesh);
     } catch (const InfeasibleDesign&) {  // a tile lost its back face
       asked.clear();
       break;
     }
-    mesh = std::move(next);
-    here = std::move(there);
-    if (moved && round % patience != 0) continue;
-    const std::size_t before = asked.size();
-    for (const SmallPin& pin : here.pin_bounds.small) asked.erase({pin.tile, pin.side});
-    if (asked.size() == before) return mesh;
+    PinSides reached = asked;
+    bool spoiled = false;
+    for (const SmallPin& pin : here.pin_bounds.small) {
+      reached.erase({pin.tile, pin.side});
+      spoiled = spoiled || !small.count({pin.tile, pin.side});
+    }
+    const bool last = !moved || round % patience == 0;
+    if (reached.size() == asked.size() && (last || !spoiled)) return mesh;
+    if (!last) continue;
+    asked = std::move(reached);  // once more, without what moved for the others
+    mesh = target_;
+    here = geometry(mesh);
   }
   return target_;
 }
