@@ -204,10 +204,7 @@ bool InteriorPoint::solve_step(const LayoutState& state, double mu, Linearizatio
     if (!factorized) damping = std::max(1e-6, 10 * damping);
   }
   if (!factorized) return false;
-  const Eigen::VectorXd solution =
-      cholesky.solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
-  step.state =
-      Eigen::Map<const LayoutState>(solution.data(), model_.tile_count(), unknowns_per_tile);
+  step.state = at.matrix.solve(cholesky, right);
 
   step.primal_length = step.dual_length = 1;
   step.decrease = (at.gradient.array() * step.state.array()).sum();
@@ -294,7 +291,7 @@ InteriorPointOutcome InteriorPoint::run(LayoutState& state, double mu_start, dou
   const double span = std::log(mu_start / mu_end);
   prepare(state, mu);
   Linearization at(model_.tile_count(), energies_, constraints_);
-  SparseCholesky cholesky;
+  SparseCholesky cholesky(Ordering::as_given);
   Step step;
   LayoutState trial;
   Vectors trial_slack = slack_;

@@ -5,15 +5,36 @@
 
 namespace curveups {
 
+void NormalMatrix::rank_tiles(const std::vector<const BlockFunction*>& functions) {
+  std::vector<std::vector<int>> above(rank_.size());
+  for (const BlockFunction* function : functions) {
+    for (int b = 0; b < function->block_count(); ++b) {
+      const auto [i, j] = function->tiles(b);
+      if (j >= 0) above[std::min(i, j)].push_back(std::max(i, j));
+    }
+  }
+  for (std::vector<int>& row : above) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+  }
+  const std::vector<int> order = elimination_order(above);
+  for (std::size_t k = 0; k < order.size(); ++k) rank_[order[k]] = static_cast<int>(k);
+}
+
 NormalMatrix::NormalMatrix(int tile_count, const std::vector<const BlockFunction*>& functions)
-    : diagonal_(tile_count) {
+    : rank_(tile_count), diagonal_(tile_count) {
   constexpr int n = unknowns_per_tile;
+  rank_tiles(functions);
+  auto ranks = [&](const BlockFunction& function, int block) {
+    const auto [i, j] = function.tiles(block);
+    return std::array<int, 2>{rank_[i], j < 0 ? -1 : rank_[j]};
+  };
   auto before = [](const Pair& a, const Pair& b) {
     return a.low != b.low ? a.low < b.low : a.high < b.high;
   };
   for (const BlockFunction* function : functions) {
     for (int b = 0; b < function->block_count(); ++b) {
-      const auto [i, j] = function->tiles(b);
+      const auto [i, j] = ranks(*function, b);
       if (j >= 0) pairs_.push_back({std::max(i, j), std::min(i, j)});
     }
   }
@@ -26,7 +47,7 @@ NormalMatrix::NormalMatrix(int tile_count, const std::vector<const BlockFunction
   for (const BlockFunction* function : functions) {
     std::vector<std::array<int, 3>> slots(function->block_count());
     for (int b = 0; b < function->block_count(); ++b) {
-      const auto [i, j] = function->tiles(b);
+      const auto [i, j] = ranks(*function, b);
       int pair = -1;
       if (j >= 0) {
         const Pair key{std::max(i, j), std::min(i, j)};
@@ -117,6 +138,20 @@ const SparseMatrix& NormalMatrix::assemble(double damping, double floor) {
     p = end;
   }
   return matrix_;
+}
+
+LayoutState NormalMatrix::solve(const SparseCholesky& cholesky, const LayoutState& right) const {
+  LayoutState ranked(right.rows(), unknowns_per_tile), out(right.rows(), unknowns_per_tile);
+  for (std::size_t i = 0; i < rank_.size(); ++i) {
+    ranked.row(rank_[i]) = right.row(static_cast<Eigen::Index>(i));
+  }
+  const Eigen::VectorXd solution =
+      cholesky.solve(Eigen::Map<const Eigen::VectorXd>(ranked.data(), ranked.size()));
+  ranked = Eigen::Map<const LayoutState>(solution.data(), right.rows(), unknowns_per_tile);
+  for (std::size_t i = 0; i < rank_.size(); ++i) {
+    out.row(static_cast<Eigen::Index>(i)) = ranked.row(rank_[i]);
+  }
+  return out;
 }
 
 }  // namespace curveups

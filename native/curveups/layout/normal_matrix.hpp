@@ -22,17 +22,23 @@ class NormalMatrix {
   void add(const NormalMatrix& other);
   // Adds to one unknown's diagonal entry.
   void add_diagonal(int tile, int unknown, double value) {
-    diagonal_[tile](unknown, unknown) += value;
+    diagonal_[rank_[tile]](unknown, unknown) += value;
   }
 
-  // The lower triangle, its diagonal entries d replaced by d (1 + damping) + floor.
+  // The lower triangle, its diagonal entries d replaced by d (1 + damping) + floor. Tiles come in
+  // an elimination_order: factorize with Ordering::as_given and use solve.
   const SparseMatrix& assemble(double damping, double floor);
+  // With the factorization of what was assembled.
+  LayoutState solve(const SparseCholesky& cholesky, const LayoutState& right) const;
 
  private:
   using Block = Eigen::Matrix<double, unknowns_per_tile, unknowns_per_tile>;
   struct Pair {
     int high, low;  // block row and column
   };
+  void rank_tiles(const std::vector<const BlockFunction*>& functions);
+
+  std::vector<int> rank_;    // of tiles in the order of elimination: all that follows goes by it
   std::vector<Pair> pairs_;  // sorted by column, then row
   std::vector<std::vector<std::array<int, 3>>>
       slots_;  // per function and block: first, second, pair
