@@ -10,10 +10,9 @@ import multiprocessing
 import subprocess
 import sys
 import tempfile
-import zipfile
-from collections import Counter
 from pathlib import Path
-from xml.etree import ElementTree
+
+from read_back import read_back
 
 MESHES = (".obj", ".stl", ".ply", ".off")
 STAGES = ("remesh", "relief", "flatten", "layout", "verify", "refine", "solids", "check", "export")
@@ -78,7 +77,7 @@ def _run(name: str, target: str) -> dict:
         found = json.loads(report.read_text(encoding="utf-8"))
         # In a process of its own: what a parent has used counts as its children's peak memory.
         with multiprocessing.Pool(1) as reader:
-            unreadable = reader.apply(_read_back, (Path(folder), found))
+            unreadable = reader.apply(read_back, (Path(folder), found))
     seconds = {stage["name"]: stage["seconds"] for stage in found["stages"]}
     design = [s for s in ("remesh", "relief", "flatten", "layout", "verify", "refine") if s in seconds]
     return {
@@ -88,62 +87,6 @@ def _run(name: str, target: str) -> dict:
                              if found["valid"] else None),
         "seconds_files": seconds.get("export"), "peak_memory_mb": found["peak_memory_mb"],
     }
-
-
-def _read_back(folder: Path, report: dict) -> list[str]:
-    """Reads the files of all bodies as somebody else would; what is wrong with them."""
-    from curveups import freecad_session
-
-    _, part, mesh = freecad_session.load("Part", "Mesh")
-    volumes = {"tiles": report["print"]["tile_volume_cm3"],
-               "support": report["print"]["support_volume_cm3"],
-               "anchors": report["print"]["anchor_volume_cm3"]}
-    wrong, bodies = [], 0
-    for kind, volume in volumes.items():
-        if not volume:
-            continue
-        facets = mesh.Mesh(str(folder / f"{report['name']}-{kind}.stl"))
-        if not facets.isSolid():
-            wrong.append(f"{kind}.stl is not watertight")
-        components = facets.countComponents()
-        if kind == "tiles" and components != report["tiles"]:
-            wrong.append(f"tiles.stl has {components} components")
-        bodies += components
-        solids = part.read(str(folder / f"{report['name']}-{kind}.step")).Solids
-        wrong += _wrong_solids(f"{kind}.step", solids, components, 1000 * volume)
-    if bodies != report["print"]["bodies"]:
-        wrong.append(f"the STL files have {bodies} components")
-    solids = part.read(str(folder / f"{report['name']}-print.step")).Solids
-    wrong += _wrong_solids("print.step", solids, bodies, 1000 * sum(volumes.values()))
-    return wrong + _wrong_3mf(folder / f"{report['name']}-print.3mf", bodies)
-
-
-def _wrong_solids(file: str, solids: list, count: int, expected: float) -> list[str]:
-    volume = sum(solid.Volume for solid in solids)
-    wrong = [] if len(solids) == count else [f"{file} has {len(solids)} solids, not {count}"]
-    if abs(volume - expected) > 1e-8 * expected:
-        wrong.append(f"{file} holds {volume:.3f} mm3, not {expected:.3f}")
-    return wrong
-
-
-def _wrong_3mf(path: Path, bodies: int) -> list[str]:
-    """Objects of a 3MF: one a body, each with its own name, every edge between two triangles."""
-    space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
-    names, leaky = set(), 0
-    with zipfile.ZipFile(path) as archive, archive.open("3D/3dmodel.model") as model:
-        for _, item in ElementTree.iterparse(model):
-            if item.tag != space + "object":
-                continue
-            names.add(item.get("name"))
-            edges = Counter()
-            for triangle in item.iter(space + "triangle"):
-                a, b, c = (triangle.get(corner) for corner in ("v1", "v2", "v3"))
-                edges.update(((a, b), (b, c), (c, a)))
-            leaky += not edges or any(count != 1 or edges[b, a] != 1
-                                      for (a, b), count in list(edges.items()))
-            item.clear()
-    return ([f"3mf has {len(names)} names, not {bodies}"] if len(names) != bodies else []) + (
-        [f"{leaky} objects of the 3mf are not watertight"] if leaky else [])
 
 
 def _line(row: dict) -> str:

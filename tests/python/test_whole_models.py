@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whole built-in models through the pipeline: every file read back as others read it, and figures of
+the report measured anew by OpenCASCADE."""
+
+import json
+import sys
+
+import pytest
+from running import ROOT
+from schema import check_report
+
+sys.path.insert(0, str(ROOT / "tools"))
+
+from read_back import read_back  # noqa: E402
+
+MODELS = {  # at a large L, so that they are small
+    "mask": ("L=24",),  # two holes, which its slab has as well; bumps
+    "saddle": ("L=24", "bumps=dimples", "support=breakaway"),
+}
+
+
+@pytest.fixture(scope="module", params=MODELS)
+def whole(request, curveups, tmp_path_factory):
+    """The folder of a finished model and its report."""
+    folder = tmp_path_factory.mktemp(request.param)
+    settings = [word for setting in MODELS[request.param] for word in ("--set", setting)]
+    ran = curveups("design", request.param, "-o", folder, "--quiet", *settings)
+    assert ran.status == 0, ran.err
+    return folder, json.loads((folder / "report.json").read_text(encoding="utf-8"))
+
+
+def test_every_solid_is_sound_and_every_mesh_watertight(whole):
+    folder, report = whole
+    check_report(report)
+    assert report["valid"] is True and report["solids"]["invalid"] == 0
+    assert report["constraints"]["overlaps"] == 0
+    assert not any(warning.get("kind") in ("bare_interface", "loose") for warning in report["warnings"])
+    # BRepCheck, closed, as many solids as bodies, volumes within 1e-9 of the analytic ones.
+    assert read_back(folder, report, check=True) == []
+
+
+def test_figures_are_those_of_the_solids(whole):
+    """Distances of flat neighbours and what actuated ones have in common, from the STEP files."""
+    from curveups import freecad_session
+
+    folder, report = whole
+    _, part = freecad_session.load("Part")
+    design = json.loads((folder / "design.json").read_text(encoding="utf-8"))
+    parameters, figures = design["parameters"], report["solids"]
+    # Recessed walls make up for the bumps on them; dimples are not recessed.
+    bump = 0 if parameters["bumps"] == "bumps" else parameters["bump_height"]
+    assert figures["min_clearance_flat_mm"] >= parameters["d_gap_min"] - bump - 1e-6
+    assert figures["max_overlap_actuated_mm3"] <= 1e-6
+
+    owner, contacts = {}, []
+    for i, face in enumerate(design["F"]):
+        for edge in zip(face, face[1:] + face[:1]):
+            if edge[::-1] in owner:
+                contacts.append((owner[edge[::-1]], i))
+            owner[edge] = i
+    flat = part.read(str(folder / f"{report['name']}-tiles.step")).Solids
+    actuated = part.read(str(folder / f"{report['name']}-actuated.step")).Solids
+    assert len(flat) == len(actuated) == len(design["F"])
+    for a, b in contacts[::6]:
+        assert flat[a].distToShape(flat[b])[0] >= figures["min_clearance_flat_mm"] - 1e-6
+        assert actuated[a].distToShape(actuated[b])[0] <= 1e-6  # they touch
+        assert actuated[a].common(actuated[b]).Volume <= 1e-6

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reads the files of all bodies as somebody else would: STEP through OpenCASCADE, meshes facet by facet."""
+
+from __future__ import annotations
+
+import zipfile
+from collections import Counter
+from pathlib import Path
+from xml.etree import ElementTree
+
+
+def read_back(folder: Path, report: dict, check: bool = False) -> list[str]:
+    """What is wrong with the files of a finished design; `check`: BRepCheck on every solid as well."""
+    from curveups import freecad_session
+
+    _, part, mesh = freecad_session.load("Part", "Mesh")
+    volumes = {"tiles": report["print"]["tile_volume_cm3"],
+               "support": report["print"]["support_volume_cm3"],
+               "anchors": report["print"]["anchor_volume_cm3"]}
+    wrong, bodies = [], 0
+    for kind, volume in volumes.items():
+        if not volume:
+            continue
+        facets = mesh.Mesh(str(folder / f"{report['name']}-{kind}.stl"))
+        if not facets.isSolid():
+            wrong.append(f"{kind}.stl is not watertight")
+        components = facets.countComponents()
+        if kind == "tiles" and components != report["tiles"]:
+            wrong.append(f"tiles.stl has {components} components")
+        bodies += components
+        solids = part.read(str(folder / f"{report['name']}-{kind}.step")).Solids
+        wrong += _wrong_solids(f"{kind}.step", solids, components, check)
+        wrong += _wrong_volume(f"{kind}.step", solids, 1000 * volume)
+    if bodies != report["print"]["bodies"]:
+        wrong.append(f"the STL files have {bodies} components")
+    solids = part.read(str(folder / f"{report['name']}-print.step")).Solids
+    wrong += _wrong_solids("print.step", solids, bodies, False)  # the same text as the others
+    wrong += _wrong_volume("print.step", solids, 1000 * sum(volumes.values()))
+    solids = part.read(str(folder / f"{report['name']}-actuated.step")).Solids
+    wrong += _wrong_solids("actuated.step", solids, report["tiles"], check)
+    return wrong + _wrong_3mf(folder / f"{report['name']}-print.3mf", bodies)
+
+
+def _wrong_solids(file: str, solids: list, count: int, check: bool) -> list[str]:
+    wrong = [] if len(solids) == count else [f"{file} has {len(solids)} solids, not {count}"]
+    if not all(solid.isClosed() for solid in solids):
+        wrong.append(f"{file} has open solids")
+    if check and not all(solid.isValid() for solid in solids):
+        wrong.append(f"{file} has invalid solids")
+    return wrong
+
+
+def _wrong_volume(file: str, solids: list, expected: float) -> list[str]:
+    volume = sum(solid.Volume for solid in solids)
+    if abs(volume - expected) <= 1e-9 * expected:
+        return []
+    return [f"{file} holds {volume:.9f} mm3, not {expected:.9f}"]
+
+
+def _wrong_3mf(path: Path, bodies: int) -> list[str]:
+    """Objects of a 3MF: one a body, each with its own name, every edge between two triangles."""
+    space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+    names, leaky = set(), 0
+    with zipfile.ZipFile(path) as archive, archive.open("3D/3dmodel.model") as model:
+        for _, item in ElementTree.iterparse(model):
+            if item.tag != space + "object":
+                continue
+            names.add(item.get("name"))
+            edges = Counter()
+            for triangle in item.iter(space + "triangle"):
+                a, b, c = (triangle.get(corner) for corner in ("v1", "v2", "v3"))
+                edges.update(((a, b), (b, c), (c, a)))
+            leaky += not edges or any(count != 1 or edges[b, a] != 1
+                                      for (a, b), count in list(edges.items()))
+            item.clear()
+    return ([f"3mf has {len(names)} names, not {bodies}"] if len(names) != bodies else []) + (
+        [f"{leaky} objects of the 3mf are not watertight"] if leaky else [])
