@@ -132,6 +132,7 @@ PlanarMesh mesh_polygon(const std::vector<Vec2>& boundary,
   for (int i = 0; i < n; ++i) triangulation.insert_constraint(corner[i], corner[(i + 1) % n]);
   CGAL::Delaunay_mesher_no_edge_refinement_2<Triangulation, GradedCriteria> mesher(
       triangulation, GradedCriteria(&size));
+  mesher.clear_seeds();  // CGAL 5.5 leaves their mark uninitialised, and reads it
   mesher.refine_mesh();
 
   PlanarMesh mesh;

@@ -3,10 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "curveups/core/errors.hpp"
 
 namespace curveups {
+
+namespace {
+constexpr double jacobi_damping = 0.6;
+}
 
 bool MembraneEquilibrium::newton_direction(const Points3& x, Points3& gradient,
                                            Points3& direction) {
@@ -36,8 +41,18 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
                                          const Progress& progress, const std::string& what) {
   const std::vector<int>& index = energy_.free_index();
   MembraneState state;
-  state.x = start;
-  state.energy = energy_.gradient(state.x, state.gradient);
+  state.energy = std::numeric_limits<double>::infinity();
+  Points3 x = start, gradient, direction;
+  for (int sweep = 0; sweep <= options.sweeps; ++sweep) {
+    const bool last = sweep == options.sweeps;
+    const double energy =
+        last ? energy_.gradient(x, gradient) : energy_.jacobi_direction(x, gradient, direction);
+    if (!(energy < state.energy)) break;
+    state.x = x;
+    state.energy = energy;
+    std::swap(state.gradient, gradient);
+    if (!last) x += jacobi_damping * direction;
+  }
   if (!std::isfinite(state.energy)) {
     throw SolverFailure("a membrane triangle has no area in the actuated shape",
                         "use the tension-field model");
@@ -59,7 +74,6 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
   };
   measure();
   if (energy_.free_count() == 0) return state;
-  Points3 direction, gradient;
   while (!state.converged && state.iterations < options.max_iterations) {
     if (!keep_going(progress, what)) return state;
     if (!newton_direction(state.x, gradient, direction)) break;
@@ -68,10 +82,10 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
     const double rounding = 1e-13 * std::abs(state.energy);
     bool accepted = false;
     for (double length = 1; length > 1e-8 && !accepted; length *= 0.5) {
-      Points3 x = state.x + length * direction;
+      x = state.x + length * direction;
       const double energy = energy_.gradient(x, gradient);
       if (energy <= state.energy + 1e-4 * length * slope + rounding) {
-        state.x = std::move(x);
+        state.x = x;
         state.energy = energy;
         std::swap(state.gradient, gradient);
         accepted = true;

@@ -25,6 +25,20 @@ std::array<Eigen::Vector2d, 3> shape_gradients(const Eigen::Matrix2d& inverse) {
   return {-b1 - b2, b1, b2};
 }
 
+// What a triangle adds to the gradient by its vertex v with shape gradient b.
+void add_pull(Points3& gradient, int v, double factor, const Eigen::Vector2d& b,
+              const Vector6& stress) {
+  gradient.row(v) += factor * (b.x() * stress.head<3>() + b.y() * stress.tail<3>()).transpose();
+}
+
+// Second derivatives by one vertex.
+Eigen::Matrix3d vertex_block(const Matrix6& hessian, const Eigen::Vector2d& b) {
+  const Eigen::Matrix3d mixed = hessian.topRightCorner<3, 3>();
+  return b.x() * b.x() * hessian.topLeftCorner<3, 3>() +
+         b.x() * b.y() * (mixed + mixed.transpose()) +
+         b.y() * b.y() * hessian.bottomRightCorner<3, 3>();
+}
+
 }  // namespace
 
 MembraneEnergy::MembraneEnergy(const MembraneMesh& mesh, const Points2& flat, double tau,
@@ -177,9 +191,7 @@ double MembraneEnergy::gradient(const Points3& x, Points3& gradient) const {
     sum += e.weight * d.value;
     const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
     for (int v = 0; v < 3; ++v) {
-      gradient.row(e.vertex[v]) +=
-          stiffness_ * e.weight *
-          (b[v].x() * d.gradient.head<3>() + b[v].y() * d.gradient.tail<3>()).transpose();
+      add_pull(gradient, e.vertex[v], stiffness_ * e.weight, b[v], d.gradient);
     }
   }
   return stiffness_ * sum;
@@ -198,10 +210,7 @@ double MembraneEnergy::hessian(const Points3& x, Points3& gradient, SparseMatrix
     const double factor = stiffness_ * e.weight;
     sum += e.weight * d.value;
     const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
-    for (int v = 0; v < 3; ++v) {
-      gradient.row(e.vertex[v]) +=
-          factor * (b[v].x() * d.gradient.head<3>() + b[v].y() * d.gradient.tail<3>()).transpose();
-    }
+    for (int v = 0; v < 3; ++v) add_pull(gradient, e.vertex[v], factor, b[v], d.gradient);
     if (projected) d.hessian = positive_part(d.hessian);
     const Eigen::Matrix3d h11 = d.hessian.topLeftCorner<3, 3>(),
                           h12 = d.hessian.topRightCorner<3, 3>(),
@@ -210,9 +219,7 @@ double MembraneEnergy::hessian(const Points3& x, Points3& gradient, SparseMatrix
       const int a = free_index_[e.vertex[k]];
       if (a < 0) continue;
       const Eigen::Vector2d s = b[k];
-      const Eigen::Matrix3d block =
-          factor *
-          (s.x() * s.x() * h11 + s.x() * s.y() * (h12 + h12.transpose()) + s.y() * s.y() * h22);
+      const Eigen::Matrix3d block = factor * vertex_block(d.hessian, s);
       for (int c = 0; c < 3; ++c) {
         for (int r = c; r < 3; ++r) values[outer[3 * a + c] + r - c] += block(r, c);
       }
@@ -229,6 +236,34 @@ double MembraneEnergy::hessian(const Points3& x, Points3& gradient, SparseMatrix
         for (int r = 0; r < 3; ++r) to[r] += pair(r, c);
       }
     }
+  }
+  return stiffness_ * sum;
+}
+
+double MembraneEnergy::jacobi_direction(const Points3& x, Points3& gradient,
+                                        Points3& direction) const {
+  gradient.setZero(x.rows(), 3);
+  direction.setZero(x.rows(), 3);
+  std::vector<Eigen::Matrix3d> blocks(free_count_, Eigen::Matrix3d::Zero());
+  double sum = 0;
+  for (const Element& e : elements_) {
+    Density d = density(deformation(e, x), true);
+    const double factor = stiffness_ * e.weight;
+    sum += e.weight * d.value;
+    // The other density is convex.
+    if (material_.model == MembraneModel::neo_hookean) d.hessian = positive_part(d.hessian);
+    const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
+    for (int v = 0; v < 3; ++v) {
+      add_pull(gradient, e.vertex[v], factor, b[v], d.gradient);
+      const int a = free_index_[e.vertex[v]];
+      if (a >= 0) blocks[a] += factor * vertex_block(d.hessian, b[v]);
+    }
+  }
+  for (std::size_t v = 0; v < free_index_.size(); ++v) {
+    if (free_index_[v] < 0) continue;
+    Eigen::Matrix3d& block = blocks[free_index_[v]];
+    block.diagonal().array() += 1e-9 * block.trace();
+    direction.row(v) = -block.llt().solve(gradient.row(v).transpose()).transpose();
   }
   return stiffness_ * sum;
 }

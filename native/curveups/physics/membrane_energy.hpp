@@ -46,6 +46,9 @@ class MembraneEnergy {
   // Lower triangle over the free unknowns; the pattern never changes. `projected`: the nearest
   // positive semidefinite matrix in each triangle.
   double hessian(const Points3& x, Points3& gradient, SparseMatrix& lower, bool projected) const;
+  // A sweep of Jacobi's method: per free vertex minus the inverse of its own block of the Hessian
+  // times its gradient; zero for glued ones. Returns the energy at x.
+  double jacobi_direction(const Points3& x, Points3& gradient, Points3& direction) const;
   // Scalar Laplacian over the free vertices and the harmonic positions it gives to them, glued ones
   // fixed: the minimum of sum A |F|^2.
   Points3 harmonic(const Points3& glued) const;

@@ -143,6 +143,45 @@ TEST(Equilibrium, DerivativesMatchFiniteDifferences) {
   }
 }
 
+TEST(Equilibrium, SweepsLowerTheEnergyAndChangeNothingInTheEnd) {
+  const Sheet sheet = make_sheet(5, 4, 0.5);
+  for (MembraneModel model : {MembraneModel::tension_field, MembraneModel::neo_hookean}) {
+    MembraneEquilibrium equilibrium(sheet.mesh, sheet.flat, 3, {0.72, 0.5, model, 1e-4});
+    const MembraneEnergy& energy = equilibrium.energy();
+    std::mt19937 generator(3);
+    std::uniform_real_distribution<double> uniform(-0.1, 0.1);
+    Points3 start(sheet.flat.rows(), 3);
+    for (int v = 0; v < start.rows(); ++v) {
+      start.row(v) << sheet.flat(v, 0), sheet.flat(v, 1), 0;
+      if (sheet.mesh.pin[v] < 0) start(v, 2) = uniform(generator);
+    }
+    // A sweep solves with the Hessian's block of each vertex.
+    Points3 gradient, direction;
+    SparseMatrix lower;
+    energy.jacobi_direction(start, gradient, direction);
+    energy.hessian(start, gradient, lower, false);
+    const Eigen::MatrixXd full = Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
+    for (int v = 0; v < start.rows(); ++v) {
+      const int f = energy.free_index()[v];
+      if (f < 0) {
+        EXPECT_EQ(direction.row(v).norm(), 0);
+      } else {
+        const Vec3 left = full.block<3, 3>(3 * f, 3 * f) * direction.row(v).transpose() +
+                          gradient.row(v).transpose();
+        EXPECT_LT(left.norm(), 1e-6 * gradient.row(v).norm());
+      }
+    }
+    EXPECT_LT(energy.value(start + 0.6 * direction), energy.value(start));
+    EquilibriumOptions options;
+    const MembraneState with = equilibrium.solve(start, options);
+    options.sweeps = 0;
+    const MembraneState without = equilibrium.solve(start, options);
+    EXPECT_TRUE(with.converged && without.converged);
+    EXPECT_LT((with.x - without.x).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_LE(with.iterations, without.iterations);
+  }
+}
+
 TEST(Equilibrium, RefusesImpossibleMaterials) {
   const Sheet sheet = make_sheet(2, 2, 1.0);
   EXPECT_THROW(
