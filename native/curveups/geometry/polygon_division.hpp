@@ -13,7 +13,8 @@ namespace curveups {
 // counter-clockwise polygons of at most `most_corners` (three or more) points, none of which visits
 // a point twice: they have no holes and touch themselves nowhere. Every edge of a loop is an edge
 // of exactly one polygon, every other edge belongs to two, in opposite directions. Edges over
-// which a triangle is low go first: needles vanish, and short edges between neighbouring loops stay.
+// which a triangle is low go first: needles vanish, and short edges between neighbouring loops
+// stay.
 std::vector<std::vector<int>> divide_region(const std::vector<Vec2>& points,
                                             const std::vector<std::vector<int>>& loops,
                                             int most_corners);
