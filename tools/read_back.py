@@ -17,6 +17,11 @@ def read_back(folder: Path, report: dict, check: bool = False) -> list[str]:
     volumes = {"tiles": report["print"]["tile_volume_cm3"],
                "support": report["print"]["support_volume_cm3"],
                "anchors": report["print"]["anchor_volume_cm3"]}
+
+    def step(kind: str, count: int, volume: float | None, check: bool) -> list[str]:
+        solids = part.read(str(folder / f"{report['name']}-{kind}.step")).Solids
+        return [f"{kind}.step {what}" for what in _wrong_solids(solids, count, volume, check)]
+
     wrong, bodies = [], 0
     for kind, volume in volumes.items():
         if not volume:
@@ -28,33 +33,24 @@ def read_back(folder: Path, report: dict, check: bool = False) -> list[str]:
         if kind == "tiles" and components != report["tiles"]:
             wrong.append(f"tiles.stl has {components} components")
         bodies += components
-        solids = part.read(str(folder / f"{report['name']}-{kind}.step")).Solids
-        wrong += _wrong_solids(f"{kind}.step", solids, components, check)
-        wrong += _wrong_volume(f"{kind}.step", solids, 1000 * volume)
+        wrong += step(kind, components, 1000 * volume, check)
     if bodies != report["print"]["bodies"]:
         wrong.append(f"the STL files have {bodies} components")
-    solids = part.read(str(folder / f"{report['name']}-print.step")).Solids
-    wrong += _wrong_solids("print.step", solids, bodies, False)  # the same text as the others
-    wrong += _wrong_volume("print.step", solids, 1000 * sum(volumes.values()))
-    solids = part.read(str(folder / f"{report['name']}-actuated.step")).Solids
-    wrong += _wrong_solids("actuated.step", solids, report["tiles"], check)
+    wrong += step("print", bodies, 1000 * sum(volumes.values()), False)  # the others' bodies again
+    wrong += step("actuated", report["tiles"], None, check)
     return wrong + _wrong_3mf(folder / f"{report['name']}-print.3mf", bodies)
 
 
-def _wrong_solids(file: str, solids: list, count: int, check: bool) -> list[str]:
-    wrong = [] if len(solids) == count else [f"{file} has {len(solids)} solids, not {count}"]
+def _wrong_solids(solids: list, count: int, expected: float | None, check: bool) -> list[str]:
+    wrong = [] if len(solids) == count else [f"has {len(solids)} solids, not {count}"]
     if not all(solid.isClosed() for solid in solids):
-        wrong.append(f"{file} has open solids")
+        wrong.append("has open solids")
     if check and not all(solid.isValid() for solid in solids):
-        wrong.append(f"{file} has invalid solids")
-    return wrong
-
-
-def _wrong_volume(file: str, solids: list, expected: float) -> list[str]:
+        wrong.append("has invalid solids")
     volume = sum(solid.Volume for solid in solids)
-    if abs(volume - expected) <= 1e-9 * expected:
-        return []
-    return [f"{file} holds {volume:.9f} mm3, not {expected:.9f}"]
+    if expected is not None and abs(volume - expected) > 1e-9 * expected:
+        wrong.append(f"holds {volume:.9f} mm3, not {expected:.9f}")
+    return wrong
 
 
 def _wrong_3mf(path: Path, bodies: int) -> list[str]:
