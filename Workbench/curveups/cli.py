@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+import traceback
 from pathlib import Path
 from typing import Optional
 
@@ -137,7 +138,7 @@ def main(arguments: Optional[list[str]] = None) -> int:
     try:
         return run(arguments)
     except CurveUpsError as error:
-        print(f"curveups: error: {error}", file=sys.stderr)
+        _tell(str(error))
         return error.status
     except (Stopped, KeyboardInterrupt):
         print("curveups: stopped", file=sys.stderr)
@@ -145,9 +146,20 @@ def main(arguments: Optional[list[str]] = None) -> int:
     except BrokenPipeError:
         return NOT_WRITTEN
     except MemoryError:
-        print("curveups: error: there is not enough memory: use larger tiles or a smaller target",
-              file=sys.stderr)
+        _tell("there is not enough memory: use larger tiles or a smaller target")
         return BAD_INPUT
+    except Exception as error:  # otherwise Python would end with status 1, which means "not valid"
+        text = " ".join(str(error).split())
+        _tell(f"unexpected {type(error).__name__}{f' ({text})' if text else ''}: please report it, with "
+              "what CURVEUPS_DEBUG=1 shows")
+        return BAD_INPUT
+
+
+def _tell(text: str) -> None:
+    """An error's one line; behind its traceback where CURVEUPS_DEBUG=1 asks for that."""
+    if os.environ.get("CURVEUPS_DEBUG") == "1":
+        traceback.print_exc()
+    print(f"curveups: error: {text}", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -148,9 +148,10 @@ def _request(options: Any, session: Session) -> pipeline.Request:
     if not values.get("verify"):
         values.set("repair", False)
     name = options.target
-    deflection = 0.0005 * values.get("L")  # a tenth of what remeshing may move a vertex
+    # A tenth of what remeshing may move a vertex, in the target's own coordinates: they are scaled later.
+    deflection = 0.0005 * values.get("L") / values.get("scale")
     if name in dict(native.builtin_targets()):
-        V, F = native.builtin_target(name, deflection)
+        V, F = native.builtin_target(name, min(max(deflection, 1e-4), 1.0))
         return pipeline.Request(safe_name(name), V, F, values, where=name)
     from . import freecad_io
 
@@ -173,9 +174,11 @@ def _read_design(path: Path) -> Any:
         raise CurveUpsError("the design is no text", str(path),
                             "give a design.json of 'curveups design'") from None
     try:
-        return native.read_design(text)
+        found = native.read_design(text)
     except native.Error as error:
         raise from_native(error, str(path)) from None
+    found.name = safe_name(found.name)  # files are named after it
+    return found
 
 
 def _settings(texts: list[str]):
@@ -191,6 +194,9 @@ def _set(values: Any, name: str, value: Any, where: str) -> None:
         values.set(name, value)
     except native.Error as error:
         raise from_native(error, where) from None
+    except RuntimeError:  # a number beyond those that the native module takes
+        raise CurveUpsError(f"{name} can't have this value", where,
+                            "give one within the range that 'curveups parameters' says") from None
 
 
 def _default(row: Any) -> str:

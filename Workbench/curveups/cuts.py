@@ -89,7 +89,7 @@ def _polylines(rows, where: str) -> list[np.ndarray]:
     for row in rows if isinstance(rows, list) else [None]:
         try:
             line = np.array(row, float)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             line = np.zeros(0)
         if line.ndim != 2 or line.shape[1] != 3 or len(line) < 2 or not np.isfinite(line).all():
             raise CurveUpsError("a polyline has to have two or more points of three numbers",

@@ -70,10 +70,16 @@ def _write(folder: Folder, name: str, progress: Progress, writer: Callable[[str]
 
 def write_reports(outcome: Any, folder: Folder, software: dict[str, str] | None = None) -> None:
     """report.html, then report.json, which lists all files but itself."""
-    software = software or {}
-    html = build_html(outcome, build_report(outcome, folder.files, software))
-    folder.write_text("report.html", html)
-    folder.write_text("report.json", to_text(build_report(outcome, folder.files, software)))
+    report: dict[str, Any] = {}
+
+    def write_page(path: Path) -> None:
+        report.update(build_report(outcome, folder.files, software or {}))
+        path.write_bytes(build_html(outcome, report).encode("utf-8"))
+
+    folder.write("report.html", write_page)
+    if "print" in report:
+        report["print"]["files"] = dict(folder.files)
+    folder.write_text("report.json", to_text(report))
 
 
 def cuts_text(outcome: Any) -> str:

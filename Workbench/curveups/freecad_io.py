@@ -33,10 +33,14 @@ def read_target(path: Path, deflection: float) -> Mesh:
 
     `deflection` is the largest distance of the triangles from a CAD surface, mm.
     """
-    if not path.exists():
+    try:
+        there, file = path.exists(), path.is_file()
+    except OSError as error:
+        raise _unreadable(path, error) from error
+    if not there:
         raise CurveUpsError("no such target", str(path),
                             "give a file, or a built-in name from 'curveups targets'")
-    if not path.is_file():
+    if not file:
         raise CurveUpsError("the target is no file", str(path), f"give {FORMATS} file")
     reader = _READERS.get(path.suffix.lower())
     if reader is None:
@@ -47,8 +51,7 @@ def read_target(path: Path, deflection: float) -> Mesh:
             raise CurveUpsError("the file is empty", str(path), "export it again")
         V, F = reader(path, deflection)
     except OSError as error:
-        raise CurveUpsError(f"the file can't be read: {error.strerror or error}", str(path),
-                            "check its permissions") from error
+        raise _unreadable(path, error) from error
     except MemoryError:
         raise CurveUpsError("the file needs more memory than there is", str(path),
                             "simplify the mesh") from None
@@ -58,6 +61,11 @@ def read_target(path: Path, deflection: float) -> Mesh:
     if not np.isfinite(V).all():
         raise CurveUpsError("a vertex is not finite", str(path), "repair the mesh")
     return V, F
+
+
+def _unreadable(path: Path, error: OSError) -> CurveUpsError:
+    return CurveUpsError(f"the file can't be read: {error.strerror or error}", str(path),
+                         "check its name and permissions")
 
 
 def _read_stl(path: Path, _: float) -> Mesh:
@@ -89,7 +97,7 @@ def _read_ply(path: Path, _: float) -> Mesh:
         raise CurveUpsError("this is no PLY file", str(path), "export it again")
     if "format ascii" in header:
         _refuse_nan(data[end:], path)
-    announced = re.search(r"element\s+face\s+(\d+)", header)
+    announced = re.search(r"element\s+face\s+(\d{1,18})", header)
     V, F = _through_mesh(path)
     if announced and len(F) < int(announced[1]):
         raise CurveUpsError(
@@ -126,10 +134,14 @@ def _read_cad(path: Path, deflection: float) -> Mesh:
         raise CurveUpsError("FreeCAD can't read the file", str(path), "export it again") from error
     if not faces:
         raise CurveUpsError("the file holds no surface", str(path), "export the surface itself")
-    size = shape.BoundBox.DiagonalLength
-    mesh = mesh_part.meshFromShape(Shape=shape, LinearDeflection=max(deflection, 1e-5 * size),
-                                   AngularDeflection=0.2)
-    points, triangles = mesh.Topology
+    try:
+        size = shape.BoundBox.DiagonalLength
+        mesh = mesh_part.meshFromShape(Shape=shape, LinearDeflection=max(deflection, 1e-5 * size),
+                                       AngularDeflection=0.2)
+        points, triangles = mesh.Topology
+    except Exception as error:
+        raise CurveUpsError("FreeCAD can't make triangles of the surface", str(path),
+                            "mend the surface, or export it as a mesh") from error
     V = np.array([tuple(point) for point in points], float).reshape(-1, 3)
     return V, np.array(triangles, np.int32).reshape(-1, 3)
 

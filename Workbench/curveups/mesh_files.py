@@ -85,8 +85,9 @@ def read_3mf(path: Path) -> Mesh:
             if entry.file_size > MOST_BYTES:
                 raise CurveUpsError("the 3MF model is too large", str(path), "simplify the mesh")
             root = ElementTree.fromstring(archive.read(entry))
-    except (zipfile.BadZipFile, KeyError, zlib.error, EOFError, NotImplementedError,
-            RuntimeError, ElementTree.ParseError) as error:
+    except (zipfile.BadZipFile, LookupError, ValueError, zlib.error, EOFError,
+            NotImplementedError, RuntimeError, ElementTree.ParseError) as error:
+        # LookupError and ValueError: an encoding that is not known, or that the parser does not take.
         raise CurveUpsError(f"this is no readable 3MF file: {error}", str(path),
                             "export the file again") from None
     namespace = root.tag[: root.tag.find("}") + 1]
@@ -96,7 +97,7 @@ def read_3mf(path: Path) -> Mesh:
                             "export in millimetres")
     try:
         meshes = _3mf_meshes(root, namespace)
-    except (KeyError, ValueError, TypeError, IndexError, RecursionError) as error:
+    except (LookupError, ValueError, TypeError, OverflowError, RecursionError) as error:
         raise CurveUpsError(f"broken 3MF model: {error}", str(path),
                             "export the file again") from None
     parts_v, parts_f, offset = [], [], 0

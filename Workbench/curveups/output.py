@@ -9,23 +9,35 @@ import re
 from pathlib import Path
 from typing import Callable
 
-from .errors import NOT_WRITTEN, CurveUpsError
+from .errors import NOT_WRITTEN, CurveUpsError, Stopped
+
+
+LONGEST_NAME = 120  # characters, so that endings fit into the 255 of a file name
 
 
 def safe_name(text: str) -> str:
-    """`text` made safe for file names."""
-    return re.sub(r"[^A-Za-z0-9._-]+", "-", text).strip("-._") or "target"
+    """`text` made safe for file names: one part of a path, not hidden, not too long."""
+    return re.sub(r"[^A-Za-z0-9._-]+", "-", text).strip("-._")[:LONGEST_NAME] or "target"
 
 
 def require_folder_name(path: Path) -> None:
     """Refuses, before any work is done, a path that can't become a folder."""
     for place in (path, *path.parents):
-        if place.exists():
-            if not place.is_dir():
+        try:
+            there, folder = place.exists(), place.is_dir()
+        except OSError as error:  # a folder above may not be entered, or the name is too long
+            raise _unusable(path, error) from error
+        if there:
+            if not folder:
                 raise CurveUpsError(
                     "the output folder is a file" if place == path else "a file is in the way",
                     str(place), "name another folder with -o")
             return
+
+
+def _unusable(path: Path, error: OSError) -> CurveUpsError:
+    return CurveUpsError(f"the output folder can't be made: {error.strerror}", str(path),
+                         "choose a folder you may write to", NOT_WRITTEN)
 
 
 class Folder:
@@ -40,15 +52,14 @@ class Folder:
         self._made = self._make()
 
     def _make(self) -> list[Path]:
-        missing = [place for place in (self.path, *self.path.parents) if not place.exists()]
+        missing = []
         try:
+            missing = [place for place in (self.path, *self.path.parents) if not place.exists()]
             self.path.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             self._made = missing
             self._remove_made()
-            raise CurveUpsError(f"the output folder can't be made: {error.strerror}",
-                                str(self.path), "choose a folder you may write to",
-                                NOT_WRITTEN) from error
+            raise _unusable(self.path, error) from error
         return missing
 
     def _remove_made(self) -> None:
@@ -59,8 +70,15 @@ class Folder:
                 return
 
     def write(self, name: str, writer: Callable[[Path], None]) -> None:
-        """Calls `writer` with a temporary path of the same ending, then gives the file its name."""
-        temporary = self.path / f".{os.getpid()}-{name}"
+        """Calls `writer` with a temporary path of the same ending, then gives the file its name.
+
+        Whatever else keeps the file from being written ends with status 4 and says what is complete;
+        only a stop passes as it is.
+        """
+        if not name or name != os.path.basename(name):
+            raise CurveUpsError(f"'{name}' is no file name", str(self.path), "name it without slashes")
+        prefix = f".{os.getpid()}-{name}"
+        temporary = self.path / prefix
         try:
             try:
                 writer(temporary)
@@ -70,10 +88,10 @@ class Folder:
                 os.replace(temporary, self.path / name)
             finally:
                 # FreeCAD writes beside a name, under one that begins with it.
-                for left in self.path.glob(glob.escape(temporary.name) + "*"):
+                for left in self.path.glob(glob.escape(prefix) + "*"):
                     left.unlink(missing_ok=True)
-        except (OSError, CurveUpsError, RuntimeError) as error:
-            if isinstance(error, CurveUpsError) or type(error).__name__ == "Cancelled":
+        except Exception as error:
+            if isinstance(error, Stopped) or type(error).__name__ == "Cancelled":
                 raise
             self._fail(name, error)
         self.files[name] = size
@@ -83,10 +101,16 @@ class Folder:
         self.write(name, lambda path: path.write_bytes(text.encode("utf-8")))
 
     def _fail(self, name: str, error: Exception) -> None:
-        reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
+        remedy = "free space or choose another folder"
+        if isinstance(error, CurveUpsError):
+            reason, remedy = error.what, error.remedy or remedy
+        elif isinstance(error, MemoryError):
+            reason, remedy = "there is not enough memory", "use larger tiles or a smaller target"
+        else:
+            reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
         complete = f"complete are {', '.join(self.files)}" if self.files else "no file was made"
         if not self.files:
             self._remove_made()
         raise CurveUpsError(f"{name} could not be written: {reason}", str(self.path / name),
-                            f"free space or choose another folder; {complete}",
+                            f"{remedy}; {complete}",
                             NOT_WRITTEN) from error

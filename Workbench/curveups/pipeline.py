@@ -75,6 +75,7 @@ class Outcome:
     layout: Any = None                       # native LayoutResult
     verification: Any = None                 # native ValidationReport
     verify_note: str = ""                    # why there is none
+    verify_failure: str = ""                 # why there is none though it was wanted: not valid
     recheck: Any = None                      # native ValidationReport at half the mesh size
     relief: Any = None                       # native PinRelief, where vertices moved for pins
     repair: Any = None                       # native RepairResult, where weak contacts were repaired
@@ -230,6 +231,12 @@ def _verify(outcome: Outcome, progress: Progress, where: str, asked: bool = Fals
     except Stopped:
         outcome.stopped = True
         outcome.verify_note = "stopped during verification"
+    except CurveUpsError as error:
+        if asked:
+            raise
+        # The layout is worth its files; without a verdict it must not pass for valid.
+        outcome.verification = None
+        outcome.verify_failure = f"the design could not be verified: {_advice(error)}"
 
 
 def _recheck(outcome: Outcome, progress: Progress, where: str) -> None:
@@ -245,6 +252,9 @@ def _recheck(outcome: Outcome, progress: Progress, where: str) -> None:
             outcome.recheck = native.verify_design(finer, progress, native.bump_tips(finer))
     except Stopped:
         outcome.stopped = True
+    except CurveUpsError as error:
+        outcome.warnings.append({"what": "the verdict could not be had on a finer membrane mesh: "
+                                         f"{_advice(error)}", "kind": "recheck", "tiles": []})
 
 
 def _repair(outcome: Outcome, progress: Progress, where: str) -> bool:
@@ -313,6 +323,16 @@ def _suggest(outcome: Outcome, progress: Progress, where: str) -> None:
     """Cuts and other remedies for a design that did not verify, or is badly stretched."""
     if outcome.stopped:
         return
+    try:
+        _look_for_cuts(outcome, progress, where)
+    except Stopped:
+        outcome.stopped = True
+    except CurveUpsError as error:
+        outcome.warnings.append({"what": f"cuts could not be looked for: {_advice(error)}", "kind": "cuts",
+                                 "tiles": []})
+
+
+def _look_for_cuts(outcome: Outcome, progress: Progress, where: str) -> None:
     with _errors(where):
         outcome.stretch = suggestions.stretch_of(outcome.design)
     stretched = suggestions.is_stretched(outcome.stretch, int(outcome.figures.contacts))
@@ -323,6 +343,11 @@ def _suggest(outcome: Outcome, progress: Progress, where: str) -> None:
         suggestions.propose(outcome, progress)
     if stretched:
         outcome.warnings.append(suggestions.stretch_warning(outcome))
+
+
+def _advice(error: CurveUpsError) -> str:
+    """An error inside of another sentence."""
+    return error.what + (f" ({error.remedy})" if error.remedy else "")
 
 
 def _scaled(request: Request) -> tuple[np.ndarray, np.ndarray]:
@@ -402,6 +427,8 @@ def _errors(where: str):
     except MemoryError:
         raise CurveUpsError("there is not enough memory", where,
                             "use larger tiles (--set L=...) or a smaller target") from None
+    except RuntimeError as error:  # of a library: the native module's own errors are handled above
+        raise CurveUpsError(f"unexpected failure: {error}", where, "please report it") from error
 
 
 @contextmanager

@@ -22,6 +22,8 @@ class Verdict:
 def judge(outcome: Any) -> Verdict:
     """The verdict on an outcome of the pipeline."""
     broken = _geometry(outcome) + _solids(outcome.solids)
+    if outcome.verify_failure:
+        broken.append(outcome.verify_failure)
     if outcome.verification is not None:
         physical = outcome.verification.to_dict()
         if not physical["valid"]:
@@ -69,10 +71,26 @@ def _geometry(outcome: Any) -> list[str]:
         tiles = sorted({int(t) for pair in figures.unresolved for t in pair})
         reasons.append(f"{len(figures.unresolved)} pairs of tiles overlap when actuated and no "
                        f"plane parts them ({tile_list(tiles)})")
-    layout = outcome.layout
-    if layout is not None and not layout.converged and not layout.stopped:
-        reasons.append(f"the layout did not converge in {layout.iterations} iterations")
+    if reasons and unsettled(outcome):
+        reasons.append(unsettled(outcome))
     return reasons
+
+
+def unsettled(outcome: Any) -> str:
+    """What to say of a layout that the optimiser gave up: a reason where a constraint is violated, a
+    warning where all hold, since then nothing but its quality is in doubt. Empty where it settled."""
+    layout = outcome.layout
+    if layout is None or layout.converged or layout.stopped:
+        return ""
+    return f"the layout did not converge in {layout.iterations} iterations"
+
+
+def warn_unsettled(outcome: Any) -> list[dict]:
+    """The report's warning of a layout that did not settle and violates nothing."""
+    text = unsettled(outcome)
+    if not text or text in _geometry(outcome):
+        return []
+    return [{"what": f"{text}; all constraints hold", "kind": "layout", "tiles": []}]
 
 
 def _solids(solids: Any) -> list[str]:
@@ -82,7 +100,7 @@ def _solids(solids: Any) -> list[str]:
     if solids.unsound:
         more = f" and {len(solids.unsound) - 3} more" if len(solids.unsound) > 3 else ""
         reasons.append(f"solids are not sound: {'; '.join(solids.unsound[:3])}{more}")
-    if solids.min_clearance_flat_mm < 0:
+    if solids.min_clearance_flat_mm <= 0:  # the distance of bodies that overlap is 0 as well
         reasons.append("solids meet in the flat layout")
     if solids.max_overlap_actuated_mm3 > TOLERANCE:
         reasons.append(f"actuated tiles overlap by {solids.max_overlap_actuated_mm3:.3g} mm3")

@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import __version__, suggestions
 from ..native import native
-from ..verdict import small_pins
+from ..verdict import small_pins, warn_unsettled
 
 FORMAT, VERSION = "curveups-report", 1
 
@@ -26,7 +26,8 @@ def build_report(outcome: Any, files: dict[str, int], software: dict[str, str]) 
         "tiles": int(len(design.F)), "contacts": int(figures.contacts),
         "cuts": int(len(design.cuts)),
         "valid": outcome.verdict.valid, "reasons": outcome.verdict.reasons,
-        "warnings": outcome.warnings + _pin_warnings(outcome) + _hinge_warnings(outcome),
+        "warnings": (outcome.warnings + warn_unsettled(outcome) + _pin_warnings(outcome)
+                     + _hinge_warnings(outcome)),
         "front": "the side that the normals of F point to; counter-clockwise seen from there",
         "area": {
             "actuated_cm2": figures.actuated_area_mm2 / 100,

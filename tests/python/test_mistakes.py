@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Ordinary mistakes and failures halfway: the exit status says what is the matter, in one line, and
+nothing of the user's is lost."""
+
+import json
+import os
+import zipfile
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from running import dome
+
+from curveups import cli, files, freecad_io, pipeline, verdict
+from curveups.cli import main
+from curveups.errors import NOT_WRITTEN, CurveUpsError
+from curveups.native import native
+from curveups.output import Folder, safe_name
+
+BIG = "9" * 400
+MODEL = ('<?xml version="1.0" encoding="%s"?><model unit="millimeter" xmlns='
+         '"http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources><object id="1"><mesh>'
+         '<vertices><vertex x="0" y="0" z="0"/><vertex x="9" y="0" z="0"/><vertex x="0" y="9" z="0"/>'
+         '</vertices><triangles><triangle v1="0" v2="1" v3="%s"/></triangles></mesh></object>'
+         '</resources><build><item objectid="1"/></build></model>')
+
+
+def one_line(capsys):
+    lines = [line for line in capsys.readouterr().err.splitlines()
+             if line.startswith("curveups: error: ") or "Traceback" in line]
+    assert len(lines) == 1 and lines[0].startswith("curveups: error: "), lines
+    return lines[0]
+
+
+def test_a_designs_name_is_no_path(designed, tmp_path, capsys):
+    """A name with a slash neither leaves the folder nor removes what bears its end."""
+    design = designed.json("design.json")
+    design["name"] = "../x/turtle"
+    (tmp_path / "design.json").write_text(json.dumps(design))
+    out = tmp_path / "out"
+    out.mkdir()
+    mine = [out / "turtle-tiles.step", out / "turtle-tiles.step.old", tmp_path / "turtle.FCStd"]
+    for path in mine:
+        path.write_text("mine")
+    assert main(["export", str(tmp_path / "design.json"), "-o", str(out), "--quiet"]) == 0
+    assert all(path.read_text() == "mine" for path in mine)
+    assert (out / "x-turtle-tiles.step").stat().st_size > 1000
+    assert json.loads((out / "design.json").read_text())["name"] == "x-turtle"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["design.json", "out", "turtle.FCStd"]
+
+
+def test_cleaning_up_touches_nothing_else(tmp_path):
+    (tmp_path / "a.step").write_text("mine")
+    folder = Folder(tmp_path)
+
+    def fail(path):
+        path.write_text("half")
+        Path(f"{path}.beside").write_text("half")
+        raise OSError(28, "No space left on device")
+
+    for name in ("a.step", "x/a.step", "../a.step", ""):
+        with pytest.raises(CurveUpsError):
+            folder.write(name, fail)
+    assert [(p.name, p.read_text()) for p in tmp_path.iterdir()] == [("a.step", "mine")]
+    assert safe_name("../../etc/passwd") == "etc-passwd" and safe_name("...") == "target"
+    assert len(safe_name("x" * 300)) < 200
+
+
+@pytest.mark.parametrize("failure, word", [
+    (CurveUpsError("the document's Tiles can't be computed", "cap", "see the report view"), "Tiles"),
+    (MemoryError(), "memory"), (RuntimeError("Standard_Failure"), "Standard_Failure"),
+    (ValueError("odd"), "odd"), (OSError(28, "No space left on device"), "No space")])
+def test_a_failure_between_files_names_those_that_are_complete(tmp_path, failure, word):
+    folder = Folder(tmp_path)
+    folder.write_text("design.json", "{}")
+
+    def fail(path):
+        path.write_text("half")
+        raise failure
+
+    with pytest.raises(CurveUpsError) as caught:
+        folder.write("cap.FCStd", fail)
+    assert caught.value.status == NOT_WRITTEN
+    assert word in str(caught.value) and "complete are design.json" in str(caught.value)
+    assert [p.name for p in tmp_path.iterdir()] == ["design.json"]
+
+
+def test_a_stop_between_files_stays_a_stop(tmp_path):
+    def stop(path):
+        raise native.Cancelled("stopped")
+
+    with pytest.raises(native.Cancelled):
+        Folder(tmp_path).write("cap.FCStd", stop)
+
+
+def test_an_output_folder_that_may_not_be_looked_at(cap, capsys, monkeypatch, tmp_path):
+    exists = Path.exists
+
+    def guarded(path):
+        if "locked" in path.parts[:-1]:
+            raise PermissionError(13, "Permission denied", str(path))
+        return exists(path)
+
+    monkeypatch.setattr(Path, "exists", guarded)
+    place = tmp_path / "locked" / "out"
+    assert main(["design", str(cap), "-o", str(place), "--no-remesh", "--no-solids"]) == NOT_WRITTEN
+    assert "Permission denied" in one_line(capsys)
+    with pytest.raises(CurveUpsError) as caught:
+        Folder(place)
+    assert caught.value.status == NOT_WRITTEN
+
+
+def test_names_too_long(cap, capsys, tmp_path):
+    long = tmp_path / ("x" * 300)
+    assert main(["design", str(cap), "-o", str(long)]) == NOT_WRITTEN
+    assert "too long" in one_line(capsys)
+    assert main(["design", f"{long}.obj", "-o", str(tmp_path / "out")]) == 2
+    assert "too long" in one_line(capsys)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("option, text, word", [
+    ("--config", '{"L": %s}' % BIG, "L can't"),
+    ("--cuts", '{"polylines": [[[0, 0, 0], [%s, 0, 0]]]}' % BIG, "polyline")])
+def test_numbers_beyond_all_bounds(cap, capsys, tmp_path, option, text, word):
+    path = tmp_path / "given.json"
+    path.write_text(text)
+    assert main(["design", str(cap), "-o", str(tmp_path / "out"), option, str(path)]) == 2
+    line = one_line(capsys)
+    assert word in line and "given.json" in line
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("encoding, index", [("utf-8", 10**30), ("foo", 2), ("utf-7", 2),
+                                             ("shift_jis", 2)])
+def test_odd_3mf(capsys, tmp_path, encoding, index):
+    target = tmp_path / "odd.3mf"
+    with zipfile.ZipFile(target, "w") as archive:
+        archive.writestr("3D/3dmodel.model", MODEL % (encoding, index))
+    assert main(["design", str(target), "-o", str(tmp_path / "out")]) == 2
+    assert "odd.3mf" in one_line(capsys)
+
+
+def test_a_surface_that_freecad_cannot_mesh(tmp_path, monkeypatch):
+    class Shape:
+        Faces = [1]
+        BoundBox = SimpleNamespace(DiagonalLength=9.0)
+
+        def isNull(self):
+            return False
+
+    def refuse(**_):
+        raise RuntimeError("Meshing failed")
+
+    monkeypatch.setattr(freecad_io.freecad_session, "load", lambda *_: (
+        None, SimpleNamespace(read=lambda _: Shape()), SimpleNamespace(meshFromShape=refuse)))
+    (tmp_path / "a.step").write_text("ISO")
+    with pytest.raises(CurveUpsError, match="triangles.*a.step"):
+        freecad_io.read_target(tmp_path / "a.step", 0.1)
+
+
+def test_what_nobody_thought_of_is_not_called_invalid(capsys, monkeypatch):
+    def fail(*_):
+        raise ZeroDivisionError("of all\nthings")
+
+    monkeypatch.setattr(cli, "run", fail)
+    assert main([]) == 2
+    line = one_line(capsys)
+    assert "ZeroDivisionError" in line and "of all things" in line and "report" in line
+    monkeypatch.setenv("CURVEUPS_DEBUG", "1")
+    assert main([]) == 2
+    assert "Traceback" in capsys.readouterr().err
+
+
+@pytest.fixture
+def request_of_cap(tmp_path):
+    (tmp_path / "cap.obj").write_text(dome(2))
+    V, F = freecad_io.read_target(tmp_path / "cap.obj", 0.1)
+
+    def make(**settings):
+        values = native.Parameters()
+        for name, value in settings.items():
+            values.set(name, value)
+        return pipeline.Request("cap", V, F, values, remesh=False, solids=False, where="cap")
+
+    return make
+
+
+class Replaced:
+    """The native module with one function replaced."""
+
+    def __init__(self, **functions):
+        self.__dict__.update(functions)
+
+    def __getattr__(self, name):
+        return getattr(native, name)
+
+
+def raising(error, first=0):
+    """Raises from call number `first` on; before that it verifies."""
+    calls = []
+
+    def call(*arguments, **more):
+        calls.append(1)
+        if len(calls) > first:
+            raise error
+        return native.verify_design(*arguments, **more)
+
+    return call
+
+
+def go_on(*_):
+    return True
+
+
+@pytest.mark.parametrize("error", [native.SolverFailure("no memory for the factor"), MemoryError()])
+def test_a_verification_that_breaks_down_keeps_the_layout(request_of_cap, monkeypatch, tmp_path, error):
+    monkeypatch.setattr(pipeline, "native", Replaced(verify_design=raising(error)))
+    outcome = pipeline.run_design(request_of_cap(), go_on)
+    assert outcome.verdict.valid is False and not outcome.stopped
+    assert any("could not be verified" in r and "memory" in r for r in outcome.verdict.reasons)
+    files.write_outcome(outcome, tmp_path / "out", go_on)
+    assert json.loads((tmp_path / "out" / "report.json").read_text())["valid"] is False
+    assert native.read_design((tmp_path / "out" / "design.json").read_text()).name == "cap"
+
+
+def test_a_recheck_that_breaks_down_is_a_warning(request_of_cap, monkeypatch):
+    broken = raising(native.SolverFailure("no memory for the factor"), first=1)
+    monkeypatch.setattr(pipeline, "native", Replaced(verify_design=broken))
+    outcome = pipeline.run_design(request_of_cap(recheck=True, repair=False), go_on)
+    assert outcome.verification is not None and outcome.recheck is None
+    warned = [w["what"] for w in outcome.warnings if w["kind"] == "recheck"]
+    assert len(warned) == bool(outcome.verification.valid)
+    assert outcome.verdict.valid == outcome.verification.valid
+
+
+@pytest.mark.parametrize("error, stopped", [(native.SolverFailure("no memory"), False),
+                                            (native.Cancelled("stopped"), True)])
+def test_looking_for_cuts_that_breaks_down_is_a_warning(request_of_cap, monkeypatch, error, stopped):
+    def fail(*_):
+        raise error
+
+    monkeypatch.setattr(pipeline.suggestions, "stretch_of", fail)
+    outcome = pipeline.run_design(request_of_cap(), go_on)
+    assert outcome.stopped is stopped and outcome.verification is not None
+    assert [w["kind"] for w in outcome.warnings if w["kind"] == "cuts"] == ([] if stopped else ["cuts"])
+
+
+def test_cancelling_verification_is_a_stop(request_of_cap, monkeypatch):
+    monkeypatch.setattr(pipeline, "native", Replaced(
+        verify_design=raising(native.Cancelled("stopped"))))
+    outcome = pipeline.run_design(request_of_cap(), go_on)
+    assert outcome.stopped and outcome.verdict.valid is None
+    assert outcome.verdict.reasons == ["stopped during verification"]
+
+
+def outcome_with(gap=0.0, converged=False, clearance=0.5):
+    constraints = SimpleNamespace(max_gap_violation_mm=gap, max_pin_bound_violation_mm=0.0,
+                                  close_pairs=[], small_pins=[])
+    parameters = SimpleNamespace(get=lambda _: 1.0)
+    return SimpleNamespace(
+        figures=SimpleNamespace(constraints=constraints, unresolved=[]), verify_note="", verify_failure="",
+        design=SimpleNamespace(parameters=parameters), recheck=None, repair=None,
+        layout=SimpleNamespace(converged=converged, stopped=False, iterations=7),
+        verification=SimpleNamespace(to_dict=lambda: {"valid": True}),
+        suggestions=SimpleNamespace(sentences=lambda: []),
+        solids=SimpleNamespace(unsound=[], min_clearance_flat_mm=clearance, max_overlap_actuated_mm3=0.0))
+
+
+def test_a_layout_that_did_not_settle_counts_only_with_a_violation():
+    sound, broken = outcome_with(), outcome_with(gap=0.1)
+    assert verdict.judge(sound).valid is True
+    assert ["did not converge" in w["what"] for w in verdict.warn_unsettled(sound)] == [True]
+    assert verdict.judge(broken).valid is False
+    assert any("did not converge" in reason for reason in verdict.judge(broken).reasons)
+    assert verdict.warn_unsettled(broken) == []
+    assert verdict.warn_unsettled(outcome_with(converged=True)) == []
+
+
+def test_bodies_that_touch_when_flat_are_not_valid():
+    """Bodies that overlap have the distance 0, as those that touch."""
+    assert verdict.judge(outcome_with(clearance=0.0)).valid is False
+    assert verdict.judge(outcome_with(clearance=1e-3)).valid is True
+
+
+def test_scaled_targets_are_divided_as_finely_as_their_tiles_ask(monkeypatch, tmp_path):
+    """0.0005 L in the print, whatever the file's unit."""
+    from curveups import cli_commands
+
+    given = []
+    (tmp_path / "a.step").write_text("ISO")
+    monkeypatch.setattr(freecad_io, "read_target", lambda path, deflection: given.append(deflection)
+                        or native.builtin_target("half-sphere", 1.0))
+    session = SimpleNamespace(reporter=go_on, interrupt=SimpleNamespace(
+        install=lambda: None, requested=False))
+    for scale in (1.0, 1000.0, 0.1):
+        options = SimpleNamespace(config=[], settings=["L=8", f"scale={scale}"],
+                                  target=str(tmp_path / "a.step"))
+        cli_commands._request(options, session)
+        assert given[-1] * scale == pytest.approx(0.004)
+    faces = []
+    for scale in ("1", "20", "1e6", "1e-6"):
+        options.settings, options.target = ["L=8", f"scale={scale}"], "half-sphere"
+        faces.append(len(cli_commands._request(options, session).F))
+    assert faces[0] < faces[1] <= faces[2] and faces[3] < faces[0]
+
+
+def test_a_report_is_built_once_and_lists_the_page(request_of_cap, monkeypatch, tmp_path):
+    request = request_of_cap(verify=False)
+    request.solids = True
+    outcome = pipeline.run_design(request, go_on)
+    calls, build = [], files.build_report
+    monkeypatch.setattr(files, "build_report", lambda *a: calls.append(1) or build(*a))
+    folder = Folder(tmp_path / "out")
+    files.write_reports(outcome, folder)
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert len(calls) == 1
+    assert report["print"]["files"] == {
+        "report.html": os.path.getsize(tmp_path / "out" / "report.html")}
