@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import tile_list
 from ..native import native
 from ..solids import fits_bed, read_printer
-from . import cut_pictures, pictures
+from . import cut_pictures, membrane_pictures, pictures
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #2b2620; background: #faf8f4; margin: 0; }
@@ -44,7 +44,7 @@ def build_html(outcome: Any, report: dict) -> str:
                  "As it is printed, front side up; the pins that carry the membrane in dark."),
     ]
     parts += _cuts(design, report)
-    parts += _physics_pictures(outcome)
+    parts += _physics_pictures(outcome) + _membrane_pictures(outcome)
     if "print" in report:
         parts += ["<h2>For the print shop</h2>", _quote(report, design)]
     parts += ["<h2>Figures</h2>", _figures(report)]
@@ -105,6 +105,22 @@ def _physics_pictures(outcome: Any) -> list[str]:
                      f"Least normal force at each tile's contact points.{marked}"),
             _picture(pictures.flat_layout(design, friction, "friction / normal force", weak),
                      f"Largest friction that any of a tile's contacts needs.{marked}")]
+
+
+def _membrane_pictures(outcome: Any) -> list[str]:
+    """The membranes' stretch on the layout, where they were computed."""
+    found = outcome.verification
+    membranes = () if found is None else found.membranes
+    if not membranes or not all(len(membrane.triangles) for membrane in membranes):
+        return []
+    largest = found.blocks["physics"]["largest_stretch"]
+    return ["<h2>Membranes</h2>",
+            _picture(membrane_pictures.stretch_view(membranes),
+                     "The larger principal stretch of both membranes when actuated (tau = "
+                     f"{outcome.design.parameters.get('tau'):g} before), on the flat layout seen from the "
+                     "front. The scale leaves out the hundredth at either end; the largest stretch is "
+                     f"{_show(largest)}. Wrinkled places are tinted, slack ones grey, and the pins, to which "
+                     "the membranes are glued, are left white.")]
 
 
 def _picture(png: bytes, caption: str) -> str:

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The picture of the membranes' stretch says what the membranes do."""
+
+import io
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from curveups.native import native
+from curveups.report import html, membrane_pictures
+from matplotlib.colors import to_rgb
+from matplotlib.image import imread
+
+
+def strip(stretch, tension):
+    """A row of squares of 10 mm, each of two triangles."""
+    flat = np.array([[10.0 * k, y] for k in range(len(stretch) + 1) for y in (0.0, 10.0)])
+    triangles = [t for k in range(len(stretch)) for t in
+                 ([2 * k, 2 * k + 2, 2 * k + 1], [2 * k + 1, 2 * k + 2, 2 * k + 3])]
+    larger = np.repeat(stretch, 2)
+    return SimpleNamespace(flat=flat, triangles=np.array(triangles),
+                           stretch=np.column_stack([larger, 0.5 * larger]),
+                           tension=list(np.repeat(tension, 2)))
+
+
+def share(image, colour):
+    """The share of pixels of a colour."""
+    return float((np.abs(image[..., :3] - np.array(to_rgb(colour))).max(axis=2) < 0.02).mean())
+
+
+@pytest.fixture(scope="module")
+def image():
+    def draw(*sides):
+        return imread(io.BytesIO(membrane_pictures.stretch_view(sides)))
+
+    return draw
+
+
+def test_stretch_becomes_colour_and_slack_is_marked(image):
+    taut = strip([2.0, 2.0, 3.0, 3.0], [0, 0, 0, 0])
+    low, high = "#440154", "#fde725"  # the ends of the colours' scale
+    even = image(taut, taut)
+    assert share(even, low) > 0.05 and share(even, high) > 0.05
+    assert share(even, low) == pytest.approx(share(even, high), rel=0.15)
+    assert share(even, membrane_pictures.LOOSE) < 1e-3
+    # The slack half takes no part in the scale, and all colours shown are those of the other half.
+    slack = image(strip([2.0, 3.0, 1.0, 0.5], [0, 0, 2, 2]), taut)
+    assert share(slack, membrane_pictures.LOOSE) > 0.05
+    wrinkled = image(strip([2.0, 2.0, 3.0, 3.0], [1, 0, 0, 0]), taut)
+    tinted = 0.5 * (np.array(to_rgb(low)) + np.array(to_rgb(membrane_pictures.WRINKLE)))
+    assert share(wrinkled, tinted) > 0.02 > 10 * share(even, tinted)
+
+
+def test_a_membrane_that_is_slack_all_over_is_drawn(image):
+    grey = strip([0.9, 0.8], [2, 2])
+    assert share(image(grey, grey), membrane_pictures.LOOSE) > 0.1
+
+
+def test_the_page_shows_both_membranes_where_they_were_computed(designed):
+    design = native.read_design((designed.folder / "design.json").read_text())
+    found = native.verify_design(design, None, native.bump_tips(design))
+    outcome = SimpleNamespace(design=design, verification=found)
+    heading, picture = html._membrane_pictures(outcome)
+    assert "Membranes" in heading and "data:image/png;base64," in picture
+    assert f"{found.blocks['physics']['largest_stretch']:.4g}" in picture
+    assert html._membrane_pictures(outcome) == [heading, picture]
+    assert html._membrane_pictures(SimpleNamespace(design=design, verification=None)) == []
+    page = (designed.folder / "report.html").read_text()
+    assert heading in page
