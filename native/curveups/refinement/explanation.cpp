@@ -18,28 +18,50 @@ std::vector<int> with_neighbours(const TileMesh& tiles, const std::array<int, 2>
   return near;
 }
 
+// With what is short in the words of `reason`.
+std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& points,
+                                           const Judgement& judgement,
+                                           const std::vector<int>& critical_points) {
+  std::vector<BlockedContact> out;
+  auto add = [&](const ContactPoint& point, double force) {
+    const auto known = std::find_if(out.begin(), out.end(), [&](const BlockedContact& contact) {
+      return contact.tiles == point.tile;
+    });
+    if (known == out.end()) {
+      out.push_back({point.tile, force, "", "", {}});
+    } else {
+      known->least_force = std::min(known->least_force, force);
+    }
+  };
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double force = judgement.normal(static_cast<Eigen::Index>(p)) / judgement.f_min;
+    if (points[p].contact >= 0 && force < 1) add(points[p], force);
+  }
+  const bool by_floor = out.empty() && judgement.floor < 1;
+  for (std::size_t k = 0; by_floor && k < critical_points.size(); ++k) {
+    const ContactPoint& point = points[critical_points[k]];
+    if (point.contact >= 0) add(point, judgement.floor);
+  }
+  for (BlockedContact& contact : out) {
+    char share[32];
+    std::snprintf(share, sizeof share, "%.2f", contact.least_force);
+    contact.reason = "contact " + tile_name(contact.tiles[0]) + "-" + tile_name(contact.tiles[1]) +
+                     (by_floor ? " keeps pushing forces within friction at " : " has ") + share +
+                     " of f_min";
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
                                                   const std::vector<ContactPoint>& points,
                                                   const Judgement& judgement,
+                                                  const std::vector<int>& critical_points,
                                                   const std::vector<Obstacle>& obstacles) {
-  std::vector<BlockedContact> out;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const double force = judgement.normal(static_cast<Eigen::Index>(p)) / judgement.f_min;
-    if (points[p].contact < 0 || force >= 1) continue;
-    if (!out.empty() && out.back().tiles == points[p].tile) {
-      out.back().least_force = std::min(out.back().least_force, force);
-      continue;
-    }
-    out.push_back({points[p].tile, force, "", "", {}});
-  }
+  std::vector<BlockedContact> out = short_contacts(points, judgement, critical_points);
   for (BlockedContact& contact : out) {
     const std::vector<int> near = with_neighbours(tiles, contact.tiles);
-    char share[32];
-    std::snprintf(share, sizeof share, "%.2f", contact.least_force);
-    contact.reason = "contact " + tile_name(contact.tiles[0]) + "-" + tile_name(contact.tiles[1]) +
-                     " has " + share + " of f_min";
     const auto found =
         std::find_if(obstacles.begin(), obstacles.end(), [&](const Obstacle& obstacle) {
           return std::any_of(obstacle.tiles.begin(), obstacle.tiles.end(), [&](int tile) {

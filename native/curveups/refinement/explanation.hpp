@@ -9,11 +9,13 @@
 
 namespace curveups {
 
-// The contacts with a point below f_min, in the order of the points, each with the strongest
-// obstacle of the last step on its tiles or their neighbours.
+// The contacts with a point below f_min, in the order of the points; where there are none and the
+// largest floor is below it, those that hold the floor down (indices of points). Each with the
+// strongest obstacle of the last step on its tiles or their neighbours.
 std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
                                                   const std::vector<ContactPoint>& points,
                                                   const Judgement& judgement,
+                                                  const std::vector<int>& critical_points,
                                                   const std::vector<Obstacle>& obstacles);
 
 // What would help against what holds them.

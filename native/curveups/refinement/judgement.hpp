@@ -23,6 +23,7 @@ struct Judgement {
 
   bool valid() const { return weak == 0 && !(floor < 1) && depth == 0; }
   bool better_than(const Judgement& other) const {
+    if (valid() != other.valid()) return valid();
     if (weak != other.weak) return weak < other.weak;
     return missing + depth < other.missing + other.depth;
   }

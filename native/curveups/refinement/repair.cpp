@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
@@ -28,11 +29,20 @@ class Repair {
   RepairResult run(const Design& design);
 
  private:
+  // On a fresh mesh; points of the judgement, and those that hold its floor down.
+  struct Judged {
+    Place place;
+    Judgement judgement;
+    std::vector<ContactPoint> points;
+    std::vector<int> critical_points;
+  };
+
   bool penalty() const { return parameters_.tightness == "penalty"; }
   std::shared_ptr<Shape> make_shape(const TriangleMesh& mesh, const LayoutModel* found) const;
 
   void restore_start(RepairResult& result);
   Judgement judge_fresh(RepairResult& result);
+  void search(RepairResult& result);
   double merit(const Judgement& now) const;
   bool reached(const Judgement& now) const;
   StepPrices prices() const;
@@ -53,6 +63,7 @@ class Repair {
   Array6 caps_;             // upper bounds of insets beside membranes that were too low
   Place here_;
   TrackedForces tracked_;
+  std::optional<Judged> best_;
   std::vector<Touch> touches_;
   double reach_ = 0;
   int first_weak_ = 0;
@@ -269,55 +280,55 @@ void Repair::tell(const Judgement& now) const {
   if (!keep_going(progress_, what, std::max(0.0, fraction))) throw Cancelled();
 }
 
+// Steps and fresh meshes in turn, until a place is valid or nothing helps any more.
+void Repair::search(RepairResult& result) {
+  restore_start(result);
+  while (true) {
+    Judgement now = judge_fresh(result);
+    if (!best_) first_weak_ = now.weak;
+    result.steps.push_back({now.weak, now.least, now.floor, 0, false, true});
+    if (!best_ || now.better_than(best_->judgement)) {
+      best_ = Judged{here_, now, make_balance_system(here_.geometry(), parameters_).points(),
+                     tracked_.floor().critical_points};
+    }
+    tell(now);
+    if (now.valid()) {
+      result.status = RepairStatus::valid;
+      return;
+    }
+    const bool drawn =
+        static_cast<int>(result.steps.size()) <= options_.most_steps && draw_pins_out();
+    if (drawn) {
+      now = tracked_.judge();
+      result.steps.push_back({now.weak, now.least, now.floor, 0, false, false});
+    }
+    if (!improve(result, now) && !drawn) return;
+  }
+}
+
 RepairResult Repair::run(const Design& design) {
   RepairResult result;
   result.design = design;
   const Place given = here_;
-  Place best = here_;
-  Judgement best_judgement;
-  bool judged = false;
+  std::string breakdown;
   try {
-    restore_start(result);
-    while (true) {
-      Judgement now;
-      try {
-        now = judge_fresh(result);
-      } catch (const Cancelled&) {
-        throw;
-      } catch (const Error&) {  // membranes fold over after steps: the best so far stands
-        if (!judged) throw;
-        break;
-      }
-      if (!judged) first_weak_ = now.weak;
-      result.steps.push_back({now.weak, now.least, now.floor, 0, false, true});
-      if (!judged || now.better_than(best_judgement)) {
-        best = here_;
-        best_judgement = now;
-        judged = true;
-      }
-      tell(now);
-      if (now.valid()) {
-        result.status = RepairStatus::valid;
-        break;
-      }
-      const bool drawn =
-          static_cast<int>(result.steps.size()) <= options_.most_steps && draw_pins_out();
-      if (drawn) {
-        now = tracked_.judge();
-        result.steps.push_back({now.weak, now.least, now.floor, 0, false, false});
-      }
-      if (!improve(result, now) && !drawn) {
-        result.blocked = explain_weak_contacts(here_.geometry().tiles, tracked_.points(), now,
-                                               last_step_.obstacles);
-        result.suggestions = suggest_remedies(result.blocked);
-        break;
-      }
-    }
+    search(result);
   } catch (const Cancelled&) {
     result.status = RepairStatus::stopped;
+  } catch (const Error& error) {  // on the way: the best so far stands
+    if (!best_) throw;
+    breakdown = std::string("repair ended early: ") + error.what();
+  }
+  if (!best_) return result;
+  const Place& best = best_->place;
+  if (result.status == RepairStatus::blocked) {
+    result.blocked = explain_weak_contacts(best.geometry().tiles, best_->points, best_->judgement,
+                                           best_->critical_points, last_step_.obstacles);
+    result.suggestions = suggest_remedies(result.blocked);
+    if (!breakdown.empty()) result.suggestions.push_back(breakdown);
   }
   const bool reshaped = best.vertices() != given.vertices();
-  if (!judged || (!reshaped && best.state == given.state)) return result;  // bit for bit as given
+  if (!reshaped && best.state == given.state) return result;  // bit for bit as given
   const TileMesh& tiles = best.geometry().tiles;
   result.design.T = flat_corners(tiles, best.poses());
   result.design.q = best.insets();

@@ -25,7 +25,7 @@ SolvedDesign solve_fresh(const Place& place, const Parameters& parameters, doubl
   // Poses out of the corners, as a reader of the design has them.
   fresh.membranes =
       solve_membranes(geometry, fit_poses(tiles, fresh.T), fresh.q, parameters, progress);
-  fresh.loads = gravity_load(geometry, parameters, {}).weight;
+  fresh.loads = gravity_load(geometry, parameters).weight;
   for (const MembraneSolution& side : fresh.membranes) {
     add_wrenches(extrapolate<Points3>(side.forces, side.coarse_forces), side.pin_corners,
                  tile_centres(tiles), fresh.loads);
