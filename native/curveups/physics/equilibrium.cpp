@@ -11,28 +11,31 @@ namespace curveups {
 
 namespace {
 constexpr double jacobi_damping = 0.6;
+// Steps by an older factorization that cost about as much as one by a new one.
+constexpr int most_reuses = 3;
+}  // namespace
+
+bool MembraneEquilibrium::factorize(const Points3& x, Points3& gradient) {
+  energy_.hessian(x, gradient, hessian_, false);
+  if (factor_.factorize(hessian_)) return true;
+  // Only the plain density can be indefinite; its projection is not, but for rounding.
+  energy_.hessian(x, gradient, hessian_, true);
+  const double shift = 1e-8 * hessian_.diagonal().mean();
+  for (int i = 0; i < hessian_.cols(); ++i)
+    hessian_.valuePtr()[hessian_.outerIndexPtr()[i]] += shift;
+  return factor_.factorize(hessian_);
 }
 
-bool MembraneEquilibrium::newton_direction(const Points3& x, Points3& gradient,
-                                           Points3& direction) {
-  energy_.hessian(x, gradient, hessian_, false);
-  // Only the plain density can be indefinite; its projection is not, but for rounding.
-  if (!factor_.factorize(hessian_)) {
-    energy_.hessian(x, gradient, hessian_, true);
-    const double shift = 1e-8 * hessian_.diagonal().mean();
-    for (int i = 0; i < hessian_.cols(); ++i)
-      hessian_.valuePtr()[hessian_.outerIndexPtr()[i]] += shift;
-    if (!factor_.factorize(hessian_)) return false;
-  }
+bool MembraneEquilibrium::direction(const Points3& gradient, Points3& out) const {
   const std::vector<int>& index = energy_.free_index();
   Eigen::MatrixXd rhs(3 * energy_.free_count(), 1);
   for (std::size_t v = 0; v < index.size(); ++v) {
     if (index[v] >= 0) rhs.block<3, 1>(3 * index[v], 0) = -gradient.row(v).transpose();
   }
   const Eigen::MatrixXd step = factor_.solve(rhs);
-  direction.setZero(x.rows(), 3);
+  out.setZero(gradient.rows(), 3);
   for (std::size_t v = 0; v < index.size(); ++v) {
-    if (index[v] >= 0) direction.row(v) = step.block<3, 1>(3 * index[v], 0).transpose();
+    if (index[v] >= 0) out.row(v) = step.block<3, 1>(3 * index[v], 0).transpose();
   }
   return step.allFinite();
 }
@@ -42,16 +45,16 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
   const std::vector<int>& index = energy_.free_index();
   MembraneState state;
   state.energy = std::numeric_limits<double>::infinity();
-  Points3 x = start, gradient, direction;
+  Points3 x = start, gradient, step;
   for (int sweep = 0; sweep <= options.sweeps; ++sweep) {
     const bool last = sweep == options.sweeps;
     const double energy =
-        last ? energy_.gradient(x, gradient) : energy_.jacobi_direction(x, gradient, direction);
+        last ? energy_.gradient(x, gradient) : energy_.jacobi_direction(x, gradient, step);
     if (!(energy < state.energy)) break;
     state.x = x;
     state.energy = energy;
     std::swap(state.gradient, gradient);
-    if (!last) x += jacobi_damping * direction;
+    if (!last) x += jacobi_damping * step;
   }
   if (!std::isfinite(state.energy)) {
     throw SolverFailure("a membrane triangle has no area in the actuated shape",
@@ -74,15 +77,19 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
   };
   measure();
   if (energy_.free_count() == 0) return state;
+  double reduction = 1;  // of the residual by the last step
   while (!state.converged && state.iterations < options.max_iterations) {
     if (!keep_going(progress, what)) return state;
-    if (!newton_direction(state.x, gradient, direction)) break;
+    const bool reuse = options.reuse_factor && reduction <= 0.1 &&
+                       state.residual * std::pow(reduction, most_reuses) <= options.tolerance;
+    if (!reuse && !factorize(state.x, gradient)) break;
+    if (!direction(state.gradient, step)) break;
     ++state.iterations;
-    const double slope = direction.cwiseProduct(state.gradient).sum();
+    const double slope = step.cwiseProduct(state.gradient).sum();
     const double rounding = 1e-13 * std::abs(state.energy);
     bool accepted = false;
     for (double length = 1; length > 1e-8 && !accepted; length *= 0.5) {
-      x = state.x + length * direction;
+      x = state.x + length * step;
       const double energy = energy_.gradient(x, gradient);
       if (energy <= state.energy + 1e-4 * length * slope + rounding) {
         state.x = x;
@@ -91,8 +98,10 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
         accepted = true;
       }
     }
-    if (!accepted) break;
+    if (!accepted && !reuse) break;
+    const double before = state.residual;
     measure();
+    reduction = accepted ? state.residual / before : 1;
   }
   return state;
 }

@@ -15,6 +15,9 @@ struct EquilibriumOptions {
   // Damped Jacobi sweeps ahead of Newton's method: what an interpolated start is wrong in varies
   // from vertex to vertex, and each sweep costs a tenth of an iteration.
   int sweeps = 3;
+  // Steps by an older factorization where that is about to converge anyway: cheaper, but what is
+  // left in the end serves no sensitivities.
+  bool reuse_factor = false;
   // Largest force left on a free vertex, relative to the mean force on a glued one.
   double tolerance = 1e-11;
 };
@@ -28,8 +31,7 @@ struct MembraneState {
   bool converged = false;
 };
 
-// Owns the Hessian's factorization: after solve() it is that of the equilibrium (or of the last
-// iterate), for sensitivities.
+// Owns the Hessian's factorization: after solve() it is that of the last step, for sensitivities.
 class MembraneEquilibrium {
  public:
   MembraneEquilibrium(const MembraneMesh& mesh, const Points2& flat, double tau,
@@ -52,7 +54,9 @@ class MembraneEquilibrium {
   const SparseCholesky& factor() const { return factor_; }
 
  private:
-  bool newton_direction(const Points3& x, Points3& gradient, Points3& direction);
+  bool factorize(const Points3& x, Points3& gradient);
+  // False where it is not finite.
+  bool direction(const Points3& gradient, Points3& out) const;
 
   MembraneEnergy energy_;
   SparseMatrix hessian_;

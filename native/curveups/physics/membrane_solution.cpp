@@ -52,8 +52,10 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
   out.mesh = refine_mesh(coarse.mesh);
   out.flat = vertex_positions(out.mesh.weights, coarse.flat_corners);
   MembraneEquilibrium equilibrium(out.mesh, out.flat, parameters.tau, material);
+  EquilibriumOptions last = options;
+  last.reuse_factor = true;
   const Points3 glued = vertex_positions(out.mesh.weights, out.pin_corners);
-  out.state = equilibrium.solve(prolong(out.mesh, coarse.state.x, glued), options, progress, what);
+  out.state = equilibrium.solve(prolong(out.mesh, coarse.state.x, glued), last, progress, what);
   if (!keep_going(progress, what)) throw Cancelled();
   out.forces = pin_corner_forces(out.mesh, out.state, tiles.tile_count());
   out.stretch = equilibrium.energy().stretches(out.state.x);
