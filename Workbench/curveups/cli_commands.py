@@ -209,6 +209,8 @@ def _default(row: Any) -> str:
 def _range(row: Any) -> str:
     if row.type == "switch":
         return "on, off"
+    if row.type == "tiles":
+        return "tile names"
     if row.choices:
         return ", ".join(row.choices)
     return f"{row.minimum:g} to {row.maximum:g}"

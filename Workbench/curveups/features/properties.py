@@ -10,7 +10,7 @@ from ..native import native
 READ_ONLY, TRANSIENT, HIDDEN, OUTPUT = 1, 2, 4, 8
 
 _TYPES = {"integer": "App::PropertyInteger", "switch": "App::PropertyBool",
-          "choice": "App::PropertyEnumeration"}
+          "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString"}
 # Types whose editor shows the unit. Where a FreeCAD lacks one (density before 0.21) the number is
 # plain and its tooltip names the unit.
 _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
@@ -55,7 +55,7 @@ def value_of(obj: Any, row: Any) -> Any:
 
 
 def _range(row: Any) -> str:
-    if row.type in ("switch", "choice"):
+    if row.type in ("switch", "choice", "tiles"):
         return ""
     unit = f" {row.unit}" if row.unit else ""
     return f" From {row.minimum:g} to {row.maximum:g}{unit}."

@@ -75,7 +75,7 @@ void bind_design(py::module_& module) {
           "type",
           [](const ParameterInfo& i) {
             constexpr const char* names[] = {"number", "integer", "switch", "choice"};
-            return names[i.member.index()];
+            return i.member.index() == 3 && i.choices.empty() ? "tiles" : names[i.member.index()];
           })
       .def_property_readonly("default", &default_value)
       .def_readonly("minimum", &ParameterInfo::minimum)

@@ -161,17 +161,16 @@ void bind_physics(py::module_& module) {
   module.def(
       "verify_design",
       [](const Design& design, py::object progress, std::vector<Points3> bump_tips,
-         std::vector<int> held, bool keep_solution, std::shared_ptr<SolvedDesign> solved) {
+         bool keep_solution, std::shared_ptr<SolvedDesign> solved) {
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return verify_design(
-              design, {std::move(bump_tips), std::move(held), keep_solution, solved.get()}, sink);
+          return verify_design(design, {std::move(bump_tips), keep_solution, solved.get()}, sink);
         });
       },
       py::arg("design"), py::arg("progress") = py::none(),
-      py::arg("bump_tips") = std::vector<Points3>(), py::arg("held") = std::vector<int>(),
+      py::arg("bump_tips") = std::vector<Points3>(),
       py::arg("keep_solution") = false, py::arg("solved") = py::none(),
       "Membranes, contact forces and verdict. bump_tips: per contact the points (n x 3) at which "
-      "its tiles touch when actuated. held: tiles that carry the piece with gravity 'held'. "
+      "its tiles touch when actuated. "
       "keep_solution: for repair_design. solved: what a repair that ended valid hands on.");
 }
 

@@ -13,6 +13,12 @@ DesignGeometry make_geometry(const TriangleMesh& mesh, const Edges& cuts,
                              const Parameters& parameters) {
   DesignGeometry geometry;
   geometry.tiles = make_tile_mesh(mesh, cuts, parameters.H_body);
+  const std::vector<int> held = listed_tiles(parameters.held_tiles);
+  if (!held.empty() && held.back() >= geometry.tiles.tile_count()) {
+    throw InvalidInput("held_tiles names " + tile_name(held.back()) + ", but there are " +
+                           std::to_string(geometry.tiles.tile_count()) + " tiles",
+                       "name tiles of this design");
+  }
   std::vector<int> without = tiles_without_back(geometry.tiles);
   if (!without.empty()) {
     const std::string count = std::to_string(without.size());

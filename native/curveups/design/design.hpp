@@ -30,7 +30,8 @@ struct DesignGeometry {
   PinBounds pin_bounds;
 };
 
-// Throws what make_tile_mesh throws, and InfeasibleDesign with the tiles where folds leave them no
+// Throws what make_tile_mesh throws, InvalidInput where held_tiles names none of them, and
+// InfeasibleDesign with the tiles where folds leave them no
 // back face. Pairs in truncation.unresolved are left to the caller (report them, or refuse).
 DesignGeometry make_geometry(const TriangleMesh& mesh, const Edges& cuts,
                              const Parameters& parameters);

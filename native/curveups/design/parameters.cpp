@@ -123,6 +123,9 @@ std::vector<ParameterInfo> make_table() {
     {"gravity", "", "Physics",
      "Weight of the tiles: left out, carried by held tiles, or by a plane on which the piece rests.",
      Affects::verification, &P::gravity, 0, 0, {"off", "held", "resting"}},
+    {"held_tiles", "", "Physics",
+     "Tiles that carry the piece where gravity is held, as T00012,T00345; none: its lowest.",
+     Affects::verification, &P::held_tiles},
     {"density", "g/cm3", "Physics", "Density of the tiles, for gravity.",
      Affects::verification, &P::density, 0, 30},
     {"gravity_x", "", "Physics", "Direction in which gravity pulls: x.",
@@ -246,6 +249,30 @@ const std::vector<ParameterInfo>& parameter_table() {
   return table;
 }
 
+std::vector<int> listed_tiles(std::string_view text) {
+  std::vector<int> tiles;
+  for (std::size_t begin = 0; begin < text.size();) {
+    if (text[begin] == ' ' || text[begin] == ',') {
+      ++begin;
+      continue;
+    }
+    const std::size_t end = std::min(text.find_first_of(" ,", begin), text.size());
+    const std::string_view name = text.substr(begin, end - begin);
+    int number = 0;
+    const auto [stop, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+    if (name.size() < 2 || name[0] != 'T' || error != std::errc() ||
+        stop != name.data() + name.size() || number < 1) {
+      throw InvalidInput("'" + std::string(name) + "' is no tile",
+                         "name tiles as reports do: T00012,T00345");
+    }
+    tiles.push_back(number - 1);
+    begin = end;
+  }
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  return tiles;
+}
+
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value) {
   const ParameterInfo& info = find(name);
   if (const auto* member = std::get_if<double P::*>(&info.member)) {
@@ -259,6 +286,11 @@ void set_parameter(Parameters& parameters, std::string_view name, const Paramete
     parameters.*(*whole) = static_cast<int>(x);
   } else if (const auto* flag = std::get_if<bool P::*>(&info.member)) {
     parameters.*(*flag) = to_switch(info, value);
+  } else if (info.choices.empty()) {
+    const std::string* text = std::get_if<std::string>(&value);
+    if (!text) refuse(info, value, "name tiles as reports do: T00012,T00345");
+    listed_tiles(*text);
+    parameters.*std::get<std::string P::*>(info.member) = *text;
   } else {
     std::string choices;
     for (std::string_view choice : info.choices) {

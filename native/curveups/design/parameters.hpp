@@ -68,6 +68,7 @@ struct Parameters {
   double friction_coefficient = 0.5;
   double f_min_ratio = 0.1;
   std::string gravity = "off";
+  std::string held_tiles;  // as listed_tiles reads them
   double density = 1.18;
   double gravity_x = 0.0;
   double gravity_y = 0.0;
@@ -96,7 +97,7 @@ struct ParameterInfo {
       member;
   double minimum = 0;  // numbers: the closed range
   double maximum = 0;
-  std::vector<std::string_view> choices = {};  // texts
+  std::vector<std::string_view> choices = {};  // texts; none for a list of tiles
 };
 
 // In the order in which they are shown.
@@ -108,6 +109,9 @@ using ParameterValue = std::variant<double, bool, std::string>;
 // parameter, its range and the nearest known name: unknown name, value of another type, not finite,
 // or out of range; leaves the parameters as they were.
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value);
+// The tiles of a list like "T00012, T00345" (the first tile is T00001), numbered from 0, ascending.
+// Throws InvalidInput for anything else.
+std::vector<int> listed_tiles(std::string_view text);
 ParameterValue get_parameter(const Parameters& parameters, std::string_view name);
 
 // Throws InvalidInput where single values are in range but contradict one another (p_min > p_max,

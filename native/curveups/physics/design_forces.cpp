@@ -14,7 +14,7 @@ constexpr std::array<Side, 2> sides = {Side::front, Side::back};
 }  // namespace
 
 BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters) {
-  const GravityLoad gravity = gravity_load(geometry, parameters, {});
+  const GravityLoad gravity = gravity_load(geometry, parameters);
   std::vector<ContactPoint> points = interface_points(geometry.tiles, geometry.patches);
   points.insert(points.end(), gravity.ground.begin(), gravity.ground.end());
   return BalanceSystem(std::move(points), tile_centres(geometry.tiles), parameters.L, gravity.held);
@@ -44,7 +44,7 @@ DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& par
 
 void DesignForces::take_geometry(const DesignGeometry& geometry) {
   geometry_ = &geometry;
-  gravity_ = gravity_load(geometry, parameters_, {});
+  gravity_ = gravity_load(geometry, parameters_);
   system_.emplace(make_balance_system(geometry, parameters_));
 }
 

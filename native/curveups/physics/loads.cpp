@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "curveups/core/errors.hpp"
-
 namespace curveups {
 namespace {
 
@@ -12,17 +10,9 @@ constexpr double standard_gravity = 9.80665;  // m / s2
 
 }  // namespace
 
-GravityLoad gravity_load(const DesignGeometry& geometry, const Parameters& parameters,
-                         const std::vector<int>& held) {
+GravityLoad gravity_load(const DesignGeometry& geometry, const Parameters& parameters) {
   const TileMesh& tiles = geometry.tiles;
   const int count = tiles.tile_count();
-  for (int tile : held) {
-    if (tile < 0 || tile >= count) {
-      throw InvalidInput("held tile " + std::to_string(tile) + " is none of the " +
-                             std::to_string(count) + " tiles",
-                         "give tile numbers from 0");
-    }
-  }
   GravityLoad load;
   load.weight = Wrenches::Zero(count, 6);
   if (parameters.gravity == "off") return load;
@@ -51,8 +41,8 @@ GravityLoad gravity_load(const DesignGeometry& geometry, const Parameters& param
     }
     return load;
   }
-  load.held = held;
-  if (held.empty()) {
+  load.held = listed_tiles(parameters.held_tiles);
+  if (load.held.empty()) {
     std::vector<char> joined(tiles.topology.edges.size(), 0);
     for (const Contact& contact : tiles.contacts) joined[contact.edge] = 1;
     const std::vector<int> piece = face_components(tiles.topology, joined);
@@ -65,7 +55,6 @@ GravityLoad gravity_load(const DesignGeometry& geometry, const Parameters& param
     load.held = lowest_tile;
   }
   std::sort(load.held.begin(), load.held.end());
-  load.held.erase(std::unique(load.held.begin(), load.held.end()), load.held.end());
   return load;
 }
 

@@ -13,11 +13,10 @@ struct GravityLoad {
   std::vector<ContactPoint> ground;  // empty unless it rests on a plane
 };
 
-// Parameters gravity, density (g / cm3) and direction. "held": by the given tiles, by default the
+// Parameters gravity, density (g / cm3) and direction. "held": by held_tiles, by default the
 // lowest one of every piece. "resting": on a plane across the direction through the lowest corner;
 // every corner of a tile's body within L / 20 of it touches. No gravity: zero weight, nothing held.
-// Pins, bumps and membranes weigh nothing here. Throws InvalidInput for a held tile that is none.
-GravityLoad gravity_load(const DesignGeometry& geometry, const Parameters& parameters,
-                         const std::vector<int>& held);
+// Pins, bumps and membranes weigh nothing here.
+GravityLoad gravity_load(const DesignGeometry& geometry, const Parameters& parameters);
 
 }  // namespace curveups

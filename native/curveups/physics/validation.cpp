@@ -193,7 +193,7 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
   std::array<std::vector<int>, 2> slack_tiles;
   describe_membranes(membranes, centres, parameters.L, report, slack_tiles);
 
-  const GravityLoad gravity = gravity_load(geometry, parameters, options.held);
+  const GravityLoad gravity = gravity_load(geometry, parameters);
   const Wrenches loads = report.elastic + gravity.weight;
   auto make_system = [&](std::vector<ContactPoint> points) {
     points.insert(points.end(), gravity.ground.begin(), gravity.ground.end());

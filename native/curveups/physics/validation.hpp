@@ -33,7 +33,6 @@ struct VerifyOptions {
   // Where tiles touch when actuated, per contact: the bumps' tips (n x 3, world). Contacts without
   // any touch at their corners. Empty: no bumps.
   std::vector<Points3> bump_tips;
-  std::vector<int> held;           // with gravity "held"; empty: the lowest tile of each piece
   bool keep_solution = false;      // for repair
   SolvedDesign* solved = nullptr;  // used where it belongs to the design
 };

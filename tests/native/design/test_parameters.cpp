@@ -22,6 +22,17 @@ TEST(Parameters, EveryRowIsCompleteAndItsDefaultInRange) {
   EXPECT_NO_THROW(check_parameters(p));
 }
 
+TEST(Parameters, ListsOfTilesAreReadAsReportsNameThem) {
+  EXPECT_EQ(listed_tiles("T00012, T00001,T00012 T2493"), (std::vector<int>{0, 11, 2492}));
+  EXPECT_TRUE(listed_tiles("").empty());
+  Parameters p;
+  for (const char* wrong : {"12", "T0", "T", "T1x", "T-3", "T99999999999", "t5"}) {
+    EXPECT_THROW(set_parameter(p, "held_tiles", std::string(wrong)), InvalidInput) << wrong;
+  }
+  EXPECT_THROW(set_parameter(p, "held_tiles", 3.0), InvalidInput);
+  EXPECT_EQ(p.held_tiles, "");
+}
+
 TEST(Parameters, TextsAreReadAsValues) {
   Parameters p;
   set_parameter(p, "H_body", std::string("2.5"));
