@@ -32,7 +32,7 @@ def one_line(capsys):
     return lines[0]
 
 
-def test_a_designs_name_is_no_path(designed, tmp_path, capsys):
+def test_a_designs_name_is_no_path(curveups, designed, tmp_path):
     """A name with a slash neither leaves the folder nor removes what bears its end."""
     design = designed.json("design.json")
     design["name"] = "../x/turtle"
@@ -42,7 +42,8 @@ def test_a_designs_name_is_no_path(designed, tmp_path, capsys):
     mine = [out / "turtle-tiles.step", out / "turtle-tiles.step.old", tmp_path / "turtle.FCStd"]
     for path in mine:
         path.write_text("mine")
-    assert main(["export", str(tmp_path / "design.json"), "-o", str(out), "--quiet"]) == 0
+    # A program of its own: FreeCAD, which writes the document, would change this one's locale.
+    assert curveups("export", tmp_path / "design.json", "-o", out).status == 0
     assert all(path.read_text() == "mine" for path in mine)
     assert (out / "x-turtle-tiles.step").stat().st_size > 1000
     assert json.loads((out / "design.json").read_text())["name"] == "x-turtle"
@@ -228,10 +229,9 @@ def test_a_recheck_that_breaks_down_is_a_warning(request_of_cap, monkeypatch):
     broken = raising(native.SolverFailure("no memory for the factor"), first=1)
     monkeypatch.setattr(pipeline, "native", Replaced(verify_design=broken))
     outcome = pipeline.run_design(request_of_cap(recheck=True, repair=False), go_on)
-    assert outcome.verification is not None and outcome.recheck is None
+    assert outcome.verdict.valid is True and outcome.recheck is None
     warned = [w["what"] for w in outcome.warnings if w["kind"] == "recheck"]
-    assert len(warned) == bool(outcome.verification.valid)
-    assert outcome.verdict.valid == outcome.verification.valid
+    assert len(warned) == 1 and "no memory" in warned[0]
 
 
 @pytest.mark.parametrize("error, stopped", [(native.SolverFailure("no memory"), False),
