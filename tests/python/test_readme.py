@@ -28,3 +28,9 @@ def test_links_and_pictures_exist():
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     for target in re.findall(r"\]\(([^)]+)\)", text):
         assert (ROOT / target).is_file(), target
+
+
+def test_setup_is_silent_where_nothing_is_missing():
+    done = subprocess.run(["tools/setup"], cwd=ROOT, stdin=subprocess.DEVNULL, capture_output=True,
+                          text=True, timeout=550)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
