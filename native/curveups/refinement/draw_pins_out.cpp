@@ -14,7 +14,7 @@ bool cap_insets(const std::vector<Touch>& touches, const Place& place, Array6& c
       const int k = inset_index(touch.side, t);
       const double q = std::min(place.state(tile, inset_unknown(touch.side, t)), caps(tile, k));
       const double lower = bounds.lower(tile, k) + capped_room;
-      const double drawn = std::max(lower, q - 0.1 - 2 * touch.depth);
+      const double drawn = std::max(lower, q - 0.1 - 2 * (safe_clearance - touch.clearance));
       if (!(drawn < q)) continue;
       caps(tile, k) = drawn;
       any = true;

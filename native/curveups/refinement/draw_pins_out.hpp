@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where a membrane cuts into a body the pins around draw out: nearer to their edges they hold it
-// up better.
+// Where a membrane cuts into a body or all but touches it the pins around draw out: nearer to their
+// edges they hold it up better.
 #pragma once
 
 #include "curveups/refinement/tracked_forces.hpp"

@@ -113,7 +113,7 @@ Judgement Repair::judge_fresh(RepairResult& result) {
   solved_ = nullptr;
   Judgement now = tracked_.judge_fresh(here_, fresh);
   touches_ = find_touches(here_.geometry(), fresh, parameters_);
-  for (const Touch& touch : touches_) now.depth = std::max(now.depth, touch.depth);
+  for (const Touch& touch : touches_) now.depth = std::max(now.depth, -touch.clearance);
   if (now.valid()) {
     result.solved = std::make_shared<SolvedDesign>(std::move(fresh));
   } else {

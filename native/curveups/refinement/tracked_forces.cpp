@@ -39,7 +39,7 @@ std::vector<Touch> find_touches(const DesignGeometry& geometry, const SolvedDesi
   for (Side side : {Side::front, Side::back}) {
     const MembraneSolution& membrane = solved.membranes[static_cast<int>(side)];
     for (const MembraneClearance& one : patch_clearances(geometry, membrane, parameters.H_pin)) {
-      if (one.distance < 0) touches.push_back({one.tile, side, -one.distance});
+      if (one.distance < safe_clearance) touches.push_back({one.tile, side, one.distance});
     }
   }
   return touches;

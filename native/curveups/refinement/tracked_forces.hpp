@@ -17,12 +17,15 @@ namespace curveups {
 SolvedDesign solve_fresh(const Place& place, const Parameters& parameters, double f_min_ratio,
                          const Progress& progress);
 
-// A tile beside which a membrane cuts into a body.
+// A tile that a membrane cuts into or all but touches.
 struct Touch {
   int tile;
   Side side;
-  double depth;  // mm
+  double clearance;  // mm, negative where it cuts in
 };
+
+// Below this a finer mesh may find that a membrane cuts in, mm.
+inline constexpr double safe_clearance = 0.05;
 
 std::vector<Touch> find_touches(const DesignGeometry& geometry, const SolvedDesign& solved,
                                 const Parameters& parameters);
