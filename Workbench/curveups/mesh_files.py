@@ -85,9 +85,10 @@ def read_3mf(path: Path) -> Mesh:
             if entry.file_size > MOST_BYTES:
                 raise CurveUpsError("the 3MF model is too large", str(path), "simplify the mesh")
             root = ElementTree.fromstring(archive.read(entry))
-    except (zipfile.BadZipFile, LookupError, ValueError, zlib.error, EOFError,
-            NotImplementedError, RuntimeError, ElementTree.ParseError) as error:
-        # LookupError and ValueError: an encoding that is not known, or that the parser does not take.
+    except (zipfile.BadZipFile, LookupError, ValueError, zlib.error, EOFError, RuntimeError,
+            ElementTree.ParseError) as error:
+        # LookupError and ValueError: an encoding that is not known, or that the parser does not take;
+        # RuntimeError: encrypted, or compressed in a way that zipfile does not know.
         raise CurveUpsError(f"this is no readable 3MF file: {error}", str(path),
                             "export the file again") from None
     namespace = root.tag[: root.tag.find("}") + 1]
