@@ -103,7 +103,7 @@ def _line(row: dict) -> str:
     for stage in row["stages"]:
         total[stage["name"]] = total.get(stage["name"], 0.0) + stage["seconds"]
 
-    def number(value, width, digits=2):
+    def number(value: float | None, width: int, digits: int = 2) -> str:
         return f"{'-':>{width}}" if value is None else f"{value:>{width}.{digits}f}"
 
     word = {True: "yes", False: "no", None: "not judged"}[row["valid"]]

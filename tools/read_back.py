@@ -62,7 +62,7 @@ def _wrong_3mf(path: Path, bodies: int) -> list[str]:
             if item.tag != space + "object":
                 continue
             names.add(item.get("name"))
-            edges = Counter()
+            edges: Counter[tuple[str | None, str | None]] = Counter()
             for triangle in item.iter(space + "triangle"):
                 a, b, c = (triangle.get(corner) for corner in ("v1", "v2", "v3"))
                 edges.update(((a, b), (b, c), (c, a)))
