@@ -147,7 +147,7 @@ void bind_fabrication(py::module_& module) {
         py::gil_scoped_release release;
         const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
         const FlatPoses poses = fit_poses(geometry.tiles, design.T);
-        return bump_tips(geometry.tiles, plan_bumps(geometry, poses, design.parameters));
+        return bump_tips(geometry, poses, design.parameters);
       },
       py::arg("design"), "As PrintModel.bump_tips, without a print model.");
 }

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "curveups/bodies/outline.hpp"
+#include "curveups/bodies/print_body.hpp"
 #include "curveups/design/parameters.hpp"
 #include "curveups/fabrication/engraving.hpp"
-#include "curveups/fabrication/outline.hpp"
-#include "curveups/fabrication/print_body.hpp"
 
 namespace curveups {
 

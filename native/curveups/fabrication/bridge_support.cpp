@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "curveups/bodies/convex_distance.hpp"
 #include "curveups/fabrication/bridges.hpp"
-#include "curveups/fabrication/convex_distance.hpp"
 #include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/supports.hpp"
 

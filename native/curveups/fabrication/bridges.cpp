@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/design/spatial_pairs.hpp"
-#include "curveups/fabrication/convex_distance.hpp"
 
 namespace curveups {
 namespace {

@@ -7,9 +7,9 @@
 #include <array>
 #include <vector>
 
+#include "curveups/bodies/bumps.hpp"
+#include "curveups/bodies/print_body.hpp"
 #include "curveups/design/parameters.hpp"
-#include "curveups/fabrication/bumps.hpp"
-#include "curveups/fabrication/print_body.hpp"
 
 namespace curveups {
 

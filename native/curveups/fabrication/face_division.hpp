@@ -3,7 +3,7 @@
 // is built on them, compare the holes of a face pair by pair.
 #pragma once
 
-#include "curveups/fabrication/print_body.hpp"
+#include "curveups/bodies/print_body.hpp"
 
 namespace curveups {
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "curveups/fabrication/print_body.hpp"
+#include "curveups/bodies/print_body.hpp"
 
 namespace curveups {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "curveups/bodies/tile_print.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/fabrication/anchors.hpp"
@@ -19,18 +20,12 @@ constexpr double engraving_rim = 0.3;     // between letters and the edge of the
 class Builder {
  public:
   Builder(const Design& design, std::string version) : version_(std::move(version)) {
+    static_cast<TileBodies&>(model_) = make_tile_bodies(design);
     model_.name = design.name;
-    model_.parameters = design.parameters;
-    model_.geometry = make_geometry(design.mesh, design.cuts, design.parameters);
-    refuse_tiles_without_back();
-    model_.poses = fit_poses(tiles(), design.T);
-    model_.q = design.q;
   }
 
   PrintModel run() {
     const int count = tiles().tile_count();
-    model_.bumps = plan_bumps(model_.geometry, model_.poses, p());
-    check_pins(tiles(), model_.bumps.body, model_.q);
     find_pieces();
     for (int i = 0; i < count; ++i) {
       model_.flat.push_back(flat_motion(model_.poses, i, p().H_pin + p().H_body));
@@ -54,14 +49,6 @@ class Builder {
  private:
   const Parameters& p() const { return model_.parameters; }
   const TileMesh& tiles() const { return model_.geometry.tiles; }
-
-  void refuse_tiles_without_back() const {
-    const std::vector<int> lost = tiles_without_back(tiles());
-    if (lost.empty()) return;
-    throw InfeasibleDesign(
-        "the back face of " + std::to_string(lost.size()) + " tiles vanishes or turns inside out",
-        "lower H_body or flatten the folds there", lost);
-  }
 
   void find_pieces() {
     std::vector<char> joined;

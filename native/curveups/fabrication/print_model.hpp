@@ -7,10 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "curveups/design/design.hpp"
-#include "curveups/fabrication/bumps.hpp"
-#include "curveups/fabrication/print_body.hpp"
-#include "curveups/fabrication/tile_print.hpp"
+#include "curveups/bodies/print_body.hpp"
+#include "curveups/bodies/tile_bodies.hpp"
 
 namespace curveups {
 
@@ -20,14 +18,8 @@ struct ThinFeature {
   double size;
 };
 
-struct PrintModel {
+struct PrintModel : TileBodies {
   std::string name;
-  Parameters parameters;
-  DesignGeometry geometry;
-  FlatPoses poses;
-  Array6 q;
-  BumpPlan bumps;
-
   int piece_count = 0;
   std::vector<int> piece_of_tile;
   std::vector<RigidMotion> flat;    // tile frame to print coordinates
@@ -42,9 +34,9 @@ struct PrintModel {
   Box box;
 };
 
-// version: what is engraved beside name and piece. Throws InfeasibleDesign, naming tiles, where
-// pins or faces are turned inside out, or where pieces are too near to each other for their anchors
-// and slabs; what make_geometry throws; SolverFailure where a slab's outline falls apart.
+// version: what is engraved beside name and piece. Throws what
+// make_tile_bodies throws; InfeasibleDesign where pieces are too near to each other for their
+// anchors and slabs; SolverFailure where a slab's outline falls apart.
 PrintModel make_print_model(const Design& design, const std::string& version);
 
 // The tiles in the target shape, without bumps and recesses, so that walls meet: world coordinates.

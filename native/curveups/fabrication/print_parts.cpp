@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "curveups/bodies/tile_print.hpp"
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "curveups/bodies/clearance.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
-#include "curveups/fabrication/clearance.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/print_model.hpp"
 

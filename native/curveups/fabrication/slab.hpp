@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "curveups/fabrication/print_body.hpp"
+#include "curveups/bodies/print_body.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
 
 namespace curveups {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "curveups/bodies/outline.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
-#include "curveups/fabrication/outline.hpp"
 #include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/slab.hpp"
 #include "curveups/fabrication/supports.hpp"

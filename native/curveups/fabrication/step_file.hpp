@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "curveups/bodies/print_body.hpp"
 #include "curveups/core/progress.hpp"
-#include "curveups/fabrication/print_body.hpp"
 
 namespace curveups {
 

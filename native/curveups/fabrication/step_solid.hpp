@@ -2,7 +2,7 @@
 // Bodies as STEP's boundary representation.
 #pragma once
 
-#include "curveups/fabrication/print_body.hpp"
+#include "curveups/bodies/print_body.hpp"
 #include "curveups/fabrication/step_text.hpp"
 
 namespace curveups {

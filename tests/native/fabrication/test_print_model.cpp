@@ -5,12 +5,12 @@
 #include <map>
 #include <set>
 
+#include "curveups/bodies/clearance.hpp"
+#include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
 #include "curveups/fabrication/bridges.hpp"
-#include "curveups/fabrication/clearance.hpp"
-#include "curveups/fabrication/convex_distance.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/print_model.hpp"
 #include "fabrication/sample_design.hpp"

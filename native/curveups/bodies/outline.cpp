@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/outline.hpp"
+#include "curveups/bodies/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/convex_distance.hpp"
+#include "curveups/bodies/convex_distance.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

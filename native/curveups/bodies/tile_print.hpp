@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "curveups/fabrication/bumps.hpp"
-#include "curveups/fabrication/print_body.hpp"
+#include "curveups/bodies/bumps.hpp"
+#include "curveups/bodies/print_body.hpp"
 
 namespace curveups {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/bump_pattern.hpp"
+#include "curveups/bodies/bump_pattern.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/print_body.hpp"
+#include "curveups/bodies/print_body.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

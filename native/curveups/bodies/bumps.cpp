@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/bumps.hpp"
+#include "curveups/bodies/bumps.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "curveups/bodies/bump_pattern.hpp"
+#include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/fabrication/bump_pattern.hpp"
-#include "curveups/fabrication/convex_distance.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
 
 namespace curveups {
@@ -360,6 +360,11 @@ std::vector<Points3> bump_tips(const TileMesh& tiles, const BumpPlan& plan) {
     tips.push_back(std::move(rows));
   }
   return tips;
+}
+
+std::vector<Points3> bump_tips(const DesignGeometry& geometry, const FlatPoses& poses,
+                               const Parameters& parameters) {
+  return bump_tips(geometry.tiles, plan_bumps(geometry, poses, parameters));
 }
 
 }  // namespace curveups

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/tile_print.hpp"
+#include "curveups/bodies/tile_print.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/clearance.hpp"
+#include "curveups/bodies/clearance.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
+#include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/design/spatial_pairs.hpp"
-#include "curveups/fabrication/convex_distance.hpp"
 
 namespace curveups {
 namespace {
@@ -19,11 +19,11 @@ struct Parts {
   Box box;
 };
 
-Parts make_parts(const PrintModel& model, int tile, const ConvexBody& body,
+Parts make_parts(const TileBodies& bodies, int tile, const ConvexBody& body,
                  const RigidMotion& motion, bool with_caps) {
-  const TileMesh& tiles = model.geometry.tiles;
-  const double* q = model.q.row(tile).data();
-  const double H_pin = model.parameters.H_pin, H_body = tiles.H_body;
+  const TileMesh& tiles = bodies.geometry.tiles;
+  const double* q = bodies.q.row(tile).data();
+  const double H_pin = bodies.parameters.H_pin, H_body = tiles.H_body;
   Parts parts;
   parts.convex[0] = moved(body, motion);
   parts.convex[1] = moved(make_prism(pin_corners(tiles, tile, Side::front, q), 0, H_pin), motion);
@@ -31,7 +31,7 @@ Parts make_parts(const PrintModel& model, int tile, const ConvexBody& body,
       moved(make_prism(pin_corners(tiles, tile, Side::back, q), -H_body - H_pin, -H_body), motion);
   for (const ConvexBody& part : parts.convex) parts.box.add(bounding_box(part));
   if (!with_caps) return parts;
-  for (const WallCap& cap : model.bumps.of_tile[tile]) {
+  for (const WallCap& cap : bodies.bumps.of_tile[tile]) {
     if (!cap.bump) continue;
     const Vec3 apex = motion(cap.centre + cap.height * cap.axis);
     parts.caps.push_back(
@@ -78,8 +78,8 @@ std::vector<std::array<int, 2>> near_pairs(const std::vector<Parts>& parts, doub
 }
 
 template <class Make>
-std::vector<Parts> all_parts(const PrintModel& model, Make make) {
-  std::vector<Parts> parts(model.tiles.size());
+std::vector<Parts> all_parts(const TileBodies& bodies, Make make) {
+  std::vector<Parts> parts(bodies.geometry.tiles.tile_count());
   parallel_ranges(static_cast<int>(parts.size()), [&](int begin, int end) {
     for (int i = begin; i < end; ++i) parts[i] = make(i);
   });
@@ -97,13 +97,14 @@ std::vector<double> measure_pairs(const std::vector<std::array<int, 2>>& pairs, 
 
 }  // namespace
 
-PairFigure min_clearance_flat(const PrintModel& model) {
-  const std::vector<Parts> parts = all_parts(
-      model, [&](int i) { return make_parts(model, i, model.bumps.body[i], model.flat[i], true); });
+PairFigure min_clearance_flat(const TileBodies& bodies) {
+  const std::vector<Parts> parts = all_parts(bodies, [&](int i) {
+    return make_parts(bodies, i, bodies.bumps.body[i], flat_motion(bodies.poses, i, 0), true);
+  });
   PairFigure out{std::numeric_limits<double>::infinity(), {-1, -1}};
   if (parts.size() < 2) return out;
   // Pairs further apart than the reach can't be the nearest once one within it is found.
-  for (double reach = std::max(0.1, 2 * model.parameters.d_gap_min);; reach *= 4) {
+  for (double reach = std::max(0.1, 2 * bodies.parameters.d_gap_min);; reach *= 4) {
     const auto pairs = near_pairs(parts, reach);
     const std::vector<double> values =
         measure_pairs(pairs, [&](int i, int j) { return tile_distance(parts[i], parts[j]); });
@@ -115,10 +116,10 @@ PairFigure min_clearance_flat(const PrintModel& model) {
   }
 }
 
-PairFigure max_overlap_actuated(const PrintModel& model) {
-  const TileMesh& tiles = model.geometry.tiles;
-  const std::vector<Parts> parts = all_parts(model, [&](int i) {
-    return make_parts(model, i, tile_body(tiles, model.geometry.truncation, i),
+PairFigure max_overlap_actuated(const TileBodies& bodies) {
+  const TileMesh& tiles = bodies.geometry.tiles;
+  const std::vector<Parts> parts = all_parts(bodies, [&](int i) {
+    return make_parts(bodies, i, tile_body(tiles, bodies.geometry.truncation, i),
                       actuated_motion(tiles.frame[i]), false);
   });
   const auto pairs = near_pairs(parts, 0);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "curveups/fabrication/outline.hpp"
+#include "curveups/bodies/outline.hpp"
 
 namespace curveups {
 namespace {

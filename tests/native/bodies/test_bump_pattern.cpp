@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "curveups/fabrication/bump_pattern.hpp"
+#include "curveups/bodies/bump_pattern.hpp"
 
 namespace curveups {
 namespace {

@@ -2,8 +2,8 @@
 // Exact distances of convex polyhedra and of the spherical caps on them.
 #pragma once
 
+#include "curveups/bodies/print_body.hpp"
 #include "curveups/design/convex_body.hpp"
-#include "curveups/fabrication/print_body.hpp"
 
 namespace curveups {
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "curveups/fabrication/print_model.hpp"
+#include "curveups/bodies/tile_bodies.hpp"
 
 namespace curveups {
 
@@ -15,10 +15,10 @@ struct PairFigure {
 
 // Least 3D distance of two tiles in the flat layout, bodies, pins and bumps included, exact; 0
 // where two overlap. Infinite with one tile.
-PairFigure min_clearance_flat(const PrintModel& model);
+PairFigure min_clearance_flat(const TileBodies& bodies);
 
 // Largest volume (mm3) that two tiles share in the actuated configuration: bodies without recess
 // and pins, bumps aside.
-PairFigure max_overlap_actuated(const PrintModel& model);
+PairFigure max_overlap_actuated(const TileBodies& bodies);
 
 }  // namespace curveups

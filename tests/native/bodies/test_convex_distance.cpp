@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "curveups/fabrication/convex_distance.hpp"
+#include "curveups/bodies/convex_distance.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
 
 namespace curveups {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "curveups/bodies/print_body.hpp"
 #include "curveups/design/design.hpp"
-#include "curveups/fabrication/print_body.hpp"
 
 namespace curveups {
 
@@ -45,5 +45,8 @@ BumpPlan plan_bumps(const DesignGeometry& geometry, const FlatPoses& poses,
 
 // Per contact the apexes of its bumps in the actuated configuration (world): where its tiles touch.
 std::vector<Points3> bump_tips(const TileMesh& tiles, const BumpPlan& plan);
+// The same of the bumps that plan_bumps gives; throws what it throws.
+std::vector<Points3> bump_tips(const DesignGeometry& geometry, const FlatPoses& poses,
+                               const Parameters& parameters);
 
 }  // namespace curveups
