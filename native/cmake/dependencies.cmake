@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Every third-party library as one interface target, named after what the rooms use it for.
 
-# CHOLMOD (supernodal module: GPL) on OpenBLAS, used by core/sparse_cholesky.cpp alone.
+# CHOLMOD (supernodal module: GPL) on OpenBLAS, used by numerics/sparse_cholesky.cpp alone.
 find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 find_library(OPENBLAS_LIBRARY openblas REQUIRED)

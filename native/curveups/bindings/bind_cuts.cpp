@@ -22,8 +22,8 @@ void bind_cuts(py::module_& module) {
       .def_readonly("after", &CutSuggestion::after);
   py::class_<CutSuggestions>(module, "CutSuggestions", "Cuts in the order of their making.")
       .def_readonly("cuts", &CutSuggestions::cuts)
-      .def_readonly("layouts", &CutSuggestions::layouts)
-      .def_readonly("stopped", &CutSuggestions::stopped);
+      .def_property_readonly("layouts", [](const CutSuggestions& s) { return s.solve.iterations; })
+      .def_property_readonly("stopped", [](const CutSuggestions& s) { return s.solve.stopped(); });
   module.def(
       "suggest_cuts",
       [](const Points3& V, const Triangles& F, const Edges& cuts, const Parameters& parameters,

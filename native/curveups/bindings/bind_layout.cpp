@@ -18,16 +18,18 @@ struct LayoutDesign {
 void bind_layout(py::module_& module) {
   py::class_<LayoutDesign>(module, "LayoutResult", "A design and how its layout was found.")
       .def_readonly("design", &LayoutDesign::design)
-      .def_property_readonly("converged", [](const LayoutDesign& r) { return r.result.converged; })
-      .def_property_readonly("stopped", [](const LayoutDesign& r) { return r.result.stopped; })
+      .def_property_readonly("converged",
+                             [](const LayoutDesign& r) { return r.result.solve.converged(); })
+      .def_property_readonly("stopped",
+                             [](const LayoutDesign& r) { return r.result.solve.stopped(); })
       .def_property_readonly("iterations",
-                             [](const LayoutDesign& r) { return r.result.iterations; })
+                             [](const LayoutDesign& r) { return r.result.solve.iterations; })
       .def_property_readonly("collision_rounds",
                              [](const LayoutDesign& r) { return r.result.collision_rounds; })
       .def_property_readonly("separations",
                              [](const LayoutDesign& r) { return r.result.separations; })
       .def_property_readonly("largest_violation_mm",
-                             [](const LayoutDesign& r) { return r.result.largest_violation; })
+                             [](const LayoutDesign& r) { return r.result.solve.residual; })
       .def_property_readonly("energies", [](const LayoutDesign& r) { return r.result.energies; });
   module.def(
       "solve_layout",
@@ -80,13 +82,11 @@ void bind_layout(py::module_& module) {
               return false;
             }
           };
-          const SoftLayoutResult soft =
+          const LayoutResult soft =
               solve_soft_layout(geometry, parameters, from, max_iterations, callback);
           out.design = {name,   parameters, mesh, flat_corners(geometry.tiles, soft.poses),
                         soft.q, cuts,       {}};
-          out.result.iterations = soft.iterations;
-          out.result.converged = soft.converged;
-          out.result.stopped = soft.stopped;
+          out.result.solve = soft.solve;
           out.result.energies = soft.energies;
         }
         if (error) std::rethrow_exception(error);

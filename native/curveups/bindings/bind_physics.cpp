@@ -8,16 +8,10 @@
 namespace curveups::bindings {
 namespace {
 
-const char* status_name(UnilateralStatus status) {
-  switch (status) {
-    case UnilateralStatus::feasible:
-      return "feasible";
-    case UnilateralStatus::infeasible:
-      return "infeasible";
-    case UnilateralStatus::unsolved:
-      return "unsolved";
-  }
-  return "";
+const char* status_name(SolveStatus status) {
+  return status == SolveStatus::converged    ? "feasible"
+         : status == SolveStatus::infeasible ? "infeasible"
+                                             : "unsolved";
 }
 
 py::dict physics_block(const PhysicsFigures& f) {
@@ -73,7 +67,7 @@ py::dict unilateral_block(const UnilateralFigures& f) {
   out["status_unlimited_friction"] = status_name(f.unlimited_status);
   out["largest_floor_unlimited_friction"] = f.unlimited_largest_floor;
   if (f.tips_status) {
-    out["feasible_at_bump_tips"] = *f.tips_status == UnilateralStatus::feasible;
+    out["feasible_at_bump_tips"] = *f.tips_status == SolveStatus::converged;
     out["status_at_bump_tips"] = status_name(*f.tips_status);
     out["largest_floor_at_bump_tips"] = f.tips_largest_floor;
   } else {
@@ -167,8 +161,8 @@ void bind_physics(py::module_& module) {
         });
       },
       py::arg("design"), py::arg("progress") = py::none(),
-      py::arg("bump_tips") = std::vector<Points3>(),
-      py::arg("keep_solution") = false, py::arg("solved") = py::none(),
+      py::arg("bump_tips") = std::vector<Points3>(), py::arg("keep_solution") = false,
+      py::arg("solved") = py::none(),
       "Membranes, contact forces and verdict. bump_tips: per contact the points (n x 3) at which "
       "its tiles touch when actuated. "
       "keep_solution: for repair_design. solved: what a repair that ended valid hands on.");

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/core/sparse_cholesky.hpp"
+#include "curveups/numerics/sparse_cholesky.hpp"
 
 namespace curveups {
 namespace {

@@ -55,8 +55,9 @@ class Suggester {
       open();
       while (static_cast<int>(out_.cuts.size()) < options_.most && add_best()) {
       }
+      out_.solve.status = SolveStatus::converged;
     } catch (const Cancelled&) {
-      out_.stopped = true;
+      out_.solve.status = SolveStatus::stopped;
     }
     return std::move(out_);
   }
@@ -78,7 +79,7 @@ class Suggester {
       const DesignGeometry geometry = make_geometry(mesh_, with(cuts_, more), parameters_);
       const LayoutResult result =
           solve_layout(geometry, parameters_, progress, LayoutEffort::draft);
-      if (result.stopped) throw Cancelled();
+      if (result.solve.stopped()) throw Cancelled();
       return layout_figures(geometry, parameters_, result.poses, result.q);
     } catch (const SolverFailure&) {
       return {};
@@ -107,7 +108,7 @@ class Suggester {
     }
     if (needed.edges.rows() == 0 || options_.most < 1) return;
     needed.after = draft(needed.edges);
-    ++out_.layouts;
+    ++out_.solve.iterations;
     take(std::move(needed));
   }
 
@@ -148,12 +149,12 @@ class Suggester {
     if (!drafted_) {
       now_ = draft(none);
       drafted_ = true;
-      ++out_.layouts;
+      ++out_.solve.iterations;
     }
     parallel_ranges(static_cast<int>(found.size()), [&](int begin, int end) {
       for (int k = begin; k < end; ++k) found[k].figures = draft(found[k].cut.edges);
     });
-    out_.layouts += static_cast<int>(found.size());
+    out_.solve.iterations += static_cast<int>(found.size());
     const auto best = std::min_element(
         found.begin(), found.end(),
         [](const Tried& a, const Tried& b) { return energy_of(a.figures) < energy_of(b.figures); });

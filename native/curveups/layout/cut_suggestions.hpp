@@ -11,6 +11,7 @@
 #include "curveups/core/progress.hpp"
 #include "curveups/layout/cut_candidates.hpp"
 #include "curveups/layout/layout_figures.hpp"
+#include "curveups/numerics/solve_report.hpp"
 
 namespace curveups {
 
@@ -33,8 +34,8 @@ struct CutSuggestionOptions {
 
 struct CutSuggestions {
   std::vector<CutSuggestion> cuts;  // in the order in which they are to be made
-  int layouts = 0;                  // drafts that were solved
-  bool stopped = false;             // by the progress sink: `cuts` has those found so far
+  // Iterations: drafts that were solved. Stopped, `cuts` has those found so far.
+  SolveReport solve;
 };
 
 // Greedy: of the candidates the three whose conformal maps are the most even (variance of the log

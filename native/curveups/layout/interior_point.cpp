@@ -284,9 +284,9 @@ double InteriorPoint::largest_violation(const LayoutState& state) const {
   return largest;
 }
 
-InteriorPointOutcome InteriorPoint::run(LayoutState& state, double mu_start, double mu_end,
-                                        int max_iterations, const Progress& progress) {
-  InteriorPointOutcome outcome;
+SolveReport InteriorPoint::run(LayoutState& state, double mu_start, double mu_end,
+                               int max_iterations, const Progress& progress) {
+  SolveReport outcome;
   double mu = mu_start, damping = 0, penalty = 1;
   const double span = std::log(mu_start / mu_end);
   prepare(state, mu);
@@ -298,11 +298,11 @@ InteriorPointOutcome InteriorPoint::run(LayoutState& state, double mu_start, dou
   for (; outcome.iterations < max_iterations; ++outcome.iterations) {
     linearize(state, at);
     if (!keep_going(progress, "layout", span > 0 ? std::log(mu_start / mu) / span : 1.0)) {
-      outcome.stopped = true;
+      outcome.status = SolveStatus::stopped;
       break;
     }
     if (mu <= mu_end && at.error(mu) <= barrier_accuracy * mu) {
-      outcome.converged = true;
+      outcome.status = SolveStatus::converged;
       break;
     }
     while (mu > mu_end && at.error(mu) <= barrier_accuracy * mu) {
@@ -341,7 +341,7 @@ InteriorPointOutcome InteriorPoint::run(LayoutState& state, double mu_start, dou
     lower_multiplier_ += step.dual_length * step.lower_multiplier;
     upper_multiplier_ += step.dual_length * step.upper_multiplier;
   }
-  outcome.largest_violation = largest_violation(state);
+  outcome.residual = largest_violation(state);
   return outcome;
 }
 

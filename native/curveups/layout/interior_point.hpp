@@ -17,15 +17,9 @@
 #include "curveups/core/progress.hpp"
 #include "curveups/layout/block_function.hpp"
 #include "curveups/layout/normal_matrix.hpp"
+#include "curveups/numerics/solve_report.hpp"
 
 namespace curveups {
-
-struct InteriorPointOutcome {
-  bool converged = false;
-  bool stopped = false;  // by the progress sink
-  int iterations = 0;
-  double largest_violation = 0;  // of c(z) >= 0, mm
-};
 
 class InteriorPoint {
  public:
@@ -33,9 +27,10 @@ class InteriorPoint {
   explicit InteriorPoint(const LayoutModel& model);
 
   // Improves `state` until complementarity mu_end is reached and the optimality conditions hold to
-  // like accuracy, or max_iterations. progress gets the share of the way from mu_start to mu_end.
-  InteriorPointOutcome run(LayoutState& state, double mu_start, double mu_end, int max_iterations,
-                           const Progress& progress);
+  // like accuracy, or max_iterations. The report has the largest violation of c(z) >= 0. progress
+  // gets the share of the way from mu_start to mu_end.
+  SolveReport run(LayoutState& state, double mu_start, double mu_end, int max_iterations,
+                  const Progress& progress);
 
   // Drops slacks and multipliers: the next run starts afresh from its state.
   void forget();

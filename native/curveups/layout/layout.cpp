@@ -52,16 +52,9 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
     const Progress scaled = [&](const std::string& what, double fraction) {
       return keep_going(progress, what, done + (done > 0 ? 0.4 : 0.6) * fraction);
     };
-    const InteriorPointOutcome outcome =
-        method.run(state, mu, goal, most - result.iterations, scaled);
-    result.iterations += outcome.iterations;
-    result.converged = outcome.converged;
-    result.largest_violation = outcome.largest_violation;
-    if (outcome.stopped) {
-      result.stopped = true;
-      break;
-    }
-    if (effort == LayoutEffort::draft) break;
+    const SolveReport outcome = method.run(state, mu, goal, most - result.solve.iterations, scaled);
+    result.solve = {outcome.status, result.solve.iterations + outcome.iterations, outcome.residual};
+    if (outcome.stopped() || effort == LayoutEffort::draft) break;
     const double clearance = parameters.d_gap_min - 0.5 * tolerance::constraint;
     const std::vector<Separation> close =
         find_close_pairs(geometry.tiles, poses_of(model, state),
@@ -69,14 +62,14 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
     for (const Separation& pair : close) add_separation(model, pair);
     result.separations += static_cast<int>(close.size());
     if (!close.empty()) ++result.collision_rounds;
-    if ((goal <= mu_end && close.empty()) || result.iterations >= most ||
+    if ((goal <= mu_end && close.empty()) || result.solve.iterations >= most ||
         result.collision_rounds >= most_rounds) {
-      result.converged = result.converged && close.empty();
+      if (!close.empty()) result.solve.status = SolveStatus::unfinished;
       break;
     }
     mu = goal > mu_end ? mu_search : 1e-4;
     goal = mu_end;
-    if (!outcome.converged) {
+    if (!outcome.converged()) {
       // Pairs that were far into one another have let multipliers grow without bound: what was
       // found of the pairs stays, the rest starts again.
       method.forget();

@@ -7,18 +7,16 @@
 
 #include "curveups/core/progress.hpp"
 #include "curveups/layout/layout_model.hpp"
+#include "curveups/numerics/solve_report.hpp"
 
 namespace curveups {
 
 struct LayoutResult {
   FlatPoses poses;
   Array6 q;
-  bool converged = false;
-  bool stopped = false;
-  int iterations = 0;
+  SolveReport solve;                       // residual: of the hard constraints, mm
   int collision_rounds = 0;                // times that separations were added
   int separations = 0;                     // pairs of tiles kept apart besides contacts
-  double largest_violation = 0;            // of the hard constraints, mm
   std::map<std::string, double> energies;  // Eq. 9's terms by name, with their weights
 };
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "curveups/core/sparse_cholesky.hpp"
 #include "curveups/layout/block_function.hpp"
+#include "curveups/numerics/sparse_cholesky.hpp"
 
 namespace curveups {
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "curveups/core/one_thread.hpp"
 #include "curveups/layout/block_function.hpp"
 #include "curveups/layout/initial_layout.hpp"
+#include "curveups/numerics/one_thread.hpp"
 
 namespace curveups {
 namespace {
@@ -61,9 +61,9 @@ class Watcher : public ceres::IterationCallback {
 
 }  // namespace
 
-SoftLayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters& parameters,
-                                   const std::optional<SoftLayoutStart>& start, int max_iterations,
-                                   const SoftLayoutCallback& callback) {
+LayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters& parameters,
+                               const std::optional<SoftLayoutStart>& start, int max_iterations,
+                               const SoftLayoutCallback& callback) {
   const LayoutModel model = make_layout_model(geometry, parameters);
   LayoutState state = start ? state_of(model, start->poses, start->q) : initial_layout(model);
   const PinBounds& bounds = geometry.pin_bounds;
@@ -105,12 +105,12 @@ SoftLayoutResult solve_soft_layout(const DesignGeometry& geometry, const Paramet
     const OneThread guard;
     ceres::Solve(options, &problem, &summary);
   }
-  SoftLayoutResult result;
+  LayoutResult result;
   result.poses = poses_of(model, state);
   result.q = insets_of(state);
-  result.iterations = static_cast<int>(summary.iterations.size()) - 1;
-  result.converged = summary.termination_type == ceres::CONVERGENCE;
-  result.stopped = summary.termination_type == ceres::USER_FAILURE;
+  result.solve.iterations = static_cast<int>(summary.iterations.size()) - 1;
+  if (summary.termination_type == ceres::CONVERGENCE) result.solve.status = SolveStatus::converged;
+  if (summary.termination_type == ceres::USER_FAILURE) result.solve.status = SolveStatus::stopped;
   for (const auto& term : energies)
     result.energies[std::string(term->name())] += energy(*term, state);
   return result;

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "curveups/core/sparse_cholesky.hpp"
+#include "curveups/numerics/sparse_cholesky.hpp"
 #include "curveups/physics/elastic_forces.hpp"
 
 namespace curveups {

@@ -98,7 +98,7 @@ void DesignForces::solve_contacts() {
   for (Side side : sides) {
     const SolvedMembrane& m = membrane(side);
     // Rounding alone may keep a membrane from the last digits of its tolerance.
-    if (!(m.state.residual < 1e-6)) {
+    if (!(m.state.solve.residual < 1e-6)) {
       throw SolverFailure(std::string("the ") + (side == Side::front ? "front" : "back") +
                               " membrane found no equilibrium",
                           "use the tension-field model");

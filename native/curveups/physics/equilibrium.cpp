@@ -72,19 +72,22 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
         ++count;
       }
     }
-    state.residual = glued > 0 ? largest / (glued / count) : largest;
-    state.converged = state.residual <= options.tolerance;
+    state.solve.residual = glued > 0 ? largest / (glued / count) : largest;
+    if (state.solve.residual <= options.tolerance) state.solve.status = SolveStatus::converged;
   };
   measure();
   if (energy_.free_count() == 0) return state;
   double reduction = 1;  // of the residual by the last step
-  while (!state.converged && state.iterations < options.max_iterations) {
-    if (!keep_going(progress, what)) return state;
+  while (!state.solve.converged() && state.solve.iterations < options.max_iterations) {
+    if (!keep_going(progress, what)) {
+      state.solve.status = SolveStatus::stopped;
+      break;
+    }
     const bool reuse = options.reuse_factor && reduction <= 0.1 &&
-                       state.residual * std::pow(reduction, most_reuses) <= options.tolerance;
+                       state.solve.residual * std::pow(reduction, most_reuses) <= options.tolerance;
     if (!reuse && !factorize(state.x, gradient)) break;
     if (!direction(state.gradient, step)) break;
-    ++state.iterations;
+    ++state.solve.iterations;
     const double slope = step.cwiseProduct(state.gradient).sum();
     const double rounding = 1e-13 * std::abs(state.energy);
     bool accepted = false;
@@ -99,9 +102,9 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
       }
     }
     if (!accepted && !reuse) break;
-    const double before = state.residual;
+    const double before = state.solve.residual;
     measure();
-    reduction = accepted ? state.residual / before : 1;
+    reduction = accepted ? state.solve.residual / before : 1;
   }
   return state;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "curveups/core/progress.hpp"
+#include "curveups/numerics/solve_report.hpp"
 #include "curveups/physics/membrane_energy.hpp"
 
 namespace curveups {
@@ -26,9 +27,8 @@ struct MembraneState {
   Points3 x;         // all mesh vertices, mm
   Points3 gradient;  // dE / dx there, N; the membrane pulls with minus this on its pins
   double energy = 0;
-  int iterations = 0;
-  double residual = 0;  // largest force on a free vertex, relative to the mean on a glued one
-  bool converged = false;
+  // residual: the largest force on a free vertex, relative to the mean on a glued one.
+  SolveReport solve;
 };
 
 // Owns the Hessian's factorization: after solve() it is that of the last step, for sensitivities.
@@ -39,7 +39,7 @@ class MembraneEquilibrium {
       : energy_(mesh, flat, tau, material) {}
 
   // start: all vertices, glued ones in their final places. The energy never rises from step to
-  // step. Stops early, unconverged, when progress asks to.
+  // step. Stops early when progress asks to.
   MembraneState solve(const Points3& start, const EquilibriumOptions& options,
                       const Progress& progress = {}, const std::string& what = "membrane");
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "curveups/core/sparse_cholesky.hpp"
+#include "curveups/numerics/sparse_cholesky.hpp"
 #include "curveups/physics/density.hpp"
 #include "curveups/physics/membrane_mesh.hpp"
 

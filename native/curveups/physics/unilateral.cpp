@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/physics/second_order_cone.hpp"
+#include "curveups/numerics/second_order_cone.hpp"
 
 namespace curveups {
 namespace {
@@ -388,7 +388,7 @@ UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
   const VectorXd b = system.restrict(loads) / options.scale;
   if (count == 0) {
     const bool balanced = b.size() == 0 || b.cwiseAbs().maxCoeff() < options.tolerance;
-    result.status = balanced ? UnilateralStatus::feasible : UnilateralStatus::infeasible;
+    result.solve.status = balanced ? SolveStatus::converged : SolveStatus::infeasible;
     return result;
   }
   const VectorXd from = Eigen::Map<const VectorXd>(start.data(), start.size()) / options.scale;
@@ -396,7 +396,7 @@ UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
     if (relaxed && !std::isfinite(mu)) break;  // the same program
     ConeProgram program(system, b, mu, relaxed);
     ConeProgram::Outcome outcome = program.solve(from, options, progress);
-    result.iterations += outcome.iterations;
+    result.solve.iterations += outcome.iterations;
     if (!outcome.solved) continue;
     // Certify: the forces themselves, not the solver's word.
     double floor = 1e300, slip = 0;
@@ -414,13 +414,13 @@ UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
     result.by_normal =
         derivative_by_normals(system, mu, outcome.circle, outcome.floor, result.force);
     if (floor >= -options.tolerance && slip <= options.tolerance) {
-      result.status = UnilateralStatus::feasible;
+      result.solve.status = SolveStatus::converged;
       result.largest_floor = options.scale * std::max(0.0, std::min(floor, 1.0));
       return result;
     }
     // The optimum itself is negative: no forces do without a pull.
     if (outcome.s < -options.tolerance) {
-      result.status = UnilateralStatus::infeasible;
+      result.solve.status = SolveStatus::infeasible;
       result.largest_floor = options.scale * outcome.s;
       return result;
     }

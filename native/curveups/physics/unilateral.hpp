@@ -15,6 +15,7 @@
 #pragma once
 
 #include "curveups/core/progress.hpp"
+#include "curveups/numerics/solve_report.hpp"
 #include "curveups/physics/contact_forces.hpp"
 
 namespace curveups {
@@ -28,14 +29,10 @@ struct UnilateralOptions {
   int max_iterations = 100;
 };
 
-enum class UnilateralStatus {
-  feasible,    // the forces balance and push, within friction
-  infeasible,  // proven: without a pull of at least -largest_floor somewhere nothing balances
-  unsolved     // neither could be shown
-};
-
 struct UnilateralResult {
-  UnilateralStatus status = UnilateralStatus::unsolved;
+  // Converged: the forces balance and push, within friction. Infeasible, proven: without a pull of
+  // at least -largest_floor somewhere nothing balances. Unfinished: neither could be shown.
+  SolveReport solve;
   // Largest least normal force, N, certified (a lower bound within tolerance of the best); the cap
   // where more is possible. Negative where infeasible.
   double largest_floor = 0;
@@ -46,7 +43,6 @@ struct UnilateralResult {
   // theorem; multipliers of the optimum): -motion . (db + dA f) + sum_p by_normal_p . dn_p, N.
   Array6 motion;      // virtual motion of the tiles (BalanceSystem::expand)
   Points3 by_normal;  // per point, N
-  int iterations = 0;
 };
 
 // start: the least-squares forces of the same system. Leaves the system's factorization changed.

@@ -57,10 +57,10 @@ void describe_membranes(const Membranes& membranes, const Points3& centres, doub
     const MembraneSolution& m = membranes[s];
     f.triangles += static_cast<int>(m.mesh.triangles.size());
     f.free_vertices += m.free_vertices;
-    f.coarse_iterations[s] = m.coarse.state.iterations;
-    f.fine_iterations[s] = m.state.iterations;
-    f.residual = std::max(f.residual, m.state.residual);
-    f.converged = f.converged && m.state.converged && m.coarse.state.converged;
+    f.coarse_iterations[s] = m.coarse.state.solve.iterations;
+    f.fine_iterations[s] = m.state.solve.iterations;
+    f.residual = std::max(f.residual, m.state.solve.residual);
+    f.converged = f.converged && m.state.solve.converged() && m.coarse.state.solve.converged();
     MembranePicture& picture = report.membrane[s];
     picture.flat = m.flat;
     picture.actuated = m.state.x;
@@ -250,14 +250,14 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
   UnilateralFigures& u = report.unilateral;
   u.friction_coefficient = parameters.friction_coefficient;
   u.floor = report.contact_forces.f_min;
-  u.status = coulomb.status;
+  u.status = coulomb.solve.status;
   u.largest_floor = coulomb.largest_floor;
-  u.feasible = coulomb.status == UnilateralStatus::feasible &&
+  u.feasible = coulomb.solve.status == SolveStatus::converged &&
                coulomb.largest_floor >= u.floor - coulomb_options.tolerance * scale;
-  u.unlimited_status = unlimited.status;
+  u.unlimited_status = unlimited.solve.status;
   u.unlimited_largest_floor = unlimited.largest_floor;
   if (with_tips) {
-    u.tips_status = tips.status;
+    u.tips_status = tips.solve.status;
     u.tips_largest_floor = tips.largest_floor;
   }
   give_verdict({tiles, system, forces, coulomb, with_tips ? &tips : nullptr,

@@ -68,15 +68,15 @@ struct ContactFigures {
 };
 
 struct UnilateralFigures {
-  UnilateralStatus status = UnilateralStatus::unsolved;  // without a floor
-  bool feasible = false;                                 // with floor f_min
+  SolveStatus status = SolveStatus::unfinished;  // without a floor
+  bool feasible = false;                         // with floor f_min
   double friction_coefficient = 0;
   double floor = 0;          // N, f_min
   double largest_floor = 0;  // N
-  UnilateralStatus unlimited_status = UnilateralStatus::unsolved;
+  SolveStatus unlimited_status = SolveStatus::unfinished;
   double unlimited_largest_floor = 0;
   // At the bumps' tips, by pushing alone.
-  std::optional<UnilateralStatus> tips_status;
+  std::optional<SolveStatus> tips_status;
   double tips_largest_floor = 0;
 };
 

@@ -75,14 +75,13 @@ void judge_unilateral(const VerdictInput& in, ValidationReport& report) {
   const UnilateralFigures& u = report.unilateral;
   const std::string mu = number(u.friction_coefficient);
   const std::string where = names(critical_contacts(in.coulomb, in.system));
-  if (u.status == UnilateralStatus::infeasible) {
+  if (u.status == SolveStatus::infeasible) {
     std::string reason = "with a friction coefficient of " + mu +
                          " no pushing forces balance the tiles: " + number(-u.largest_floor) +
                          " N of pull would be needed, first at " + where;
-    if (u.unlimited_status == UnilateralStatus::feasible)
-      reason += "; with enough friction they do";
+    if (u.unlimited_status == SolveStatus::converged) reason += "; with enough friction they do";
     report.reasons.push_back(reason);
-  } else if (u.status == UnilateralStatus::unsolved) {
+  } else if (u.status == SolveStatus::unfinished) {
     report.reasons.push_back("whether pushing forces within friction " + mu +
                              " balance the tiles could not be shown");
   } else if (!u.feasible) {
@@ -90,9 +89,9 @@ void judge_unilateral(const VerdictInput& in, ValidationReport& report) {
                              " leave a least normal force of " + number(u.largest_floor) +
                              " N, less than f_min = " + number(u.floor) + " N, first at " + where);
   }
-  if (u.tips_status && *u.tips_status != UnilateralStatus::feasible) {
+  if (u.tips_status && *u.tips_status != SolveStatus::converged) {
     report.reasons.push_back(
-        *u.tips_status == UnilateralStatus::infeasible
+        *u.tips_status == SolveStatus::infeasible
             ? "touching at their bumps only, tiles can't balance by pushing within friction " + mu +
                   ": " + number(-u.tips_largest_floor) + " N of pull would be needed, first at " +
                   names(critical_contacts(*in.tips, *in.tips_system))

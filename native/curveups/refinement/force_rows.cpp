@@ -102,7 +102,7 @@ std::vector<ForceRow> force_rows(const Place& place, const TrackedForces& tracke
     const double value = (now.normal(chosen[r]) - goal * now.f_min) / now.mean;
     rows.push_back(make_row(place, value, 1 / now.mean, gradients[r], moving));
   }
-  if (tracked.watches_floor() && tracked.floor().status != UnilateralStatus::unsolved) {
+  if (tracked.watches_floor() && tracked.floor().solve.status != SolveStatus::unfinished) {
     const double value = (now.floor - options.floor_goal) * now.f_min / now.mean;
     rows.push_back(make_row(place, value, 1 / now.mean,
                             floor_gradient(tracked.forces(), tracked.floor(), patches), moving));

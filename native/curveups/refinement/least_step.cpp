@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/core/sparse_cholesky.hpp"
+#include "curveups/numerics/sparse_cholesky.hpp"
 
 namespace curveups {
 namespace {
@@ -127,7 +127,7 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
 
   LeastStep out;
   constexpr int most_iterations = 80;
-  while (out.iterations < most_iterations) {
+  while (out.solve.iterations < most_iterations) {
     const ArrayXd low = z - problem.lower.array(), high = problem.upper.array() - z;
     const ArrayXd residual = rows_times(problem, z.matrix()).array() + c.array() + e - s;
     const ArrayXd dual =
@@ -144,10 +144,10 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
         rows > 0 ? (price + stiffness * e - m - slack_price).abs().maxCoeff() : 0.0;
     if (mu < 1e-10 && infeasible < 1e-9 &&
         std::max(dual.abs().maxCoeff(), unpriced_most / (1 + problem.sparse_price)) < 1e-6) {
-      out.converged = true;
+      out.solve.status = SolveStatus::converged;
       break;
     }
-    ++out.iterations;
+    ++out.solve.iterations;
     const double target = 0.15 * mu;
     const ArrayXd give = slack_price + stiffness * e;
     const ArrayXd unpriced = price + stiffness * e - m - slack_price;

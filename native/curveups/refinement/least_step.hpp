@@ -11,6 +11,7 @@
 #include <Eigen/SparseCore>
 
 #include "curveups/core/types.hpp"
+#include "curveups/numerics/solve_report.hpp"
 
 namespace curveups {
 
@@ -31,8 +32,7 @@ struct LeastStep {
   Eigen::VectorXd z;
   // Multipliers: how much each constraint holds the step back; at its price where it is not met.
   Eigen::VectorXd sparse_multiplier, dense_multiplier, lower_multiplier, upper_multiplier;
-  int iterations = 0;
-  bool converged = false;
+  SolveReport solve;
 };
 
 // Throws SolverFailure where the problem holds numbers that are not finite.

@@ -136,7 +136,7 @@ TEST(CutSuggestions, RelieveAFingerAsPredicted) {
   CutSuggestionOptions options;
   options.most = 2;
   const CutSuggestions found = suggest_cuts(mesh, no_cuts, p, options, {});
-  EXPECT_FALSE(found.stopped);
+  EXPECT_FALSE(found.solve.stopped());
   ASSERT_GE(found.cuts.size(), 1u);
   ASSERT_LE(found.cuts.size(), 2u);
   expect_slits(mesh, found.cuts);
@@ -145,7 +145,7 @@ TEST(CutSuggestions, RelieveAFingerAsPredicted) {
   // What the prediction says is what a full solve gives, as far as a draft can tell.
   const DesignGeometry geometry = make_geometry(mesh, first.edges, p);
   const LayoutResult full = solve_layout(geometry, p, {});
-  EXPECT_TRUE(full.converged);
+  EXPECT_TRUE(full.solve.converged());
   const LayoutFigures figures = layout_figures(geometry, p, full.poses, full.q);
   EXPECT_NEAR(first.after->scale_spread, figures.scale_spread, 1e-9);
   EXPECT_NEAR(first.after->energy, figures.energy, 0.25 * figures.energy);
@@ -195,7 +195,7 @@ TEST(CutSuggestions, StopWhenAsked) {
   int calls = 0;
   const CutSuggestions found = suggest_cuts(
       finger(6), no_cuts, p, options, [&](const std::string&, double) { return ++calls < 3; });
-  EXPECT_TRUE(found.stopped);
+  EXPECT_TRUE(found.solve.stopped());
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(Layout, KeepsEveryHardConstraint) {
         test::single_triangle(), test::hinge(0.4)}) {
     const DesignGeometry geometry = make_geometry(mesh, no_cuts, p);
     const LayoutResult result = solve_layout(geometry, p, {});
-    EXPECT_TRUE(result.converged);
+    EXPECT_TRUE(result.solve.converged());
     expect_sound(geometry, result.poses, result.q, p);
   }
 }
@@ -84,7 +84,7 @@ TEST(Layout, PiecesOfACutLieSideBySide) {
   const auto pieces = pieces_of(geometry.tiles);
   ASSERT_EQ(pieces.size(), 2u);
   const LayoutResult result = solve_layout(geometry, p, {});
-  EXPECT_TRUE(result.converged);
+  EXPECT_TRUE(result.solve.converged());
   expect_sound(geometry, result.poses, result.q, p);
   for (int i : pieces[0]) {
     for (int j : pieces[1]) {
@@ -100,7 +100,7 @@ TEST(Layout, LipsOfASlitKeepTheGap) {
   const DesignGeometry geometry = make_geometry(test::dome(6), cuts, p);
   ASSERT_EQ(pieces_of(geometry.tiles).size(), 1u);
   const LayoutResult result = solve_layout(geometry, p, {});
-  EXPECT_TRUE(result.converged);
+  EXPECT_TRUE(result.solve.converged());
   expect_sound(geometry, result.poses, result.q, p);
 }
 
@@ -110,9 +110,9 @@ TEST(Layout, StoppedWorkReturnsWhatItHas) {
   int calls = 0;
   const LayoutResult result =
       solve_layout(geometry, p, [&](const std::string&, double) { return ++calls < 5; });
-  EXPECT_TRUE(result.stopped);
-  EXPECT_FALSE(result.converged);
-  EXPECT_EQ(result.iterations, 4);
+  EXPECT_TRUE(result.solve.stopped());
+  EXPECT_FALSE(result.solve.converged());
+  EXPECT_EQ(result.solve.iterations, 4);
   EXPECT_TRUE(result.poses.allFinite() && result.q.allFinite());
 }
 
@@ -154,13 +154,13 @@ TEST(SoftLayout, EveryIterateIsHandedOutAndTheEnergyFalls) {
   const Parameters p;
   const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
   std::vector<double> values;
-  const SoftLayoutResult result = solve_soft_layout(
+  const LayoutResult result = solve_soft_layout(
       geometry, p, {}, 100, [&](const FlatPoses& poses, const Array6& q, double e) {
         EXPECT_TRUE(poses.allFinite() && q.allFinite());
         values.push_back(e);
         return true;
       });
-  EXPECT_TRUE(result.converged);
+  EXPECT_TRUE(result.solve.converged());
   ASSERT_GT(values.size(), 3u);
   for (std::size_t k = 1; k < values.size(); ++k) EXPECT_LE(values[k], values[k - 1]);
   double sum = 0;
@@ -180,17 +180,17 @@ TEST(SoftLayout, CanBeStoppedAndGoOnFromThere) {
   const Parameters p;
   const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
   int calls = 0;
-  const SoftLayoutResult first = solve_soft_layout(
+  const LayoutResult first = solve_soft_layout(
       geometry, p, {}, 100, [&](const FlatPoses&, const Array6&, double) { return ++calls < 3; });
-  EXPECT_TRUE(first.stopped);
+  EXPECT_TRUE(first.solve.stopped());
   double start = 0;
-  const SoftLayoutResult second =
+  const LayoutResult second =
       solve_soft_layout(geometry, p, SoftLayoutStart{first.poses, first.q}, 100,
                         [&](const FlatPoses&, const Array6&, double e) {
                           if (start == 0) start = e;
                           return true;
                         });
-  EXPECT_TRUE(second.converged);
+  EXPECT_TRUE(second.solve.converged());
   double sum = 0;
   for (const auto& [name, value] : first.energies) sum += value;
   EXPECT_NEAR(start, sum, 1e-6 * sum);

@@ -126,11 +126,11 @@ TEST(Unilateral, FindsTheLargestFloorInClosedForm) {
   // 8 N through the middle: 2 N a point. Through y = 0.5: the lighter pair shares 8 (1 - 0.5) / 2.
   for (double mu : {0.5, infinity}) {
     const UnilateralResult centred = unilateral(on_two({8, 0, 0}, {0, 0, 0}), mu, 10);
-    ASSERT_EQ(centred.status, UnilateralStatus::feasible);
+    ASSERT_EQ(centred.solve.status, SolveStatus::converged);
     EXPECT_NEAR(centred.largest_floor, 2, 1e-4);
     const UnilateralResult off =
         unilateral(on_two({8, 0, 0}, Vec3(0, 0.5, 0).cross(Vec3(8, 0, 0))), mu, 10);
-    ASSERT_EQ(off.status, UnilateralStatus::feasible);
+    ASSERT_EQ(off.solve.status, SolveStatus::converged);
     EXPECT_NEAR(off.largest_floor, 1, 1e-4);
     EXPECT_NEAR(unilateral(on_two({8, 0, 0}, {0, 0, 0}), mu, 0.5).largest_floor, 0.5,
                 1e-5);  // the cap
@@ -141,15 +141,15 @@ TEST(Unilateral, SaysInfeasibleWhereItIs) {
   // Pulled apart.
   for (double mu : {0.5, infinity}) {
     const UnilateralResult apart = unilateral(on_two({-4, 0, 0}, {0, 0, 0}), mu);
-    EXPECT_EQ(apart.status, UnilateralStatus::infeasible);
+    EXPECT_EQ(apart.solve.status, SolveStatus::infeasible);
     EXPECT_NEAR(apart.largest_floor, -1, 1e-3);
   }
   // Tipped over the edge of the only contact: the line of action passes at y = 1.2.
   const Wrenches tipped = on_two({8, 0, 0}, Vec3(0, 1.2, 0).cross(Vec3(8, 0, 0)));
-  EXPECT_EQ(unilateral(tipped, infinity).status, UnilateralStatus::infeasible);
+  EXPECT_EQ(unilateral(tipped, infinity).solve.status, SolveStatus::infeasible);
   EXPECT_LT(unilateral(tipped, 0.5).largest_floor, -1e-3);
-  EXPECT_EQ(unilateral(on_two({8, 0, 0}, Vec3(0, 0.99, 0).cross(Vec3(8, 0, 0))), 0.5).status,
-            UnilateralStatus::feasible);
+  EXPECT_EQ(unilateral(on_two({8, 0, 0}, Vec3(0, 0.99, 0).cross(Vec3(8, 0, 0))), 0.5).solve.status,
+            SolveStatus::converged);
 }
 
 TEST(Unilateral, FollowsTheFrictionCone) {
@@ -157,9 +157,9 @@ TEST(Unilateral, FollowsTheFrictionCone) {
   for (double angle : {0.0, 0.3, 0.7854, 1.2}) {
     const Vec3 shear(0, 4 * std::cos(angle), 4 * std::sin(angle));
     const Wrenches loads = on_two(Vec3(8, 0, 0) + shear, {0, 0, 0});
-    EXPECT_EQ(unilateral(loads, 0.502).status, UnilateralStatus::feasible) << angle;
-    EXPECT_EQ(unilateral(loads, 0.498).status, UnilateralStatus::infeasible) << angle;
-    EXPECT_EQ(unilateral(loads, infinity).status, UnilateralStatus::feasible);
+    EXPECT_EQ(unilateral(loads, 0.502).solve.status, SolveStatus::converged) << angle;
+    EXPECT_EQ(unilateral(loads, 0.498).solve.status, SolveStatus::infeasible) << angle;
+    EXPECT_EQ(unilateral(loads, infinity).solve.status, SolveStatus::converged);
   }
 }
 
@@ -170,7 +170,7 @@ TEST(Unilateral, ForcesBalanceAndKeepTheirCones) {
   UnilateralOptions options;
   options.scale = 2;
   const UnilateralResult r = solve_unilateral(system, loads, start.force, options);
-  ASSERT_EQ(r.status, UnilateralStatus::feasible);
+  ASSERT_EQ(r.solve.status, SolveStatus::converged);
   const Eigen::VectorXd f = Eigen::Map<const Eigen::VectorXd>(r.force.data(), r.force.size());
   EXPECT_LT((system.apply(f) + system.restrict(loads)).norm(), 1e-6);
   for (int p = 0; p < 4; ++p) {
@@ -181,8 +181,8 @@ TEST(Unilateral, ForcesBalanceAndKeepTheirCones) {
 
 TEST(Unilateral, ATileWithoutContactsIsFeasibleOnlyUnloaded) {
   BalanceSystem free({}, row_centres(1), 7, {});
-  EXPECT_EQ(solve_unilateral(free, Wrenches::Zero(1, 6), Points3(0, 3), {}).status,
-            UnilateralStatus::feasible);
+  EXPECT_EQ(solve_unilateral(free, Wrenches::Zero(1, 6), Points3(0, 3), {}).solve.status,
+            SolveStatus::converged);
 }
 
 }  // namespace

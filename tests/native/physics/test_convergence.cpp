@@ -34,8 +34,8 @@ std::array<Wrenches, levels> nested_wrenches(const Design& design, const DesignG
                                       membrane_material(p, side));
       const MembraneState state = equilibrium.solve(
           level == 0 ? equilibrium.energy().harmonic(glued) : prolong(mesh, x, glued), {});
-      EXPECT_TRUE(state.converged);
-      EXPECT_LE(state.iterations, 20);
+      EXPECT_TRUE(state.solve.converged());
+      EXPECT_LE(state.solve.iterations, 20);
       x = state.x;
       add_wrenches(pin_corner_forces(mesh, state, count), actuated, centres, out[level]);
     }

@@ -142,7 +142,7 @@ TEST(Sensitivities, OfTheLargestFloorMatchFiniteDifferences) {
   for (int v = 0; v < mesh.V.rows(); ++v) vertices.push_back(patches.around(v));
   for (double friction : {0.3, 1.0}) {
     const UnilateralResult here = largest_floor(forces, friction, scale);
-    ASSERT_NE(here.status, UnilateralStatus::unsolved);
+    ASSERT_NE(here.solve.status, SolveStatus::unfinished);
     ASSERT_LT(here.largest_floor, 0.999 * scale);
     const ForceGradient gradient = floor_gradient(forces, here, vertices);
     const int count = s.geometry.tiles.tile_count();

@@ -26,7 +26,7 @@ TEST(LeastStep, IsZeroWhereNothingIsAsked) {
   p.sparse.insert(0, 1) = 1;
   p.sparse_value = Eigen::VectorXd::Constant(1, 0.5);
   const LeastStep step = solve_least_step(p);
-  EXPECT_TRUE(step.converged);
+  EXPECT_TRUE(step.solve.converged());
   EXPECT_LT(step.z.norm(), 1e-6);
 }
 
@@ -35,7 +35,7 @@ TEST(LeastStep, FollowsOneRowAlongItsNormal) {
   p.dense = Eigen::Vector4d(1, 2, -2, 4);
   p.dense_value = Eigen::VectorXd::Constant(1, -5);
   const LeastStep step = solve_least_step(p);
-  EXPECT_TRUE(step.converged);
+  EXPECT_TRUE(step.solve.converged());
   const Eigen::Vector4d expected = p.dense.col(0) * 5 / 25;
   EXPECT_LT((step.z - expected).norm(), 1e-7);
   EXPECT_NEAR(step.dense_multiplier(0), 0.2, 1e-6);
@@ -62,7 +62,7 @@ TEST(LeastStep, WeighsQuadraticPenalties) {
     p.dense_price = 0;
     p.dense_stiffness = k;
     const LeastStep step = solve_least_step(p);
-    EXPECT_TRUE(step.converged) << k;
+    EXPECT_TRUE(step.solve.converged()) << k;
     EXPECT_NEAR(step.z(0), (0.2 + k) / (1 + k), 1e-6) << k;
     EXPECT_NEAR(step.z(1), -0.4, 1e-6) << k;
   }
@@ -78,7 +78,7 @@ TEST(LeastStep, SaysByTheMultiplierWhatCannotBeMet) {
   p.dense = Eigen::Vector2d(1, 1);
   p.dense_value = Eigen::VectorXd::Constant(1, -3);
   const LeastStep step = solve_least_step(p);
-  EXPECT_TRUE(step.converged);
+  EXPECT_TRUE(step.solve.converged());
   EXPECT_NEAR(step.z(0), 1, 1e-6);
   EXPECT_NEAR(step.z(1), 0, 1e-6);
   EXPECT_NEAR(step.dense_multiplier(0), p.dense_price, 1e-3);
@@ -106,7 +106,7 @@ TEST(LeastStep, MeetsTheOptimalityConditionsOfRandomProblems) {
     p.dense_stiffness = stiffness;
     if (stiffness > 0) p.dense_price = 0;
     const LeastStep step = solve_least_step(p);
-    ASSERT_TRUE(step.converged) << stiffness;
+    ASSERT_TRUE(step.solve.converged()) << stiffness;
     const Eigen::VectorXd c = p.sparse * step.z + p.sparse_value,
                           d = p.dense.transpose() * step.z + p.dense_value;
     for (int r = 0; r < rows; ++r) {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <thread>
 
-#include "curveups/core/sparse_cholesky.hpp"
+#include "curveups/numerics/sparse_cholesky.hpp"
 
 namespace curveups {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/physics/second_order_cone.hpp"
+#include "curveups/numerics/second_order_cone.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // This file links CHOLMOD's supernodal module, which is GPL-2.0-or-later (see README, Licence).
-#include "curveups/core/sparse_cholesky.hpp"
+#include "curveups/numerics/sparse_cholesky.hpp"
 
 #include <cholmod.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/core/one_thread.hpp"
+#include "curveups/numerics/one_thread.hpp"
 
 namespace curveups {
 namespace {
