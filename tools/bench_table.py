@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs `curveups design` on every model, each in a process of its own (so that the peak memory is
-the model's), and prints the stages beside the paper's seconds. Called by tools/bench."""
+the model's), and prints the stages beside the paper's seconds. Called by tools/bench.
+
+Status 1 where a file is wrong, or a built-in target or a model of the paper is not valid."""
 
 from __future__ import annotations
 
@@ -12,6 +14,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from bench_results import RESULTS, renew
 from read_back import read_back
 
 MESHES = (".obj", ".stl", ".ply", ".off")
@@ -37,6 +40,7 @@ def main() -> int:
     parser.add_argument("--models", type=Path, metavar="DIR", help="a folder with target meshes")
     parser.add_argument("--only", metavar="NAME,...", help="only these models")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures there")
+    parser.add_argument("--results", action="store_true", help=f"renew the tables of {RESULTS.name}")
     options = parser.parse_args()
     if options.models and not options.models.is_dir():
         parser.error(f"{options.models} is no folder")
@@ -56,13 +60,25 @@ def main() -> int:
         print(_line(row), flush=True)
     if options.json:
         options.json.write_text(json.dumps(rows, indent=2) + "\n", encoding="utf-8")
-    return 1 if any(row.get("error") or row["wrong_files"] for row in rows) else 0
+    if options.results:
+        renew(rows)
+    return 1 if any(_failed(row) for row in rows) else 0
+
+
+def _failed(row: dict) -> bool:
+    if "error" in row or row["wrong_files"]:
+        return True
+    return row["valid"] is not True and (row["name"] in PAPER or row["name"] in _builtins())
+
+
+def _builtins() -> dict[str, str]:
+    from curveups.native import native
+
+    return {name: name for name, _ in native.builtin_targets()} | TARGETS
 
 
 def _models(folder: Path | None) -> dict[str, str]:
-    from curveups.native import native
-
-    models = {name: name for name, _ in native.builtin_targets()} | TARGETS
+    models = _builtins()
     for path in sorted(folder.iterdir()) if folder else []:
         if path.name.lower().endswith(MESHES):
             models[path.stem] = str(path)
@@ -86,10 +102,12 @@ def _run(name: str, target: str) -> dict:
             with multiprocessing.Pool(1) as reader:
                 wrong = reader.apply(read_back, (Path(folder), found))
     seconds = {stage["name"]: stage["seconds"] for stage in found["stages"]}
+    figures = {name: found.get(name, {}) for name in ("area", "physics", "contact_forces", "unilateral",
+                                                      "repair")}
     design = [s for s in ("remesh", "relief", "flatten", "layout", "verify", "refine") if s in seconds]
     return {
         **row, "tiles": found["tiles"], "valid": found["valid"], "stages": found["stages"],
-        "wrong_files": wrong,
+        "wrong_files": wrong, **figures,
         "seconds_to_valid": (round(sum(seconds[s] for s in design), 3)
                              if found["valid"] else None),
         "seconds_files": seconds.get("export"), "peak_memory_mb": found["peak_memory_mb"],

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The formats of design.json and report.json, field by field."""
+"""The formats of design.json and report.json, field by field, and the files of a whole design."""
 
 import math
 
 NUMBER, COUNT, TEXT = "number", "count", "text"
+
+FILES = {"design.json", "report.json", "report.html", "NAME.FCStd", "NAME-tiles.step",
+         "NAME-support.step", "NAME-anchors.step", "NAME-print.step", "NAME-tiles.stl",
+         "NAME-support.stl", "NAME-anchors.stl", "NAME-print.3mf", "NAME-actuated.step"}
 
 REPORT = {
     "format": TEXT, "version": COUNT, "name": TEXT, "status": TEXT, "tiles": COUNT,
@@ -73,7 +77,7 @@ def check_report(report):
     assert report["format"] == "curveups-report" and report["version"] == 1
     assert report["status"] in ("complete", "stopped")
     assert report["valid"] in (True, False, None)
-    assert report["valid"] is True or report["reasons"]
+    assert (report["valid"] is True) == (report["reasons"] == [])
     for warning in report["warnings"]:
         assert warning["what"] and isinstance(warning["tiles"], list)
         assert all(0 <= tile < report["tiles"] for tile in warning["tiles"])

@@ -13,17 +13,11 @@ import zipfile
 import numpy as np
 import pytest
 from running import ROOT, command, dome, environment, horn
-from schema import check_design, check_report
-
-VALID = (0, 1)  # finished; whether the verdict is good is another test's matter
-
-FILES = {"design.json", "report.json", "report.html", "NAME.FCStd", "NAME-tiles.step",
-         "NAME-support.step", "NAME-anchors.step", "NAME-print.step", "NAME-tiles.stl",
-         "NAME-support.stl", "NAME-anchors.stl", "NAME-print.3mf", "NAME-actuated.step"}
+from schema import FILES, check_design, check_report
 
 
 def test_design_without_solids(designed):
-    assert designed.ran.status in VALID, designed.ran.err
+    assert designed.ran.status == 0, designed.ran.err
     assert {p.name for p in designed.folder.iterdir()} == {"design.json", "report.json", "report.html"}
     design, report = designed.json("design.json"), designed.json("report.json")
     check_design(design)
@@ -31,7 +25,7 @@ def test_design_without_solids(designed):
     assert report["tiles"] == len(design["F"]) == 24
     assert report["name"] == design["name"] == "small-cap"
     assert designed.ran.out == ""
-    assert designed.ran.status == (1 if report["valid"] is False else 0)
+    assert report["valid"] is True and report["reasons"] == []
     # --no-remesh: the mesh as it was, L its own mean edge length.
     assert np.array(design["F"]).max() == 18
     V, F = np.array(design["V"]), np.array(design["F"])
@@ -41,7 +35,7 @@ def test_design_without_solids(designed):
 
 
 def test_all_files_and_sizes(printed):
-    assert printed.ran.status in VALID, printed.ran.err
+    assert printed.ran.status == 0, printed.ran.err
     expected = {name.replace("NAME", "small-cap") for name in FILES}
     assert {p.name for p in printed.folder.iterdir()} == expected
     report = printed.json("report.json")
@@ -64,7 +58,7 @@ def test_progress_lines_are_plain_off_a_terminal(designed):
 def test_built_in_without_freecad(curveups, tmp_path):
     ran = curveups("design", "disc", "-o", tmp_path / "o", "--no-solids", "--set", "L=12",
                    CURVEUPS_FREECAD_LIB="/nowhere")
-    assert ran.status in VALID, ran.err
+    assert ran.status == 0, ran.err
     report = json.loads((tmp_path / "o" / "report.json").read_text())
     assert abs(report["target"]["mean_edge_mm"] / 12 - 1) <= 0.03
     assert report["target"]["edge_cv"] <= 0.12
@@ -83,13 +77,13 @@ def test_same_bytes_with_one_and_two_threads(curveups, tmp_path, arguments):
     for threads in ("1", "2"):
         ran = curveups("design", "saddle", "-o", tmp_path / threads, "--set", "L=14", *arguments,
                        CURVEUPS_THREADS=threads)
-        assert ran.status in VALID, ran.err
+        assert ran.status == 0, ran.err
 
     def read(threads, name):
         return (tmp_path / threads / name).read_bytes()
 
     reports = [alike(json.loads(read(threads, "report.json"))) for threads in ("1", "2")]
-    assert reports[0]["unilateral"]["status_at_bump_tips"] in ("feasible", "infeasible")
+    assert reports[0]["unilateral"]["status_at_bump_tips"] == "feasible"
     assert reports[0] == reports[1]
     for name in sorted(path.name for path in (tmp_path / "1").iterdir()):
         if name != "report.json":
@@ -107,7 +101,7 @@ def test_same_bytes_with_one_and_two_threads(curveups, tmp_path, arguments):
 def test_small_targets(curveups, tmp_path, name, text, tiles):
     (tmp_path / name).write_text(text)
     ran = curveups("design", tmp_path / name, "-o", tmp_path / "out", "--no-remesh")
-    assert ran.status in VALID, ran.err
+    assert ran.status == 0, ran.err
     report = json.loads((tmp_path / "out" / "report.json").read_text())
     assert report["tiles"] == tiles
     assert report["constraints"]["overlaps"] == 0
@@ -140,7 +134,7 @@ def test_supports_that_run_into_one_another_are_named(curveups, tmp_path):
     (tmp_path / "two.obj").write_text(dome(1) + second)
     ran = curveups("design", tmp_path / "two.obj", "-o", tmp_path / "out", "--no-remesh", "--no-solids",
                    "--set", "verify=off")
-    assert ran.status in VALID, ran.err
+    assert ran.status == 0, ran.err
     ran = curveups("export", tmp_path / "out" / "design.json", "-o", tmp_path / "wide", "--set",
                    "support_margin=40")
     assert ran.status == 2 and not (tmp_path / "wide").exists(), ran.err
@@ -159,7 +153,7 @@ def test_scale_and_flip(curveups, tmp_path):
     (tmp_path / "m.obj").write_text(metres)
     ran = curveups("design", tmp_path / "m.obj", "-o", tmp_path / "o", "--no-remesh", "--no-solids",
                    "--set", "scale=1000", "--set", "flip=on")
-    assert ran.status in VALID, ran.err
+    assert ran.status == 0, ran.err
     design = json.loads((tmp_path / "o" / "design.json").read_text())
     V, F = np.array(design["V"]), np.array(design["F"])
     assert np.allclose(np.linalg.norm(V, axis=1), 40, atol=1e-9)
@@ -175,7 +169,7 @@ def test_cuts_by_edges_and_by_polyline(curveups, cap, tmp_path):
         (tmp_path / f"{name}.json").write_text(json.dumps(cuts))
         ran = curveups("design", cap, "-o", tmp_path / name, "--no-remesh", "--no-solids",
                        "--cuts", tmp_path / f"{name}.json")
-        assert ran.status in VALID, ran.err
+        assert ran.status == 0, ran.err
         design = json.loads((tmp_path / name / "design.json").read_text())
         report = json.loads((tmp_path / name / "report.json").read_text())
         assert design["cuts"] == [[0, 1], [1, 7]]
@@ -226,17 +220,17 @@ def test_remesh_writes_the_numbers_that_cuts_refer_to(curveups, tmp_path):
 def test_verify_and_export_from_a_design_file(curveups, printed, tmp_path):
     design = printed.folder / "design.json"
     ran = curveups("export", design, "-o", tmp_path / "same")
-    assert ran.status in VALID, ran.err
+    assert ran.status == 0, ran.err
     names = {name.replace("NAME", "small-cap") for name in FILES}
     assert {p.name for p in (tmp_path / "same").iterdir()} == names
     stl = "small-cap-tiles.stl"
     assert (tmp_path / "same" / stl).read_bytes() == (printed.folder / stl).read_bytes()
     ran = curveups("verify", design, "-o", tmp_path / "verified")
-    assert ran.status in VALID, ran.err
+    assert ran.status == 0, ran.err
     verified = json.loads((tmp_path / "verified" / "report.json").read_text())
     for block in ("physics", "contact_forces", "unilateral"):  # at the bumps' tips too
         assert verified[block] == printed.json("report.json")[block]
-    assert verified["unilateral"]["feasible_at_bump_tips"] in (True, False)
+    assert verified["unilateral"]["feasible_at_bump_tips"] is True
 
 
 def test_stl_and_3mf_are_watertight(printed):

@@ -1,38 +1,60 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whole built-in models through the pipeline: every file read back as others read it, and figures of
-the report measured anew by OpenCASCADE."""
+"""Whole built-in models, valid and with all their files: at normal size, and at a large L, so that they are
+small enough for every file to be read back as others read it and for OpenCASCADE to measure the
+report's figures anew."""
 
 import json
 import sys
 
 import pytest
 from running import ROOT
-from schema import check_report
+from schema import FILES, check_report
 
 sys.path.insert(0, str(ROOT / "tools"))
 
 from read_back import read_back  # noqa: E402
 
-MODELS = {  # at a large L, so that they are small; what is asked here is the solids, not the verdict
-    "mask": ("L=24", "verify=off"),  # two holes, which its slab has as well; bumps
-    "saddle": ("L=24", "verify=off", "bumps=dimples", "support=breakaway"),
+NORMAL = {"half-sphere": ["L=7.5"], "hyperboloid": [], "ellipsoid-cap": [], "cylinder-patch": []}
+SMALL = {
+    "mask": ["L=24"],  # two holes, which its slab has as well; bumps
+    "saddle": ["L=24", "bumps=dimples", "support=breakaway"],
 }
 
 
-@pytest.fixture(scope="module", params=MODELS)
+def finished(curveups, name, settings, folder):
+    """The report of a model that has to end valid."""
+    words = [word for setting in settings for word in ("--set", setting)]
+    ran = curveups("design", name, "-o", folder, "--quiet", *words)
+    assert ran.status == 0, ran.err
+    report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+    check_report(report)
+    assert report["status"] == "complete"
+    assert report["valid"] is True and report["reasons"] == []
+    return report
+
+
+@pytest.mark.parametrize("name", NORMAL)
+def test_models_of_normal_size_are_valid_and_have_all_files(curveups, tmp_path, name):
+    report = finished(curveups, name, NORMAL[name], tmp_path)
+    assert report["tiles"] > 500 and report["contact_forces"]["points_below_f_min"] == 0
+    assert report["unilateral"]["feasible_at_bump_tips"] is True
+    assert report["solids"]["invalid"] == 0 and report["constraints"]["overlaps"] == 0
+    sizes = {path.name: path.stat().st_size for path in tmp_path.iterdir()}
+    assert set(sizes) == {file.replace("NAME", name) for file in FILES}
+    assert report["print"]["files"] == {n: size for n, size in sizes.items() if n != "report.json"}
+    assert read_back(tmp_path, report, solids=False) == []
+
+
+@pytest.fixture(scope="module", params=SMALL)
 def whole(request, curveups, tmp_path_factory):
     """The folder of a finished model and its report."""
     folder = tmp_path_factory.mktemp(request.param)
-    settings = [word for setting in MODELS[request.param] for word in ("--set", setting)]
-    ran = curveups("design", request.param, "-o", folder, "--quiet", *settings)
-    assert ran.status == 0, ran.err
-    return folder, json.loads((folder / "report.json").read_text(encoding="utf-8"))
+    return folder, finished(curveups, request.param, SMALL[request.param], folder)
 
 
 def test_every_solid_is_sound_and_every_mesh_watertight(whole):
     folder, report = whole
-    check_report(report)
-    assert report["valid"] is None and report["solids"]["invalid"] == 0
+    assert report["solids"]["invalid"] == 0
     assert report["constraints"]["overlaps"] == 0
     assert not any(warning.get("kind") in ("bare_interface", "loose") for warning in report["warnings"])
     # BRepCheck, closed, as many solids as bodies, volumes within 1e-9 of the analytic ones.

@@ -45,12 +45,14 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   InteriorPoint method(model);
   LayoutResult result;
   double mu = mu_start, goal = mu_search;
+  double progressed = 0;  // never falls: collisions that are found start a round's share again
   const int most = effort == LayoutEffort::draft ? most_draft_iterations : most_iterations;
   while (true) {
     // Of all rounds' progress the share of this one: rounds after the first are short.
     const double done = result.collision_rounds == 0 && goal > mu_end ? 0.0 : 0.6;
     const Progress scaled = [&](const std::string& what, double fraction) {
-      return keep_going(progress, what, done + (done > 0 ? 0.4 : 0.6) * fraction);
+      progressed = std::max(progressed, done + (done > 0 ? 0.4 : 0.6) * fraction);
+      return keep_going(progress, what, progressed);
     };
     const SolveReport outcome = method.run(state, mu, goal, most - result.solve.iterations, scaled);
     result.solve = {outcome.status, result.solve.iterations + outcome.iterations, outcome.residual};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/core/parallel.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <stdexcept>
 #include <vector>
+
+#include "curveups/core/parallel.hpp"
 
 namespace curveups {
 namespace {
