@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of README.md work as they stand there."""
+"""The commands of README.md work as they stand there; links of all pages lead somewhere."""
 
 import re
 import subprocess
 
+import pytest
 from running import ROOT
 
 
@@ -22,10 +23,23 @@ def test_readme_commands():
             assert "half-sphere-print.3mf" in done.stdout and "report.html" in done.stdout
 
 
-def test_links_and_pictures_exist():
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    for target in re.findall(r"\]\(([^)]+)\)", text):
-        assert (ROOT / target).is_file(), target
+def pages():
+    return [*ROOT.glob("*.md"), *(ROOT / "resources" / "docs").glob("*.md")]
+
+
+def anchors(page):
+    """What a page's headings are linked by."""
+    heads = re.findall(r"(?m)^#+ (.+)$", page.read_text(encoding="utf-8"))
+    return {re.sub(r"[^\w -]", "", head.lower()).replace(" ", "-") for head in heads}
+
+
+@pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
+def test_links_and_pictures_exist(page):
+    for target in re.findall(r"\]\(([^)]+)\)", page.read_text(encoding="utf-8")):
+        name, _, anchor = target.partition("#")
+        there = page.parent / name if name else page
+        assert there.is_file(), (page.name, target)
+        assert not anchor or anchor in anchors(there), (page.name, target)
 
 
 def test_setup_is_silent_where_nothing_is_missing():
