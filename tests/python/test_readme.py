@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of README.md work as they stand there; links of all pages lead somewhere."""
+"""Commands of README.md and CONTRIBUTING.md work as they stand there; links of all pages lead somewhere."""
 
 import re
 import subprocess
@@ -8,19 +8,29 @@ import pytest
 from running import ROOT
 
 
-def commands():
-    blocks = re.findall(r"```sh\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.S)
+OWN = ("tools/test", "tools/check")  # what runs this test, or beside it
+
+
+def commands(page):
+    blocks = re.findall(r"```sh\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.S)
     return [line for block in blocks for line in block.splitlines() if line.strip()]
 
 
-def test_readme_commands():
-    assert commands()[0] == "tools/demo" and len(commands()) >= 5
-    for line in commands():
+@pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md"])
+def test_commands(page):
+    assert len(commands(page)) >= 5
+    for line in commands(page):
+        if line.startswith(OWN):
+            continue
         done = subprocess.run(line, shell=True, cwd=ROOT, stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, timeout=550)
-        assert done.returncode == 0, (line, done.stderr[-2000:])
+        assert done.returncode == 0, (line, done.stdout[-2000:], done.stderr[-2000:])
         if line == "tools/demo":
             assert "half-sphere-print.3mf" in done.stdout and "report.html" in done.stdout
+
+
+def test_the_first_command_makes_the_demo():
+    assert commands("README.md")[0] == "tools/demo"
 
 
 def pages():
