@@ -6,7 +6,7 @@
 #include "curveups/design/constraints.hpp"
 #include "curveups/design/spatial_pairs.hpp"
 #include "curveups/design/target_checks.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

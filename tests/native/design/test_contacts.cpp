@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "curveups/design/contacts.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

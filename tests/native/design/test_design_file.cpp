@@ -3,7 +3,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/design/design_file.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

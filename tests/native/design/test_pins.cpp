@@ -3,7 +3,7 @@
 
 #include "curveups/design/design.hpp"
 #include "curveups/design/pins.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/design/tile_mesh.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

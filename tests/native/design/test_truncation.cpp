@@ -6,7 +6,7 @@
 #include "curveups/design/contacts.hpp"
 #include "curveups/design/remote_overlaps.hpp"
 #include "curveups/design/truncation.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

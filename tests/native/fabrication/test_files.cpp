@@ -15,7 +15,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/print_session.hpp"
-#include "fabrication/sample_design.hpp"
+#include "support/designs.hpp"
 
 namespace curveups {
 namespace {

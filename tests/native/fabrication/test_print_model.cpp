@@ -13,8 +13,8 @@
 #include "curveups/fabrication/bridges.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/print_model.hpp"
-#include "fabrication/sample_design.hpp"
-#include "fabrication/soundness.hpp"
+#include "support/designs.hpp"
+#include "support/soundness.hpp"
 
 namespace curveups {
 namespace {

@@ -7,8 +7,8 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/anchors.hpp"
 #include "curveups/fabrication/slab.hpp"
-#include "fabrication/sample_design.hpp"
-#include "fabrication/soundness.hpp"
+#include "support/designs.hpp"
+#include "support/soundness.hpp"
 
 namespace curveups {
 namespace {

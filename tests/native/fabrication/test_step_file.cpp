@@ -27,7 +27,7 @@
 #include "curveups/fabrication/print_session.hpp"
 #include "curveups/fabrication/step_file.hpp"
 #include "curveups/fabrication/step_text.hpp"
-#include "fabrication/sample_design.hpp"
+#include "support/designs.hpp"
 
 namespace curveups {
 namespace {

@@ -3,13 +3,13 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/closest_points.hpp"
-#include "sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
 
 TEST(ClosestPoints, FindsFacesEdgesAndVertices) {
-  const TriangleMesh mesh = samples::flat_square(4, 4);
+  const TriangleMesh mesh = test::flat_square(4, 4);
   const ClosestPoints closest(mesh);
   EXPECT_LT((closest(Vec3(1.3, 2.2, 5)).point - Vec3(1.3, 2.2, 0)).norm(), 1e-12);
   EXPECT_NEAR(closest(Vec3(-3, 1, 4)).distance, 5, 1e-12);
@@ -19,7 +19,7 @@ TEST(ClosestPoints, FindsFacesEdgesAndVertices) {
 }
 
 TEST(ClosestPoints, DeviationOfConcentricSpheres) {
-  const TriangleMesh inner = samples::half_sphere(24, 20), outer = samples::half_sphere(24, 21);
+  const TriangleMesh inner = test::half_sphere(24, 20), outer = test::half_sphere(24, 21);
   const Deviation d = surface_deviation(inner, outer);
   EXPECT_NEAR(d.mean, 1, 0.05);
   EXPECT_NEAR(d.max, 1, 0.1);
@@ -29,7 +29,7 @@ TEST(ClosestPoints, DeviationOfConcentricSpheres) {
 }
 
 TEST(ClosestPoints, HausdorffSeesWhatIsMissing) {
-  const TriangleMesh whole = samples::flat_square(8, 8);
+  const TriangleMesh whole = test::flat_square(8, 8);
   TriangleMesh part = whole;
   part.F.conservativeResize(64, 3);  // the lower half
   const Deviation d = surface_deviation(part, whole);
@@ -39,7 +39,7 @@ TEST(ClosestPoints, HausdorffSeesWhatIsMissing) {
 
 TEST(ClosestPoints, RefusesEmptyAndInfinite) {
   EXPECT_THROW(ClosestPoints(TriangleMesh{Points3(0, 3), Triangles(0, 3)}), InvalidInput);
-  TriangleMesh mesh = samples::flat_square(1, 1);
+  TriangleMesh mesh = test::flat_square(1, 1);
   mesh.V(2, 1) = std::nan("");
   EXPECT_THROW(ClosestPoints{mesh}, InvalidInput);
 }

@@ -8,7 +8,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/conformal_map.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
-#include "sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
@@ -38,7 +38,7 @@ double worst_angle(const TriangleMesh& mesh, const Points2& map) {
 }
 
 TEST(ConformalMap, FlatMeshMovesRigidly) {
-  TriangleMesh mesh = samples::flat_square(7, 30);
+  TriangleMesh mesh = test::flat_square(7, 30);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, -0.5).normalized()).matrix();
   mesh.V = (mesh.V * turn.transpose()).rowwise() + Eigen::RowVector3d(300, -20, 7);
   const Points2 map = conformal_map(mesh);
@@ -53,7 +53,7 @@ TEST(ConformalMap, FlatMeshMovesRigidly) {
 
 TEST(ConformalMap, HalfSphereIsTheStereographicProjection) {
   const double radius = 48;
-  const TriangleMesh mesh = samples::half_sphere(16, radius);
+  const TriangleMesh mesh = test::half_sphere(16, radius);
   const Points2 map = conformal_map(mesh);
   EXPECT_LT(worst_angle(mesh, map), 0.06);
   EXPECT_NEAR(map_area(mesh, map), surface_area(mesh), 1e-9 * surface_area(mesh));
@@ -86,17 +86,17 @@ TEST(ConformalMap, SmallestMeshes) {
 }
 
 TEST(ConformalMap, LongStripsUnroll) {
-  const TriangleMesh spiral = samples::grid(200, 1, [](double u, double v) {
-    const double angle = 3 * samples::pi * u;
+  const TriangleMesh spiral = test::grid(200, 1, [](double u, double v) {
+    const double angle = 3 * M_PI * u;
     return Vec3(30 * std::cos(angle), 30 * std::sin(angle), 5 * v);
   });
   const Points2 map = conformal_map(spiral);
   EXPECT_LT(worst_angle(spiral, map), 1e-6);
-  EXPECT_NEAR((map.row(0) - map.row(200)).norm(), 90 * samples::pi, 0.05);
+  EXPECT_NEAR((map.row(0) - map.row(200)).norm(), 90 * M_PI, 0.05);
 }
 
 TEST(ConformalMap, TubeBecomesARing) {
-  const TriangleMesh mesh = samples::tube(40, 12, 20, 40);
+  const TriangleMesh mesh = test::tube(40, 12, 20, 40);
   const Points2 map = conformal_map(mesh);
   EXPECT_GT(conformal_scale(mesh, map).minCoeff(), 0);
   // Conformally a ring whose radii have the ratio exp(height / radius).
@@ -115,7 +115,7 @@ TEST(ConformalMap, TubeBecomesARing) {
 }
 
 TEST(ConformalMap, HornsStayUnflipped) {
-  const TriangleMesh mesh = samples::grid(60, 60, [](double u, double v) {
+  const TriangleMesh mesh = test::grid(60, 60, [](double u, double v) {
     const double x = 100 * (u - 0.5), y = 100 * (v - 0.5);
     double z = 0;
     for (double c : {-22.0, 22.0}) z += 45 * std::exp(-((x - c) * (x - c) + y * y) / 120);
@@ -128,7 +128,7 @@ TEST(ConformalMap, HornsStayUnflipped) {
 }
 
 TEST(ConformalMap, CutSphereLiesFlat) {
-  const TriangleMesh mesh = samples::sphere(8, 30);
+  const TriangleMesh mesh = test::sphere(8, 30);
   EXPECT_THROW(conformal_map(mesh), TopologyError);
   const MeshTopology topology = build_topology(mesh.F, mesh.V.rows());
   std::vector<char> cut;
@@ -144,7 +144,7 @@ TEST(ConformalMap, CutSphereLiesFlat) {
 }
 
 TEST(ConformalMap, DoesNotDependOnUnitsOrRepetition) {
-  TriangleMesh mesh = samples::half_sphere(6, 48);
+  TriangleMesh mesh = test::half_sphere(6, 48);
   const Points2 map = conformal_map(mesh);
   EXPECT_EQ(map, conformal_map(mesh));
   mesh.V *= 1e-3;
@@ -152,7 +152,7 @@ TEST(ConformalMap, DoesNotDependOnUnitsOrRepetition) {
 }
 
 TEST(ConformalMap, RefusesWhatHasNoFlatLayout) {
-  TriangleMesh two = samples::flat_square(1, 1);
+  TriangleMesh two = test::flat_square(1, 1);
   two.F.resize(2, 3);
   two.V.resize(6, 3);
   two.V << 0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0;
@@ -160,8 +160,8 @@ TEST(ConformalMap, RefusesWhatHasNoFlatLayout) {
   EXPECT_THROW(conformal_map(two), TopologyError);
 
   // A torus with one face missing.
-  TriangleMesh torus = samples::grid(12, 8, [](double u, double v) {
-    const double a = 2 * samples::pi * u, b = 2 * samples::pi * v;
+  TriangleMesh torus = test::grid(12, 8, [](double u, double v) {
+    const double a = 2 * M_PI * u, b = 2 * M_PI * v;
     return Vec3((20 + 6 * std::cos(b)) * std::cos(a), (20 + 6 * std::cos(b)) * std::sin(a),
                 6 * std::sin(b));
   });
@@ -177,7 +177,7 @@ TEST(ConformalMap, RefusesWhatHasNoFlatLayout) {
     EXPECT_NE(std::string(error.what()).find("1 handle"), std::string::npos) << error.what();
   }
 
-  TriangleMesh flat = samples::flat_square(2, 1);
+  TriangleMesh flat = test::flat_square(2, 1);
   flat.V.row(4) = flat.V.row(1);
   EXPECT_THROW(conformal_map(flat), InvalidInput);
   flat.V(4, 1) = std::numeric_limits<double>::quiet_NaN();

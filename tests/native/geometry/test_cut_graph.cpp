@@ -7,7 +7,7 @@
 #include "curveups/geometry/conformal_map.hpp"
 #include "curveups/geometry/cut_graph.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
-#include "sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
@@ -53,8 +53,8 @@ Opened opened(const TriangleMesh& mesh, const Edges& given = Edges(0, 2)) {
 // A closed torus, or one with a hole where faces are left out.
 TriangleMesh torus(int around, int along, int holes = 0) {
   const double R = 30, r = 12;
-  TriangleMesh mesh = samples::grid(around, along, [=](double u, double v) {
-    const double a = 2 * samples::pi * u, b = 2 * samples::pi * v;
+  TriangleMesh mesh = test::grid(around, along, [=](double u, double v) {
+    const double a = 2 * M_PI * u, b = 2 * M_PI * v;
     return Vec3((R + r * std::cos(b)) * std::cos(a), (R + r * std::cos(b)) * std::sin(a),
                 r * std::sin(b));
   });
@@ -96,14 +96,14 @@ TriangleMesh double_torus() {
 }
 
 TEST(OpeningCuts, OpenSurfacesNeedNone) {
-  EXPECT_EQ(opened(samples::half_sphere(4, 10)).cuts, 0);
-  const Opened tube = opened(samples::tube(8, 5, 10, 30));  // a hole may stay
+  EXPECT_EQ(opened(test::half_sphere(4, 10)).cuts, 0);
+  const Opened tube = opened(test::tube(8, 5, 10, 30));  // a hole may stay
   EXPECT_EQ(tube.cuts, 0);
   EXPECT_EQ(tube.loops, 2);
 }
 
 TEST(OpeningCuts, AClosedSphereGetsASlitFromEndToEnd) {
-  const TriangleMesh mesh = samples::sphere(6, 10);
+  const TriangleMesh mesh = test::sphere(6, 10);
   const Opened disc = opened(mesh);
   EXPECT_EQ(disc.pieces, 1);
   EXPECT_EQ(disc.loops, 1);
@@ -114,8 +114,8 @@ TEST(OpeningCuts, AClosedSphereGetsASlitFromEndToEnd) {
   for (int e = 0; e < cuts.rows(); ++e) {
     length += (mesh.V.row(cuts(e, 0)) - mesh.V.row(cuts(e, 1))).norm();
   }
-  EXPECT_GT(length, 0.95 * samples::pi * 10);
-  EXPECT_LT(length, 1.3 * samples::pi * 10);
+  EXPECT_GT(length, 0.95 * M_PI * 10);
+  EXPECT_LT(length, 1.3 * M_PI * 10);
 }
 
 TEST(OpeningCuts, TheSmallestClosedSurfaceOpens) {
@@ -157,7 +157,7 @@ TEST(OpeningCuts, GivenCutsCount) {
 }
 
 TEST(OpeningCuts, EveryClosedComponentIsOpened) {
-  const TriangleMesh one = samples::sphere(3, 10);
+  const TriangleMesh one = test::sphere(3, 10);
   TriangleMesh two;
   two.V.resize(2 * one.V.rows(), 3);
   two.V << one.V, one.V.rowwise() + Eigen::RowVector3d(50, 0, 0);

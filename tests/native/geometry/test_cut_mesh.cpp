@@ -5,7 +5,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
-#include "sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
@@ -31,14 +31,14 @@ void expect_same_corners(const TriangleMesh& mesh, const CutMesh& open) {
 }
 
 TEST(CutMesh, NothingCutChangesNothing) {
-  const TriangleMesh mesh = samples::half_sphere(4, 10);
+  const TriangleMesh mesh = test::half_sphere(4, 10);
   const CutMesh open = cut_open(mesh, build_topology(mesh.F, mesh.V.rows()), {});
   EXPECT_EQ(open.mesh.F, mesh.F);
   EXPECT_EQ(open.mesh.V, mesh.V);
 }
 
 TEST(CutMesh, SlitKeepsItsInnerTip) {
-  const TriangleMesh mesh = samples::flat_square(4, 4);
+  const TriangleMesh mesh = test::flat_square(4, 4);
   const MeshTopology topology = build_topology(mesh.F, mesh.V.rows());
   const auto cut = edges_where(mesh, topology, [](const Vec3& a, const Vec3& b) {
     return a.y() == 2 && b.y() == 2 && a.x() <= 2 && b.x() <= 2;
@@ -53,7 +53,7 @@ TEST(CutMesh, SlitKeepsItsInnerTip) {
 }
 
 TEST(CutMesh, CutThroughSplitsInTwo) {
-  const TriangleMesh mesh = samples::flat_square(4, 4);
+  const TriangleMesh mesh = test::flat_square(4, 4);
   const MeshTopology topology = build_topology(mesh.F, mesh.V.rows());
   const CutMesh open =
       cut_open(mesh, topology, edges_where(mesh, topology, [](const Vec3& a, const Vec3& b) {
@@ -68,7 +68,7 @@ TEST(CutMesh, CutThroughSplitsInTwo) {
 }
 
 TEST(CutMesh, ClosedSphereOpensToADisc) {
-  const TriangleMesh mesh = samples::sphere(4, 10);
+  const TriangleMesh mesh = test::sphere(4, 10);
   const MeshTopology topology = build_topology(mesh.F, mesh.V.rows());
   ASSERT_TRUE(boundary_loops(topology).empty());
   // From pole to pole along half a great circle.
@@ -101,7 +101,7 @@ TEST(CutMesh, SplitsAVertexInWhichTheBoundaryTouchesItself) {
 }
 
 TEST(CutMesh, RefusesAWrongNumberOfFlags) {
-  const TriangleMesh mesh = samples::flat_square(2, 1);
+  const TriangleMesh mesh = test::flat_square(2, 1);
   EXPECT_THROW(cut_open(mesh, build_topology(mesh.F, 9), {1, 0}), InvalidInput);
 }
 

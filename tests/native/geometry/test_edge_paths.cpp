@@ -5,13 +5,13 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/edge_paths.hpp"
-#include "sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
 
 TEST(EdgePaths, FollowTheShortestEdges) {
-  const TriangleMesh mesh = samples::flat_square(4, 4);
+  const TriangleMesh mesh = test::flat_square(4, 4);
   Points3 points(3, 3);
   points << 0.1, 0.1, 1, 3.9, 0.2, 0, 4, 4.2, 0;
   const std::vector<int> path = shortest_edge_path(mesh, points);

@@ -5,7 +5,7 @@
 
 #include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
-#include "sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
@@ -18,8 +18,8 @@ std::vector<std::string> kinds(const TriangleMesh& mesh, double L = 7, bool cuts
 using Kinds = std::vector<std::string>;
 
 TriangleMesh moebius() {
-  TriangleMesh mesh = samples::grid(30, 2, [](double u, double v) {
-    const double a = 2 * samples::pi * u, w = 20 * (v - 0.5);
+  TriangleMesh mesh = test::grid(30, 2, [](double u, double v) {
+    const double a = 2 * M_PI * u, w = 20 * (v - 0.5);
     const double r = 40 + w * std::cos(a / 2);
     return Vec3(r * std::cos(a), r * std::sin(a), w * std::sin(a / 2));
   });
@@ -31,24 +31,24 @@ TriangleMesh moebius() {
 }
 
 TEST(MeshChecks, SoundSurfacesHaveNoFindings) {
-  EXPECT_EQ(kinds(samples::half_sphere(8, 48)), Kinds{});
-  EXPECT_EQ(kinds(samples::tube(20, 4, 30, 40)), Kinds{});
+  EXPECT_EQ(kinds(test::half_sphere(8, 48)), Kinds{});
+  EXPECT_EQ(kinds(test::tube(20, 4, 30, 40)), Kinds{});
 }
 
 TEST(MeshChecks, ArraysThatMeanNothing) {
   EXPECT_EQ(kinds({Points3(0, 3), Triangles(0, 3)}), Kinds{"empty"});
-  TriangleMesh mesh = samples::flat_square(3, 50);
+  TriangleMesh mesh = test::flat_square(3, 50);
   mesh.F(4, 1) = 99;
   EXPECT_EQ(kinds(mesh), Kinds{"index-out-of-range"});
   EXPECT_EQ(check_mesh(mesh, 7, false)[0].faces, std::vector<int>{4});
-  mesh = samples::flat_square(3, 50);
+  mesh = test::flat_square(3, 50);
   mesh.V(5, 2) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(kinds(mesh), Kinds{"not-finite"});
   EXPECT_EQ(check_mesh(mesh, 7, false)[0].vertices, std::vector<int>{5});
 }
 
 TEST(MeshChecks, NoManifold) {
-  const TriangleMesh square = samples::flat_square(3, 50);
+  const TriangleMesh square = test::flat_square(3, 50);
   TriangleMesh mesh = square;
   mesh.V.row(5) = mesh.V.row(6);
   EXPECT_EQ(kinds(mesh)[0], "degenerate-faces");
@@ -77,8 +77,8 @@ TEST(MeshChecks, NoManifold) {
 }
 
 TEST(MeshChecks, ClosedNeedsACut) {
-  EXPECT_EQ(kinds(samples::sphere(6, 40)), Kinds{"closed"});
-  EXPECT_EQ(kinds(samples::sphere(6, 40), 7, true), Kinds{});
+  EXPECT_EQ(kinds(test::sphere(6, 40)), Kinds{"closed"});
+  EXPECT_EQ(kinds(test::sphere(6, 40), 7, true), Kinds{});
 }
 
 TEST(MeshChecks, SelfIntersectionNamesTheFaces) {
@@ -96,12 +96,12 @@ TEST(MeshChecks, SelfIntersectionNamesTheFaces) {
 }
 
 TEST(MeshChecks, WrongUnits) {
-  TriangleMesh mesh = samples::half_sphere(6, 0.048);  // metres
+  TriangleMesh mesh = test::half_sphere(6, 0.048);  // metres
   EXPECT_EQ(kinds(mesh), Kinds{"too-small"});
   mesh.V *= 1e6;
   EXPECT_EQ(kinds(mesh), Kinds{"too-large"});
   EXPECT_TRUE(check_mesh(mesh, 7, false)[0].is_error);
-  mesh = samples::half_sphere(6, 48);
+  mesh = test::half_sphere(6, 48);
   mesh.V.col(0).array() += 1e7;
   ASSERT_EQ(kinds(mesh), Kinds{"huge-coordinates"});
   EXPECT_FALSE(check_mesh(mesh, 7, false)[0].is_error);
@@ -119,7 +119,7 @@ TEST(MeshChecks, OneTileIsEnough) {
 }
 
 TEST(CleanMesh, SoupBecomesTheMeshItWas) {
-  const TriangleMesh mesh = samples::half_sphere(5, 48);
+  const TriangleMesh mesh = test::half_sphere(5, 48);
   TriangleMesh soup;
   soup.V.resize(3 * mesh.F.rows(), 3);
   soup.F.resize(mesh.F.rows() + 1, 3);
@@ -158,7 +158,7 @@ TEST(CleanMesh, SliversGoWithoutAGap) {
 TEST(CleanMesh, LeavesWhatItCannotRepair) {
   TriangleMesh mesh = moebius();
   EXPECT_EQ(kinds(clean_mesh(mesh).mesh), Kinds{"one-sided"});
-  mesh = samples::flat_square(3, 50);
+  mesh = test::flat_square(3, 50);
   mesh.V(5, 2) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(kinds(clean_mesh(mesh).mesh), Kinds{"not-finite"});
   EXPECT_EQ(kinds(clean_mesh({Points3(0, 3), Triangles(0, 3)}).mesh), Kinds{"empty"});

@@ -6,7 +6,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/polygon_division.hpp"
-#include "geometry/sample_regions.hpp"
+#include "support/regions.hpp"
 
 namespace curveups {
 namespace {

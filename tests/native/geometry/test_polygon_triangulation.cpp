@@ -7,7 +7,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/polygon_triangulation.hpp"
-#include "geometry/sample_regions.hpp"
+#include "support/regions.hpp"
 
 namespace curveups {
 namespace {

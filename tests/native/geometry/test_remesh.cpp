@@ -9,7 +9,7 @@
 #include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 #include "curveups/geometry/remesh.hpp"
-#include "sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
@@ -37,7 +37,7 @@ TEST_P(RemeshBuiltin, IsUniform) {
     if (edge.boundary()) continue;
     const Vec3 a = face_area_vector(result.mesh, edge.face[0]);
     const Vec3 b = face_area_vector(result.mesh, edge.face[1]);
-    EXPECT_LT(std::atan2(a.cross(b).norm(), a.dot(b)), 35 * samples::pi / 180);
+    EXPECT_LT(std::atan2(a.cross(b).norm(), a.dot(b)), 35 * M_PI / 180);
   }
 }
 INSTANTIATE_TEST_SUITE_P(Targets, RemeshBuiltin,
@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Targets, RemeshBuiltin,
 
 TEST(Remesh, KeepsCornersSmallHolesAndComponents) {
   // Two squares side by side, one without two faces in its middle: a hole much smaller than L.
-  TriangleMesh mesh = samples::flat_square(16, 40);
+  TriangleMesh mesh = test::flat_square(16, 40);
   const int half = static_cast<int>(mesh.V.rows()), faces = static_cast<int>(mesh.F.rows());
   mesh.V.conservativeResize(2 * half, 3);
   mesh.V.bottomRows(half) = mesh.V.topRows(half).rowwise() + Eigen::RowVector3d(100, 0, 0);
@@ -71,8 +71,8 @@ TEST(Remesh, KeepsCornersSmallHolesAndComponents) {
 
 TEST(Remesh, NeedlesOfACadTessellationGo) {
   // A cylinder as CAD writes it: long thin faces between two arcs.
-  const TriangleMesh needles = samples::grid(240, 1, [](double u, double v) {
-    const double a = samples::pi * u;
+  const TriangleMesh needles = test::grid(240, 1, [](double u, double v) {
+    const double a = M_PI * u;
     return Vec3(30 * std::cos(a), 30 * std::sin(a), 60 * v);
   });
   const RemeshResult result = remesh(needles, {6});
@@ -83,7 +83,7 @@ TEST(Remesh, NeedlesOfACadTessellationGo) {
 }
 
 TEST(Remesh, ClosedSurfaceStaysClosed) {
-  const RemeshResult result = remesh(samples::sphere(24, 25), {6});
+  const RemeshResult result = remesh(test::sphere(24, 25), {6});
   EXPECT_EQ(loop_count(result.mesh), 0u);
   EXPECT_NEAR(result.mean_edge, 6, 0.18);
   EXPECT_LT(result.edge_cv, 0.12);

@@ -3,13 +3,13 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/triangle_mesh.hpp"
-#include "sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
 
 TEST(TriangleMesh, NeighboursAnswerOneAnother) {
-  const TriangleMesh mesh = samples::tube(9, 4, 5, 6);
+  const TriangleMesh mesh = test::tube(9, 4, 5, 6);
   const MeshTopology topology = build_topology(mesh.F, mesh.V.rows());
   int boundary = 0;
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
@@ -27,7 +27,7 @@ TEST(TriangleMesh, NeighboursAnswerOneAnother) {
 }
 
 TEST(TriangleMesh, LoopsRunWithTheSurfaceOnTheLeft) {
-  const TriangleMesh mesh = samples::flat_square(3, 3);
+  const TriangleMesh mesh = test::flat_square(3, 3);
   const auto loops = boundary_loops(build_topology(mesh.F, mesh.V.rows()));
   ASSERT_EQ(loops.size(), 1u);
   ASSERT_EQ(loops[0].size(), 12u);
@@ -41,7 +41,7 @@ TEST(TriangleMesh, LoopsRunWithTheSurfaceOnTheLeft) {
 }
 
 TEST(TriangleMesh, ComponentsFollowTheJoinedEdges) {
-  const TriangleMesh mesh = samples::flat_square(2, 2);
+  const TriangleMesh mesh = test::flat_square(2, 2);
   const MeshTopology topology = build_topology(mesh.F, mesh.V.rows());
   EXPECT_EQ(face_components(topology, {}), std::vector<int>(8, 0));
   const auto alone = face_components(topology, std::vector<char>(topology.edges.size(), 0));

@@ -5,7 +5,7 @@
 
 #include "curveups/layout/block_function.hpp"
 #include "curveups/layout/initial_layout.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

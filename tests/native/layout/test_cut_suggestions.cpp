@@ -8,8 +8,7 @@
 #include "curveups/layout/cut_suggestions.hpp"
 #include "curveups/layout/initial_layout.hpp"
 #include "curveups/layout/layout.hpp"
-#include "geometry/sample_meshes.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
@@ -157,7 +156,7 @@ TEST(CutSuggestions, RelieveAFingerAsPredicted) {
 }
 
 TEST(CutSuggestions, OpenAClosedSurfaceFirst) {
-  const TriangleMesh mesh = samples::sphere(4, 20);
+  const TriangleMesh mesh = test::sphere(4, 20);
   Parameters p;
   CutSuggestionOptions options;
   options.most = 3;

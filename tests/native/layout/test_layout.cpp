@@ -6,7 +6,7 @@
 #include "curveups/layout/initial_layout.hpp"
 #include "curveups/layout/layout.hpp"
 #include "curveups/layout/soft_layout.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

@@ -6,7 +6,7 @@
 #include "curveups/layout/layout.hpp"
 #include "curveups/layout/layout_figures.hpp"
 #include "curveups/layout/remedies.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

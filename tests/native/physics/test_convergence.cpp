@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "curveups/physics/validation.hpp"
-#include "domes.hpp"
+#include "support/designs.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
 
-using testing::hexagon;
-using testing::spread_design;
+using test::hexagon;
+using test::spread_design;
 
 constexpr int levels = 4;
 
@@ -45,7 +46,7 @@ std::array<Wrenches, levels> nested_wrenches(const Design& design, const DesignG
 
 struct Levels {
   Levels()
-      : design(spread_design(hexagon(2, testing::sphere_cap), 1.35, 1.2)),
+      : design(spread_design(hexagon(2, test::cap_height), 1.35, 1.2)),
         geometry(make_geometry(design.mesh, design.cuts, design.parameters)),
         wrenches(nested_wrenches(design, geometry)),
         reference(extrapolate<Wrenches>(wrenches[levels - 1], wrenches[levels - 2])) {}

@@ -6,13 +6,13 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/physics/equilibrium.hpp"
-#include "sheet.hpp"
+#include "support/sheet.hpp"
 
 namespace curveups {
 namespace {
 
-using testing::make_sheet;
-using testing::Sheet;
+using test::make_sheet;
+using test::Sheet;
 
 constexpr double a = 10, b = 6, tau = 1;
 

@@ -6,13 +6,14 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/physics/membrane_mesh.hpp"
-#include "domes.hpp"
+#include "support/designs.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
 
-using testing::hexagon;
-using testing::spread_design;
+using test::hexagon;
+using test::spread_design;
 
 struct Flat {
   Design design;
@@ -41,7 +42,7 @@ double polygon_area(const MembranePatch& patch, const Points2& corners) {
 }
 
 TEST(MembraneDomain, BridgesContactsAndClosesUncutInteriorVertices) {
-  Design design = spread_design(hexagon(3, testing::sphere_cap), 1.4, 1.0);
+  Design design = spread_design(hexagon(3, test::cap_height), 1.4, 1.0);
   const Flat whole = make_flat(design, Side::front);
   // 37 vertices, 18 of them on the boundary; 54 tiles, 72 interior edges.
   EXPECT_EQ(whole.tiles.tile_count(), 54);
@@ -63,7 +64,7 @@ TEST(MembraneDomain, BridgesContactsAndClosesUncutInteriorVertices) {
 }
 
 TEST(MembraneMesh, FillsEveryPatchOnBothSidesAndSharesItsSides) {
-  const Design design = spread_design(hexagon(3, testing::saddle), 1.5, 1.0);
+  const Design design = spread_design(hexagon(3, test::saddle_height), 1.5, 1.0);
   for (Side side : {Side::front, Side::back}) {
     const Flat flat = make_flat(design, side);
     const MembraneMesh mesh = make_membrane_mesh(flat.domain, flat.corners, {});
@@ -95,7 +96,7 @@ TEST(MembraneMesh, FillsEveryPatchOnBothSidesAndSharesItsSides) {
 }
 
 TEST(MembraneMesh, RefinementIsNestedAndKeepsAreaAndPins) {
-  const Flat flat = make_flat(spread_design(hexagon(2, testing::sphere_cap), 1.4, 1.0), Side::back);
+  const Flat flat = make_flat(spread_design(hexagon(2, test::cap_height), 1.4, 1.0), Side::back);
   const MembraneMesh coarse = make_membrane_mesh(flat.domain, flat.corners, {});
   const MembraneMesh fine = refine_mesh(coarse);
   EXPECT_EQ(fine.triangles.size(), 4 * coarse.triangles.size());
@@ -111,8 +112,7 @@ TEST(MembraneMesh, RefinementIsNestedAndKeepsAreaAndPins) {
 }
 
 TEST(MembraneMesh, IsTheSameWithOneThreadAndTwo) {
-  const Flat flat =
-      make_flat(spread_design(hexagon(4, testing::sphere_cap), 1.4, 1.0), Side::front);
+  const Flat flat = make_flat(spread_design(hexagon(4, test::cap_height), 1.4, 1.0), Side::front);
   const int threads = thread_count();
   set_thread_count(1);
   const MembraneMesh one = make_membrane_mesh(flat.domain, flat.corners, {});
@@ -125,7 +125,7 @@ TEST(MembraneMesh, IsTheSameWithOneThreadAndTwo) {
 }
 
 TEST(MembraneMesh, NamesTilesThatCannotBe) {
-  Design design = spread_design(hexagon(2, testing::sphere_cap), 1.4, 1.0);
+  Design design = spread_design(hexagon(2, test::cap_height), 1.4, 1.0);
   design.q.row(5).setConstant(4);
   try {
     make_flat(design, Side::front);
@@ -134,8 +134,7 @@ TEST(MembraneMesh, NamesTilesThatCannotBe) {
     EXPECT_EQ(error.tiles(), std::vector<int>{5});
     EXPECT_NE(std::string(error.what()).find("T00006"), std::string::npos);
   }
-  const Flat folded =
-      make_flat(spread_design(hexagon(2, testing::sphere_cap), 0.6, 0.2), Side::front);
+  const Flat folded = make_flat(spread_design(hexagon(2, test::cap_height), 0.6, 0.2), Side::front);
   EXPECT_THROW(make_membrane_mesh(folded.domain, folded.corners, {}), InfeasibleDesign);
 }
 

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "curveups/physics/sensitivities.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

@@ -6,16 +6,17 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/design/constraints.hpp"
 #include "curveups/physics/validation.hpp"
-#include "domes.hpp"
+#include "support/designs.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
 
-using testing::hexagon;
-using testing::spread_design;
+using test::hexagon;
+using test::spread_design;
 
 Design dome(double spread = 1.35) {
-  return spread_design(hexagon(3, testing::sphere_cap), spread, 1.2);
+  return spread_design(hexagon(3, test::cap_height), spread, 1.2);
 }
 
 void expect_equilibrium(const ValidationReport& r) {

@@ -5,15 +5,16 @@
 #include "curveups/core/parallel.hpp"
 #include "curveups/physics/design_forces.hpp"
 #include "curveups/physics/validation.hpp"
-#include "domes.hpp"
+#include "support/designs.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
 
-using testing::hexagon;
-using testing::spread_design;
+using test::hexagon;
+using test::spread_design;
 
-Design dome() { return spread_design(hexagon(3, testing::sphere_cap), 1.35, 1.2); }
+Design dome() { return spread_design(hexagon(3, test::cap_height), 1.35, 1.2); }
 
 bool mentions(const ValidationReport& report, const std::string& text) {
   for (const std::string& reason : report.reasons) {
@@ -77,7 +78,7 @@ TEST(Verify, SmallerTrianglesMoveForcesByLessThanTheStatedError) {
 
 TEST(Verify, ALooseLayoutWithWrinklesConverges) {
   const ValidationReport r =
-      verify_design(spread_design(hexagon(3, testing::sphere_cap), 1.9, 1.2), {}, {});
+      verify_design(spread_design(hexagon(3, test::cap_height), 1.9, 1.2), {}, {});
   EXPECT_TRUE(r.physics.converged);
   EXPECT_LE(r.physics.fine_iterations[0], 20);
   EXPECT_LE(r.physics.fine_iterations[1], 20);
@@ -113,7 +114,7 @@ TEST(Verify, CutsPiecesAndLonelyTiles) {
 }
 
 TEST(Verify, OneTileAndTwoTiles) {
-  const TriangleMesh mesh = hexagon(1, testing::sphere_cap);
+  const TriangleMesh mesh = hexagon(1, test::cap_height);
   for (int count : {1, 2}) {
     TriangleMesh part = mesh;
     part.F = mesh.F.topRows(count);

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include "../physics/domes.hpp"
 #include "curveups/refinement/explanation.hpp"
+#include "support/designs.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {
 
-using namespace testing;
+using namespace test;
 
 // Of a dome's contact points, with one normal force for all but the first.
 struct Judged {
-  Design design = spread_design(hexagon(2, sphere_cap), 1.35, 1.2);
+  Design design = spread_design(hexagon(2, cap_height), 1.35, 1.2);
   DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
   std::vector<ContactPoint> points = interface_points(geometry.tiles, geometry.patches);
   RepairOptions options;

@@ -4,7 +4,7 @@
 #include "curveups/design/pin_room.hpp"
 #include "curveups/design/vertex_patch.hpp"
 #include "curveups/refinement/pin_relief.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

@@ -9,7 +9,7 @@
 #include "curveups/layout/layout.hpp"
 #include "curveups/physics/validation.hpp"
 #include "curveups/refinement/repair.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

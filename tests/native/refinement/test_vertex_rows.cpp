@@ -5,7 +5,7 @@
 
 #include "curveups/layout/layout.hpp"
 #include "curveups/refinement/vertex_rows.hpp"
-#include "support/sample_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace curveups {
 namespace {

@@ -1,28 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Small whole designs for the tests of this room: a curved patch over a triangular grid, its tiles
-// laid out rigidly where the patch's plan has them, spread apart.
-#pragma once
+#include "support/designs.hpp"
 
 #include <cmath>
-#include <functional>
 #include <vector>
-
-#include "curveups/design/design.hpp"
 
 namespace curveups::test {
 
-struct SampleOptions {
-  int rows = 4, columns = 5;
-  double kx = 0.012, ky = 0.012;  // z = -(kx x^2 + ky y^2) / 2: a dome; opposite signs: a saddle
-  double spread = 1.45;
-  Edges cuts = Edges(0, 2);
-  double piece_offset = 0;  // moves tiles with an x of the plan above 0 further right
-  // Only triangles whose centre's plan this accepts; cuts are then by the numbers that remain.
-  std::function<bool(const Vec2&)> keep = {};
-};
+namespace {
 
 // The triangles that `keep` accepts, and the vertices of these.
-inline void keep_only(TriangleMesh& mesh, const std::function<bool(const Vec2&)>& keep) {
+void keep_only(TriangleMesh& mesh, const std::function<bool(const Vec2&)>& keep) {
   std::vector<int> number(mesh.V.rows(), -1);
   int faces = 0, vertices = 0;
   for (int i = 0; i < mesh.F.rows(); ++i) {
@@ -44,7 +31,9 @@ inline void keep_only(TriangleMesh& mesh, const std::function<bool(const Vec2&)>
   }
 }
 
-inline Design sample_design(const Parameters& parameters = {}, const SampleOptions& o = {}) {
+}  // namespace
+
+Design sample_design(const Parameters& parameters, const SampleOptions& o) {
   Design design;
   design.name = "sample";
   design.parameters = parameters;
@@ -93,6 +82,24 @@ inline Design sample_design(const Parameters& parameters = {}, const SampleOptio
   }
   design.T = flat_corners(geometry.tiles, fit_poses(geometry.tiles, plan));
   design.q = geometry.pin_bounds.lower.array() + 0.02;
+  return design;
+}
+
+Design spread_design(const TriangleMesh& mesh, double spread, double inset) {
+  Design design;
+  design.name = "test";
+  design.parameters.L = 7;
+  design.mesh = mesh;
+  design.cuts.resize(0, 2);
+  const TileMesh tiles = make_tile_mesh(mesh, design.cuts, design.parameters.H_body);
+  FlatCorners projected(tiles.tile_count(), 6);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int t = 0; t < 3; ++t) {
+      projected.row(i).segment<2>(2 * t) = spread * mesh.V.row(mesh.F(i, t)).head<2>();
+    }
+  }
+  design.T = flat_corners(tiles, fit_poses(tiles, projected));
+  design.q.setConstant(tiles.tile_count(), 6, inset);
   return design;
 }
 

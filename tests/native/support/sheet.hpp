@@ -5,7 +5,7 @@
 #include "curveups/geometry/planar_mesh.hpp"
 #include "curveups/physics/equilibrium.hpp"
 
-namespace curveups::testing {
+namespace curveups::test {
 
 struct Sheet {
   MembraneMesh mesh;
@@ -37,4 +37,4 @@ inline Sheet make_sheet(double a, double b, double size) {
   return sheet;
 }
 
-}  // namespace curveups::testing
+}  // namespace curveups::test
