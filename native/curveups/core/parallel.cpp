@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/core/parallel.hpp"
 
-#include <algorithm>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <exception>
+#include <limits>
+#include <mutex>
 #include <thread>
-#include <vector>
 
 namespace curveups {
 namespace {
@@ -24,6 +29,27 @@ std::atomic<int>& threads() {
   return count;
 }
 
+// Whether this thread works in a loop of ours, whose arena holds to the number of threads already.
+thread_local bool inside = false;
+
+class Inside {
+ public:
+  Inside() : before_(inside) { inside = true; }
+  ~Inside() { inside = before_; }
+
+ private:
+  bool before_;
+};
+
+// A thread that waits for its loop takes no other work than this loop's: nothing of what it holds
+// can be asked for again.
+template <class Work>
+void in_arena(const Work& work) {
+  if (inside) return tbb::this_task_arena::isolate(work);
+  tbb::task_arena arena(thread_count());
+  arena.execute(work);
+}
+
 }  // namespace
 
 int thread_count() { return threads(); }
@@ -31,33 +57,71 @@ int thread_count() { return threads(); }
 void set_thread_count(int count) { threads() = std::max(1, count); }
 
 void parallel_ranges(int count, const std::function<void(int, int)>& body) {
-  const int parts = std::min(thread_count(), count);
-  if (parts <= 1) {
-    if (count > 0) body(0, count);
-    return;
-  }
-  std::vector<std::exception_ptr> errors(parts);
-  auto run = [&](int part) {
-    try {
-      body(static_cast<int>(static_cast<long long>(count) * part / parts),
-           static_cast<int>(static_cast<long long>(count) * (part + 1) / parts));
-    } catch (...) {
-      errors[part] = std::current_exception();
-    }
-  };
-  std::vector<std::thread> workers;
-  workers.reserve(parts - 1);
-  for (int part = 1; part < parts; ++part) workers.emplace_back(run, part);
-  run(0);
-  for (std::thread& worker : workers) worker.join();
-  for (const std::exception_ptr& error : errors) {
-    if (error) std::rethrow_exception(error);
-  }
+  if (count <= 0) return;
+  if (thread_count() == 1 || count == 1) return body(0, count);
+  // Some ranges a thread even out what they cost; more would repeat what bodies set up.
+  const int grain = std::max(1, count / (8 * thread_count()));
+  std::mutex mutex;
+  int lowest = std::numeric_limits<int>::max();
+  std::exception_ptr error;
+  in_arena([&] {
+    tbb::parallel_for(tbb::blocked_range<int>(0, count, grain), [&](const auto& range) {
+      const Inside guard;
+      try {
+        body(range.begin(), range.end());
+      } catch (...) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (range.begin() >= lowest) return;
+        lowest = range.begin();
+        error = std::current_exception();
+      }
+    });
+  });
+  if (error) std::rethrow_exception(error);
 }
 
-void parallel_pair(const std::function<void()>& a, const std::function<void()>& b) {
-  parallel_ranges(2, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) i == 0 ? a() : b();
+void parallel_tasks(const std::vector<std::function<void()>>& tasks) {
+  parallel_ranges(static_cast<int>(tasks.size()), [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) tasks[i]();
+  });
+}
+
+int lane_count() { return thread_count() == 1 ? 1 : 4 * thread_count(); }
+
+void parallel_gather(int count, const std::function<void(int, int, int)>& make,
+                     const std::function<void(int, int, int)>& take) {
+  auto end_of = [&](int begin) { return std::min(count, begin + gathered_range); };
+  if (thread_count() == 1 || count <= gathered_range) {
+    for (int begin = 0; begin < count; begin += gathered_range) {
+      make(begin, end_of(begin), 0);
+      take(begin, end_of(begin), 0);
+    }
+    return;
+  }
+  // At most as many ranges as lanes are on their way, and they end in their order: a lane is free
+  // again before its next range begins.
+  const int lanes = lane_count();
+  auto lane_of = [&](int begin) { return begin / gathered_range % lanes; };
+  int next = 0;
+  in_arena([&] {
+    tbb::parallel_pipeline(
+        lanes, tbb::make_filter<void, int>(tbb::filter_mode::serial_in_order,
+                                           [&](tbb::flow_control& control) {
+                                             const int begin = next;
+                                             if (begin >= count) control.stop();
+                                             next += gathered_range;
+                                             return begin;
+                                           }) &
+                   tbb::make_filter<int, int>(tbb::filter_mode::parallel,
+                                              [&](int begin) {
+                                                const Inside guard;
+                                                make(begin, end_of(begin), lane_of(begin));
+                                                return begin;
+                                              }) &
+                   tbb::make_filter<int, void>(tbb::filter_mode::serial_in_order, [&](int begin) {
+                     const Inside guard;
+                     take(begin, end_of(begin), lane_of(begin));
+                   }));
   });
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Loops over tiles on our own threads. Results never depend on the number of threads: each index
-// writes only what is its own, and sums are taken afterwards in the order of the indices.
+// Loops on oneTBB's threads, made once and shared with OpenCASCADE. Results never depend on the
+// number of threads: each index writes only what is its own, and sums are taken in the order of the
+// indices. Loops may be nested.
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <vector>
 
 namespace curveups {
 
@@ -16,7 +19,43 @@ void set_thread_count(int count);
 // rethrown once all have ended (the one of the lowest range).
 void parallel_ranges(int count, const std::function<void(int begin, int end)>& body);
 
-// Runs both, at once where two threads are allowed.
-void parallel_pair(const std::function<void()>& a, const std::function<void()>& b);
+// Runs all, at once where there are threads; exceptions as above.
+void parallel_tasks(const std::vector<std::function<void()>>& tasks);
+
+// A loop whose results are gathered one after another: `make` on consecutive ranges at once, `take`
+// on the same ranges in their order, one at a time, each after its `make`. lane: the same number in
+// [0, lane_count()) for both calls on a range, and no other range's in between: where make leaves
+// what take gathers. Ranges have at most gathered_range indices, whatever the number of threads.
+inline constexpr int gathered_range = 64;
+int lane_count();
+void parallel_gather(int count, const std::function<void(int begin, int end, int lane)>& make,
+                     const std::function<void(int begin, int end, int lane)>& take);
+
+// The same by index: make(index, value) fills in a Value, take(index, value) gathers it.
+template <class Value, class Make, class Take>
+void parallel_gather(int count, const Make& make, const Take& take) {
+  std::vector<std::vector<Value>> values(lane_count());
+  for (std::vector<Value>& lane : values) lane.resize(std::min(count, gathered_range));
+  parallel_gather(
+      count,
+      [&](int begin, int end, int lane) {
+        for (int i = begin; i < end; ++i) make(i, values[lane][i - begin]);
+      },
+      [&](int begin, int end, int lane) {
+        for (int i = begin; i < end; ++i) take(i, values[lane][i - begin]);
+      });
+}
+
+// The sum of term(0), term(1), ... in this order.
+template <class Summand>
+double parallel_sum(int count, const Summand& summand) {
+  std::vector<double> values(count);
+  parallel_ranges(count, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) values[i] = summand(i);
+  });
+  double sum = 0;
+  for (double value : values) sum += value;
+  return sum;
+}
 
 }  // namespace curveups

@@ -3,28 +3,27 @@
 //   E_a = L^-2 sum_k (|v_k11 - v_k21| - |v_k12 - v_k22|)^2, front corners.
 #include <cmath>
 
-#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/layout_terms.hpp"
 #include "curveups/layout/placed_point.hpp"
 
 namespace curveups {
 namespace {
 
-class AlignmentEnergy : public BlockFunction {
+class AlignmentEnergy : public LayoutTerm {
  public:
   explicit AlignmentEnergy(const LayoutModel& model)
       : model_(model), weight_(std::sqrt(model.parameters.w_a) / model.L) {}
 
   std::string_view name() const override { return "alignment"; }
-  int block_count() const override { return static_cast<int>(contacts().size()); }
+  int element_count() const override { return static_cast<int>(contacts().size()); }
   int dimension() const override { return 1; }
-  std::array<int, 2> tiles(int block) const override { return contacts()[block].tile; }
+  Blocks blocks(int block) const override { return contacts()[block].tile; }
 
-  void evaluate(int block, const double* first, const double* second, bool derivatives,
-                BlockValue& out) const override {
+  void evaluate(int block, const Unknowns& x, bool derivatives, Value& out) const override {
     const Contact& contact = contacts()[block];
     const auto& a = model_.tiles[contact.tile[0]].corner[0];
     const auto& b = model_.tiles[contact.tile[1]].corner[0];
-    const PlacedTile ta(first), tb(second);
+    const PlacedTile ta(x[0]), tb(x[1]);
     const int t = contact.side[0], u = contact.side[1];
     const PlacedPoint v11(ta, a[t]), v12(ta, a[next3(t)]), v21(tb, b[u]), v22(tb, b[next3(u)]);
     const Vec2 d1 = v11.position - v21.position, d2 = v12.position - v22.position;
@@ -47,7 +46,7 @@ class AlignmentEnergy : public BlockFunction {
 
 }  // namespace
 
-std::unique_ptr<BlockFunction> make_alignment_energy(const LayoutModel& model) {
+std::unique_ptr<LayoutTerm> make_alignment_energy(const LayoutModel& model) {
   return std::make_unique<AlignmentEnergy>(model);
 }
 

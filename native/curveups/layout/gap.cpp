@@ -5,32 +5,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/layout_terms.hpp"
 #include "curveups/layout/placed_point.hpp"
 
 namespace curveups {
 namespace {
 
-class GapConstraint : public BlockFunction {
+class GapConstraint : public LayoutTerm {
  public:
   explicit GapConstraint(const LayoutModel& model) : model_(model) {}
 
   std::string_view name() const override { return "gap"; }
-  int block_count() const override { return static_cast<int>(model_.gaps.size()); }
+  int element_count() const override { return static_cast<int>(model_.gaps.size()); }
   int dimension() const override { return 1; }
   int curvature_rows() const override { return 1; }
-  std::array<int, 2> tiles(int block) const override {
+  Blocks blocks(int block) const override {
     return {model_.gaps[block].tile, model_.gaps[block].other};
   }
 
-  void evaluate(int block, const double* first, const double* second, bool derivatives,
-                BlockValue& out) const override {
+  void evaluate(int block, const Unknowns& x, bool derivatives, Value& out) const override {
     const CornerGap& gap = model_.gaps[block];
     const int s = static_cast<int>(gap.side);
     const LayoutTile& tile = model_.tiles[gap.tile];
-    const PlacedTile placed(first);
+    const PlacedTile placed(x[0]);
     const PlacedPoint on_line(placed, tile.corner[s][gap.edge]);
-    const PlacedPoint corner(PlacedTile(second), model_.tiles[gap.other].corner[s][gap.corner]);
+    const PlacedPoint corner(PlacedTile(x[1]), model_.tiles[gap.other].corner[s][gap.corner]);
     const Vec2 normal = placed.turn * tile.outward[gap.edge];
     const Vec2 d = corner.position - on_line.position;
     out.value(0) = normal.dot(d) - model_.parameters.d_gap_min;
@@ -56,9 +55,8 @@ class CollisionEnergy : public GapConstraint {
   std::string_view name() const override { return "collision"; }
   int curvature_rows() const override { return 0; }
 
-  void evaluate(int block, const double* first, const double* second, bool derivatives,
-                BlockValue& out) const override {
-    GapConstraint::evaluate(block, first, second, derivatives, out);
+  void evaluate(int block, const Unknowns& x, bool derivatives, Value& out) const override {
+    GapConstraint::evaluate(block, x, derivatives, out);
     const double factor = out.value(0) < 0 ? -weight_ : 0.0;
     out.value(0) *= factor;
     if (!derivatives) return;
@@ -72,11 +70,11 @@ class CollisionEnergy : public GapConstraint {
 
 }  // namespace
 
-std::unique_ptr<BlockFunction> make_gap_constraint(const LayoutModel& model) {
+std::unique_ptr<LayoutTerm> make_gap_constraint(const LayoutModel& model) {
   return std::make_unique<GapConstraint>(model);
 }
 
-std::unique_ptr<BlockFunction> make_collision_energy(const LayoutModel& model) {
+std::unique_ptr<LayoutTerm> make_collision_energy(const LayoutModel& model) {
   return std::make_unique<CollisionEnergy>(model);
 }
 

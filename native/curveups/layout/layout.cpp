@@ -10,7 +10,7 @@
 #include "curveups/design/print_margin.hpp"
 #include "curveups/layout/arrange.hpp"
 #include "curveups/layout/initial_layout.hpp"
-#include "curveups/layout/interior_point.hpp"
+#include "curveups/layout/layout_terms.hpp"
 
 namespace curveups {
 namespace {
@@ -42,7 +42,10 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   require_room_for_pins(geometry.pin_bounds);
   LayoutModel model = make_layout_model(geometry, parameters);
   LayoutState state = initial_layout(model);
-  InteriorPoint method(model);
+  LayoutTerms energies = make_energies(model, false);
+  InteriorPoint<LayoutTerm> method(
+      {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},
+      make_constraints(model), inset_bounds(model));
   LayoutResult result;
   double mu = mu_start, goal = mu_search;
   double progressed = 0;  // never falls: collisions that are found start a round's share again
@@ -54,7 +57,8 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
       progressed = std::max(progressed, done + (done > 0 ? 0.4 : 0.6) * fraction);
       return keep_going(progress, what, progressed);
     };
-    const SolveReport outcome = method.run(state, mu, goal, most - result.solve.iterations, scaled);
+    const SolveReport outcome =
+        method.run(state, mu, goal, most - result.solve.iterations, "layout", scaled);
     result.solve = {outcome.status, result.solve.iterations + outcome.iterations, outcome.residual};
     if (outcome.stopped() || effort == LayoutEffort::draft) break;
     const double clearance = parameters.d_gap_min - 0.5 * tolerance::constraint;
@@ -78,9 +82,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
       mu = mu_start;
     }
   }
-  for (const auto& term : make_energies(model, false)) {
-    result.energies[std::string(term->name())] = energy(*term, state);
-  }
+  result.energies = energies_by_name(make_energies(model, false), state);
   result.poses = arrange_pieces(geometry.tiles, poses_of(model, state), print_margin(parameters));
   result.q = insets_of(state);
   return result;

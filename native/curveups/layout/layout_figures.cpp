@@ -6,7 +6,7 @@
 
 #include "curveups/geometry/conformal_map.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
-#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/layout_terms.hpp"
 
 namespace curveups {
 namespace {
@@ -41,11 +41,10 @@ Eigen::VectorXd spring_ratios(const DesignGeometry& geometry, const Parameters& 
   const LayoutModel model = make_layout_model(geometry, unit);
   const LayoutState state = state_of(model, poses, q);
   const auto spring = make_spring_energy(model);
-  Eigen::VectorXd out(spring->block_count());
-  BlockValue block;
-  for (int b = 0; b < spring->block_count(); ++b) {
-    const auto [i, j] = spring->tiles(b);
-    spring->evaluate(b, state.row(i).data(), state.row(j).data(), false, block);
+  Eigen::VectorXd out(spring->element_count());
+  LayoutTerm::Value block;
+  for (int b = 0; b < spring->element_count(); ++b) {
+    spring->at(b, state, false, block);
     out[b] = block.value.head(spring->dimension()).norm();
   }
   return out;
@@ -60,7 +59,7 @@ LayoutFigures layout_figures(const DesignGeometry& geometry, const Parameters& p
   if (tiles.contacts.empty()) return out;
   const LayoutModel model = make_layout_model(geometry, parameters);
   const LayoutState state = state_of(model, poses, q);
-  for (const auto& term : make_energies(model, false)) out.energy += energy(*term, state);
+  for (const auto& term : make_energies(model, false)) out.energy += 2 * term->value(state);
   out.energy /= static_cast<double>(tiles.contacts.size());
   const Eigen::VectorXd springs = spring_ratios(geometry, parameters, poses, q);
   out.spring_mean = springs.mean();

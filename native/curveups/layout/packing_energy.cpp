@@ -5,29 +5,28 @@
 #include <cmath>
 #include <utility>
 
-#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/layout_terms.hpp"
 #include "curveups/layout/placed_point.hpp"
 
 namespace curveups {
 namespace {
 
-class PackingEnergy : public BlockFunction {
+class PackingEnergy : public LayoutTerm {
  public:
   explicit PackingEnergy(const LayoutModel& model)
       : model_(model), weight_(std::sqrt(model.parameters.w_p) / (model.L * model.L)) {}
 
   std::string_view name() const override { return "packing"; }
-  int block_count() const override { return static_cast<int>(contacts().size()); }
+  int element_count() const override { return static_cast<int>(contacts().size()); }
   int dimension() const override { return 4; }
   int curvature_rows() const override { return 4; }
-  std::array<int, 2> tiles(int block) const override { return contacts()[block].tile; }
+  Blocks blocks(int block) const override { return contacts()[block].tile; }
 
-  void evaluate(int block, const double* first, const double* second, bool derivatives,
-                BlockValue& out) const override {
+  void evaluate(int block, const Unknowns& x, bool derivatives, Value& out) const override {
     const Contact& contact = contacts()[block];
     const auto& a = model_.tiles[contact.tile[0]].corner[0];
     const auto& b = model_.tiles[contact.tile[1]].corner[0];
-    const PlacedTile ta(first), tb(second);
+    const PlacedTile ta(x[0]), tb(x[1]);
     const int t = contact.side[0], u = contact.side[1];
     if (derivatives) {
       out.jacobian[0].setZero();
@@ -63,7 +62,7 @@ class PackingEnergy : public BlockFunction {
 
 }  // namespace
 
-std::unique_ptr<BlockFunction> make_packing_energy(const LayoutModel& model) {
+std::unique_ptr<LayoutTerm> make_packing_energy(const LayoutModel& model) {
   return std::make_unique<PackingEnergy>(model);
 }
 

@@ -7,17 +7,17 @@
 //   E_pa = L^-4 sum [2 A_min - 2 A_pin]+^2.
 #include <cmath>
 
-#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/layout_terms.hpp"
 
 namespace curveups {
 namespace {
 
-class PinAreaFunction : public BlockFunction {
+class PinAreaFunction : public LayoutTerm {
  public:
   explicit PinAreaFunction(const LayoutModel& model) : model_(model) {}
-  int block_count() const override { return 2 * model_.tile_count(); }
+  int element_count() const override { return 2 * model_.tile_count(); }
   int dimension() const override { return 1; }
-  std::array<int, 2> tiles(int block) const override { return {block / 2, -1}; }
+  Blocks blocks(int block) const override { return {block / 2, -1}; }
 
  protected:
   struct Scale {
@@ -36,7 +36,7 @@ class PinAreaFunction : public BlockFunction {
     out.least = std::sqrt(model_.geometry->pin_bounds.least_area(block / 2, block % 2) / tile.area);
     return out;
   }
-  static void fill(int block, const Vec3& by_inset, BlockValue& out) {
+  static void fill(int block, const Vec3& by_inset, Value& out) {
     out.jacobian[0].row(0).setZero();
     out.jacobian[0].block<1, 3>(0, block % 2 == 0 ? 3 : 6) = by_inset.transpose();
   }
@@ -47,9 +47,8 @@ class PinAreaConstraint : public PinAreaFunction {
  public:
   using PinAreaFunction::PinAreaFunction;
   std::string_view name() const override { return "pin area"; }
-  void evaluate(int block, const double* first, const double*, bool derivatives,
-                BlockValue& out) const override {
-    const Scale s = scale(block, first);
+  void evaluate(int block, const Unknowns& x, bool derivatives, Value& out) const override {
+    const Scale s = scale(block, x[0]);
     out.value(0) = model_.L * (s.value - s.least);
     if (derivatives) fill(block, model_.L * s.by_inset, out);
   }
@@ -60,9 +59,8 @@ class PinAreaEnergy : public PinAreaFunction {
   explicit PinAreaEnergy(const LayoutModel& model)
       : PinAreaFunction(model), weight_(std::sqrt(model.parameters.w_pa) / (model.L * model.L)) {}
   std::string_view name() const override { return "pin area"; }
-  void evaluate(int block, const double* first, const double*, bool derivatives,
-                BlockValue& out) const override {
-    const Scale s = scale(block, first);
+  void evaluate(int block, const Unknowns& x, bool derivatives, Value& out) const override {
+    const Scale s = scale(block, x[0]);
     const double area = model_.tiles[block / 2].area;
     // A pin that has turned over has a negative area.
     const double missing = 2 * area * (s.least * s.least - s.value * std::abs(s.value));
@@ -77,11 +75,11 @@ class PinAreaEnergy : public PinAreaFunction {
 
 }  // namespace
 
-std::unique_ptr<BlockFunction> make_pin_area_constraint(const LayoutModel& model) {
+std::unique_ptr<LayoutTerm> make_pin_area_constraint(const LayoutModel& model) {
   return std::make_unique<PinAreaConstraint>(model);
 }
 
-std::unique_ptr<BlockFunction> make_pin_area_energy(const LayoutModel& model) {
+std::unique_ptr<LayoutTerm> make_pin_area_energy(const LayoutModel& model) {
   return std::make_unique<PinAreaEnergy>(model);
 }
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "curveups/layout/block_function.hpp"
 #include "curveups/layout/initial_layout.hpp"
+#include "curveups/layout/layout_terms.hpp"
 #include "curveups/numerics/one_thread.hpp"
 
 namespace curveups {
@@ -15,19 +15,18 @@ namespace {
 // One block of one energy term as Ceres wants it.
 class BlockCost : public ceres::CostFunction {
  public:
-  BlockCost(const BlockFunction& function, int block) : function_(function), block_(block) {
-    set_num_residuals(function.dimension());
-    mutable_parameter_block_sizes()->assign(function.tiles(block)[1] < 0 ? 1 : 2,
-                                            unknowns_per_tile);
+  BlockCost(const LayoutTerm& term, int block) : term_(term), block_(block) {
+    set_num_residuals(term.dimension());
+    mutable_parameter_block_sizes()->assign(term.blocks(block)[1] < 0 ? 1 : 2, unknowns_per_tile);
   }
 
   bool Evaluate(const double* const* unknowns, double* residuals,
                 double** jacobians) const override {
     const std::size_t tiles = parameter_block_sizes().size();
-    BlockValue value;
-    function_.evaluate(block_, unknowns[0], tiles > 1 ? unknowns[1] : nullptr, jacobians != nullptr,
-                       value);
-    const int rows = function_.dimension();
+    LayoutTerm::Value value;
+    term_.evaluate(block_, {unknowns[0], tiles > 1 ? unknowns[1] : nullptr}, jacobians != nullptr,
+                   value);
+    const int rows = term_.dimension();
     std::copy_n(value.value.data(), rows, residuals);
     for (std::size_t k = 0; jacobians && k < tiles; ++k) {
       if (jacobians[k])
@@ -37,7 +36,7 @@ class BlockCost : public ceres::CostFunction {
   }
 
  private:
-  const BlockFunction& function_;
+  const LayoutTerm& term_;
   int block_;
 };
 
@@ -69,7 +68,7 @@ LayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters&
   const PinBounds& bounds = geometry.pin_bounds;
   state.rightCols<6>() = state.rightCols<6>().cwiseMax(bounds.lower).cwiseMin(bounds.upper);
 
-  const BlockFunctions energies = make_energies(model, true);
+  const LayoutTerms energies = make_energies(model, true);
   ceres::Problem problem;
   for (int i = 0; i < model.tile_count(); ++i) {
     double* own = state.row(i).data();
@@ -80,8 +79,8 @@ LayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters&
     }
   }
   for (const auto& energy : energies) {
-    for (int b = 0; b < energy->block_count(); ++b) {
-      const auto [i, j] = energy->tiles(b);
+    for (int b = 0; b < energy->element_count(); ++b) {
+      const auto [i, j] = energy->blocks(b);
       if (j < 0) {
         problem.AddResidualBlock(new BlockCost(*energy, b), nullptr, state.row(i).data());
       } else {
@@ -111,8 +110,7 @@ LayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters&
   result.solve.iterations = static_cast<int>(summary.iterations.size()) - 1;
   if (summary.termination_type == ceres::CONVERGENCE) result.solve.status = SolveStatus::converged;
   if (summary.termination_type == ceres::USER_FAILURE) result.solve.status = SolveStatus::stopped;
-  for (const auto& term : energies)
-    result.energies[std::string(term->name())] += energy(*term, state);
+  result.energies = energies_by_name(energies, state);
   return result;
 }
 

@@ -7,7 +7,7 @@
 //   B^2 = ((q1 + q2) cos h + 2 H_pin sin h)^2 + ((q1 - q2) sin h)^2.
 #include <cmath>
 
-#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/layout_terms.hpp"
 #include "curveups/layout/placed_point.hpp"
 
 namespace curveups {
@@ -34,28 +34,27 @@ struct PinMiddle {
   std::array<Vec2, 3> by_inset;
 };
 
-class SpringEnergy : public BlockFunction {
+class SpringEnergy : public LayoutTerm {
  public:
   explicit SpringEnergy(const LayoutModel& model)
       : model_(model), weight_(std::sqrt(model.parameters.w_s) / model.parameters.tau) {}
 
   std::string_view name() const override { return "spring"; }
-  int block_count() const override { return 2 * static_cast<int>(contacts().size()); }
+  int element_count() const override { return 2 * static_cast<int>(contacts().size()); }
   int dimension() const override { return 2; }
   int curvature_rows() const override { return 1; }
-  std::array<int, 2> tiles(int block) const override { return contacts()[block / 2].tile; }
+  Blocks blocks(int block) const override { return contacts()[block / 2].tile; }
 
-  void evaluate(int block, const double* first, const double* second, bool derivatives,
-                BlockValue& out) const override {
+  void evaluate(int block, const Unknowns& x, bool derivatives, Value& out) const override {
     const Contact& contact = contacts()[block / 2];
     const Side side = block % 2 == 0 ? Side::front : Side::back;
     const int i = contact.tile[0], t = contact.side[0], j = contact.tile[1], u = contact.side[1];
-    const PlacedTile placed_i(first), placed_j(second);
+    const PlacedTile placed_i(x[0]), placed_j(x[1]);
     const PinMiddle p(model_.tiles[i], placed_i, side, t), q(model_.tiles[j], placed_j, side, u);
     const double fold = model_.geometry->tiles.fold(i, t);
     const double half = side == Side::front ? 0.5 * fold : -0.5 * fold;
     const double c = std::cos(half), s = std::sin(half);
-    const double q1 = first[inset_unknown(side, t)], q2 = second[inset_unknown(side, u)];
+    const double q1 = x[0][inset_unknown(side, t)], q2 = x[1][inset_unknown(side, u)];
     const double wide = (q1 + q2) * c + 2 * model_.parameters.H_pin * s, high = (q1 - q2) * s;
     const double distance = std::sqrt(wide * wide + high * high);
     const Vec2 a = q.position - p.position;
@@ -89,7 +88,7 @@ class SpringEnergy : public BlockFunction {
 
 }  // namespace
 
-std::unique_ptr<BlockFunction> make_spring_energy(const LayoutModel& model) {
+std::unique_ptr<LayoutTerm> make_spring_energy(const LayoutModel& model) {
   return std::make_unique<SpringEnergy>(model);
 }
 

@@ -44,76 +44,20 @@ BalanceSystem::BalanceSystem(std::vector<ContactPoint> points, const Points3& ce
     if (point.tile[0] < 0) supported[root_of(parent, point.tile[1])] = 1;
   }
   for (int tile : held) supported[root_of(parent, tile)] = 1;
-  row_of_tile_.assign(tile_count, -1);
+  std::vector<char> free(tile_count, 0);
   for (int i = 0; i < tile_count; ++i) {
     const int root = root_of(parent, i);
-    if (root == i && !supported[root]) continue;
-    if (std::binary_search(held.begin(), held.end(), i)) continue;
-    row_of_tile_[i] = rows_;
-    rows_ += 6;
+    free[i] = (root != i || supported[root]) && !std::binary_search(held.begin(), held.end(), i);
   }
-  number_rows();
-  make_pattern();
+  std::vector<Coupling> couplings;
+  for (const ContactPoint& point : points_) couplings.push_back(point.tile);
+  const auto pattern = std::make_shared<const BlockPattern>(free, couplings);
+  matrix_ = std::make_unique<BlockMatrix<6>>(pattern);
+  rows_ = 6 * pattern->free_count();
+  for (int i = 0; i < tile_count; ++i) {
+    row_of_tile_.push_back(free[i] ? 6 * pattern->rank(i) : -1);
+  }
   make_arms();
-}
-
-std::array<int, 2> BalanceSystem::blocks_of(const ContactPoint& point) const {
-  std::array<int, 2> block = {-1, -1};
-  for (int end = 0; end < 2; ++end) {
-    const int tile = point.tile[end];
-    if (tile >= 0 && row_of_tile_[tile] >= 0) block[end] = row_of_tile_[tile] / 6;
-  }
-  return block;
-}
-
-std::vector<std::vector<int>> BalanceSystem::neighbours_above() const {
-  std::vector<std::vector<int>> above(rows_ / 6);
-  for (const ContactPoint& point : points_) {
-    const auto [a, b] = blocks_of(point);
-    if (a >= 0 && b >= 0) above[std::min(a, b)].push_back(std::max(a, b));
-  }
-  for (std::vector<int>& list : above) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
-  return above;
-}
-
-void BalanceSystem::number_rows() {
-  const std::vector<int> order = elimination_order(neighbours_above());
-  std::vector<int> number(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = static_cast<int>(k);
-  for (int& row : row_of_tile_) {
-    if (row >= 0) row = 6 * number[row / 6];
-  }
-}
-
-void BalanceSystem::make_pattern() {
-  const int blocks = rows_ / 6;
-  const std::vector<std::vector<int>> above = neighbours_above();
-  int entries = 0;
-  for (const std::vector<int>& list : above) entries += 21 + 36 * static_cast<int>(list.size());
-  matrix_.resize(rows_, rows_);
-  matrix_.resizeNonZeros(entries);
-  int at = 0;
-  for (int v = 0; v < blocks; ++v) {
-    for (int c = 0; c < 6; ++c) {
-      matrix_.outerIndexPtr()[6 * v + c] = at;
-      for (int r = c; r < 6; ++r) matrix_.innerIndexPtr()[at++] = 6 * v + r;
-      for (int u : above[v]) {
-        for (int r = 0; r < 6; ++r) matrix_.innerIndexPtr()[at++] = 6 * u + r;
-      }
-    }
-  }
-  matrix_.outerIndexPtr()[rows_] = at;
-  offset_.assign(points_.size(), -1);
-  for (std::size_t p = 0; p < points_.size(); ++p) {
-    const auto [a, b] = blocks_of(points_[p]);
-    if (a < 0 || b < 0) continue;
-    const std::vector<int>& list = above[std::min(a, b)];
-    offset_[p] = 6 * static_cast<int>(std::lower_bound(list.begin(), list.end(), std::max(a, b)) -
-                                      list.begin());
-  }
 }
 
 void BalanceSystem::make_arms() {
@@ -195,42 +139,26 @@ Wrenches BalanceSystem::wrenches(const Eigen::VectorXd& f) const {
 
 bool BalanceSystem::factorize(const std::vector<Eigen::Matrix3d>& D) {
   if (rows_ == 0) return true;
-  double* values = matrix_.valuePtr();
-  const int* outer = matrix_.outerIndexPtr();
-  std::fill(values, values + matrix_.nonZeros(), 0.0);
+  const BlockPattern& pattern = matrix_->pattern();
+  matrix_->set_zero();
   for (int p = 0; p < point_count(); ++p) {
-    std::array<int, 2> row = {-1, -1};
     const std::array<Arm, 2>& arms = arm_[p];
     for (int end = 0; end < 2; ++end) {
       const int tile = points_[p].tile[end];
       if (tile < 0 || row_of_tile_[tile] < 0) continue;
-      row[end] = row_of_tile_[tile];
-      const Matrix6 block = arms[end] * D[p] * arms[end].transpose();
-      for (int c = 0; c < 6; ++c) {
-        for (int r = c; r < 6; ++r) values[outer[row[end] + c] + r - c] += block(r, c);
-      }
+      matrix_->add(pattern.diagonal(tile), arms[end] * D[p] * arms[end].transpose());
     }
-    if (offset_[p] < 0) continue;
-    const int low = row[0] < row[1] ? 0 : 1, high = 1 - low;
-    const Matrix6 pair = arms[high] * D[p] * arms[low].transpose();
-    for (int c = 0; c < 6; ++c) {
-      double* to = values + outer[row[low] + c] + 6 - c + offset_[p];
-      for (int r = 0; r < 6; ++r) to[r] += pair(r, c);
-    }
+    const BlockSlot& slot = pattern.slot(p);
+    if (!slot.stored()) continue;
+    const int row = slot.swapped ? 1 : 0;
+    matrix_->add(slot, arms[row] * D[p] * arms[1 - row].transpose());
   }
-  if (factor_.factorize(matrix_)) return true;
-  const double mean = matrix_.diagonal().mean();
+  const double mean = matrix_->mean_diagonal();
   if (!std::isfinite(mean)) return false;
-  for (double relative : {1e-12, 1e-9}) {
-    for (int i = 0; i < rows_; ++i) values[outer[i]] += relative * mean;
-    if (factor_.factorize(matrix_)) return true;
+  for (double relative : {0.0, 1e-12, 1e-9}) {
+    if (matrix_->factorize(0, relative * mean)) return true;
   }
   return false;
-}
-
-Eigen::MatrixXd BalanceSystem::solve(const Eigen::MatrixXd& rhs) const {
-  if (rows_ == 0) return rhs;
-  return factor_.solve(rhs);
 }
 
 }  // namespace curveups

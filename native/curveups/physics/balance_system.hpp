@@ -6,9 +6,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
-#include "curveups/numerics/sparse_cholesky.hpp"
+#include "curveups/numerics/block_matrix.hpp"
 #include "curveups/physics/elastic_forces.hpp"
 
 namespace curveups {
@@ -55,26 +56,22 @@ class BalanceSystem {
   // Returns false where even that fails (D not finite).
   bool factorize(const std::vector<Eigen::Matrix3d>& D);
   // For one or more right-hand sides.
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const {
+    return rows_ == 0 ? rhs : matrix_->solve_ranked(rhs);
+  }
 
  private:
   using Arm = Eigen::Matrix<double, 6, 3>;  // force in the basis to wrench on a tile
   void make_arms();
-  std::array<int, 2> blocks_of(const ContactPoint& point) const;  // -1 where a tile has no rows
-  std::vector<std::vector<int>> neighbours_above() const;         // of the blocks
-  void number_rows();
-  void make_pattern();
 
   std::vector<ContactPoint> points_;
   std::vector<Eigen::Matrix3d> basis_;
   std::vector<std::array<Arm, 2>> arm_;  // per point, on its two tiles
   Points3 centres_;
   double lever_;
-  std::vector<int> row_of_tile_;  // first row, or -1
+  std::vector<int> row_of_tile_;  // first row, in the order of elimination, or -1
   int rows_ = 0;
-  std::vector<int> offset_;  // per point: rows behind the diagonal block, -1 where not coupled
-  SparseMatrix matrix_;
-  SparseCholesky factor_{Ordering::as_given};
+  std::unique_ptr<BlockMatrix<6>> matrix_;  // a block for each tile, a coupling for each point
 };
 
 }  // namespace curveups

@@ -82,13 +82,12 @@ void DesignForces::solve_membranes(bool fresh, const Progress& progress) {
   };
   // The progress sink is called from one thread only; the other membrane ends by itself.
   bool going = true;
-  parallel_pair(
-      [&] {
-        solve(Side::front, [&](const std::string& what, double fraction) {
-          return going = going && keep_going(progress, what, fraction);
-        });
-      },
-      [&] { solve(Side::back, {}); });
+  parallel_tasks({[&] {
+                    solve(Side::front, [&](const std::string& what, double fraction) {
+                      return going = going && keep_going(progress, what, fraction);
+                    });
+                  },
+                  [&] { solve(Side::back, {}); }});
   if (!going) throw Cancelled();
   solve_contacts();
 }

@@ -16,33 +16,22 @@ constexpr int most_reuses = 3;
 }  // namespace
 
 bool MembraneEquilibrium::factorize(const Points3& x, Points3& gradient) {
-  energy_.hessian(x, gradient, hessian_, false);
-  if (factor_.factorize(hessian_)) return true;
+  energy_.gradient(x, gradient, &hessian_);
+  if (hessian_.factorize()) return true;
   // Only the plain density can be indefinite; its projection is not, but for rounding.
-  energy_.hessian(x, gradient, hessian_, true);
-  const double shift = 1e-8 * hessian_.diagonal().mean();
-  for (int i = 0; i < hessian_.cols(); ++i)
-    hessian_.valuePtr()[hessian_.outerIndexPtr()[i]] += shift;
-  return factor_.factorize(hessian_);
+  energy_.gradient(x, gradient, &hessian_, true);
+  return hessian_.factorize(0, 1e-8 * hessian_.mean_diagonal());
 }
 
 bool MembraneEquilibrium::direction(const Points3& gradient, Points3& out) const {
-  const std::vector<int>& index = energy_.free_index();
-  Eigen::MatrixXd rhs(3 * energy_.free_count(), 1);
-  for (std::size_t v = 0; v < index.size(); ++v) {
-    if (index[v] >= 0) rhs.block<3, 1>(3 * index[v], 0) = -gradient.row(v).transpose();
-  }
-  const Eigen::MatrixXd step = factor_.solve(rhs);
-  out.setZero(gradient.rows(), 3);
-  for (std::size_t v = 0; v < index.size(); ++v) {
-    if (index[v] >= 0) out.row(v) = step.block<3, 1>(3 * index[v], 0).transpose();
-  }
+  const Eigen::MatrixXd step =
+      hessian_.solve(-Eigen::Map<const Eigen::VectorXd>(gradient.data(), gradient.size()));
+  out = Eigen::Map<const Points3>(step.data(), gradient.rows(), 3);
   return step.allFinite();
 }
 
 MembraneState MembraneEquilibrium::solve(const Points3& start, const EquilibriumOptions& options,
                                          const Progress& progress, const std::string& what) {
-  const std::vector<int>& index = energy_.free_index();
   MembraneState state;
   state.energy = std::numeric_limits<double>::infinity();
   Points3 x = start, gradient, step;
@@ -63,9 +52,9 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
   auto measure = [&] {
     double largest = 0, glued = 0;
     int count = 0;
-    for (std::size_t v = 0; v < index.size(); ++v) {
+    for (int v = 0; v < state.gradient.rows(); ++v) {
       const double force = state.gradient.row(v).norm();
-      if (index[v] >= 0) {
+      if (energy_.is_free(v)) {
         largest = std::max(largest, force);
       } else {
         glued += force;
@@ -91,7 +80,8 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
     const double slope = step.cwiseProduct(state.gradient).sum();
     const double rounding = 1e-13 * std::abs(state.energy);
     bool accepted = false;
-    for (double length = 1; length > 1e-8 && !accepted; length *= 0.5) {
+    for (double length = std::min(1.0, energy_.largest_step(state.x, step));
+         length > 1e-8 && !accepted; length *= 0.5) {
       x = state.x + length * step;
       const double energy = energy_.gradient(x, gradient);
       if (energy <= state.energy + 1e-4 * length * slope + rounding) {
@@ -110,28 +100,22 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
 }
 
 void MembraneEquilibrium::respond(const Points3& x, std::vector<Points3>& displacements) const {
-  const std::vector<int>& index = energy_.free_index();
   if (energy_.free_count() == 0 || displacements.empty()) return;
-  const int count = static_cast<int>(displacements.size());
   for (Points3& d : displacements) {
-    for (std::size_t v = 0; v < index.size(); ++v) {
-      if (index[v] >= 0) d.row(v).setZero();
+    for (int v = 0; v < d.rows(); ++v) {
+      if (energy_.is_free(v)) d.row(v).setZero();
     }
   }
   std::vector<Points3> forces;
   energy_.second_derivatives(x, displacements, forces, nullptr);
-  Eigen::MatrixXd rhs(3 * energy_.free_count(), count);
-  for (int k = 0; k < count; ++k) {
-    for (std::size_t v = 0; v < index.size(); ++v) {
-      if (index[v] >= 0) rhs.block<3, 1>(3 * index[v], k) = -forces[k].row(v).transpose();
-    }
+  Eigen::MatrixXd right(x.size(), static_cast<Eigen::Index>(displacements.size()));
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    right.col(k) = -Eigen::Map<const Eigen::VectorXd>(forces[k].data(), x.size());
   }
-  const Eigen::MatrixXd response = factor_.solve(rhs);
-  for (int k = 0; k < count; ++k) {
-    for (std::size_t v = 0; v < index.size(); ++v) {
-      if (index[v] >= 0)
-        displacements[k].row(v) = response.block<3, 1>(3 * index[v], k).transpose();
-    }
+  const Eigen::MatrixXd response = hessian_.solve(right);
+  for (std::size_t k = 0; k < displacements.size(); ++k) {
+    // Zero where a vertex is glued.
+    displacements[k] += Eigen::Map<const Points3>(response.col(k).data(), x.rows(), 3);
   }
 }
 

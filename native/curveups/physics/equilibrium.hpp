@@ -36,7 +36,7 @@ class MembraneEquilibrium {
  public:
   MembraneEquilibrium(const MembraneMesh& mesh, const Points2& flat, double tau,
                       const MembraneMaterial& material)
-      : energy_(mesh, flat, tau, material) {}
+      : energy_(mesh, flat, tau, material), hessian_(energy_.pattern()) {}
 
   // start: all vertices, glued ones in their final places. The energy never rises from step to
   // step. Stops early when progress asks to.
@@ -51,7 +51,6 @@ class MembraneEquilibrium {
   void respond(const Points3& x, std::vector<Points3>& displacements) const;
 
   const MembraneEnergy& energy() const { return energy_; }
-  const SparseCholesky& factor() const { return factor_; }
 
  private:
   bool factorize(const Points3& x, Points3& gradient);
@@ -59,8 +58,7 @@ class MembraneEquilibrium {
   bool direction(const Points3& gradient, Points3& out) const;
 
   MembraneEnergy energy_;
-  SparseMatrix hessian_;
-  SparseCholesky factor_{Ordering::as_given};
+  BlockMatrix<3> hessian_;
 };
 
 // Positions on a mesh that refine_mesh made from the one `coarse` belongs to: midpoints, except for

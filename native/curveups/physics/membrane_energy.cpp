@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
 #include "curveups/physics/neo_hookean.hpp"
 #include "curveups/physics/tension_field.hpp"
 
@@ -25,10 +26,9 @@ std::array<Eigen::Vector2d, 3> shape_gradients(const Eigen::Matrix2d& inverse) {
   return {-b1 - b2, b1, b2};
 }
 
-// What a triangle adds to the gradient by its vertex v with shape gradient b.
-void add_pull(Points3& gradient, int v, double factor, const Eigen::Vector2d& b,
-              const Vector6& stress) {
-  gradient.row(v) += factor * (b.x() * stress.head<3>() + b.y() * stress.tail<3>()).transpose();
+// What a triangle adds to the gradient by its vertex with shape gradient b.
+Vec3 pull(double factor, const Eigen::Vector2d& b, const Vector6& stress) {
+  return factor * (b.x() * stress.head<3>() + b.y() * stress.tail<3>());
 }
 
 // Second derivatives by one vertex.
@@ -38,6 +38,22 @@ Eigen::Matrix3d vertex_block(const Matrix6& hessian, const Eigen::Vector2d& b) {
          b.x() * b.y() * (mixed + mixed.transpose()) +
          b.y() * b.y() * hessian.bottomRightCorner<3, 3>();
 }
+
+// And by two, the first of them in the rows.
+Eigen::Matrix3d pair_block(const Matrix6& hessian, const Eigen::Vector2d& row,
+                           const Eigen::Vector2d& column) {
+  const Eigen::Matrix3d h11 = hessian.topLeftCorner<3, 3>(), h12 = hessian.topRightCorner<3, 3>(),
+                        h22 = hessian.bottomRightCorner<3, 3>();
+  return row.x() * column.x() * h11 + row.x() * column.y() * h12 +
+         row.y() * column.x() * h12.transpose() + row.y() * column.y() * h22;
+}
+
+// What a triangle adds: by its vertices, and by the pairs 0-1, 1-2, 2-0 of them.
+struct TriangleDerivatives {
+  double value;
+  std::array<Vec3, 3> pull;
+  std::array<Eigen::Matrix3d, 3> own, pair;
+};
 
 }  // namespace
 
@@ -49,17 +65,22 @@ MembraneEnergy::MembraneEnergy(const MembraneMesh& mesh, const Points2& flat, do
     throw InvalidInput("a membrane's shear modulus, thickness and stretch must be positive",
                        "give positive numbers");
   }
-  free_index_.assign(mesh.vertex_count(), -1);
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (mesh.pin[v] < 0) free_index_[v] = free_count_++;
-  }
   elements_.reserve(mesh.triangles.size());
   for (const std::array<int, 3>& t : mesh.triangles) {
-    elements_.push_back({t, Eigen::Matrix2d::Zero(), 0, {-1, -1, -1}});
+    elements_.push_back({t, Eigen::Matrix2d::Zero(), 0});
   }
   set_rest(flat, tau);
-  number_free_vertices();
-  make_pattern();
+  std::vector<char> free;
+  for (int pin : mesh.pin) free.push_back(pin < 0);
+  std::vector<Coupling> couplings;
+  couple(couplings);
+  pattern_ = std::make_shared<const BlockPattern>(free, couplings);
+}
+
+void MembraneEnergy::couple(std::vector<Coupling>& couplings) const {
+  for (const Element& e : elements_) {
+    for (int k = 0; k < 3; ++k) couplings.push_back({e.vertex[k], e.vertex[next3(k)]});
+  }
 }
 
 void MembraneEnergy::set_rest(const Points2& flat, double tau) {
@@ -83,85 +104,44 @@ void MembraneEnergy::second_derivatives(const Points3& x, const std::vector<Poin
   const std::size_t count = displacements.size();
   by_position.assign(count, Points3::Zero(x.rows(), 3));
   if (by_flat) by_flat->assign(count, Points2::Zero(x.rows(), 2));
-  for (const Element& e : elements_) {
+  struct Change {
+    std::array<Vec3, 3> pull;
+    Eigen::Matrix2d by_edges;
+  };
+  auto make = [&](int index, std::vector<Change>& changes) {
+    const Element& e = elements_[index];
     const Gradient32 F = deformation(e, x);
     const Density d = density(F, true);
     const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
     const double factor = stiffness_ * e.weight;
+    changes.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
       const Gradient32 dF = deformation(e, displacements[k]);
       const Vector6 dP = d.hessian * Eigen::Map<const Vector6>(dF.data());
-      for (int v = 0; v < 3; ++v) {
-        by_position[k].row(e.vertex[v]) +=
-            factor * (b[v].x() * dP.head<3>() + b[v].y() * dP.tail<3>()).transpose();
-      }
+      for (int v = 0; v < 3; ++v) changes[k].pull[v] = pull(factor, b[v], dP);
       if (!by_flat) continue;
       // w . dE/dx = factor P : dF; by the rest edges R (F = edges R^-1, weight = det R / 2) this is
       // factor ((P : dF) - dF^T P - F^T dP) R^-T, all applied from the left of R^-T.
       const Eigen::Map<const Gradient32> P(d.gradient.data()), H(dP.data());
-      const Eigen::Matrix2d by_edges = factor *
-                                       (P.cwiseProduct(dF).sum() * Eigen::Matrix2d::Identity() -
-                                        dF.transpose() * P - F.transpose() * H) *
-                                       e.inverse.transpose() / tau_;
+      changes[k].by_edges = factor *
+                            (P.cwiseProduct(dF).sum() * Eigen::Matrix2d::Identity() -
+                             dF.transpose() * P - F.transpose() * H) *
+                            e.inverse.transpose() / tau_;
+    }
+  };
+  auto take = [&](int index, const std::vector<Change>& changes) {
+    const std::array<int, 3>& vertex = elements_[index].vertex;
+    for (std::size_t k = 0; k < count; ++k) {
+      for (int v = 0; v < 3; ++v) by_position[k].row(vertex[v]) += changes[k].pull[v].transpose();
+      if (!by_flat) continue;
+      const Eigen::Matrix2d& by_edges = changes[k].by_edges;
       Points2& out = (*by_flat)[k];
-      out.row(e.vertex[0]) -= (by_edges.col(0) + by_edges.col(1)).transpose();
-      out.row(e.vertex[1]) += by_edges.col(0).transpose();
-      out.row(e.vertex[2]) += by_edges.col(1).transpose();
+      out.row(vertex[0]) -= (by_edges.col(0) + by_edges.col(1)).transpose();
+      out.row(vertex[1]) += by_edges.col(0).transpose();
+      out.row(vertex[2]) += by_edges.col(1).transpose();
     }
-  }
-}
-
-// Per free vertex its free neighbours of higher number, ascending.
-std::vector<std::vector<int>> MembraneEnergy::neighbours_above() const {
-  std::vector<std::vector<int>> above(free_count_);
-  for (const Element& e : elements_) {
-    for (int k = 0; k < 3; ++k) {
-      const int a = free_index_[e.vertex[k]], b = free_index_[e.vertex[next3(k)]];
-      if (a >= 0 && b >= 0) above[std::min(a, b)].push_back(std::max(a, b));
-    }
-  }
-  for (std::vector<int>& rows : above) {
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  }
-  return above;
-}
-
-void MembraneEnergy::number_free_vertices() {
-  const std::vector<int> order = elimination_order(neighbours_above());
-  std::vector<int> number(free_count_);
-  for (int k = 0; k < free_count_; ++k) number[order[k]] = k;
-  for (int& index : free_index_) {
-    if (index >= 0) index = number[index];
-  }
-}
-
-void MembraneEnergy::make_pattern() {
-  const std::vector<std::vector<int>> above = neighbours_above();
-  int entries = 0;
-  for (const std::vector<int>& rows : above) entries += 6 + 9 * static_cast<int>(rows.size());
-  pattern_.resize(3 * free_count_, 3 * free_count_);
-  pattern_.resizeNonZeros(entries);
-  int at = 0;
-  for (int v = 0; v < free_count_; ++v) {
-    for (int c = 0; c < 3; ++c) {
-      pattern_.outerIndexPtr()[3 * v + c] = at;
-      for (int r = c; r < 3; ++r) pattern_.innerIndexPtr()[at++] = 3 * v + r;
-      for (int u : above[v]) {
-        for (int r = 0; r < 3; ++r) pattern_.innerIndexPtr()[at++] = 3 * u + r;
-      }
-    }
-  }
-  pattern_.outerIndexPtr()[3 * free_count_] = at;
-  for (Element& e : elements_) {
-    for (int k = 0; k < 3; ++k) {
-      const int a = free_index_[e.vertex[k]], b = free_index_[e.vertex[next3(k)]];
-      if (a < 0 || b < 0) continue;
-      const std::vector<int>& rows = above[std::min(a, b)];
-      const auto it = std::lower_bound(rows.begin(), rows.end(), std::max(a, b));
-      e.offset[k] = 3 * static_cast<int>(it - rows.begin());
-    }
-  }
+  };
+  parallel_gather<std::vector<Change>>(element_count(), make, take);
 }
 
 Gradient32 MembraneEnergy::deformation(const Element& element, const Points3& x) const {
@@ -178,65 +158,53 @@ Density MembraneEnergy::density(const Gradient32& F, bool second) const {
 }
 
 double MembraneEnergy::value(const Points3& x) const {
-  double sum = 0;
-  for (const Element& e : elements_) sum += e.weight * density(deformation(e, x), false).value;
-  return stiffness_ * sum;
+  return stiffness_ * parallel_sum(element_count(), [&](int index) {
+           const Element& e = elements_[index];
+           return e.weight * density(deformation(e, x), false).value;
+         });
 }
 
-double MembraneEnergy::gradient(const Points3& x, Points3& gradient) const {
+double MembraneEnergy::gradient(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian,
+                                bool projected) const {
   gradient.setZero(x.rows(), 3);
-  double sum = 0;
-  for (const Element& e : elements_) {
-    const Density d = density(deformation(e, x), false);
-    sum += e.weight * d.value;
-    const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
-    for (int v = 0; v < 3; ++v) {
-      add_pull(gradient, e.vertex[v], stiffness_ * e.weight, b[v], d.gradient);
-    }
-  }
-  return stiffness_ * sum;
+  if (hessian) hessian->set_zero();
+  return add_derivatives(x, gradient, hessian, 0, projected);
 }
 
-double MembraneEnergy::hessian(const Points3& x, Points3& gradient, SparseMatrix& lower,
-                               bool projected) const {
-  if (lower.nonZeros() != pattern_.nonZeros() || lower.rows() != pattern_.rows()) lower = pattern_;
-  double* values = lower.valuePtr();
-  std::fill(values, values + lower.nonZeros(), 0.0);
-  const int* outer = lower.outerIndexPtr();
-  gradient.setZero(x.rows(), 3);
-  double sum = 0;
-  for (const Element& e : elements_) {
-    Density d = density(deformation(e, x), true);
+double MembraneEnergy::add_derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian,
+                                       int first, bool projected) const {
+  auto make = [&](int index, TriangleDerivatives& out) {
+    const Element& e = elements_[index];
+    Density d = density(deformation(e, x), hessian != nullptr);
     const double factor = stiffness_ * e.weight;
-    sum += e.weight * d.value;
+    out.value = e.weight * d.value;
     const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
-    for (int v = 0; v < 3; ++v) add_pull(gradient, e.vertex[v], factor, b[v], d.gradient);
+    for (int k = 0; k < 3; ++k) out.pull[k] = pull(factor, b[k], d.gradient);
+    if (!hessian) return;
     if (projected) d.hessian = positive_part(d.hessian);
-    const Eigen::Matrix3d h11 = d.hessian.topLeftCorner<3, 3>(),
-                          h12 = d.hessian.topRightCorner<3, 3>(),
-                          h22 = d.hessian.bottomRightCorner<3, 3>();
     for (int k = 0; k < 3; ++k) {
-      const int a = free_index_[e.vertex[k]];
-      if (a < 0) continue;
-      const Eigen::Vector2d s = b[k];
-      const Eigen::Matrix3d block = factor * vertex_block(d.hessian, s);
-      for (int c = 0; c < 3; ++c) {
-        for (int r = c; r < 3; ++r) values[outer[3 * a + c] + r - c] += block(r, c);
-      }
-      if (e.offset[k] < 0) continue;
-      const int n = free_index_[e.vertex[next3(k)]];
-      const bool forward = n > a;  // rows: the vertex of higher number
-      const Eigen::Vector2d row = forward ? b[next3(k)] : s, col = forward ? s : b[next3(k)];
-      const Eigen::Matrix3d pair =
-          factor * (row.x() * col.x() * h11 + row.x() * col.y() * h12 +
-                    row.y() * col.x() * h12.transpose() + row.y() * col.y() * h22);
-      const int column = 3 * std::min(a, n);
-      for (int c = 0; c < 3; ++c) {
-        double* to = values + outer[column + c] + 3 - c + e.offset[k];
-        for (int r = 0; r < 3; ++r) to[r] += pair(r, c);
-      }
+      if (is_free(e.vertex[k])) out.own[k] = factor * vertex_block(d.hessian, b[k]);
+      const BlockSlot& slot = hessian->pattern().slot(first + 3 * index + k);
+      if (!slot.stored()) continue;
+      const int n = next3(k);
+      out.pair[k] = factor * (slot.swapped ? pair_block(d.hessian, b[n], b[k])
+                                           : pair_block(d.hessian, b[k], b[n]));
     }
-  }
+  };
+  double sum = 0;
+  auto take = [&](int index, const TriangleDerivatives& triangle) {
+    const Element& e = elements_[index];
+    sum += triangle.value;
+    for (int k = 0; k < 3; ++k) {
+      gradient.row(e.vertex[k]) += triangle.pull[k].transpose();
+      if (!hessian) continue;
+      const BlockPattern& pattern = hessian->pattern();
+      if (is_free(e.vertex[k])) hessian->add(pattern.diagonal(e.vertex[k]), triangle.own[k]);
+      const BlockSlot& slot = pattern.slot(first + 3 * index + k);
+      if (slot.stored()) hessian->add(slot, triangle.pair[k]);
+    }
+  };
+  parallel_gather<TriangleDerivatives>(element_count(), make, take);
   return stiffness_ * sum;
 }
 
@@ -244,73 +212,78 @@ double MembraneEnergy::jacobi_direction(const Points3& x, Points3& gradient,
                                         Points3& direction) const {
   gradient.setZero(x.rows(), 3);
   direction.setZero(x.rows(), 3);
-  std::vector<Eigen::Matrix3d> blocks(free_count_, Eigen::Matrix3d::Zero());
-  double sum = 0;
-  for (const Element& e : elements_) {
+  std::vector<Eigen::Matrix3d> blocks(x.rows(), Eigen::Matrix3d::Zero());
+  auto make = [&](int index, TriangleDerivatives& out) {
+    const Element& e = elements_[index];
     Density d = density(deformation(e, x), true);
     const double factor = stiffness_ * e.weight;
-    sum += e.weight * d.value;
+    out.value = e.weight * d.value;
     // The other density is convex.
     if (material_.model == MembraneModel::neo_hookean) d.hessian = positive_part(d.hessian);
     const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
-    for (int v = 0; v < 3; ++v) {
-      add_pull(gradient, e.vertex[v], factor, b[v], d.gradient);
-      const int a = free_index_[e.vertex[v]];
-      if (a >= 0) blocks[a] += factor * vertex_block(d.hessian, b[v]);
+    for (int k = 0; k < 3; ++k) {
+      out.pull[k] = pull(factor, b[k], d.gradient);
+      out.own[k] = factor * vertex_block(d.hessian, b[k]);
     }
-  }
-  for (std::size_t v = 0; v < free_index_.size(); ++v) {
-    if (free_index_[v] < 0) continue;
-    Eigen::Matrix3d& block = blocks[free_index_[v]];
-    block.diagonal().array() += 1e-9 * block.trace();
-    direction.row(v) = -block.llt().solve(gradient.row(v).transpose()).transpose();
-  }
+  };
+  double sum = 0;
+  auto take = [&](int index, const TriangleDerivatives& triangle) {
+    sum += triangle.value;
+    for (int k = 0; k < 3; ++k) {
+      const int v = elements_[index].vertex[k];
+      gradient.row(v) += triangle.pull[k].transpose();
+      blocks[v] += triangle.own[k];
+    }
+  };
+  parallel_gather<TriangleDerivatives>(element_count(), make, take);
+  parallel_ranges(static_cast<int>(x.rows()), [&](int begin, int end) {
+    for (int v = begin; v < end; ++v) {
+      if (!is_free(v)) continue;
+      blocks[v].diagonal().array() += 1e-9 * blocks[v].trace();
+      direction.row(v) = -blocks[v].llt().solve(gradient.row(v).transpose()).transpose();
+    }
+  });
   return stiffness_ * sum;
 }
 
 Points3 MembraneEnergy::harmonic(const Points3& glued) const {
   Points3 x = glued;
-  if (free_count_ == 0) return x;
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(6 * elements_.size());
-  Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(free_count_, 3);
+  if (free_count() == 0) return x;
+  BlockMatrix<1> laplacian(pattern_);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(glued.rows(), 3);
+  int coupling = 0;
   for (const Element& e : elements_) {
     const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
-    for (int v = 0; v < 3; ++v) {
-      const int row = free_index_[e.vertex[v]];
-      if (row < 0) continue;
-      for (int u = 0; u < 3; ++u) {
-        const double entry = e.weight * b[v].dot(b[u]);
-        const int column = free_index_[e.vertex[u]];
-        if (column < 0) {
-          rhs.row(row) -= entry * glued.row(e.vertex[u]);
-        } else if (row >= column) {
-          entries.emplace_back(row, column, entry);
-        }
+    for (int k = 0; k < 3; ++k, ++coupling) {
+      const BlockSlot& slot = pattern_->slot(coupling);
+      if (slot.stored()) *laplacian.column(slot, 0) += e.weight * b[k].dot(b[next3(k)]);
+      if (!is_free(e.vertex[k])) continue;
+      laplacian.diagonal(e.vertex[k], 0) += e.weight * b[k].dot(b[k]);
+      for (int n = 0; n < 3; ++n) {
+        if (is_free(e.vertex[n])) continue;
+        right.row(e.vertex[k]) -= e.weight * b[k].dot(b[n]) * glued.row(e.vertex[n]);
       }
     }
   }
-  SparseMatrix lower(free_count_, free_count_);
-  lower.setFromTriplets(entries.begin(), entries.end());
-  SparseCholesky cholesky(Ordering::as_given);
-  if (!cholesky.factorize(lower)) {
+  if (!laplacian.factorize()) {
     throw SolverFailure("the membrane's harmonic start could not be computed",
                         "a part of the membrane hangs on no pin: check cuts and layout");
   }
-  const Eigen::MatrixXd solution = cholesky.solve(rhs);
-  for (int v = 0; v < static_cast<int>(free_index_.size()); ++v) {
-    if (free_index_[v] >= 0) x.row(v) = solution.row(free_index_[v]);
+  const Eigen::MatrixXd solution = laplacian.solve(right);
+  for (int v = 0; v < x.rows(); ++v) {
+    if (is_free(v)) x.row(v) = solution.row(v);
   }
   return x;
 }
 
 std::vector<TriangleStretch> MembraneEnergy::stretches(const Points3& x) const {
-  std::vector<TriangleStretch> out;
-  out.reserve(elements_.size());
-  for (const Element& e : elements_) {
-    const PrincipalStretches l = principal_stretches(deformation(e, x));
-    out.push_back({std::sqrt(l.l1), std::sqrt(l.l2), l.tension()});
-  }
+  std::vector<TriangleStretch> out(elements_.size());
+  parallel_ranges(element_count(), [&](int begin, int end) {
+    for (int e = begin; e < end; ++e) {
+      const PrincipalStretches l = principal_stretches(deformation(elements_[e], x));
+      out[e] = {std::sqrt(l.l1), std::sqrt(l.l2), l.tension()};
+    }
+  });
   return out;
 }
 

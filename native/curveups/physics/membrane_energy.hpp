@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "curveups/numerics/sparse_cholesky.hpp"
+#include "curveups/numerics/term.hpp"
 #include "curveups/physics/density.hpp"
 #include "curveups/physics/membrane_mesh.hpp"
 
@@ -24,28 +24,35 @@ struct TriangleStretch {
   MembraneTension tension;
 };
 
-// The unknowns are the vertices that no pin holds, three numbers each, in an order that suits the
-// Hessian's factorization (Ordering::as_given).
-class MembraneEnergy {
+// A block for each vertex of the mesh; those that no pin holds are unknown. An element is a
+// triangle, with its exact Hessian. N mm.
+class MembraneEnergy : public Term<3> {
  public:
   // flat: per mesh vertex. Throws InvalidInput for a modulus, thickness or tau that is not
   // positive.
   MembraneEnergy(const MembraneMesh& mesh, const Points2& flat, double tau,
                  const MembraneMaterial& material);
 
-  int free_count() const { return free_count_; }
-  // Per mesh vertex its place among the free ones, or -1.
-  const std::vector<int>& free_index() const { return free_index_; }
+  std::string_view name() const override { return "membrane"; }
+  // Of the Hessian.
+  const std::shared_ptr<const BlockPattern>& pattern() const { return pattern_; }
+  bool is_free(int vertex) const { return pattern_->rank(vertex) >= 0; }
+  int free_count() const { return pattern_->free_count(); }
   // kappa h: half the shear modulus times the rest thickness, N / mm.
   double stiffness() const { return stiffness_; }
 
-  // N mm. Infinite where a triangle of the plain density has no area.
-  double value(const Points3& x) const;
-  // Gradient for every mesh vertex, glued ones too: the pull on a pin is minus its gradient.
-  double gradient(const Points3& x, Points3& gradient) const;
-  // Lower triangle over the free unknowns; the pattern never changes. `projected`: the nearest
-  // positive semidefinite matrix in each triangle.
-  double hessian(const Points3& x, Points3& gradient, SparseMatrix& lower, bool projected) const;
+  void couple(std::vector<Coupling>& couplings) const override;
+  // Infinite where a triangle of the plain density has no area.
+  double value(const Points3& x) const override;
+  // The gradient has a row for every mesh vertex, glued ones too: the pull on a pin is minus its.
+  double derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian,
+                     int first) const override {
+    return add_derivatives(x, gradient, hessian, first, false);
+  }
+  // The gradient and, where it is not null, the Hessian (of this pattern) alone. `projected`: the
+  // nearest positive semidefinite matrix in each triangle.
+  double gradient(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian = nullptr,
+                  bool projected = false) const;
   // A sweep of Jacobi's method: per free vertex minus the inverse of its own block of the Hessian
   // times its gradient; zero for glued ones. Returns the energy at x.
   double jacobi_direction(const Points3& x, Points3& gradient, Points3& direction) const;
@@ -68,23 +75,18 @@ class MembraneEnergy {
     std::array<int, 3> vertex;
     Eigen::Matrix2d inverse;  // of the rest edge matrix: F = (x1 - x0, x2 - x0) inverse
     double weight;            // rest area, mm2
-    // For the pairs 0-1, 1-2, 2-0 of free vertices: how far behind the diagonal block the pair's
-    // block begins in its columns; -1 where one of them is glued.
-    std::array<int, 3> offset;
   };
   Gradient32 deformation(const Element& element, const Points3& x) const;
   Density density(const Gradient32& F, bool second) const;
-  std::vector<std::vector<int>> neighbours_above() const;
-  void number_free_vertices();
-  void make_pattern();
+  int element_count() const { return static_cast<int>(elements_.size()); }
+  double add_derivatives(const Points3& x, Points3& gradient, BlockMatrix<3>* hessian, int first,
+                         bool projected) const;
 
   std::vector<Element> elements_;
-  std::vector<int> free_index_;
-  int free_count_ = 0;
+  std::shared_ptr<const BlockPattern> pattern_;
   double stiffness_;
   double tau_ = 1;
   MembraneMaterial material_;
-  SparseMatrix pattern_;
 };
 
 }  // namespace curveups

@@ -79,7 +79,7 @@ std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
   auto solve = [&](Side side) {
     out[static_cast<int>(side)] = solve_membrane(geometry, poses, q, parameters, side, serial);
   };
-  parallel_pair([&] { solve(Side::front); }, [&] { solve(Side::back); });
+  parallel_tasks({[&] { solve(Side::front); }, [&] { solve(Side::back); }});
   return out;
 }
 

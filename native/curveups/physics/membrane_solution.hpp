@@ -50,7 +50,7 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
                                 const Array6& q, const Parameters& parameters, Side side,
                                 const Progress& progress);
 
-// Front and back, on two threads where there are two; calls of progress come one at a time.
+// Front and back, at once where there are threads; calls of progress come one at a time.
 std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const FlatPoses& poses, const Array6& q,
                                                 const Parameters& parameters,

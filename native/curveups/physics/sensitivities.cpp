@@ -241,7 +241,7 @@ std::vector<ForceGradient> gradients_of(const DesignForces& forces,
       corners[static_cast<int>(side)] =
           corner_gradients(forces.membrane(side), system.centres(), system.lever(), some);
     };
-    parallel_pair([&] { solve(Side::front); }, [&] { solve(Side::back); });
+    parallel_tasks({[&] { solve(Side::front); }, [&] { solve(Side::back); }});
     for (std::size_t k = 0; k < some.size(); ++k) {
       for (Side side : {Side::front, Side::back}) {
         CornerGradient& corner = corners[static_cast<int>(side)][k];

@@ -227,25 +227,22 @@ ValidationReport verify_design(const Design& design, const VerifyOptions& option
     const std::lock_guard<std::mutex> lock(mutex);
     return keep_going(progress, what, fraction);
   };
-  auto solve_unlimited = [&] {
-    unlimited = solve_unilateral(unlimited_system, loads, forces.force, unlimited_options, serial);
+  auto solve_tips = [&] {
+    if (!with_tips) return;
+    const ContactForces start = solve_contact_forces(tips_system, loads);
+    tips = solve_unilateral(tips_system, loads, start.force, coulomb_options, serial);
   };
-  parallel_pair(
-      [&] {
-        coulomb = solve_unilateral(system, loads, forces.force, coulomb_options, serial);
-        if (with_tips) solve_unlimited();
-      },
-      [&] {
-        if (with_tips) {
-          const ContactForces start = solve_contact_forces(tips_system, loads);
-          tips = solve_unilateral(tips_system, loads, start.force, coulomb_options, serial);
-        } else {
-          solve_unlimited();
-        }
-        for (int s = 0; s < 2; ++s) {
-          clearance[s] = membrane_clearance(geometry, membranes[s], parameters.H_pin);
-        }
-      });
+  auto find_clearance = [&](int s) {
+    clearance[s] = membrane_clearance(geometry, membranes[s], parameters.H_pin);
+  };
+  parallel_tasks(
+      {[&] { coulomb = solve_unilateral(system, loads, forces.force, coulomb_options, serial); },
+       solve_tips,
+       [&] {
+         unlimited =
+             solve_unilateral(unlimited_system, loads, forces.force, unlimited_options, serial);
+       },
+       [&] { find_clearance(0); }, [&] { find_clearance(1); }});
   report.physics.clearance_mm = std::min(clearance[0].distance, clearance[1].distance);
   UnilateralFigures& u = report.unilateral;
   u.friction_coefficient = parameters.friction_coefficient;

@@ -12,10 +12,6 @@ namespace {
 
 constexpr int per_tile = unknowns_per_tile;
 
-const double* unknowns(const LayoutState& state, int tile) {
-  return tile < 0 ? nullptr : state.row(tile).data();
-}
-
 std::vector<int> with_neighbours(const LayoutModel& model, std::vector<char> chosen) {
   const std::vector<char> before = chosen;
   for (const CornerGap& gap : model.gaps) {
@@ -74,15 +70,15 @@ LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
   std::vector<double> values;
   std::vector<RowSource> sources;
   std::vector<ConstraintRow> origin;
-  const BlockFunctions constraints = make_constraints(model);
-  BlockValue value;
+  const LayoutTerms constraints = make_constraints(model);
+  LayoutTerm::Value value;
   for (std::size_t f = 0; f < constraints.size(); ++f) {
-    const BlockFunction& constraint = *constraints[f];
-    for (int b = 0; b < constraint.block_count(); ++b) {
-      const std::array<int, 2> ends = constraint.tiles(b);
+    const LayoutTerm& constraint = *constraints[f];
+    for (int b = 0; b < constraint.element_count(); ++b) {
+      const std::array<int, 2> ends = constraint.blocks(b);
       const bool first = slot[ends[0]] >= 0, second = ends[1] >= 0 && slot[ends[1]] >= 0;
       if (!first && !second) continue;
-      constraint.evaluate(b, unknowns(state, ends[0]), unknowns(state, ends[1]), true, value);
+      constraint.at(b, state, true, value);
       double most = vertices ? 6 * prices.reach : 0;  // by which this step can lower it
       for (int end = 0; end < 2; ++end) {
         if (!(end == 0 ? first : second)) continue;
@@ -200,30 +196,21 @@ LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
 }
 
 double largest_violation(const LayoutModel& model, const LayoutState& state) {
-  double largest = 0;
-  BlockValue value;
-  for (const auto& constraint : make_constraints(model)) {
-    for (int b = 0; b < constraint->block_count(); ++b) {
-      const auto [i, j] = constraint->tiles(b);
-      constraint->evaluate(b, unknowns(state, i), unknowns(state, j), false, value);
-      largest = std::max(largest, -value.value(0));
-    }
-  }
-  return largest;
+  return largest_violation(make_constraints(model), state);
 }
 
 bool restore_constraints(LayoutModel& model, LayoutState& state, int most_steps) {
   constexpr double accuracy = 0.5 * tolerance::constraint;
   const double clearance = model.parameters.d_gap_min - accuracy;
-  BlockValue value;
+  LayoutTerm::Value value;
   for (int step = 0; step <= most_steps; ++step) {
     std::vector<char> chosen(model.tile_count(), 0);
     double worst = 0;
     for (const auto& constraint : make_constraints(model)) {
-      for (int b = 0; b < constraint->block_count(); ++b) {
-        const auto [i, j] = constraint->tiles(b);
-        constraint->evaluate(b, unknowns(state, i), unknowns(state, j), false, value);
+      for (int b = 0; b < constraint->element_count(); ++b) {
+        constraint->at(b, state, false, value);
         if (value.value(0) >= -accuracy) continue;
+        const auto [i, j] = constraint->blocks(b);
         worst = std::max(worst, -value.value(0));
         chosen[i] = 1;
         if (j >= 0) chosen[j] = 1;

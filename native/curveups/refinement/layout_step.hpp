@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/layout_terms.hpp"
 #include "curveups/refinement/least_step.hpp"
 #include "curveups/refinement/vertex_rows.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/numerics/sparse_cholesky.hpp"
+#include "curveups/numerics/block_matrix.hpp"
 
 namespace curveups {
 namespace {
@@ -14,68 +14,34 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::VectorXd;
 
-// I + C^T W C + diagonal over the sparse rows, on a pattern that stays: every product of two
-// entries of a row has its place looked up once.
-class WeightedNormal {
- public:
-  explicit WeightedNormal(const SparseRows& rows) : rows_(rows) {
-    const int n = static_cast<int>(rows.cols());
-    std::vector<std::vector<int>> below(n);
-    for (int j = 0; j < n; ++j) below[j].push_back(j);
-    for_pairs([&](int high, int low, double) { below[low].push_back(high); });
-    std::size_t entries = 0;
-    for (std::vector<int>& list : below) {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-      entries += list.size();
+// C^T W C + diagonal over the sparse rows: a coupling for every product of two entries of a row.
+template <class Body>
+void for_products(const SparseRows& rows, const Body& body) {
+  for (int r = 0; r < rows.rows(); ++r) {
+    for (SparseRows::InnerIterator a(rows, r); a; ++a) {
+      for (SparseRows::InnerIterator b(rows, r); b && b.col() <= a.col(); ++b) body(r, a, b);
     }
-    matrix_.resize(n, n);
-    matrix_.resizeNonZeros(static_cast<Eigen::Index>(entries));
-    int at = 0;
-    for (int j = 0; j < n; ++j) {
-      matrix_.outerIndexPtr()[j] = at;
-      for (int i : below[j]) matrix_.innerIndexPtr()[at++] = i;
-    }
-    matrix_.outerIndexPtr()[n] = at;
-    for_pairs([&](int high, int low, double) {
-      const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[low];
-      const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[low + 1];
-      place_.push_back(
-          static_cast<int>(std::lower_bound(begin, end, high) - matrix_.innerIndexPtr()));
-    });
   }
+}
 
-  const SparseMatrix& assemble(const ArrayXd& weight, const ArrayXd& diagonal) {
-    double* value = matrix_.valuePtr();
-    std::fill(value, value + matrix_.nonZeros(), 0.0);
-    for (int j = 0; j < matrix_.cols(); ++j) value[matrix_.outerIndexPtr()[j]] = diagonal(j);
-    std::size_t p = 0;
-    for (int r = 0; r < rows_.rows(); ++r) {
-      for (SparseRows::InnerIterator a(rows_, r); a; ++a) {
-        const double scaled = weight(r) * a.value();
-        for (SparseRows::InnerIterator b(rows_, r); b && b.col() <= a.col(); ++b) {
-          value[place_[p++]] += scaled * b.value();
-        }
-      }
-    }
-    return matrix_;
-  }
+std::shared_ptr<const BlockPattern> normal_pattern(const SparseRows& rows) {
+  std::vector<Coupling> couplings;
+  for_products(rows, [&](int, const auto& a, const auto& b) {
+    couplings.push_back({static_cast<int>(a.col()), static_cast<int>(b.col())});
+  });
+  return std::make_shared<const BlockPattern>(std::vector<char>(rows.cols(), 1), couplings);
+}
 
- private:
-  template <class Body>
-  void for_pairs(const Body& body) const {
-    for (int r = 0; r < rows_.rows(); ++r) {
-      for (SparseRows::InnerIterator a(rows_, r); a; ++a) {
-        for (SparseRows::InnerIterator b(rows_, r); b && b.col() <= a.col(); ++b) {
-          body(static_cast<int>(a.col()), static_cast<int>(b.col()), a.value());
-        }
-      }
-    }
-  }
-  const SparseRows& rows_;
-  SparseMatrix matrix_;
-  std::vector<int> place_;
-};
+void assemble(const SparseRows& rows, const ArrayXd& weight, const ArrayXd& diagonal,
+              BlockMatrix<1>& normal) {
+  normal.set_zero();
+  for (int j = 0; j < diagonal.size(); ++j) normal.diagonal(j, 0) = diagonal(j);
+  int coupling = 0;
+  for_products(rows, [&](int r, const auto& a, const auto& b) {
+    const double scaled = weight(r) * a.value();
+    *normal.column(normal.pattern().slot(coupling++), 0) += scaled * b.value();
+  });
+}
 
 // All rows, sparse ones first.
 VectorXd rows_times(const LeastStepProblem& p, const VectorXd& z) {
@@ -112,8 +78,7 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
   ArrayXd stiffness = ArrayXd::Zero(rows);
   stiffness.tail(dense) = problem.dense_stiffness;
   const VectorXd wanted = problem.wanted.size() > 0 ? problem.wanted : VectorXd::Zero(n);
-  WeightedNormal normal(problem.sparse);
-  SparseCholesky cholesky;
+  BlockMatrix<1> normal(normal_pattern(problem.sparse));
 
   const ArrayXd width = (problem.upper - problem.lower).array();
   ArrayXd z = (-problem.lower.array()).max(0.1 * width).min(0.9 * width) + problem.lower.array();
@@ -157,11 +122,12 @@ LeastStep solve_least_step(const LeastStepProblem& problem) {
     const VectorXd right = wanted - z.matrix() +
                            transposed_times(problem, (m + weight * k).matrix()) +
                            (target / low - target / high).matrix();
-    if (!cholesky.factorize(normal.assemble(weight.head(sparse), 1 + ml / low + mh / high))) break;
+    assemble(problem.sparse, weight.head(sparse), 1 + ml / low + mh / high, normal);
+    if (!normal.factorize()) break;
     Eigen::MatrixXd sides(n, 1 + dense);
     sides.col(0) = right;
     sides.rightCols(dense) = problem.dense;
-    const Eigen::MatrixXd solved = cholesky.solve(sides);
+    const Eigen::MatrixXd solved = normal.solve(sides);
     VectorXd dz = solved.col(0);
     if (dense > 0) {
       const auto response = solved.rightCols(dense);

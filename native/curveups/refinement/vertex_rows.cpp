@@ -12,9 +12,9 @@ std::vector<VertexEntry> rows_by_vertex(const LayoutModel& model, const LayoutSt
                                         const MovingVertices& vertices) {
   std::vector<std::vector<int>> rows_of(model.tile_count());
   {
-    const BlockFunctions functions = make_constraints(model);
+    const LayoutTerms functions = make_constraints(model);
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      for (int tile : functions[rows[r].function]->tiles(rows[r].block)) {
+      for (int tile : functions[rows[r].function]->blocks(rows[r].block)) {
         if (tile >= 0) rows_of[tile].push_back(static_cast<int>(r));
       }
     }
@@ -22,8 +22,8 @@ std::vector<VertexEntry> rows_by_vertex(const LayoutModel& model, const LayoutSt
   std::vector<std::vector<VertexEntry>> found(vertices.count());
   parallel_ranges(vertices.count(), [&](int begin, int end) {
     LayoutModel varied = model;
-    const BlockFunctions functions = make_constraints(varied);
-    BlockValue value;
+    const LayoutTerms functions = make_constraints(varied);
+    LayoutTerm::Value value;
     for (int v = begin; v < end; ++v) {
       const VertexPatch& patch = vertices.patches[v];
       std::vector<int> touched;
@@ -42,10 +42,7 @@ std::vector<VertexEntry> rows_by_vertex(const LayoutModel& model, const LayoutSt
             Eigen::VectorXd out(static_cast<Eigen::Index>(touched.size()));
             for (std::size_t r = 0; r < touched.size(); ++r) {
               const ConstraintRow& row = rows[touched[r]];
-              const auto [i, j] = functions[row.function]->tiles(row.block);
-              functions[row.function]->evaluate(row.block, state.row(i).data(),
-                                                j < 0 ? nullptr : state.row(j).data(), false,
-                                                value);
+              functions[row.function]->at(row.block, state, false, value);
               out(static_cast<Eigen::Index>(r)) = value.value(0);
             }
             return out;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "curveups/design/vertex_patch.hpp"
-#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/layout_terms.hpp"
 
 namespace curveups {
 

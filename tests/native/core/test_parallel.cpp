@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -40,10 +42,62 @@ TEST(Parallel, TheExceptionOfTheLowestRangeComesOut) {
   set_thread_count(before);
 }
 
-TEST(Parallel, PairRunsBoth) {
-  int a = 0, b = 0;
-  parallel_pair([&] { a = 1; }, [&] { b = 2; });
-  EXPECT_EQ(a + b, 3);
+TEST(Parallel, TasksAllRun) {
+  const int before = thread_count();
+  for (int threads : {1, 2, 4}) {
+    set_thread_count(threads);
+    std::vector<int> done(5, 0);
+    parallel_tasks({[&] { done[0] = 1; }, [&] { done[1] = 1; }, [&] { done[2] = 1; },
+                    [&] { done[3] = 1; }, [&] { done[4] = 1; }});
+    EXPECT_EQ(std::accumulate(done.begin(), done.end(), 0), 5);
+  }
+  set_thread_count(before);
+}
+
+// Terms of very different sizes: any other order of summation gives other digits.
+double awkward(int i) { return std::ldexp(1.0 + 1.0 / (i + 3), (7 * i) % 40 - 20); }
+
+TEST(Parallel, SumsAreThoseOfAPlainLoopWithAnyNumberOfThreads) {
+  const int before = thread_count();
+  for (int count : {0, 1, 63, 64, 65, 5000}) {
+    double expected = 0;
+    for (int i = 0; i < count; ++i) expected += awkward(i);
+    for (int threads : {1, 2, 3, 4, 8}) {
+      set_thread_count(threads);
+      EXPECT_EQ(parallel_sum(count, awkward), expected);
+      double gathered = 0;
+      std::vector<int> order;
+      parallel_gather<double>(
+          count, [](int i, double& value) { value = awkward(i); },
+          [&](int i, double value) {
+            gathered += value;
+            order.push_back(i);
+          });
+      EXPECT_EQ(gathered, expected);
+      EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+      EXPECT_EQ(static_cast<int>(order.size()), count);
+    }
+  }
+  set_thread_count(before);
+}
+
+TEST(Parallel, LoopsMayBeNested) {
+  const int before = thread_count();
+  set_thread_count(4);
+  std::vector<double> sums(20);
+  parallel_ranges(20, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      parallel_gather<double>(
+          500, [&](int i, double& value) { value = awkward(i + k); },
+          [&](int, double value) { sums[k] += value; });
+    }
+  });
+  for (int k = 0; k < 20; ++k) {
+    double expected = 0;
+    for (int i = 0; i < 500; ++i) expected += awkward(i + k);
+    EXPECT_EQ(sums[k], expected);
+  }
+  set_thread_count(before);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // where each term says so.
 #include <gtest/gtest.h>
 
-#include "curveups/layout/block_function.hpp"
+#include "curveups/layout/layout_terms.hpp"
 #include "curveups/layout/initial_layout.hpp"
 #include "support/meshes.hpp"
 
@@ -25,10 +25,9 @@ struct Sample {
   LayoutState state;
 };
 
-BlockValue evaluated(const BlockFunction& function, int block, const LayoutState& state) {
-  BlockValue out;
-  const auto [i, j] = function.tiles(block);
-  function.evaluate(block, state.row(i).data(), j < 0 ? nullptr : state.row(j).data(), true, out);
+LayoutTerm::Value evaluated(const LayoutTerm& function, int block, const LayoutState& state) {
+  LayoutTerm::Value out;
+  function.at(block, state, true, out);
   return out;
 }
 
@@ -45,10 +44,10 @@ struct Curvature {
   double modelled;      // with the curvature rows
 };
 
-Curvature curvature(const BlockFunction& function, int block, const LayoutState& state,
+Curvature curvature(const LayoutTerm& function, int block, const LayoutState& state,
                     const LayoutState& direction) {
-  const auto [i, j] = function.tiles(block);
-  const BlockValue here = evaluated(function, block, state);
+  const auto [i, j] = function.blocks(block);
+  const LayoutTerm::Value here = evaluated(function, block, state);
   const Eigen::VectorXd rows = here.jacobian[0] * direction.row(i).transpose() +
                                here.jacobian[1] * direction.row(j).transpose();
   const int n = function.dimension();
@@ -62,9 +61,9 @@ Curvature curvature(const BlockFunction& function, int block, const LayoutState&
 TEST(CurvatureRows, OfPackingAreExactForTranslations) {
   const Sample sample(test::ripples(5));
   const auto packing = make_packing_energy(sample.model);
-  for (int block = 0; block < packing->block_count(); ++block) {
+  for (int block = 0; block < packing->element_count(); ++block) {
     LayoutState direction = LayoutState::Zero(sample.state.rows(), sample.state.cols());
-    for (int tile : packing->tiles(block)) direction.row(tile).head<2>().setRandom();
+    for (int tile : packing->blocks(block)) direction.row(tile).head<2>().setRandom();
     const Curvature c = curvature(*packing, block, sample.state, direction);
     EXPECT_NEAR(c.modelled, c.exact, 1e-4 * c.exact);
     EXPECT_LT(c.gauss_newton, c.exact);
@@ -76,11 +75,11 @@ TEST(CurvatureRows, OfPackingAreExactForTranslations) {
 TEST(CurvatureRows, OfSpringsAreExactAlongTheDistanceOfFacingPins) {
   const Sample sample(test::flat_patch(5));
   const auto spring = make_spring_energy(sample.model);
-  for (int block = 0; block < spring->block_count(); ++block) {
+  for (int block = 0; block < spring->element_count(); ++block) {
     const Contact& contact = sample.geometry.tiles.contacts[block / 2];
     const int inset = inset_unknown(block % 2 == 0 ? Side::front : Side::back, contact.side[0]);
     const int facing = inset_unknown(block % 2 == 0 ? Side::front : Side::back, contact.side[1]);
-    const auto [i, j] = spring->tiles(block);
+    const auto [i, j] = spring->blocks(block);
     const auto stretch = [&](double by_inset, const Vec2& by_place) -> Vec2 {  // a, scaled
       LayoutState at = sample.state;
       at(i, inset) += by_inset;
@@ -103,10 +102,10 @@ TEST(CurvatureRows, OfGapsAreExactForTurnsOfTheEdgesTile) {
   const Sample sample(test::ripples(5));
   const auto gaps = make_gap_constraint(sample.model);
   int curved = 0;
-  for (int block = 0; block < gaps->block_count(); ++block) {
+  for (int block = 0; block < gaps->element_count(); ++block) {
     LayoutState direction = LayoutState::Zero(sample.state.rows(), sample.state.cols());
-    direction(gaps->tiles(block)[0], 2) = 1;
-    const BlockValue here = evaluated(*gaps, block, sample.state);
+    direction(gaps->blocks(block)[0], 2) = 1;
+    const LayoutTerm::Value here = evaluated(*gaps, block, sample.state);
     const double row = here.jacobian[0](1, 2);
     const double exact = -second_difference(sample.state, direction, [&](const LayoutState& at) {
       return evaluated(*gaps, block, at).value(0);
@@ -116,7 +115,7 @@ TEST(CurvatureRows, OfGapsAreExactForTurnsOfTheEdgesTile) {
     EXPECT_EQ(here.jacobian[1].row(1).norm(), 0);
     curved += row > 0;
   }
-  EXPECT_GT(curved, gaps->block_count() / 2);
+  EXPECT_GT(curved, gaps->element_count() / 2);
 }
 
 }  // namespace

@@ -21,11 +21,11 @@ TEST(VertexRows, MatchFiniteDifferences) {
   const LayoutModel model = make_layout_model(geometry, parameters);
   const LayoutResult layout = solve_layout(geometry, parameters, {});
   const LayoutState state = state_of(model, layout.poses, layout.q);
-  const BlockFunctions constraints = make_constraints(model);
+  const LayoutTerms constraints = make_constraints(model);
   std::vector<ConstraintRow> rows;
   for (int f = 0; f < static_cast<int>(constraints.size()); ++f) {
     if (constraints[f]->name() == "pin keep-out") continue;  // renewed with the geometry
-    for (int b = 0; b < constraints[f]->block_count(); ++b) rows.push_back({f, b});
+    for (int b = 0; b < constraints[f]->element_count(); ++b) rows.push_back({f, b});
   }
   MovingVertices moving;
   const VertexPatches patches(geometry);
@@ -50,13 +50,11 @@ TEST(VertexRows, MatchFiniteDifferences) {
     DesignGeometry moved = make_geometry({mesh.V + h * direction, mesh.F}, cuts, parameters);
     moved.pin_bounds.least_area = geometry.pin_bounds.least_area;  // renewed as well
     const LayoutModel there = make_layout_model(moved, parameters);
-    const BlockFunctions functions = make_constraints(there);
+    const LayoutTerms functions = make_constraints(there);
     values[k].resize(exact.size());
-    BlockValue value;
+    LayoutTerm::Value value;
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      const auto [i, j] = functions[rows[r].function]->tiles(rows[r].block);
-      functions[rows[r].function]->evaluate(rows[r].block, state.row(i).data(),
-                                            j < 0 ? nullptr : state.row(j).data(), false, value);
+      functions[rows[r].function]->at(rows[r].block, state, false, value);
       values[k](static_cast<Eigen::Index>(r)) = value.value(0);
     }
   }

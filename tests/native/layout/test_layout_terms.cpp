@@ -5,9 +5,10 @@
 
 #include <set>
 
-#include "curveups/layout/block_function.hpp"
 #include "curveups/layout/initial_layout.hpp"
+#include "curveups/layout/layout_terms.hpp"
 #include "support/meshes.hpp"
+#include "support/term_checks.hpp"
 
 namespace curveups {
 namespace {
@@ -36,16 +37,16 @@ struct Sample {
   LayoutState state;
 };
 
-void expect_derivatives(const BlockFunction& function, const LayoutState& state) {
+// Row by row: constraints are not squared.
+void expect_jacobians(const LayoutTerm& function, const LayoutState& state) {
   const double h = 1e-5;
   const int dimension = function.dimension();
   int nonzero = 0;
-  for (int b = 0; b < function.block_count(); ++b) {
-    const auto tiles = function.tiles(b);
-    BlockValue exact, plus, minus;
-    auto evaluate = [&](const LayoutState& at, bool derivatives, BlockValue& out) {
-      function.evaluate(b, at.row(tiles[0]).data(),
-                        tiles[1] < 0 ? nullptr : at.row(tiles[1]).data(), derivatives, out);
+  for (int b = 0; b < function.element_count(); ++b) {
+    const auto tiles = function.blocks(b);
+    LayoutTerm::Value exact, plus, minus;
+    auto evaluate = [&](const LayoutState& at, bool derivatives, LayoutTerm::Value& out) {
+      function.at(b, at, derivatives, out);
     };
     evaluate(state, true, exact);
     if (exact.value.head(dimension).norm() == 0) continue;
@@ -70,33 +71,37 @@ void expect_derivatives(const BlockFunction& function, const LayoutState& state)
   EXPECT_GT(nonzero, 0) << function.name() << " is zero everywhere: nothing was tested";
 }
 
-TEST(BlockFunction, EveryDerivativeMatchesFiniteDifferences) {
+TEST(LayoutTerms, EveryDerivativeMatchesFiniteDifferences) {
   const Sample sample;
   std::set<std::string_view> names;
   for (const auto& function : make_energies(sample.model, true)) {
     names.insert(function->name());
-    expect_derivatives(*function, sample.state);
+    expect_jacobians(*function, sample.state);
+    test::expect_derivatives(*function, sample.state, std::vector<char>(sample.state.rows(), 1),
+                             test::Curvature::gauss_newton);
   }
   for (const auto& function : make_constraints(sample.model)) {
     names.insert(function->name());
-    expect_derivatives(*function, sample.state);
+    expect_jacobians(*function, sample.state);
+    test::expect_derivatives(*function, sample.state, std::vector<char>(sample.state.rows(), 1),
+                             test::Curvature::gauss_newton);
   }
   EXPECT_GE(names.size(), 7u);
 }
 
 // Packing's Gauss-Newton matrix with its curvature rows is the exact Hessian in the translations.
-TEST(BlockFunction, PackingCurvatureIsExact) {
+TEST(LayoutTerms, PackingCurvatureIsExact) {
   const Sample sample;
   const auto packing = make_packing_energy(sample.model);
   const double h = 1e-4;
-  const auto [i, j] = packing->tiles(4);
+  const int i = packing->blocks(4)[0];
   auto half_energy = [&](const LayoutState& at) {
-    BlockValue value;
-    packing->evaluate(4, at.row(i).data(), at.row(j).data(), false, value);
+    LayoutTerm::Value value;
+    packing->at(4, at, false, value);
     return 0.5 * value.value.head(4).squaredNorm();
   };
-  BlockValue value;
-  packing->evaluate(4, sample.state.row(i).data(), sample.state.row(j).data(), true, value);
+  LayoutTerm::Value value;
+  packing->at(4, sample.state, true, value);
   const Eigen::Matrix2d matrix =
       value.jacobian[0].leftCols<2>().transpose() * value.jacobian[0].leftCols<2>();
   for (int a = 0; a < 2; ++a) {
@@ -113,7 +118,7 @@ TEST(BlockFunction, PackingCurvatureIsExact) {
   }
 }
 
-TEST(BlockFunction, EnergiesAreTheFormulasOfThePaper) {
+TEST(LayoutTerms, EnergiesAreTheFormulasOfThePaper) {
   const Sample sample;
   const TileMesh& tiles = sample.geometry.tiles;
   const FlatCorners corners = flat_corners(tiles, poses_of(sample.model, sample.state));
@@ -145,11 +150,11 @@ TEST(BlockFunction, EnergiesAreTheFormulasOfThePaper) {
       spring += std::pow(a / (p.tau * b), 2);
     }
   }
-  EXPECT_NEAR(energy(*make_alignment_energy(sample.model), sample.state), p.w_a * alignment,
+  EXPECT_NEAR(2 * make_alignment_energy(sample.model)->value(sample.state), p.w_a * alignment,
               1e-4 * p.w_a * alignment);
-  EXPECT_NEAR(energy(*make_packing_energy(sample.model), sample.state), p.w_p * packing,
+  EXPECT_NEAR(2 * make_packing_energy(sample.model)->value(sample.state), p.w_p * packing,
               1e-9 * p.w_p * packing);
-  EXPECT_NEAR(energy(*make_spring_energy(sample.model), sample.state), p.w_s * spring,
+  EXPECT_NEAR(2 * make_spring_energy(sample.model)->value(sample.state), p.w_s * spring,
               1e-9 * p.w_s * spring);
 }
 

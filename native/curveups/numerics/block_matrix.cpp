@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/numerics/block_matrix.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace curveups {
+namespace {
+
+// Per block those of higher number that it is coupled with, ascending.
+using Above = std::vector<std::vector<int>>;
+Above neighbours_above(const std::vector<int>& number, int count,
+                       const std::vector<Coupling>& couplings) {
+  Above above(count);
+  for (const auto& [i, j] : couplings) {
+    if (i < 0 || j < 0 || number[i] < 0 || number[j] < 0 || i == j) continue;
+    above[std::min(number[i], number[j])].push_back(std::max(number[i], number[j]));
+  }
+  for (std::vector<int>& list : above) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return above;
+}
+
+}  // namespace
+
+BlockPattern::BlockPattern(const std::vector<char>& free, const std::vector<Coupling>& couplings)
+    : rank_(free.size(), -1), start_(1, 0) {
+  int count = 0;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    if (free[i]) rank_[i] = count++;
+  }
+  {
+    const std::vector<int> order = elimination_order(neighbours_above(rank_, count, couplings));
+    std::vector<int> place(count);
+    for (int k = 0; k < count; ++k) place[order[k]] = k;
+    for (int& rank : rank_) {
+      if (rank >= 0) rank = place[rank];
+    }
+  }
+  for (const std::vector<int>& list : neighbours_above(rank_, count, couplings)) {
+    below_.insert(below_.end(), list.begin(), list.end());
+    start_.push_back(static_cast<int>(below_.size()));
+  }
+  slots_.resize(couplings.size());
+  for (std::size_t k = 0; k < couplings.size(); ++k) {
+    const auto [i, j] = couplings[k];
+    if (i < 0 || j < 0 || rank_[i] < 0 || rank_[j] < 0) continue;
+    BlockSlot& slot = slots_[k];
+    slot = {std::min(rank_[i], rank_[j]), -1, rank_[i] < rank_[j]};
+    if (i == j) continue;
+    slot.below = static_cast<int>(
+        std::lower_bound(begin(slot.column), end(slot.column), std::max(rank_[i], rank_[j])) -
+        begin(slot.column));
+  }
+}
+
+template <int W>
+BlockMatrix<W>::BlockMatrix(std::shared_ptr<const BlockPattern> pattern)
+    : pattern_(std::move(pattern)) {
+  const int blocks = pattern_->free_count();
+  const Eigen::Index below = blocks > 0 ? pattern_->end(blocks - 1) - pattern_->begin(0) : 0;
+  matrix_.resize(W * blocks, W * blocks);
+  matrix_.resizeNonZeros(blocks * (W * (W + 1) / 2) + below * W * W);
+  int at = 0;
+  for (int b = 0; b < blocks; ++b) {
+    for (int c = 0; c < W; ++c) {
+      matrix_.outerIndexPtr()[W * b + c] = at;
+      for (int r = c; r < W; ++r) matrix_.innerIndexPtr()[at++] = W * b + r;
+      for (const int* u = pattern_->begin(b); u != pattern_->end(b); ++u) {
+        for (int r = 0; r < W; ++r) matrix_.innerIndexPtr()[at++] = W * *u + r;
+      }
+    }
+  }
+  matrix_.outerIndexPtr()[W * blocks] = at;
+  set_zero();
+}
+
+template <int W>
+void BlockMatrix<W>::set_zero() {
+  std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
+}
+
+template <int W>
+void BlockMatrix<W>::add(const BlockMatrix& other) {
+  matrix_.coeffs() += other.matrix_.coeffs();
+}
+
+template <int W>
+double BlockMatrix<W>::mean_diagonal() const {
+  return matrix_.diagonal().mean();
+}
+
+template <int W>
+bool BlockMatrix<W>::factorize(double damping, double shift) {
+  const Eigen::VectorXd kept = matrix_.diagonal();
+  auto entry = [&](Eigen::Index i) -> double& {
+    return matrix_.valuePtr()[matrix_.outerIndexPtr()[i]];
+  };
+  for (Eigen::Index i = 0; i < kept.size(); ++i) entry(i) = kept(i) * (1 + damping) + shift;
+  const bool done = cholesky_.factorize(matrix_);
+  for (Eigen::Index i = 0; i < kept.size(); ++i) entry(i) = kept(i);
+  return done;
+}
+
+// map is of rows in the order of elimination.
+template <int W>
+template <class Map>
+Eigen::MatrixXd BlockMatrix<W>::by_rank(const Eigen::MatrixXd& x, const Map& map) const {
+  Eigen::MatrixXd ranked(W * pattern_->free_count(), x.cols()),
+      out = Eigen::MatrixXd::Zero(x.rows(), x.cols());
+  auto for_free = [&](const auto& body) {
+    for (int b = 0; b < pattern_->block_count(); ++b) {
+      const int rank = pattern_->rank(b);
+      if (rank >= 0) body(W * b, W * rank);
+    }
+  };
+  for_free([&](int own, int row) { ranked.middleRows(row, W) = x.middleRows(own, W); });
+  ranked = map(ranked);
+  for_free([&](int own, int row) { out.middleRows(own, W) = ranked.middleRows(row, W); });
+  return out;
+}
+
+template <int W>
+Eigen::MatrixXd BlockMatrix<W>::solve(const Eigen::MatrixXd& right) const {
+  return by_rank(right, [&](const Eigen::MatrixXd& ranked) { return cholesky_.solve(ranked); });
+}
+
+template <int W>
+Eigen::MatrixXd BlockMatrix<W>::multiply(const Eigen::MatrixXd& x) const {
+  return by_rank(x, [&](const Eigen::MatrixXd& ranked) -> Eigen::MatrixXd {
+    return matrix_.template selfadjointView<Eigen::Lower>() * ranked;
+  });
+}
+
+template class BlockMatrix<1>;
+template class BlockMatrix<3>;
+template class BlockMatrix<6>;
+template class BlockMatrix<9>;
+
+}  // namespace curveups

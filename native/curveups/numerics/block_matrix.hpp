@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Sparse symmetric matrices of W x W blocks, one block row for each block of unknowns (a tile, a
+// vertex): the one assembler of the project. The pattern is fixed by the pairs of blocks that
+// elements join; it orders the elimination, elements add to slots looked up once, and right-hand
+// sides and solutions come in the caller's numbering.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "curveups/numerics/sparse_cholesky.hpp"
+
+namespace curveups {
+
+// Two blocks of unknowns that an element joins; negative where it has none, or none that moves.
+using Coupling = std::array<int, 2>;
+
+// Where a coupling's block is stored: in the lower triangle, in the order of elimination.
+struct BlockSlot {
+  int column = -1;       // of blocks; negative: nowhere
+  int below = -1;        // the how-manieth block below the diagonal one; -1: the diagonal
+  bool swapped = false;  // its rows are those of the coupling's second block
+
+  bool stored() const { return column >= 0; }
+};
+
+class BlockPattern {
+ public:
+  // free: per block whether it is unknown; the others have no rows.
+  BlockPattern(const std::vector<char>& free, const std::vector<Coupling>& couplings);
+
+  int block_count() const { return static_cast<int>(rank_.size()); }
+  int free_count() const { return static_cast<int>(start_.size()) - 1; }
+  // The block's place in the order of elimination, or -1.
+  int rank(int block) const { return rank_[block]; }
+  BlockSlot diagonal(int block) const { return {rank_[block], -1, false}; }
+  // Of the coupling with this number in the list given.
+  const BlockSlot& slot(int coupling) const { return slots_[coupling]; }
+  // Ranks of the blocks below the diagonal one of a column, ascending: [begin, end).
+  const int* begin(int column) const { return below_.data() + start_[column]; }
+  const int* end(int column) const { return below_.data() + start_[column + 1]; }
+
+ private:
+  std::vector<int> rank_, start_, below_;
+  std::vector<BlockSlot> slots_;
+};
+
+template <int W>
+class BlockMatrix {
+ public:
+  using Block = Eigen::Matrix<double, W, W>;
+
+  explicit BlockMatrix(std::shared_ptr<const BlockPattern> pattern);
+
+  const BlockPattern& pattern() const { return *pattern_; }
+  void set_zero();
+  // The W entries of column c of a stored block; of a diagonal one only those from row c on exist.
+  double* column(const BlockSlot& slot, int c) {
+    return matrix_.valuePtr() + matrix_.outerIndexPtr()[W * slot.column + c] + W - c +
+           W * slot.below;
+  }
+  // block: with the slot's rows (BlockSlot::swapped).
+  void add(const BlockSlot& slot, const Block& block) {
+    for (int c = 0; c < W; ++c) {
+      double* to = column(slot, c);
+      for (int r = slot.below < 0 ? c : 0; r < W; ++r) to[r] += block(r, c);
+    }
+  }
+  double& diagonal(int block, int unknown) {
+    return column(pattern_->diagonal(block), unknown)[unknown];
+  }
+  // Adds a matrix of the same pattern.
+  void add(const BlockMatrix& other);
+  double mean_diagonal() const;
+
+  // Cholesky factorization with the diagonal entries d as d (1 + damping) + shift. False where the
+  // matrix is not positive definite or not finite.
+  bool factorize(double damping = 0, double shift = 0);
+  // By the last factorization, for one or more right-hand sides of W rows a block; zero for blocks
+  // that are not free.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+  // The matrix times x, in the caller's numbering as well.
+  Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const;
+  // The same with the free blocks alone, in the order of elimination.
+  Eigen::MatrixXd solve_ranked(const Eigen::MatrixXd& right) const {
+    return cholesky_.solve(right);
+  }
+
+ private:
+  template <class Map>
+  Eigen::MatrixXd by_rank(const Eigen::MatrixXd& x, const Map& map) const;
+
+  std::shared_ptr<const BlockPattern> pattern_;
+  SparseMatrix matrix_;
+  SparseCholesky cholesky_{Ordering::as_given};
+};
+
+}  // namespace curveups

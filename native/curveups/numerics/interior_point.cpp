@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/numerics/interior_point.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace curveups {
+namespace {
+
+constexpr double to_boundary = 0.995;    // largest share of the way to a bound that a step may go
+constexpr double barrier_accuracy = 10;  // optimality error, in units of mu, before mu is lowered
+// Energy per mm: far below what moves a tile by a micrometre.
+constexpr double gradient_accuracy = 1e-4;
+constexpr int most_halvings = 12;
+
+// Shortens a step so that value + length change stays a share of the way from zero.
+void limit(double value, double change, double& length) {
+  if (change < 0) length = std::min(length, -to_boundary * value / change);
+}
+
+// The range of complementarity products and the sum of multipliers.
+struct Complementarity {
+  double least = std::numeric_limits<double>::infinity(), largest = 0, sum = 0;
+  long count = 0;
+  void add(double multiplier, double slack) {
+    least = std::min(least, multiplier * slack);
+    largest = std::max(largest, multiplier * slack);
+    sum += multiplier;
+    ++count;
+  }
+};
+
+}  // namespace
+
+// Everything at an iterate that the step and the stopping test need.
+template <class Constraint>
+struct InteriorPoint<Constraint>::Linearization {
+  Linearization(int blocks, const Terms<W>& energies, const Constraints& constraints)
+      : values(constraints.size()) {
+    std::vector<Coupling> couplings;
+    for (const auto& energy : energies) {
+      first.push_back(static_cast<int>(couplings.size()));
+      energy->couple(couplings);
+    }
+    for (std::size_t c = 0; c < constraints.size(); ++c) {
+      first.push_back(static_cast<int>(couplings.size()));
+      constraints[c]->couple(couplings);
+      values[c].resize(constraints[c]->element_count());
+    }
+    const auto pattern =
+        std::make_shared<const BlockPattern>(std::vector<char>(blocks, 1), couplings);
+    matrix = std::make_unique<BlockMatrix<W>>(pattern);
+    constraint_matrix = std::make_unique<BlockMatrix<W>>(pattern);
+    gradient.resize(blocks, W);
+    pull.resize(blocks, W);
+  }
+
+  // Optimality error of the barrier problem with parameter mu.
+  double error(double mu) const {
+    const double excess = std::max(0.0, dual_error - gradient_accuracy);
+    return std::max({excess, largest_residual, products.largest - mu, mu - products.least});
+  }
+
+  std::unique_ptr<BlockMatrix<W>> matrix, constraint_matrix;
+  std::vector<int> first;  // coupling of each energy, then of each constraint
+  Vector gradient;         // of the energies
+  Vector pull;  // J^T m and the bounds' multipliers: what the constraints hold against it
+  std::vector<std::vector<typename Constraint::Value>> values;
+  double residual_sum = 0, largest_residual = 0;  // of c(z) - s
+  double dual_error = 0;
+  Complementarity products;
+};
+
+template <class Constraint>
+struct InteriorPoint<Constraint>::Step {
+  Vector z;
+  Vectors slack, multiplier;
+  Eigen::VectorXd lower_multiplier, upper_multiplier;
+  double primal_length, dual_length;  // longest that keep slacks and multipliers positive
+  double decrease;                    // slope of the barrier function along the step
+};
+
+// Gives new constraints slacks and multipliers, and moves unknowns inside their bounds.
+template <class Constraint>
+void InteriorPoint<Constraint>::prepare(Vector& z, double mu) {
+  const bool first = lower_multiplier_.size() == 0;
+  if (first) {
+    lower_multiplier_.resize(static_cast<Eigen::Index>(bounds_.size()));
+    upper_multiplier_.resize(lower_multiplier_.size());
+  }
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    const auto& [block, unknown, lower, upper] = bounds_[k];
+    const double room = std::min(0.01, 0.1 * (upper - lower));
+    double& value = z(block, unknown);
+    value = std::clamp(value, lower + room, upper - room);
+    if (!first) continue;
+    lower_multiplier_(k) = mu / (value - lower);
+    upper_multiplier_(k) = mu / (upper - value);
+  }
+  slack_.resize(constraints_.size());
+  multiplier_.resize(constraints_.size());
+  typename Constraint::Value value;
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    const int old = static_cast<int>(slack_[c].size()), count = constraints_[c]->element_count();
+    slack_[c].conservativeResize(count);
+    multiplier_[c].conservativeResize(count);
+    for (int e = old; e < count; ++e) {
+      constraints_[c]->at(e, z, false, value);
+      slack_[c](e) = std::max(value.value(0), 0.05);
+      multiplier_[c](e) = mu / slack_[c](e);
+    }
+  }
+}
+
+template <class Constraint>
+void InteriorPoint<Constraint>::forget() {
+  slack_.clear();
+  multiplier_.clear();
+  lower_multiplier_.resize(0);
+  upper_multiplier_.resize(0);
+}
+
+// Energies and constraints are taken at once, each into a matrix of its own.
+template <class Constraint>
+void InteriorPoint<Constraint>::linearize(const Vector& z, Linearization& at) const {
+  parallel_tasks({[&] {
+                    at.matrix->set_zero();
+                    at.gradient.setZero();
+                    for (std::size_t e = 0; e < energies_.size(); ++e) {
+                      energies_[e]->derivatives(z, at.gradient, at.matrix.get(), at.first[e]);
+                    }
+                  },
+                  [&] {
+                    linearize_constraints(z, at);
+                    linearize_bounds(z, at);
+                  }});
+  at.matrix->add(*at.constraint_matrix);
+  // Large multipliers make the dual part coarser.
+  const double scale = std::max(1.0, at.products.sum / static_cast<double>(at.products.count));
+  at.dual_error = (at.gradient - at.pull).cwiseAbs().maxCoeff() / (10 * scale);
+}
+
+template <class Constraint>
+void InteriorPoint<Constraint>::linearize_constraints(const Vector& z, Linearization& at) const {
+  at.constraint_matrix->set_zero();
+  at.pull.setZero();
+  at.residual_sum = at.largest_residual = 0;
+  at.products = {};
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    const Constraint& constraint = *constraints_[c];
+    const int first = at.first[energies_.size() + c], rows = 1 + constraint.curvature_rows();
+    auto make = [&](int begin, int end, int) {
+      for (int e = begin; e < end; ++e) constraint.at(e, z, true, at.values[c][e]);
+    };
+    auto take = [&](int begin, int end, int) {
+      for (int e = begin; e < end; ++e) {
+        const auto& value = at.values[c][e];
+        const double m = multiplier_[c](e), s = slack_[c](e), weights[2] = {m / s, m};
+        constraint.add_row(e, value, 0, m, at.pull);
+        constraint.add_products(e, value, rows, weights, first, *at.constraint_matrix);
+        const double residual = std::abs(value.value(0) - s);
+        at.residual_sum += residual;
+        at.largest_residual = std::max(at.largest_residual, residual);
+        at.products.add(m, s);
+      }
+    };
+    parallel_gather(constraint.element_count(), make, take);
+  }
+}
+
+template <class Constraint>
+void InteriorPoint<Constraint>::linearize_bounds(const Vector& z, Linearization& at) const {
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    const auto& [block, unknown, lower, upper] = bounds_[k];
+    const double low = z(block, unknown) - lower, high = upper - z(block, unknown);
+    const double ml = lower_multiplier_(k), mh = upper_multiplier_(k);
+    at.pull(block, unknown) += ml - mh;
+    at.constraint_matrix->diagonal(block, unknown) += ml / low + mh / high;
+    at.products.add(ml, low);
+    at.products.add(mh, high);
+  }
+}
+
+template <class Constraint>
+typename InteriorPoint<Constraint>::Vector InteriorPoint<Constraint>::right_side(
+    const Vector& z, double mu, const Linearization& at) const {
+  Vector right = -at.gradient;
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    for (int e = 0; e < constraints_[c]->element_count(); ++e) {
+      const auto& value = at.values[c][e];
+      const double s = slack_[c](e), pull = (mu - multiplier_[c](e) * (value.value(0) - s)) / s;
+      constraints_[c]->add_row(e, value, 0, pull, right);
+    }
+  }
+  for (const auto& [block, unknown, lower, upper] : bounds_) {
+    const double value = z(block, unknown);
+    right(block, unknown) += mu / (value - lower) - mu / (upper - value);
+  }
+  return right;
+}
+
+template <class Constraint>
+bool InteriorPoint<Constraint>::solve_step(const Vector& z, double mu, Linearization& at,
+                                           double& damping, Step& step) const {
+  const Vector right = right_side(z, mu, at);
+  bool factorized = false;
+  for (int attempt = 0; attempt < 12 && !factorized; ++attempt) {
+    factorized = at.matrix->factorize(damping, 1e-9);
+    if (!factorized) damping = std::max(1e-6, 10 * damping);
+  }
+  if (!factorized) return false;
+  const Eigen::MatrixXd solution =
+      at.matrix->solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
+  step.z = Eigen::Map<const Vector>(solution.data(), right.rows(), W);
+  step.primal_length = step.dual_length = 1;
+  step.decrease = (at.gradient.array() * step.z.array()).sum();
+  step_slacks(mu, at, step);
+  step_bounds(z, mu, step);
+  for (const auto& energy : energies_) {
+    step.primal_length =
+        std::min(step.primal_length, to_boundary * energy->largest_step(z, step.z));
+  }
+  return true;
+}
+
+template <class Constraint>
+void InteriorPoint<Constraint>::step_slacks(double mu, const Linearization& at, Step& step) const {
+  step.slack = slack_;
+  step.multiplier = multiplier_;
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    for (int e = 0; e < constraints_[c]->element_count(); ++e) {
+      const auto& value = at.values[c][e];
+      const double s = slack_[c](e), m = multiplier_[c](e),
+                   ds = constraints_[c]->dot_row(e, value, 0, step.z) + value.value(0) - s;
+      step.slack[c](e) = ds;
+      step.multiplier[c](e) = mu / s - m - m / s * ds;
+      step.decrease -= mu * ds / s;
+      limit(s, ds, step.primal_length);
+      limit(m, step.multiplier[c](e), step.dual_length);
+    }
+  }
+}
+
+template <class Constraint>
+void InteriorPoint<Constraint>::step_bounds(const Vector& z, double mu, Step& step) const {
+  step.lower_multiplier.resize(lower_multiplier_.size());
+  step.upper_multiplier.resize(upper_multiplier_.size());
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    const auto& [block, unknown, lower, upper] = bounds_[k];
+    const double low = z(block, unknown) - lower, high = upper - z(block, unknown),
+                 d = step.z(block, unknown), ml = lower_multiplier_(k), mh = upper_multiplier_(k);
+    step.lower_multiplier(k) = mu / low - ml * (1 + d / low);
+    step.upper_multiplier(k) = mu / high - mh * (1 - d / high);
+    step.decrease -= mu * (d / low - d / high);
+    limit(low, d, step.primal_length);
+    limit(high, -d, step.primal_length);
+    limit(ml, step.lower_multiplier(k), step.dual_length);
+    limit(mh, step.upper_multiplier(k), step.dual_length);
+  }
+}
+
+template <class Constraint>
+double InteriorPoint<Constraint>::merit(const Vector& z, const Vectors& slack, double mu,
+                                        double penalty) const {
+  double f = 0, logs = 0, violation = 0;
+  for (const auto& energy : energies_) f += energy->value(z);
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    violation += parallel_sum(constraints_[c]->element_count(), [&](int e) {
+      typename Constraint::Value value;
+      constraints_[c]->at(e, z, false, value);
+      return std::abs(value.value(0) - slack[c](e));
+    });
+    logs += slack[c].array().log().sum();
+  }
+  for (const auto& [block, unknown, lower, upper] : bounds_) {
+    logs += std::log(z(block, unknown) - lower) + std::log(upper - z(block, unknown));
+  }
+  return f - mu * logs + penalty * violation;
+}
+
+template <class Constraint>
+bool InteriorPoint<Constraint>::search(Vector& z, double mu, double penalty, double residual_sum,
+                                       const Step& step, double& length) {
+  const double slope = step.decrease - penalty * residual_sum;
+  const double before = merit(z, slack_, mu, penalty);
+  Vectors slack = slack_;
+  for (int halving = 0; halving < most_halvings; ++halving) {
+    if (halving > 0) length *= 0.5;
+    const Vector trial = z + length * step.z;
+    for (std::size_t c = 0; c < constraints_.size(); ++c) {
+      slack[c] = slack_[c] + length * step.slack[c];
+    }
+    // Rounding of the merit function itself must not stop the last steps.
+    if (merit(trial, slack, mu, penalty) <=
+        before + 1e-4 * length * slope + 1e-12 * std::abs(before)) {
+      z = trial;
+      slack_ = std::move(slack);
+      return true;
+    }
+  }
+  return false;
+}
+
+template <class Constraint>
+SolveReport InteriorPoint<Constraint>::run(Vector& z, double mu_start, double mu_end,
+                                           int max_iterations, const std::string& what,
+                                           const Progress& progress) {
+  SolveReport report;
+  double mu = mu_start, damping = 0, penalty = 1;
+  const double span = std::log(mu_start / mu_end);
+  prepare(z, mu);
+  Linearization at(static_cast<int>(z.rows()), energies_, constraints_);
+  Step step;
+  for (; report.iterations < max_iterations; ++report.iterations) {
+    linearize(z, at);
+    if (!keep_going(progress, what, span > 0 ? std::log(mu_start / mu) / span : 1.0)) {
+      report.status = SolveStatus::stopped;
+      break;
+    }
+    if (mu <= mu_end && at.error(mu) <= barrier_accuracy * mu) {
+      report.status = SolveStatus::converged;
+      break;
+    }
+    while (mu > mu_end && at.error(mu) <= barrier_accuracy * mu) {
+      mu = std::max(mu_end, std::min(0.2 * mu, std::pow(mu, 1.5)));
+    }
+    if (!solve_step(z, mu, at, damping, step)) break;
+    // The penalty that makes the step a descent direction of the merit function.
+    if (at.residual_sum > 1e-12) {
+      penalty = std::max(penalty, 2 * step.decrease / at.residual_sum);
+    }
+    double length = step.primal_length;
+    const bool accepted = search(z, mu, penalty, at.residual_sum, step, length);
+    damping =
+        length == step.primal_length && accepted ? 0.2 * damping : std::max(1e-3, 4 * damping);
+    if (damping < 1e-8) damping = 0;
+    if (damping > 1e6) break;
+    if (!accepted) continue;
+    for (std::size_t c = 0; c < constraints_.size(); ++c) {
+      multiplier_[c] += step.dual_length * step.multiplier[c];
+    }
+    lower_multiplier_ += step.dual_length * step.lower_multiplier;
+    upper_multiplier_ += step.dual_length * step.upper_multiplier;
+  }
+  report.residual = largest_violation(constraints_, z);
+  return report;
+}
+
+template class InteriorPoint<Residuals<9, 2, 8>>;  // the layout's
+
+}  // namespace curveups

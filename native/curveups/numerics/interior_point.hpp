@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Minimises energy terms under inequality constraints: a primal-dual interior-point method with
+// slacks, condensed onto the pattern of the terms.
+//
+// Why a method of our own: least-squares solvers with bounds (Ceres) have no general inequality
+// constraints, and Ipopt on the very same problem takes six to twelve times as long, because its
+// linear algebra can't use that all blocks are alike on one sparsity pattern that never changes.
+//
+//   minimise f(z)   subject to   c(z) - s = 0, s >= 0, lower <= z <= upper for some unknowns.
+// With multipliers m of c, each step solves
+//   (H + J^T (m/s) J + bounds) dz = -grad f + J^T (mu/s - (m/s)(c - s)) + bounds,
+// H and J the terms' and constraints' derivatives, backtracks on the merit function
+// f - mu sum log(slacks) + nu |c - s|_1, and is damped where that fails. The start need not be
+// feasible.
+#pragma once
+
+#include "curveups/core/progress.hpp"
+#include "curveups/numerics/residuals.hpp"
+#include "curveups/numerics/solve_report.hpp"
+
+namespace curveups {
+
+// lower < upper, both finite.
+struct Bound {
+  int block, unknown;
+  double lower, upper;
+};
+
+// Constraint: a class of Residuals with one row an element, for Jacobians and curvature.
+template <class Constraint>
+class InteriorPoint {
+ public:
+  static constexpr int W = Constraint::width;
+  using Vector = BlockVector<W>;
+  using Constraints = std::vector<std::unique_ptr<Constraint>>;
+
+  // Constraints may gain elements between runs; multipliers are kept.
+  InteriorPoint(Terms<W> energies, Constraints constraints, std::vector<Bound> bounds)
+      : energies_(std::move(energies)),
+        constraints_(std::move(constraints)),
+        bounds_(std::move(bounds)) {}
+
+  // Improves z until complementarity mu_end is reached and the optimality conditions hold to like
+  // accuracy, or max_iterations. progress gets `what` and the share of the way from mu_start to
+  // mu_end. The report has the largest violation of c(z) >= 0.
+  SolveReport run(Vector& z, double mu_start, double mu_end, int max_iterations,
+                  const std::string& what, const Progress& progress);
+
+  // Drops slacks and multipliers: the next run starts afresh from its z.
+  void forget();
+
+ private:
+  using Vectors = std::vector<Eigen::VectorXd>;  // one entry per element of each constraint
+  struct Linearization;
+  struct Step;
+
+  void prepare(Vector& z, double mu);
+  void linearize(const Vector& z, Linearization& at) const;
+  void linearize_constraints(const Vector& z, Linearization& at) const;
+  void linearize_bounds(const Vector& z, Linearization& at) const;
+  Vector right_side(const Vector& z, double mu, const Linearization& at) const;
+  // False where multipliers have grown so far that no damping makes the matrix definite.
+  bool solve_step(const Vector& z, double mu, Linearization& at, double& damping, Step& step) const;
+  void step_slacks(double mu, const Linearization& at, Step& step) const;
+  void step_bounds(const Vector& z, double mu, Step& step) const;
+  double merit(const Vector& z, const Vectors& slack, double mu, double penalty) const;
+  // Backtracks; false where no length is good enough.
+  bool search(Vector& z, double mu, double penalty, double residual_sum, const Step& step,
+              double& length);
+
+  Terms<W> energies_;
+  Constraints constraints_;
+  std::vector<Bound> bounds_;
+  Vectors slack_, multiplier_;
+  Eigen::VectorXd lower_multiplier_, upper_multiplier_;  // of the bounds
+};
+
+}  // namespace curveups

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Many small vector functions r_e, each of the unknowns of at most K blocks and of at most R rows:
+// as a Term half the sum of their squares, with its Gauss-Newton matrix; as a constraint
+// r_e(x) >= 0.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "curveups/core/parallel.hpp"
+#include "curveups/numerics/term.hpp"
+
+namespace curveups {
+
+template <int W, int K, int R>
+class Residuals : public Term<W> {
+ public:
+  static constexpr int width = W, most_blocks = K, most_rows = R, pairs = K * (K - 1) / 2;
+  using Vector = BlockVector<W>;
+  using Blocks = std::array<int, K>;
+  using Unknowns = std::array<const double*, K>;  // of an element's blocks, null beyond them
+  struct Value {
+    Eigen::Matrix<double, R, 1> value;
+    std::array<Eigen::Matrix<double, R, W, Eigen::RowMajor>, K> jacobian;  // by each block
+  };
+
+  virtual int element_count() const = 0;
+  // Rows of an element's value.
+  virtual int dimension() const = 0;
+  // The blocks of an element, -1 beyond them.
+  virtual Blocks blocks(int element) const = 0;
+  // Rows of the Jacobians beyond dimension() that add curvature to the Gauss-Newton matrix: half
+  // the sum of squares (energies), or the function itself (constraints, negated), curves by at
+  // least their squares more than first derivatives tell. Without them steps overshoot twofold.
+  virtual int curvature_rows() const { return 0; }
+  // Fills the first dimension() values; Jacobians, curvature rows included, only where
+  // `derivatives`.
+  virtual void evaluate(int element, const Unknowns& x, bool derivatives, Value& out) const = 0;
+
+  void at(int element, const Vector& x, bool derivatives, Value& out) const {
+    Unknowns own;
+    const Blocks list = blocks(element);
+    for (int k = 0; k < K; ++k) own[k] = list[k] < 0 ? nullptr : x.row(list[k]).data();
+    evaluate(element, own, derivatives, out);
+  }
+
+  void couple(std::vector<Coupling>& couplings) const override {
+    for (int e = 0; e < element_count(); ++e) {
+      const Blocks list = blocks(e);
+      for (int k = 0; k < K; ++k) {
+        for (int l = k + 1; l < K; ++l) couplings.push_back({list[k], list[l]});
+      }
+    }
+  }
+
+  double value(const Vector& x) const override {
+    return 0.5 * parallel_sum(element_count(), [&](int e) {
+             Value out;
+             at(e, x, false, out);
+             return out.value.head(dimension()).squaredNorm();
+           });
+  }
+
+  double derivatives(const Vector& x, Vector& gradient, BlockMatrix<W>* hessian,
+                     int first) const override {
+    double sum = 0;
+    const std::array<double, R> ones = [] {
+      std::array<double, R> out;
+      out.fill(1);
+      return out;
+    }();
+    const int rows = dimension();
+    parallel_gather<Value>(
+        element_count(), [&](int e, Value& out) { at(e, x, true, out); },
+        [&](int e, const Value& out) {
+          sum += out.value.head(rows).squaredNorm();
+          for (int r = 0; r < rows; ++r) add_row(e, out, r, out.value(r), gradient);
+          if (hessian) add_products(e, out, rows + curvature_rows(), ones.data(), first, *hessian);
+        });
+    return 0.5 * sum;
+  }
+
+  // sum += factor times row `row` of an element's Jacobians.
+  void add_row(int element, const Value& value, int row, double factor, Vector& sum) const {
+    const Blocks list = blocks(element);
+    for (int k = 0; k < K && list[k] >= 0; ++k) {
+      sum.row(list[k]) += factor * value.jacobian[k].row(row);
+    }
+  }
+  // Row `row` of an element's Jacobians times a step.
+  double dot_row(int element, const Value& value, int row, const Vector& step) const {
+    const Blocks list = blocks(element);
+    double sum = value.jacobian[0].row(row).dot(step.row(list[0]));
+    for (int k = 1; k < K && list[k] >= 0; ++k) {
+      sum += value.jacobian[k].row(row).dot(step.row(list[k]));
+    }
+    return sum;
+  }
+  // Adds J^T diag(weight) J of the first `rows` rows; first: as in Term::derivatives.
+  void add_products(int element, const Value& value, int rows, const double* weight, int first,
+                    BlockMatrix<W>& matrix) const {
+    const Blocks list = blocks(element);
+    std::array<BlockSlot, K> diagonal;
+    for (int k = 0; k < K && list[k] >= 0; ++k) diagonal[k] = matrix.pattern().diagonal(list[k]);
+    for (int r = 0; r < rows; ++r) {
+      int pair = first + element * pairs;
+      for (int k = 0; k < K; ++k) {
+        if (list[k] < 0) break;
+        const double* a = value.jacobian[k].row(r).data();
+        add_product(a, a, weight[r], diagonal[k], matrix);
+        for (int l = k + 1; l < K; ++l, ++pair) {
+          const BlockSlot& slot = matrix.pattern().slot(pair);
+          if (!slot.stored()) continue;
+          const double* b = value.jacobian[l].row(r).data();
+          add_product(slot.swapped ? b : a, slot.swapped ? a : b, weight[r], slot, matrix);
+        }
+      }
+    }
+  }
+
+ private:
+  // Most rows touch a few unknowns only: zeros are skipped.
+  static void add_product(const double* row, const double* column, double weight,
+                          const BlockSlot& slot, BlockMatrix<W>& matrix) {
+    for (int c = 0; c < W; ++c) {
+      if (column[c] == 0) continue;
+      const double scaled = weight * column[c];
+      double* to = matrix.column(slot, c);
+      for (int r = slot.below < 0 ? c : 0; r < W; ++r) to[r] += scaled * row[r];
+    }
+  }
+};
+
+// By how much constraints are violated at most.
+template <class Constraint>
+double largest_violation(const std::vector<std::unique_ptr<Constraint>>& constraints,
+                         const typename Constraint::Vector& x) {
+  double largest = 0;
+  typename Constraint::Value value;
+  for (const auto& constraint : constraints) {
+    for (int e = 0; e < constraint->element_count(); ++e) {
+      constraint->at(e, x, false, value);
+      largest = std::max(largest, -value.value.head(constraint->dimension()).minCoeff());
+    }
+  }
+  return largest;
+}
+
+}  // namespace curveups

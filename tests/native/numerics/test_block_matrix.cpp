@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cstdlib>
+
+#include "curveups/numerics/block_matrix.hpp"
+
+namespace curveups {
+namespace {
+
+// A ring of blocks with chords, one block held; elements of two blocks add v v^T.
+template <int W>
+void expect_dense_solution() {
+  const int count = 12, held = 5;
+  std::srand(4);
+  std::vector<char> free(count, 1);
+  free[held] = 0;
+  std::vector<Coupling> couplings;
+  for (int b = 0; b < count; ++b) {
+    couplings.push_back({b, (b + 1) % count});
+    couplings.push_back({(b + 5) % count, b});
+  }
+  couplings.push_back({-1, 3});
+  couplings.push_back(couplings[0]);  // once more
+  BlockMatrix<W> matrix(std::make_shared<const BlockPattern>(free, couplings));
+  const BlockPattern& pattern = matrix.pattern();
+  EXPECT_EQ(pattern.block_count(), count);
+  EXPECT_EQ(pattern.free_count(), count - 1);
+  EXPECT_FALSE(pattern.slot(2 * count).stored());
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(W * count, W * count);
+  for (std::size_t k = 0; k < couplings.size(); ++k) {
+    const auto [i, j] = couplings[k];
+    if (i < 0 || i == held || j == held) continue;
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(W * count);
+    v.segment<W>(W * i).setRandom();
+    v.segment<W>(W * j).setRandom();
+    dense += v * v.transpose();
+    auto outer = [&](int a, int b) -> typename BlockMatrix<W>::Block {
+      return v.segment<W>(W * a) * v.segment<W>(W * b).transpose();
+    };
+    matrix.add(pattern.diagonal(i), outer(i, i));
+    matrix.add(pattern.diagonal(j), outer(j, j));
+    const BlockSlot& slot = pattern.slot(static_cast<int>(k));
+    matrix.add(slot, slot.swapped ? outer(j, i) : outer(i, j));
+  }
+  Eigen::MatrixXd b = Eigen::MatrixXd::Random(W * count, 3);
+  b.middleRows<W>(W * held).setZero();
+  EXPECT_LT((matrix.multiply(b) - dense * b).norm(), 1e-12 * b.norm() * dense.norm());
+  for (double damping : {0.0, 0.3}) {
+    Eigen::MatrixXd damped = dense;
+    damped.diagonal() = damped.diagonal() * (1 + damping);
+    damped.diagonal().array() += 2;
+    ASSERT_TRUE(matrix.factorize(damping, 2));
+    EXPECT_LT((matrix.solve(b) - damped.llt().solve(b)).norm(), 1e-10 * b.norm());
+  }
+  EXPECT_LT((matrix.multiply(b) - dense * b).norm(), 1e-12 * b.norm() * dense.norm());
+  EXPECT_FALSE(matrix.factorize(0, -100));
+}
+
+TEST(BlockMatrix, IsTheSumOfItsElementsInTheCallersNumbering) {
+  expect_dense_solution<1>();
+  expect_dense_solution<3>();
+  expect_dense_solution<6>();
+  expect_dense_solution<9>();
+}
+
+}  // namespace
+}  // namespace curveups
