@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "support/meshes.hpp"
+
 namespace curveups::test {
 
 namespace {
@@ -38,33 +40,13 @@ Design sample_design(const Parameters& parameters, const SampleOptions& o) {
   design.name = "sample";
   design.parameters = parameters;
   const double L = parameters.L;
-  const int nx = o.columns + 1, ny = o.rows + 1;
-  design.mesh.V.resize(nx * ny, 3);
-  for (int j = 0; j < ny; ++j) {
-    for (int i = 0; i < nx; ++i) {
-      const double x = L * (i - 0.5 * o.columns + 0.5 * (j % 2) - 0.25);
-      const double y = L * std::sqrt(0.75) * (j - 0.5 * o.rows);
-      design.mesh.V.row(j * nx + i) << x, y, -0.5 * (o.kx * x * x + o.ky * y * y);
-    }
-  }
-  design.mesh.F.resize(2 * o.rows * o.columns, 3);
-  int f = 0;
-  for (int j = 0; j < o.rows; ++j) {
-    for (int i = 0; i < o.columns; ++i) {
-      const int a = j * nx + i, b = a + 1, c = a + nx, d = c + 1;
-      if (j % 2 == 0) {
-        design.mesh.F.row(f++) << a, b, c;
-        design.mesh.F.row(f++) << b, d, c;
-      } else {
-        design.mesh.F.row(f++) << a, b, d;
-        design.mesh.F.row(f++) << a, d, c;
-      }
-    }
-  }
-  if (o.keep) {
-    keep_only(design.mesh, o.keep);
-    f = static_cast<int>(design.mesh.F.rows());
-  }
+  const double shift = 0.25 * L;  // every second row stands half an edge further right
+  design.mesh = lifted_patch(o.rows, o.columns, L, [&](double x, double y) {
+    return -0.5 * (o.kx * (x - shift) * (x - shift) + o.ky * y * y);
+  });
+  design.mesh.V.col(0).array() -= shift;
+  if (o.keep) keep_only(design.mesh, o.keep);
+  const int f = static_cast<int>(design.mesh.F.rows());
   design.cuts = o.cuts;
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, parameters);
   FlatCorners plan(f, 6);

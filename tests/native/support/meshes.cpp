@@ -8,21 +8,24 @@
 
 namespace curveups::test {
 
-TriangleMesh lifted_patch(int n, double L, const std::function<double(double, double)>& height) {
+TriangleMesh lifted_patch(int rows, int columns, double L,
+                          const std::function<double(double, double)>& height) {
   TriangleMesh mesh;
-  mesh.V.resize((n + 1) * (n + 1), 3);
-  mesh.F.resize(2 * n * n, 3);
+  const int across = columns + 1;
+  mesh.V.resize((rows + 1) * across, 3);
+  mesh.F.resize(2 * rows * columns, 3);
   const double h = L * std::sqrt(0.75);
-  for (int r = 0; r <= n; ++r) {
-    for (int c = 0; c <= n; ++c) {
-      const double x = L * (c + (r % 2 == 0 ? 0.0 : 0.5)) - 0.5 * n * L, y = h * (r - 0.5 * n);
-      mesh.V.row(r * (n + 1) + c) << x, y, height(x, y);
+  for (int r = 0; r <= rows; ++r) {
+    for (int c = 0; c <= columns; ++c) {
+      const double x = L * (c + (r % 2 == 0 ? 0.0 : 0.5)) - 0.5 * columns * L,
+                   y = h * (r - 0.5 * rows);
+      mesh.V.row(r * across + c) << x, y, height(x, y);
     }
   }
   int f = 0;
-  for (int r = 0; r < n; ++r) {
-    for (int c = 0; c < n; ++c) {
-      const int a = r * (n + 1) + c, b = a + 1, d = a + n + 1, e = d + 1;
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) {
+      const int a = r * across + c, b = a + 1, d = a + across, e = d + 1;
       if (r % 2 == 0) {
         mesh.F.row(f++) << a, b, d;
         mesh.F.row(f++) << b, e, d;
@@ -33,6 +36,10 @@ TriangleMesh lifted_patch(int n, double L, const std::function<double(double, do
     }
   }
   return mesh;
+}
+
+TriangleMesh lifted_patch(int n, double L, const std::function<double(double, double)>& height) {
+  return lifted_patch(n, n, L, height);
 }
 
 TriangleMesh flat_patch(int n, double L) {

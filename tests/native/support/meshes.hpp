@@ -8,8 +8,10 @@
 
 namespace curveups::test {
 
-// A triangulated patch of about n x n edges of length L over the plane, lifted to z = height(x, y);
-// rows of near equilateral triangles, normals up.
+// A triangulated patch of about rows x columns edges of length L over the plane, lifted to
+// z = height(x, y); rows of near equilateral triangles, normals up.
+TriangleMesh lifted_patch(int rows, int columns, double L,
+                          const std::function<double(double, double)>& height);
 TriangleMesh lifted_patch(int n, double L, const std::function<double(double, double)>& height);
 
 TriangleMesh flat_patch(int n = 6, double L = 7);
