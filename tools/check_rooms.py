@@ -25,6 +25,7 @@ LIBRARIES = (
     ("OpenCASCADE", r"[\w/]+\.hxx", {"fabrication"}),
     ("lib3mf", r"(Model/COM/|lib3mf).*", {"fabrication"}),
     ("CHOLMOD", r"cholmod.*|suitesparse/.*", {"numerics"}),
+    ("oneTBB", r"(tbb|oneapi)/.*", {"core"}),
     ("Ceres", r"ceres/.*", {"layout"}),
     ("CGAL", r"CGAL/.*", {"geometry"}),
     ("pybind11", r"pybind11/.*", {"bindings"}),

@@ -52,6 +52,22 @@ def test_links_and_pictures_exist(page):
         assert not anchor or anchor in anchors(there), (page.name, target)
 
 
+ROOMS = "core numerics geometry design bodies layout physics refinement fabrication bindings".split()
+
+
+@pytest.mark.parametrize("page", [page for page in pages() if page.name != "CHANGELOG.md"],
+                         ids=lambda page: page.name)
+def test_files_that_pages_name_exist(page):
+    """`room/file`, with or without its ending, and full paths."""
+    for name in re.findall(r"`([\w./-]+/[\w.-]*)`", page.read_text(encoding="utf-8")):
+        top = name.split("/")[0]
+        if top in ROOMS:
+            name = f"native/curveups/{name}"
+        elif top not in ("native", "Workbench", "resources", "tests", "tools", ".ci"):
+            continue
+        assert (ROOT / name).exists() or list(ROOT.glob(f"{name}.*")), (page.name, name)
+
+
 def test_setup_is_silent_where_nothing_is_missing():
     done = subprocess.run(["tools/setup"], cwd=ROOT, stdin=subprocess.DEVNULL, capture_output=True,
                           text=True, timeout=550)

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The checks see what they are for, and the benchmark fails where it has to."""
+
+import json
+import sys
+
+import pytest
+from running import ROOT
+
+sys.path.insert(0, str(ROOT / "tools"))
+
+import bench_results  # noqa: E402
+import bench_table  # noqa: E402
+import check_rooms  # noqa: E402
+
+
+@pytest.mark.parametrize("path, text, said", [
+    ("native/curveups/physics/a.cpp", '#include "curveups/fabrication/slab.hpp"', "must not include"),
+    ("native/curveups/core/a.hpp", '#include "curveups/geometry/remesh.hpp"', "must not include"),
+    ("native/curveups/bindings/a.cpp", "#include <TopoDS_Shape.hxx>", "OpenCASCADE"),
+    ("native/curveups/layout/a.cpp", "#include <cholmod.h>", "CHOLMOD"),
+    ("native/curveups/cellar/a.cpp", "", "not known"),
+    ("Workbench/curveups/stages/a.py", "from ..project import Project", "must not import"),
+    ("Workbench/curveups/stages/a.py", "def f():\n    from .. import cli", "must not import"),
+    ("Workbench/curveups/features/a.py", "import FreeCADGui", "FreeCADGui"),
+    ("Workbench/curveups/panels/a.py", "from PySide2 import QtCore", "PySide2"),
+    ("native/curveups/refinement/a.cpp", '#include "curveups/core/types.hpp"', ""),
+    ("native/curveups/fabrication/a.cpp", '#include "curveups/bodies/outline.hpp"', ""),
+    ("Workbench/curveups/cli/a.py", "from ..project import Project", ""),
+    ("Workbench/curveups/qt.py", "from PySide2 import QtCore", ""),
+])
+def test_the_order_of_rooms(monkeypatch, capsys, tmp_path, path, text, said):
+    monkeypatch.setattr(check_rooms, "ROOT", tmp_path)
+    (tmp_path / path).parent.mkdir(parents=True)
+    (tmp_path / path).write_text(text + "\n")
+    assert check_rooms.main() == (1 if said else 0)
+    assert said in capsys.readouterr().out
+
+
+def test_the_benchmark_fails_where_a_model_is_not_valid():
+    def failed(name, valid, **more):
+        return bench_table._failed({"name": name, "valid": valid, "wrong_files": [], **more})
+
+    assert not failed("disc", True)
+    assert failed("disc", False) and failed("disc", None) and failed("turtle", False)
+    assert not failed("somebody's own", False)
+    assert failed("disc", True, wrong_files=["no solids"]) and failed("mine", None, error="no such file")
+
+
+def test_results_renew_their_models_and_keep_the_others(designed, tmp_path):
+    page = tmp_path / "results.md"
+    page.write_text(bench_results.RESULTS.read_text(encoding="utf-8"), encoding="utf-8")
+    before = page.read_text(encoding="utf-8").splitlines()
+    report = json.loads((designed.folder / "report.json").read_text())
+    row = {**report, "name": "disc", "paper_seconds": None, "seconds_to_valid": 1.5, "seconds_files": None}
+    bench_results.renew([row, {**row, "name": "another"}], page)
+    after = page.read_text(encoding="utf-8").splitlines()
+    assert [line for line in after if line.startswith("| disc | 24 |")]
+    assert len(after) == len(before) + 2  # the new model's lines
+    assert [line for line in before if line not in after] == [
+        line for line in before if line.startswith("| disc | ")]
