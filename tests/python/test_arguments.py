@@ -37,6 +37,21 @@ def test_every_parameter_has_unit_default_range_and_meaning(curveups):
             assert f"{row.minimum:g} to {row.maximum:g}" in line
 
 
+def test_only_what_is_like_a_name_is_taken_for_it():
+    from curveups.native import native
+
+    def remedy(name):
+        with pytest.raises(native.InvalidInput) as caught:
+            native.Parameters().set(name, 3.0)
+        return caught.value.remedy
+
+    for name, like in {"H_bodi": "H_body", "hbody": "H_body", "pmin": "p_min", "l": "L",
+                       "anchor_raduis": "anchor_radius"}.items():
+        assert remedy(name) == f"did you mean '{like}'?"
+    for name in ("x", "k", "to", "foo", "frob", "", "gravity_north", "H"):
+        assert remedy(name) == "list them with 'curveups parameters'"
+
+
 @pytest.mark.parametrize("arguments", [
     (), ("frobnicate",), ("design",), ("design", "disc"), ("design", "disc", "-o"),
     ("design", "disc", "-o", "x", "--frob"), ("design", "disc", "-o", "x", "--set", "L"),

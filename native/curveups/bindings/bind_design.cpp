@@ -33,6 +33,21 @@ py::object default_value(const ParameterInfo& info) {
   return std::visit([&](auto member) { return py::cast(defaults.*member); }, info.member);
 }
 
+// With the nearest known name, whatever its case, where one is like it.
+[[noreturn]] void refuse_unknown(const std::string& name) {
+  py::dict known;
+  for (const ParameterInfo& info : parameter_table()) {
+    const py::str given(info.name.data(), info.name.size());
+    known[given.attr("lower")()] = given;
+  }
+  const py::list like = py::module_::import("difflib").attr("get_close_matches")(
+      py::str(name).attr("lower")(), known, 1, 0.75);
+  throw InvalidInput("unknown parameter '" + name + "'",
+                     like.empty()
+                         ? "list them with 'curveups parameters'"
+                         : "did you mean '" + py::str(known[like[0]]).cast<std::string>() + "'?");
+}
+
 py::object value_of(const Parameters& parameters, const ParameterInfo& info) {
   return std::visit([&](auto member) { return py::cast(parameters.*member); }, info.member);
 }
@@ -92,6 +107,7 @@ void bind_design(py::module_& module) {
       .def(
           "set",
           [](Parameters& p, const std::string& name, const py::object& value) {
+            if (!find_parameter(name)) refuse_unknown(name);
             if (py::isinstance<py::bool_>(value)) {
               set_parameter(p, name, value.cast<bool>());
             } else if (py::isinstance<py::str>(value)) {
@@ -109,11 +125,8 @@ void bind_design(py::module_& module) {
       .def(
           "get",
           [](const Parameters& p, const std::string& name) -> py::object {
-            for (const ParameterInfo& info : parameter_table()) {
-              if (info.name == name) return value_of(p, info);
-            }
-            throw InvalidInput("unknown parameter '" + name + "'",
-                               "list them with 'curveups parameters'");
+            if (const ParameterInfo* info = find_parameter(name)) return value_of(p, *info);
+            refuse_unknown(name);
           },
           py::arg("name"))
       .def("check", &check_parameters,

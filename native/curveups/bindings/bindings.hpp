@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // One function per room; module.cpp calls them in the order of dependency.
 //
-// Style: arrays go in and out as numpy arrays (Eigen types by reference where they are row-major, so
-// that nothing is copied on the way in); results are small classes with read-only attributes; long
-// calls take progress=None, a callable (what: str, fraction: float) -> bool, and release the GIL.
+// Style: arrays go in and out as numpy arrays (Eigen types by reference where they are row-major,
+// so that nothing is copied on the way in); results are small classes with read-only attributes;
+// long calls take progress=None, a callable (what: str, fraction: float) -> bool, and release the
+// GIL.
 #pragma once
 
 #include <pybind11/eigen.h>
@@ -58,6 +59,6 @@ void bind_layout(py::module_& module);
 void bind_cuts(py::module_& module);
 void bind_physics(py::module_& module);
 void bind_refinement(py::module_& module);
-void bind_fabrication(py::module_& module);
+void bind_print_model(py::module_& module);
 
 }  // namespace curveups::bindings

@@ -12,5 +12,5 @@ PYBIND11_MODULE(_native, module) {
   bind_cuts(module);
   bind_physics(module);
   bind_refinement(module);
-  bind_fabrication(module);
+  bind_print_model(module);
 }

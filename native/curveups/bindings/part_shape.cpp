@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/bindings/part_shape.hpp"
 
-#include <dlfcn.h>
-
-#include <BinTools.hxx>
-#include <BinTools_ShapeSet.hxx>
-#include <TopoDS_Shape.hxx>
-#include <fstream>
 #include <string>
 
-#include "curveups/core/errors.hpp"
+#include "curveups/core/platform.hpp"
+#include "curveups/fabrication/print_solids.hpp"
 
 namespace curveups::bindings {
 namespace {
@@ -24,26 +19,12 @@ struct ReturnedObject {
 using Convert = void* (*)(ReturnedObject*, const TopoDS_Shape&);
 
 Convert find_conversion(const py::module_& part) {
-  const std::string file = part.attr("__file__").cast<std::string>();
-  void* library = dlopen(file.c_str(), RTLD_LAZY | RTLD_NOLOAD);
-  if (!library) return nullptr;
-  void* symbol = dlsym(library, "_ZN4Part13shape2pyshapeERK12TopoDS_Shape");
-  dlclose(library);  // NOLOAD counted it up; Python keeps it loaded
-  return reinterpret_cast<Convert>(symbol);
-}
-
-// What Part.Shape.importBinary reads: the shape set, then which of its shapes, where and how.
-void write_binary(TopoDS_Shape shape, const std::string& path) {
-  BinTools_ShapeSet set;
-  const int number = set.Add(shape), place = set.Locations().Index(shape.Location()),
-            orientation = static_cast<int>(shape.Orientation());
-  std::ofstream out(path, std::ios::binary);
-  set.Write(out);
-  BinTools::PutInteger(out, number);
-  BinTools::PutInteger(out, place);
-  BinTools::PutInteger(out, orientation);
-  out.close();
-  if (!out) throw IoError("a temporary file can't be written (" + path + ")", "free some space");
+#ifdef __linux__  // elsewhere such an object may come back in another way
+  return reinterpret_cast<Convert>(platform::loaded_symbol(
+      part.attr("__file__").cast<std::string>(), "_ZN4Part13shape2pyshapeERK12TopoDS_Shape"));
+#else
+  return nullptr;
+#endif
 }
 
 }  // namespace
@@ -59,7 +40,7 @@ py::object to_part_shape(const TopoDS_Shape& shape, bool direct) {
   }
   const py::object folder = py::module_::import("tempfile").attr("TemporaryDirectory")();
   const std::string path = folder.attr("name").cast<std::string>() + "/shape.bin";
-  write_binary(shape, path);
+  write_binary_brep(shape, path);
   py::object out = part.attr("Shape")();
   out.attr("importBinary")(path);
   folder.attr("cleanup")();

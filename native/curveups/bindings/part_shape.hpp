@@ -8,7 +8,7 @@ class TopoDS_Shape;
 
 namespace curveups::bindings {
 
-// By pointer where FreeCAD's Part module is loaded and exports its own conversion (0.20 and 1.0
+// By pointer on Linux, where FreeCAD's Part module exports its own conversion (0.20 and 1.0
 // do), else (or with direct = false) through its binary exchange format in a temporary file: the
 // same shape, in seconds instead of microseconds. Imports Part, and raises ImportError without
 // FreeCAD.

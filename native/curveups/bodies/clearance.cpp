@@ -7,7 +7,7 @@
 
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/design/spatial_pairs.hpp"
+#include "curveups/geometry/overlapping_boxes.hpp"
 
 namespace curveups {
 namespace {

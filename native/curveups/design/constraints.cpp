@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "curveups/core/tolerances.hpp"
-#include "curveups/design/spatial_pairs.hpp"
+#include "curveups/geometry/overlapping_boxes.hpp"
 
 namespace curveups {
 namespace {

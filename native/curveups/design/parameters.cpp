@@ -2,7 +2,6 @@
 #include "curveups/design/parameters.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -154,42 +153,10 @@ std::vector<ParameterInfo> make_table() {
 }
 // clang-format on
 
-// Insertions, deletions and replacements of letters, whatever their case.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  const auto differ = [](char x, char y) {
-    return std::tolower(static_cast<unsigned char>(x)) !=
-           std::tolower(static_cast<unsigned char>(y));
-  };
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + differ(a[i - 1], b[j - 1])});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
-
 const ParameterInfo& find(std::string_view name) {
-  const ParameterInfo* nearest = nullptr;
-  std::size_t least = 0;
-  for (const ParameterInfo& info : parameter_table()) {
-    if (info.name == name) return info;
-    const std::size_t distance = edit_distance(info.name, name);
-    if (!nearest || distance < least) {
-      nearest = &info;
-      least = distance;
-    }
-  }
-  // One wrong letter in three still leaves a name that can be told from others.
-  const std::size_t most = std::min<std::size_t>(3, name.size() / 3);
+  if (const ParameterInfo* info = find_parameter(name)) return *info;
   throw InvalidInput("unknown parameter '" + std::string(name) + "'",
-                     least <= most ? "did you mean '" + std::string(nearest->name) + "'?"
-                                   : "list them with 'curveups parameters'");
+                     "list them with 'curveups parameters'");
 }
 
 std::string number(double value) {
@@ -247,6 +214,13 @@ bool to_switch(const ParameterInfo& info, const ParameterValue& value) {
 const std::vector<ParameterInfo>& parameter_table() {
   static const std::vector<ParameterInfo> table = make_table();
   return table;
+}
+
+const ParameterInfo* find_parameter(std::string_view name) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.name == name) return &info;
+  }
+  return nullptr;
 }
 
 std::vector<int> listed_tiles(std::string_view text) {

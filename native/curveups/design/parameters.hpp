@@ -102,11 +102,13 @@ struct ParameterInfo {
 
 // In the order in which they are shown.
 const std::vector<ParameterInfo>& parameter_table();
+// Null for an unknown name.
+const ParameterInfo* find_parameter(std::string_view name);
 
 using ParameterValue = std::variant<double, bool, std::string>;
 
 // Sets one parameter by its name. Numbers may come as text. Throws InvalidInput, naming the
-// parameter, its range and the nearest known name: unknown name, value of another type, not finite,
+// parameter and its range: unknown name, value of another type, not finite,
 // or out of range; leaves the parameters as they were.
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value);
 // The tiles of a list like "T00012, T00345" (the first tile is T00001), numbered from 0, ascending.

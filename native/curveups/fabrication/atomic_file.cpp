@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/fabrication/atomic_file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/core/platform.hpp"
 
 namespace curveups {
 namespace {
@@ -33,30 +31,26 @@ void write_bytes(const std::string& path, const std::string& bytes) {
 
 void write_atomically(const std::string& path,
                       const std::function<void(const std::string& temporary)>& write) {
-  struct stat info;
-  if (::stat(path.c_str(), &info) == 0 && S_ISDIR(info.st_mode)) fail(path, EISDIR);
-  const std::string temporary = path + ".part" + std::to_string(::getpid());
-  const int probe = ::open(temporary.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0666);
-  if (probe < 0) fail(path, errno);
-  ::close(probe);
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) fail(path, EISDIR);
+  const std::string temporary = path + ".part" + std::to_string(platform::process_id());
   try {
+    write_bytes(temporary, "");
     write(temporary);
-    const int file = ::open(temporary.c_str(), O_RDWR);
-    if (file < 0) fail(path, errno);
-    const int synced = ::fsync(file);
-    const int reason = errno;
-    ::close(file);
-    if (synced != 0) fail(path, reason);
-    if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, errno);
+    if (const int reason = platform::sync_file(temporary)) fail(path, reason);
+    std::error_code error;
+    fs::rename(temporary, path, error);
+    if (error) fail(path, error.value());
   } catch (const IoError& error) {
-    ::unlink(temporary.c_str());
+    fs::remove(temporary, ignored);
     // The user knows the final name, not the temporary one.
     std::string what = error.what();
     const std::size_t at = what.find(temporary);
     if (at != std::string::npos) what.replace(at, temporary.size(), path);
     throw IoError(what, error.remedy());
   } catch (...) {
-    ::unlink(temporary.c_str());
+    fs::remove(temporary, ignored);
     throw;
   }
 }

@@ -8,6 +8,7 @@
 
 #include "curveups/bodies/print_body.hpp"
 #include "curveups/core/progress.hpp"
+#include "curveups/fabrication/soundness.hpp"
 
 namespace curveups {
 
@@ -18,11 +19,7 @@ TopoDS_Shape make_solid(const PrintBody& body);
 std::vector<TopoDS_Shape> make_solids(const std::vector<const PrintBody*>& bodies,
                                       const Progress& progress);
 
-// Why a solid is unsound: BRepCheck, an open shell, or a volume that differs from the analytic one
-// by more than 1e-9 of it.
-struct UnsoundSolid {
-  std::string body, reason;
-};
+// Those that are unsound (UnsoundSolid).
 std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodies,
                                        const std::vector<TopoDS_Shape>& solids,
                                        const Progress& progress);

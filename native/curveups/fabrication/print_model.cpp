@@ -43,6 +43,7 @@ class Builder {
     if (p().support == "breakaway") add_bridges(model_);
     list_features();
     centre();
+    add_actuated();
     return std::move(model_);
   }
 
@@ -132,6 +133,19 @@ class Builder {
     model_.box.high += shift.t;
   }
 
+  void add_actuated() {
+    model_.actuated.resize(tiles().tile_count());
+    parallel_ranges(tiles().tile_count(), [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        PrintBody& body = model_.actuated[i];
+        body = make_tile_print(tiles(), tile_body(tiles(), model_.geometry.truncation, i), {},
+                               model_.q.row(i).data(), i, p().H_pin);
+        body.piece = model_.piece_of_tile[i];
+        move(body, actuated_motion(tiles().frame[i]));
+      }
+    });
+  }
+
   PrintModel model_;
   std::string version_;
   std::vector<PieceFootprint> footprints_;
@@ -143,18 +157,27 @@ PrintModel make_print_model(const Design& design, const std::string& version) {
   return Builder(design, version).run();
 }
 
-std::vector<PrintBody> make_actuated_tiles(const PrintModel& model) {
-  const TileMesh& tiles = model.geometry.tiles;
-  std::vector<PrintBody> out(tiles.tile_count());
-  parallel_ranges(tiles.tile_count(), [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      out[i] = make_tile_print(tiles, tile_body(tiles, model.geometry.truncation, i), {},
-                               model.q.row(i).data(), i, model.parameters.H_pin);
-      out[i].piece = model.piece_of_tile[i];
-      move(out[i], actuated_motion(tiles.frame[i]));
-    }
-  });
+std::vector<const PrintBody*> PrintModel::bodies(const std::string& kind) const {
+  std::vector<const PrintBody*> out;
+  const auto append = [&](const char* one, const std::vector<PrintBody>& from) {
+    if (kind != one && (kind != "print" || &from == &actuated)) return;
+    for (const PrintBody& body : from) out.push_back(&body);
+  };
+  append("tiles", tiles);
+  append("support", supports);
+  append("anchors", anchors);
+  append("actuated", actuated);
+  if (out.empty() && kind != "support" && kind != "anchors") {
+    throw InvalidInput("there are no bodies of the kind '" + kind + "'",
+                       "give tiles, support, anchors, print or actuated");
+  }
   return out;
+}
+
+double PrintModel::volume(const std::string& kind) const {
+  double sum = 0;
+  for (const PrintBody* body : bodies(kind)) sum += curveups::volume(*body);
+  return sum;
 }
 
 }  // namespace curveups

@@ -4,11 +4,15 @@
 // box of all bodies centred on the z axis.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "curveups/bodies/print_body.hpp"
 #include "curveups/bodies/tile_bodies.hpp"
+
+class TopoDS_Shape;  // of OpenCASCADE: whole only where it is used
 
 namespace curveups {
 
@@ -26,20 +30,28 @@ struct PrintModel : TileBodies {
   std::vector<PrintBody> tiles;     // in print coordinates, T00001 first
   std::vector<PrintBody> supports;  // "Support P1" (slabs) or "Support P1 B0001" (bridges)
   std::vector<PrintBody> anchors;   // "Anchor P1 A001"
+  // The tiles in the target shape, without bumps and recesses, so that walls meet: world
+  // coordinates.
+  std::vector<PrintBody> actuated;
   // What no support holds: breakaway, what is not joined to the rest of its piece; soluble, pieces
   // whose bodies run into one another, so that no slab fills the gaps between them.
   std::vector<int> loose_tiles;
   int loose_anchors = 0;
   std::vector<ThinFeature> thin;  // per body that has a size of its own, the narrowest place
   Box box;
+
+  std::map<std::string, std::shared_ptr<const TopoDS_Shape>> solids;  // see print_solids.hpp
+
+  // The bodies of a kind: "tiles", "support", "anchors", "print" (these three) or "actuated". Any
+  // other throws InvalidInput.
+  std::vector<const PrintBody*> bodies(const std::string& kind) const;
+  // mm3, by the bodies' own formulas.
+  double volume(const std::string& kind) const;
 };
 
 // version: what is engraved beside name and piece. Throws what
 // make_tile_bodies throws; InfeasibleDesign where pieces are too near to each other for their
 // anchors and slabs; SolverFailure where a slab's outline falls apart.
 PrintModel make_print_model(const Design& design, const std::string& version);
-
-// The tiles in the target shape, without bumps and recesses, so that walls meet: world coordinates.
-std::vector<PrintBody> make_actuated_tiles(const PrintModel& model);
 
 }  // namespace curveups

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "curveups/design/constraints.hpp"
-#include "curveups/design/spatial_pairs.hpp"
 #include "curveups/design/target_checks.hpp"
 #include "support/meshes.hpp"
 
@@ -100,29 +97,6 @@ TEST(Constraints, FlatAreaOfAFlatLayoutIsItsRegion) {
   const FlatCorners apart = flat_corners(geometry.tiles, spread(geometry.tiles, f));
   EXPECT_GT(flat_area(geometry, apart), surface_area(mesh) * 1.2);
   EXPECT_LT(flat_area(geometry, apart), surface_area(mesh) * f * f);
-}
-
-TEST(SpatialPairs, AreThoseOfAllPairs) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> place(-50, 50), size(0, 9);
-  const int n = 200;
-  Points3 low(n, 3), high(n, 3);
-  for (int i = 0; i < n; ++i) {
-    for (int d = 0; d < 3; ++d) {
-      low(i, d) = place(random);
-      high(i, d) = low(i, d) + size(random);
-    }
-  }
-  std::vector<std::array<int, 2>> expected;
-  for (int i = 0; i < n; ++i) {
-    for (int j = i + 1; j < n; ++j) {
-      if ((low.row(i).array() <= high.row(j).array()).all() &&
-          (low.row(j).array() <= high.row(i).array()).all()) {
-        expected.push_back({i, j});
-      }
-    }
-  }
-  EXPECT_EQ(overlapping_boxes(low, high), expected);
 }
 
 TEST(TargetChecks, NameWhatCannotWorkWithItsTiles) {

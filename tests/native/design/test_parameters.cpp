@@ -70,27 +70,6 @@ TEST(Parameters, RefusalsNameTheParameterAndLeaveAllAsItWas) {
   EXPECT_EQ(p.H_body, Parameters().H_body);
 }
 
-TEST(Parameters, OnlyWhatIsLikeANameIsTakenForIt) {
-  const auto remedy = [](const std::string& name) {
-    Parameters p;
-    try {
-      set_parameter(p, name, 3.0);
-    } catch (const InvalidInput& error) {
-      return error.remedy();
-    }
-    return std::string();
-  };
-  const std::string list = "list them with 'curveups parameters'";
-  EXPECT_EQ(remedy("H_bodi"), "did you mean 'H_body'?");
-  EXPECT_EQ(remedy("hbody"), "did you mean 'H_body'?");
-  EXPECT_EQ(remedy("pmin"), "did you mean 'p_min'?");
-  EXPECT_EQ(remedy("l"), "did you mean 'L'?");
-  EXPECT_EQ(remedy("anchor_raduis"), "did you mean 'anchor_radius'?");
-  for (const char* name : {"x", "k", "to", "foo", "frob", "", "gravity_north", "H"}) {
-    EXPECT_EQ(remedy(name), list) << name;
-  }
-}
-
 TEST(Parameters, ContradictionsAreRefused) {
   auto contradicts = [](const char* name, const ParameterValue& value) {
     Parameters p;

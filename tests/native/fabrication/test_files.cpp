@@ -14,7 +14,7 @@
 #include "Model/COM/NMR_DLLInterfaces.h"
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/atomic_file.hpp"
-#include "curveups/fabrication/print_session.hpp"
+#include "curveups/fabrication/print_files.hpp"
 #include "support/designs.hpp"
 
 namespace curveups {
@@ -43,24 +43,24 @@ class Files : public ::testing::Test {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
 
-  static PrintSession session() {
+  static PrintModel model() {
     test::SampleOptions o;
     o.rows = 2;
     o.columns = 3;
-    return PrintSession(test::sample_design({}, o), "0.1");
+    return make_print_model(test::sample_design({}, o), "0.1");
   }
 
   fs::path folder_;
 };
 
 TEST_F(Files, AreTheSameByteForByteEveryTime) {
-  PrintSession a = session(), b = session();
-  a.write_step("print", path("a.step"), {});
-  b.write_step("print", path("b.step"), {});
-  a.write_3mf(path("a.3mf"), {});
-  b.write_3mf(path("b.3mf"), {});
-  a.write_stl("print", path("a.stl"), {});
-  b.write_stl("print", path("b.stl"), {});
+  const PrintModel a = model(), b = model();
+  write_step(a, "print", path("a.step"), {});
+  write_step(b, "print", path("b.step"), {});
+  write_3mf(a, path("a.3mf"), {});
+  write_3mf(b, path("b.3mf"), {});
+  write_stl(a, "print", path("a.stl"), {});
+  write_stl(b, "print", path("b.stl"), {});
   for (const char* kind : {"step", "3mf", "stl"}) {
     const std::string first = read_file(folder_ / (std::string("a.") + kind));
     EXPECT_GT(first.size(), 1000u);
@@ -83,8 +83,8 @@ bool closed(const std::vector<std::array<Corner, 3>>& triangles) {
 }
 
 TEST_F(Files, StlIsWatertight) {
-  PrintSession s = session();
-  s.write_stl("tiles", path("a.stl"), {});
+  const PrintModel s = model();
+  write_stl(s, "tiles", path("a.stl"), {});
   const std::string bytes = read_file(path("a.stl"));
   std::uint32_t count;
   std::memcpy(&count, bytes.data() + 80, 4);
@@ -103,8 +103,8 @@ TEST_F(Files, StlIsWatertight) {
 
 TEST_F(Files, ThreeMfHoldsEveryBodyByNameWatertight) {
   using namespace NMR;
-  PrintSession s = session();
-  s.write_3mf(path("a.3mf"), {});
+  const PrintModel s = model();
+  write_3mf(s, path("a.3mf"), {});
   PLib3MFModel* model;
   PLib3MFModelReader* reader;
   PLib3MFModelResourceIterator* it;
@@ -150,16 +150,16 @@ TEST_F(Files, ThreeMfHoldsEveryBodyByNameWatertight) {
 }
 
 TEST_F(Files, FailuresAndCancellingLeaveNothingBehind) {
-  PrintSession s = session();
-  EXPECT_THROW(s.write_step("tiles", path("missing/a.step"), {}), IoError);
-  EXPECT_THROW(s.write_stl("tiles", path("missing/a.stl"), {}), IoError);
-  EXPECT_THROW(s.write_3mf(path("missing/a.3mf"), {}), IoError);
+  const PrintModel s = model();
+  EXPECT_THROW(write_step(s, "tiles", path("missing/a.step"), {}), IoError);
+  EXPECT_THROW(write_stl(s, "tiles", path("missing/a.stl"), {}), IoError);
+  EXPECT_THROW(write_3mf(s, path("missing/a.3mf"), {}), IoError);
   fs::create_directory(folder_ / "folder");
-  EXPECT_THROW(s.write_step("tiles", path("folder"), {}), IoError);
+  EXPECT_THROW(write_step(s, "tiles", path("folder"), {}), IoError);
   const Progress stop = [](const std::string&, double) { return false; };
-  EXPECT_THROW(s.write_step("tiles", path("a.step"), stop), Cancelled);
-  EXPECT_THROW(s.write_stl("tiles", path("a.stl"), stop), Cancelled);
-  EXPECT_THROW(s.write_step("no such kind", path("a.step"), {}), InvalidInput);
+  EXPECT_THROW(write_step(s, "tiles", path("a.step"), stop), Cancelled);
+  EXPECT_THROW(write_stl(s, "tiles", path("a.stl"), stop), Cancelled);
+  EXPECT_THROW(write_step(s, "no such kind", path("a.step"), {}), InvalidInput);
   EXPECT_EQ(file_count(), 1u);
 }
 

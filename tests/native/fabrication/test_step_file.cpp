@@ -24,7 +24,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/palette.hpp"
-#include "curveups/fabrication/print_session.hpp"
+#include "curveups/fabrication/print_files.hpp"
 #include "curveups/fabrication/step_file.hpp"
 #include "curveups/fabrication/step_text.hpp"
 #include "support/designs.hpp"
@@ -135,13 +135,13 @@ TEST_F(StepFile, HoldsEveryBodyByNameAndColourWithItsVolume) {
       test::SampleOptions o;
       o.rows = 2;
       o.columns = 3;
-      const PrintSession session(test::sample_design(p, o), "0.1");
+      const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
       for (const char* kind : {"tiles", "support", "anchors", "print", "actuated"}) {
         SCOPED_TRACE(std::string(bumps) + " " + support + " " + kind);
         testing::internal::CaptureStdout();
-        session.write_step(kind, path(), {});
+        write_step(model, kind, path(), {});
         EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
-        expect_bodies(session.bodies(kind), std::string("sample-") + kind);
+        expect_bodies(model.bodies(kind), std::string("sample-") + kind);
       }
     }
   }
@@ -185,11 +185,11 @@ class Entities {
 };
 
 TEST_F(StepFile, HasFacesInAnOrderInWhichEachJoinsThoseBefore) {
-  const PrintSession session(test::sample_design(), "0.1");
-  session.write_step("print", path(), {});
+  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  write_step(model, "print", path(), {});
   const Entities entities(path());
   const std::vector<int> shells = entities.named("CLOSED_SHELL");
-  EXPECT_EQ(shells.size(), session.bodies("print").size());
+  EXPECT_EQ(shells.size(), model.bodies("print").size());
   for (int shell : shells) {
     std::set<int> there;
     for (int face : entities.references(shell)) {

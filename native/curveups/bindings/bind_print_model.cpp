@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The print model: figures, solids and files.
+#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/part_shape.hpp"
+#include "curveups/bodies/clearance.hpp"
+#include "curveups/fabrication/palette.hpp"
+#include "curveups/fabrication/print_files.hpp"
+#include "curveups/fabrication/print_solids.hpp"
+
+namespace curveups::bindings {
+
+namespace {
+
+constexpr const char* printed_kinds[] = {"tiles", "support", "anchors"};
+
+py::list pairs(const std::vector<UnsoundSolid>& unsound) {
+  py::list out;
+  for (const UnsoundSolid& solid : unsound) out.append(py::make_tuple(solid.body, solid.reason));
+  return out;
+}
+
+using WriteKind = void(const PrintModel&, const std::string& kind, const std::string& path,
+                       const Progress&);
+
+// A writer of one kind of bodies as a method.
+auto by_kind(WriteKind* write) {
+  return [write](const PrintModel& m, const std::string& kind, const std::string& path,
+                 py::object progress) {
+    without_gil(std::move(progress), [&](const Progress& sink) {
+      write(m, kind, path, sink);
+      return true;
+    });
+  };
+}
+
+}  // namespace
+
+void bind_print_model(py::module_& module) {
+  py::class_<PrintModel>(
+      module, "PrintModel",
+      "All that is printed. Kinds: tiles, support, anchors, print (all) and actuated (the tiles in "
+      "the target shape, without bumps). Lengths in mm, volumes in mm3.")
+      .def_readonly("name", &PrintModel::name)
+      .def_readonly("piece_count", &PrintModel::piece_count)
+      .def_property_readonly("tile_count", [](const PrintModel& m) { return m.tiles.size(); })
+      .def_property_readonly("body_count",
+                             [](const PrintModel& m) { return m.bodies("print").size(); })
+      .def_property_readonly("bbox",
+                             [](const PrintModel& m) { return Vec3(m.box.high - m.box.low); })
+      .def_property_readonly("volumes",
+                             [](const PrintModel& m) {
+                               py::dict out;
+                               for (const char* kind : printed_kinds) out[kind] = m.volume(kind);
+                               return out;
+                             })
+      .def_property_readonly(
+          "thinnest",
+          [](const PrintModel& m) {
+            py::list out;
+            for (const ThinFeature& thin : m.thin) {
+              out.append(py::make_tuple(thin.body, thin.what, thin.size));
+            }
+            return out;
+          },
+          "Per body that has a size of its own: its name, its narrowest place and how wide that "
+          "is.")
+      .def_property_readonly(
+          "bare_interfaces",
+          [](const PrintModel& m) {
+            py::list out;
+            for (const BareInterface& bare : m.bumps.bare) {
+              const Contact& contact = m.geometry.tiles.contacts[bare.contact];
+              out.append(py::make_tuple(contact.tile[0], contact.tile[1], bare.reason));
+            }
+            return out;
+          },
+          "Contacts without bumps: their two tiles and why.")
+      .def_property_readonly(
+          "bump_tips", [](const PrintModel& m) { return bump_tips(m.geometry.tiles, m.bumps); },
+          "Per contact the tips of its bumps, in the actuated configuration.")
+      .def_readonly("loose_tiles", &PrintModel::loose_tiles)
+      .def_readonly("loose_anchors", &PrintModel::loose_anchors)
+      .def("min_clearance_flat",
+           [](const PrintModel& m) {
+             py::gil_scoped_release release;
+             return min_clearance_flat(m).value;
+           })
+      .def("max_overlap_actuated",
+           [](const PrintModel& m) {
+             py::gil_scoped_release release;
+             return max_overlap_actuated(m).value;
+           })
+      .def(
+          "build_solids",
+          [](PrintModel& m, py::object progress) {
+            without_gil(std::move(progress),
+                        [&](const Progress& sink) { return solids_of(m, "print", sink); });
+          },
+          py::arg("progress") = py::none(),
+          "Builds all solids of the print; they are kept. Other calls do so when they need them.")
+      .def(
+          "judge_solids",
+          [](PrintModel& m, py::object progress) {
+            std::vector<std::string> reasons;
+            const auto unsound = without_gil(std::move(progress), [&](const Progress& sink) {
+              auto found = check_solids(m, sink);
+              reasons =
+                  solid_reasons(found, min_clearance_flat(m).value, max_overlap_actuated(m).value);
+              return found;
+            });
+            return py::make_tuple(pairs(unsound), reasons);
+          },
+          py::arg("progress") = py::none(),
+          "The bodies whose solid is not valid, not closed or not of its exact volume, with why; "
+          "and the reasons, in words, for which solids make the design not valid.")
+      .def(
+          "check_solids",
+          [](PrintModel& m, py::object progress) {
+            return pairs(without_gil(std::move(progress),
+                                     [&](const Progress& sink) { return check_solids(m, sink); }));
+          },
+          py::arg("progress") = py::none(), "The first part of what judge_solids gives.")
+      .def(
+          "shape",
+          [](PrintModel& m, const std::string& kind, bool direct, py::object progress) {
+            const auto shape = without_gil(std::move(progress), [&](const Progress& sink) {
+              return solids_of(m, kind, sink);
+            });
+            return to_part_shape(*shape, direct);
+          },
+          py::arg("kind"), py::arg("direct") = true, py::arg("progress") = py::none(),
+          "A compound of the kind's solids as a Part.Shape. direct=False goes through a file.")
+      .def("write_step", by_kind(write_step), py::arg("kind"), py::arg("path"),
+           py::arg("progress") = py::none())
+      .def("write_stl", by_kind(write_stl), py::arg("kind"), py::arg("path"),
+           py::arg("progress") = py::none())
+      .def(
+          "write_3mf",
+          [](const PrintModel& m, const std::string& path, py::object progress) {
+            without_gil(std::move(progress), [&](const Progress& sink) {
+              write_3mf(m, path, sink);
+              return true;
+            });
+          },
+          py::arg("path"), py::arg("progress") = py::none());
+  module.def(
+      "make_print_model",
+      [](const Design& design) {
+        py::gil_scoped_release release;
+        return make_print_model(design, CURVEUPS_VERSION);
+      },
+      py::arg("design"),
+      "The print of a design; raises InfeasibleDesign, naming tiles, where it can't be made.");
+  module.def(
+      "bump_tips",
+      [](const Design& design) {
+        py::gil_scoped_release release;
+        const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+        const FlatPoses poses = fit_poses(geometry.tiles, design.T);
+        return bump_tips(geometry, poses, design.parameters);
+      },
+      py::arg("design"), "As PrintModel.bump_tips, without a print model.");
+  py::dict colours;
+  for (int k = 0; k < 3; ++k) {
+    const Colour c = body_colour(static_cast<BodyKind>(k));
+    colours[printed_kinds[k]] = py::make_tuple(c.red, c.green, c.blue);
+  }
+  module.attr("COLOURS") = colours;  // of bodies by kind, sRGB from 0 to 255, as in STEP and 3MF
+}
+
+}  // namespace curveups::bindings

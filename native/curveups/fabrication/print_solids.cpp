@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/fabrication/print_solids.hpp"
+
+#include <BinTools.hxx>
+#include <BinTools_ShapeSet.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <fstream>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/fabrication/occ_solids.hpp"
+
+namespace curveups {
+namespace {
+
+std::vector<TopoDS_Shape> parts_of(const TopoDS_Shape& compound) {
+  std::vector<TopoDS_Shape> parts;
+  for (TopoDS_Iterator it(compound); it.More(); it.Next()) parts.push_back(it.Value());
+  return parts;
+}
+
+}  // namespace
+
+std::shared_ptr<const TopoDS_Shape> solids_of(PrintModel& model, const std::string& kind,
+                                              const Progress& progress) {
+  if (const auto found = model.solids.find(kind); found != model.solids.end()) {
+    return found->second;
+  }
+  std::vector<TopoDS_Shape> solids;
+  if (kind == "print") {
+    for (const char* part : {"tiles", "support", "anchors"}) {
+      for (const TopoDS_Shape& solid : parts_of(*solids_of(model, part, progress))) {
+        solids.push_back(solid);
+      }
+    }
+  } else {
+    solids = make_solids(model.bodies(kind), progress);
+  }
+  return model.solids[kind] = std::make_shared<TopoDS_Shape>(make_compound(solids));
+}
+
+void write_binary_brep(const TopoDS_Shape& shape, const std::string& path) {
+  // The set of shapes, then which of them, where and how.
+  BinTools_ShapeSet set;
+  const int number = set.Add(shape), place = set.Locations().Index(shape.Location()),
+            orientation = static_cast<int>(shape.Orientation());
+  std::ofstream out(path, std::ios::binary);
+  set.Write(out);
+  BinTools::PutInteger(out, number);
+  BinTools::PutInteger(out, place);
+  BinTools::PutInteger(out, orientation);
+  out.close();
+  if (!out) throw IoError("a temporary file can't be written (" + path + ")", "free some space");
+}
+
+std::vector<UnsoundSolid> check_solids(PrintModel& model, const Progress& progress) {
+  return check_solids(model.bodies("print"), parts_of(*solids_of(model, "print", progress)),
+                      progress);
+}
+
+}  // namespace curveups

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/fabrication/soundness.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "curveups/core/tolerances.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr std::size_t most_named = 3;  // unsound solids in a message
+
+}  // namespace
+
+std::vector<std::string> solid_reasons(const std::vector<UnsoundSolid>& unsound,
+                                       double min_clearance_flat, double max_overlap_actuated) {
+  std::vector<std::string> reasons;
+  if (!unsound.empty()) {
+    std::string text = "solids are not sound: ";
+    for (std::size_t k = 0; k < std::min(most_named, unsound.size()); ++k) {
+      text += (k > 0 ? "; " : "") + unsound[k].body + ": " + unsound[k].reason;
+    }
+    if (unsound.size() > most_named) {
+      text += " and " + std::to_string(unsound.size() - most_named) + " more";
+    }
+    reasons.push_back(text);
+  }
+  // The distance of bodies that overlap is 0 as well.
+  if (min_clearance_flat <= 0) reasons.push_back("solids meet in the flat layout");
+  if (max_overlap_actuated > tolerance::overlap_volume) {
+    char text[80];
+    std::snprintf(text, sizeof text, "actuated tiles overlap by %.3g mm3", max_overlap_actuated);
+    reasons.push_back(text);
+  }
+  return reasons;
+}
+
+}  // namespace curveups

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What makes solids unfit, in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace curveups {
+
+// Why a solid is unsound: BRepCheck, an open shell, or a volume that differs from the analytic one
+// by more than 1e-9 of it.
+struct UnsoundSolid {
+  std::string body, reason;
+};
+
+// Why the solids make a design not valid, in words; none where they are sound: unsound solids,
+// bodies that meet in the flat layout (clearance, mm), tiles that overlap when actuated (mm3).
+std::vector<std::string> solid_reasons(const std::vector<UnsoundSolid>& unsound,
+                                       double min_clearance_flat, double max_overlap_actuated);
+
+}  // namespace curveups
