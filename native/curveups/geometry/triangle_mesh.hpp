@@ -45,6 +45,7 @@ int handle_count(const MeshTopology& topology, int loop_count);
 // An empty `joined` stands for all interior edges.
 std::vector<int> face_components(const MeshTopology& topology, const std::vector<char>& joined);
 
+// mm, each edge once; 0 without faces. Throws what build_topology throws.
 double mean_edge_length(const TriangleMesh& mesh);
 Vec3 face_area_vector(const TriangleMesh& mesh, int face);  // normal times area
 double surface_area(const TriangleMesh& mesh);              // mm2
