@@ -4,26 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "curveups/layout/layout_terms.hpp"
-#include "curveups/layout/initial_layout.hpp"
-#include "support/meshes.hpp"
+#include "support/crowded_layout.hpp"
 
 namespace curveups {
 namespace {
 
-struct Sample {
-  explicit Sample(const TriangleMesh& mesh)
-      : geometry(make_geometry(mesh, Edges(0, 2), {})), model(make_layout_model(geometry, {})) {
-    std::srand(11);
-    state = initial_layout(model);
-    state.leftCols<2>() *= 0.9;
-    state += 0.3 * LayoutState::Random(state.rows(), state.cols());
-    state.rightCols<6>() =
-        state.rightCols<6>().cwiseMax(0.3) + Array6::Constant(state.rows(), 6, 0.4);
-  }
-  DesignGeometry geometry;
-  LayoutModel model;
-  LayoutState state;
-};
+using Sample = test::CrowdedLayout;
 
 LayoutTerm::Value evaluated(const LayoutTerm& function, int block, const LayoutState& state) {
   LayoutTerm::Value out;

@@ -5,36 +5,21 @@
 
 #include <set>
 
-#include "curveups/layout/initial_layout.hpp"
 #include "curveups/layout/layout_terms.hpp"
-#include "support/meshes.hpp"
+#include "support/crowded_layout.hpp"
 #include "support/term_checks.hpp"
 
 namespace curveups {
 namespace {
 
-struct Sample {
-  Sample() : geometry(make_geometry(mesh(), Edges(0, 2), parameters())) {
-    model = make_layout_model(geometry, parameters());
-    add_separation(model, {3, 1, 9, 0});
-    state = initial_layout(model);
-    std::srand(11);
-    // Away from the start, and so crowded that collision and pin area terms are at work.
-    state.leftCols<2>() *= 0.9;
-    state += 0.3 * LayoutState::Random(state.rows(), state.cols());
-    state.rightCols<6>() =
-        state.rightCols<6>().cwiseMax(0.3) + Array6::Constant(state.rows(), 6, 0.4);
-  }
+struct Sample : test::CrowdedLayout {
+  Sample() : CrowdedLayout(mesh()) { add_separation(model, {3, 1, 9, 0}); }
   static TriangleMesh mesh() {
     std::srand(2);
     TriangleMesh m = test::ripples(5);
     for (int v = 0; v < m.V.rows(); ++v) m.V.row(v) += 0.7 * Eigen::RowVector3d::Random();
     return m;
   }
-  static Parameters parameters() { return Parameters(); }
-  DesignGeometry geometry;
-  LayoutModel model;
-  LayoutState state;
 };
 
 // Row by row: constraints are not squared.
@@ -122,7 +107,7 @@ TEST(LayoutTerms, EnergiesAreTheFormulasOfThePaper) {
   const Sample sample;
   const TileMesh& tiles = sample.geometry.tiles;
   const FlatCorners corners = flat_corners(tiles, poses_of(sample.model, sample.state));
-  const Parameters p = sample.parameters();
+  const Parameters p = sample.parameters;
   auto corner = [&](int tile, int t) -> Vec2 { return corners.row(tile).segment<2>(2 * t); };
   double alignment = 0, packing = 0, spring = 0;
   for (const Contact& c : tiles.contacts) {
