@@ -8,6 +8,8 @@ find_library(OPENBLAS_LIBRARY openblas REQUIRED)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 add_library(curveups_cholmod INTERFACE)
 target_include_directories(curveups_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE})
+# With OpenMP's flag Eigen would split products among threads: slower here, and sums in another order.
+target_compile_definitions(curveups_cholmod INTERFACE EIGEN_DONT_PARALLELIZE)
 target_link_libraries(curveups_cholmod INTERFACE ${CHOLMOD_LIBRARY} ${OPENBLAS_LIBRARY}
                                                  OpenMP::OpenMP_CXX)
 

@@ -12,7 +12,7 @@
 namespace curveups {
 namespace {
 
-constexpr int most_tips = 5, most_basins = 2, most_weak = 3, most_holes = 2;
+constexpr int max_tips = 5, max_basins = 2, max_weak = 3, max_holes = 2;
 constexpr int rings = 3;             // an extreme is one among its vertices this far away
 constexpr double least_depth = 0.1;  // of an extreme: log scale off the mean
 
@@ -211,10 +211,10 @@ std::vector<CutCandidate> cut_candidates(const TileMesh& tiles, const Eigen::Vec
     find_holes(piece, holes);
   }
   std::vector<CutCandidate> out;
-  keep_strongest(contacts, most_weak, out);
-  keep_strongest(tips, most_tips, out);
-  keep_strongest(basins, most_basins, out);
-  keep_strongest(holes, most_holes, out);
+  keep_strongest(contacts, max_weak, out);
+  keep_strongest(tips, max_tips, out);
+  keep_strongest(basins, max_basins, out);
+  keep_strongest(holes, max_holes, out);
   return out;
 }
 

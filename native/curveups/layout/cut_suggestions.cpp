@@ -14,7 +14,7 @@
 namespace curveups {
 namespace {
 
-constexpr int most_drafts = 3;
+constexpr int max_drafts = 3;
 
 Edges with(const Edges& a, const Edges& b) {
   Edges out(a.rows() + b.rows(), 2);
@@ -145,7 +145,7 @@ class Suggester {
     const TileMesh tiles = tiles_with(none);
     std::vector<Tried> found = candidates(tiles, relative_scale(tiles), none);
     if (found.empty()) return false;
-    if (found.size() > most_drafts) found.resize(most_drafts);
+    if (found.size() > max_drafts) found.resize(max_drafts);
     if (!drafted_) {
       now_ = draft(none);
       drafted_ = true;

@@ -18,8 +18,8 @@ namespace {
 // Complementarity (energy units) at the start, where the layout is settled enough to look for
 // collisions, and at the end, where the objective has four digits.
 constexpr double mu_start = 1e-1, mu_search = 2e-3, mu_end = 1e-6;
-constexpr int most_iterations = 600, most_rounds = 12;
-constexpr int most_draft_iterations = 60;  // twice what a sound start takes
+constexpr int max_iterations = 600, max_rounds = 12;
+constexpr int max_draft_iterations = 60;  // twice what a sound start takes
 
 void require_room_for_pins(const PinBounds& bounds) {
   std::vector<int> without;
@@ -49,7 +49,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   LayoutResult result;
   double mu = mu_start, goal = mu_search;
   double progressed = 0;  // never falls: collisions that are found start a round's share again
-  const int most = effort == LayoutEffort::draft ? most_draft_iterations : most_iterations;
+  const int most = effort == LayoutEffort::draft ? max_draft_iterations : max_iterations;
   while (true) {
     // Of all rounds' progress the share of this one: rounds after the first are short.
     const double done = result.collision_rounds == 0 && goal > mu_end ? 0.0 : 0.6;
@@ -69,7 +69,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
     result.separations += static_cast<int>(close.size());
     if (!close.empty()) ++result.collision_rounds;
     if ((goal <= mu_end && close.empty()) || result.solve.iterations >= most ||
-        result.collision_rounds >= most_rounds) {
+        result.collision_rounds >= max_rounds) {
       if (!close.empty()) result.solve.status = SolveStatus::unfinished;
       break;
     }

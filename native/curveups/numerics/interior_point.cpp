@@ -11,7 +11,7 @@ constexpr double to_boundary = 0.995;    // largest share of the way to a bound 
 constexpr double barrier_accuracy = 10;  // optimality error, in units of mu, before mu is lowered
 // Energy per mm: far below what moves a tile by a micrometre.
 constexpr double gradient_accuracy = 1e-4;
-constexpr int most_halvings = 12;
+constexpr int max_halvings = 12;
 
 // Shortens a step so that value + length change stays a share of the way from zero.
 void limit(double value, double change, double& length) {
@@ -284,7 +284,7 @@ bool InteriorPoint<Constraint>::search(Vector& z, double mu, double penalty, dou
   const double slope = step.decrease - penalty * residual_sum;
   const double before = merit(z, slack_, mu, penalty);
   Vectors slack = slack_;
-  for (int halving = 0; halving < most_halvings; ++halving) {
+  for (int halving = 0; halving < max_halvings; ++halving) {
     if (halving > 0) length *= 0.5;
     const Vector trial = z + length * step.z;
     for (std::size_t c = 0; c < constraints_.size(); ++c) {

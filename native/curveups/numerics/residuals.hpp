@@ -15,7 +15,7 @@ namespace curveups {
 template <int W, int K, int R>
 class Residuals : public Term<W> {
  public:
-  static constexpr int width = W, most_blocks = K, most_rows = R, pairs = K * (K - 1) / 2;
+  static constexpr int width = W, max_blocks = K, max_rows = R, pairs = K * (K - 1) / 2;
   using Vector = BlockVector<W>;
   using Blocks = std::array<int, K>;
   using Unknowns = std::array<const double*, K>;  // of an element's blocks, null beyond them

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "curveups/numerics/block_matrix.hpp"
+#include "curveups/numerics/cone_program.hpp"
 #include "curveups/physics/elastic_forces.hpp"
 
 namespace curveups {
@@ -25,7 +26,7 @@ struct ContactPoint {
 
 // Forces are three numbers per point in the point's own basis: along the normal (pushing positive)
 // and two tangents.
-class BalanceSystem {
+class BalanceSystem : public ForceMap {
  public:
   // centres: tile_centres. held: tiles whose balance is somebody else's business, ascending.
   BalanceSystem(std::vector<ContactPoint> points, const Points3& centres, double lever,
@@ -33,8 +34,8 @@ class BalanceSystem {
 
   const std::vector<ContactPoint>& points() const { return points_; }
   const Points3& centres() const { return centres_; }
-  int point_count() const { return static_cast<int>(points_.size()); }
-  int rows() const { return rows_; }
+  int point_count() const override { return static_cast<int>(points_.size()); }
+  int rows() const override { return rows_; }
   // False for held tiles and for the one left out per component.
   bool has_rows(int tile) const { return row_of_tile_[tile] >= 0; }
   // Columns: normal and tangents of a point.
@@ -43,8 +44,8 @@ class BalanceSystem {
 
   // The rows' share of wrenches (M x 6, torques about the centres).
   Eigen::VectorXd restrict(const Wrenches& wrenches) const;
-  Eigen::VectorXd apply(const Eigen::VectorXd& f) const;
-  Eigen::VectorXd apply_transposed(const Eigen::VectorXd& y) const;
+  Eigen::VectorXd apply(const Eigen::VectorXd& f) const override;
+  Eigen::VectorXd apply_transposed(const Eigen::VectorXd& y) const override;
   // Multipliers of the rows as M x 6, zero where a tile has no rows: virtual velocities of the
   // tiles (the lower three are turns times the lever).
   Array6 expand(const Eigen::VectorXd& y) const;
@@ -54,9 +55,9 @@ class BalanceSystem {
   // Factorizes A D A^T, D symmetric positive definite 3 x 3 per point. Where points are too few to
   // hold a tile the matrix is singular: a small multiple of the identity then keeps it solvable.
   // Returns false where even that fails (D not finite).
-  bool factorize(const std::vector<Eigen::Matrix3d>& D);
+  bool factorize(const std::vector<Eigen::Matrix3d>& D) override;
   // For one or more right-hand sides.
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const {
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const override {
     return rows_ == 0 ? rhs : matrix_->solve_ranked(rhs);
   }
 

@@ -4,14 +4,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string_view>
+#include <vector>
 
 namespace curveups {
 
 using Gradient32 = Eigen::Matrix<double, 3, 2>;  // F: columns f1, f2, rest plane to space
 using Vector6 = Eigen::Matrix<double, 6, 1>;     // (f1, f2)
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-enum class MembraneModel { tension_field, neo_hookean };
 
 // Taut: both principal stresses pull. Wrinkled: one does. Slack: none. (The plain neo-Hookean
 // density carries compression; its states say where the relaxed one would differ.)
@@ -22,6 +22,19 @@ struct Density {
   Vector6 gradient = Vector6::Zero();
   Matrix6 hessian = Matrix6::Zero();  // left zero unless asked for
 };
+
+// A new density is a file, a line in density.cpp and a choice of the parameter membrane_model.
+struct DensityModel {
+  std::string_view name;  // as the parameter has it
+  // Value, gradient and (where `second`) Hessian by F. regularization: for densities that leave
+  // slack parts without a unique position.
+  Density (*evaluate)(const Gradient32& F, double regularization, bool second);
+  bool convex;  // its Hessian is nowhere indefinite
+};
+
+const std::vector<DensityModel>& density_models();
+// Throws InvalidInput for an unknown name.
+const DensityModel& density_model(std::string_view name);
 
 // Squared principal stretches l1 >= l2 of F: the eigenvalues of C = F^T F.
 struct PrincipalStretches {

@@ -12,7 +12,7 @@ namespace curveups {
 namespace {
 constexpr double jacobi_damping = 0.6;
 // Steps by an older factorization that cost about as much as one by a new one.
-constexpr int most_reuses = 3;
+constexpr int max_reuses = 3;
 }  // namespace
 
 bool MembraneEquilibrium::factorize(const Points3& x, Points3& gradient) {
@@ -73,7 +73,7 @@ MembraneState MembraneEquilibrium::solve(const Points3& start, const Equilibrium
       break;
     }
     const bool reuse = options.reuse_factor && reduction <= 0.1 &&
-                       state.solve.residual * std::pow(reduction, most_reuses) <= options.tolerance;
+                       state.solve.residual * std::pow(reduction, max_reuses) <= options.tolerance;
     if (!reuse && !factorize(state.x, gradient)) break;
     if (!direction(state.gradient, step)) break;
     ++state.solve.iterations;

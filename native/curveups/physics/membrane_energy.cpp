@@ -8,8 +8,6 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/physics/neo_hookean.hpp"
-#include "curveups/physics/tension_field.hpp"
 
 namespace curveups {
 namespace {
@@ -152,9 +150,7 @@ Gradient32 MembraneEnergy::deformation(const Element& element, const Points3& x)
 }
 
 Density MembraneEnergy::density(const Gradient32& F, bool second) const {
-  return material_.model == MembraneModel::tension_field
-             ? tension_field(F, material_.regularization, second)
-             : neo_hookean(F, second);
+  return material_.model->evaluate(F, material_.regularization, second);
 }
 
 double MembraneEnergy::value(const Points3& x) const {
@@ -218,8 +214,7 @@ double MembraneEnergy::jacobi_direction(const Points3& x, Points3& gradient,
     Density d = density(deformation(e, x), true);
     const double factor = stiffness_ * e.weight;
     out.value = e.weight * d.value;
-    // The other density is convex.
-    if (material_.model == MembraneModel::neo_hookean) d.hessian = positive_part(d.hessian);
+    if (!material_.model->convex) d.hessian = positive_part(d.hessian);
     const std::array<Eigen::Vector2d, 3> b = shape_gradients(e.inverse);
     for (int k = 0; k < 3; ++k) {
       out.pull[k] = pull(factor, b[k], d.gradient);

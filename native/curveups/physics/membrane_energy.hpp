@@ -14,7 +14,7 @@ namespace curveups {
 struct MembraneMaterial {
   double shear_modulus = 0.72;  // MPa
   double thickness = 0.5;       // at rest, mm
-  MembraneModel model = MembraneModel::tension_field;
+  const DensityModel* model = &density_model("tension-field");
   double regularization = 1e-4;  // of the tension-field density
 };
 

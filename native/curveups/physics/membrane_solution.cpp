@@ -20,8 +20,7 @@ MembraneMaterial membrane_material(const Parameters& p, Side side) {
   MembraneMaterial material;
   material.shear_modulus = side == Side::front ? p.shear_modulus_front : p.shear_modulus_back;
   material.thickness = side == Side::front ? p.thickness_front : p.thickness_back;
-  material.model =
-      p.membrane_model == "neo-hookean" ? MembraneModel::neo_hookean : MembraneModel::tension_field;
+  material.model = &density_model(p.membrane_model);
   return material;
 }
 

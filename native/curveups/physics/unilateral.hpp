@@ -3,9 +3,7 @@
 // with which least normal force at every point? A second-order cone program over the tiles'
 // balance:
 //   maximise s  subject to  A f + b = 0,  n >= s,  |t| <= mu n,  s <= cap,
-// at every point, with the exact circular cone (not linearised). Solved by a primal-dual
-// interior-point method (Mehrotra's predictor-corrector with Nesterov-Todd scaling) on the normal
-// equations A D A^T, one sparse Cholesky factorization a step.
+// at every point (cone_program.hpp).
 //
 // Infeasibility is never inferred from divergence: if the program above is not solved, the relaxed
 // one with |t| <= mu (n - s) in place of |t| <= mu n is, which always has a solution (s negative: a
@@ -26,7 +24,6 @@ struct UnilateralOptions {
   // The unit of forces (N), and the cap on the floor: the mean normal force of least squares.
   double scale = 1;
   double tolerance = 1e-4;  // on the floor, in units of scale
-  int max_iterations = 100;
 };
 
 struct UnilateralResult {

@@ -48,162 +48,225 @@ std::vector<int> tiles_that_matter(const LayoutModel& model, const std::vector<F
   return with_neighbours(model, std::move(chosen));
 }
 
-LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
-                             const std::vector<ForceRow>& rows, const std::vector<int>& tiles,
-                             const MovingVertices* vertices, const StepPrices& prices) {
-  std::vector<int> slot(model.tile_count(), -1);
-  for (std::size_t k = 0; k < tiles.size(); ++k) slot[tiles[k]] = static_cast<int>(k);
-  const int own = static_cast<int>(tiles.size()) * per_tile;
-  const int count = own + (vertices ? 3 * vertices->count() : 0);
-  const double ease = std::sqrt(prices.layout);
-  // Unknowns per unit of the step, which costs half its square.
-  Eigen::Matrix<double, 1, per_tile> scale;
-  scale.setConstant(1 / ease);
-  scale(2) /= angle_lever(model);
-  Eigen::VectorXd vertex_scale(vertices ? vertices->count() : 0);
-  for (int v = 0; v < vertex_scale.size(); ++v) {
-    vertex_scale(v) = 1 / std::sqrt(prices.target * vertices->weight(v));
+namespace {
+
+// The least-step problem of some tiles, nine unknowns each in mm, and of vertices behind them.
+class StepProblem {
+ public:
+  StepProblem(const LayoutModel& model, const LayoutState& state,
+              const std::vector<ForceRow>& forces, const std::vector<int>& tiles,
+              const MovingVertices* vertices, const StepWeights& weights)
+      : model_(model),
+        state_(state),
+        forces_(forces),
+        tiles_(tiles),
+        vertices_(vertices),
+        weights_(weights),
+        slot_(model.tile_count(), -1),
+        own_(static_cast<int>(tiles.size()) * per_tile),
+        count_(own_ + (vertices ? 3 * vertices->count() : 0)),
+        vertex_scale_(vertices ? vertices->count() : 0) {
+    for (std::size_t k = 0; k < tiles.size(); ++k) slot_[tiles[k]] = static_cast<int>(k);
+    scale_.setOnes();
+    scale_(2) /= angle_lever(model);
+    for (int v = 0; v < vertex_scale_.size(); ++v) {
+      vertex_scale_(v) = 1 / std::sqrt(weights.target * vertices->weight(v));
+    }
+    add_constraints();
+    add_bounds();
+    if (vertices) add_vertex_bounds();
+    add_forces();
   }
 
-  LeastStepProblem problem;
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<double> values;
-  std::vector<RowSource> sources;
-  std::vector<ConstraintRow> origin;
-  const LayoutTerms constraints = make_constraints(model);
+  LayoutStep solve() const;
+
+ private:
+  bool moves(int tile) const { return tile >= 0 && slot_[tile] >= 0; }
+  void add_constraints();
+  bool add_constraint_row(const LayoutTerm& constraint, int element,
+                          std::vector<Eigen::Triplet<double>>& entries);
+  void add_bounds();
+  void add_vertex_bounds();
+  void add_forces();
+  std::vector<Obstacle> obstacles(const LeastStep& least) const;
+
+  const LayoutModel& model_;
+  const LayoutState& state_;
+  const std::vector<ForceRow>& forces_;
+  const std::vector<int>& tiles_;
+  const MovingVertices* vertices_;
+  StepWeights weights_;
+  std::vector<int> slot_;                     // per tile: its place among those that move, or -1
+  int own_, count_;                           // unknowns of tiles, and with vertices
+  Eigen::Matrix<double, 1, per_tile> scale_;  // unknowns per unit of the step
+  Eigen::VectorXd vertex_scale_;
+  LeastStepProblem problem_;
+  std::vector<double> values_;  // of the sparse rows, and where they come from
+  std::vector<RowSource> sources_;
+};
+
+// False where the step can't bring the constraint to its limit.
+bool StepProblem::add_constraint_row(const LayoutTerm& constraint, int element,
+                                     std::vector<Eigen::Triplet<double>>& entries) {
+  const LayoutTerm::Blocks ends = constraint.blocks(element);
+  if (!moves(ends[0]) && !moves(ends[1])) return false;
   LayoutTerm::Value value;
-  for (std::size_t f = 0; f < constraints.size(); ++f) {
-    const LayoutTerm& constraint = *constraints[f];
-    for (int b = 0; b < constraint.element_count(); ++b) {
-      const std::array<int, 2> ends = constraint.blocks(b);
-      const bool first = slot[ends[0]] >= 0, second = ends[1] >= 0 && slot[ends[1]] >= 0;
-      if (!first && !second) continue;
-      constraint.at(b, state, true, value);
-      double most = vertices ? 6 * prices.reach : 0;  // by which this step can lower it
-      for (int end = 0; end < 2; ++end) {
-        if (!(end == 0 ? first : second)) continue;
-        most +=
-            value.jacobian[end].row(0).cwiseProduct(scale).cwiseAbs().sum() * ease * prices.reach;
-      }
-      if (value.value(0) > most) continue;
-      for (int end = 0; end < 2; ++end) {
-        if (!(end == 0 ? first : second)) continue;
-        for (int k = 0; k < per_tile; ++k) {
-          const double entry = value.jacobian[end](0, k) * scale(k);
-          if (entry != 0) {
-            entries.emplace_back(static_cast<int>(values.size()), slot[ends[end]] * per_tile + k,
-                                 entry);
-          }
-        }
-      }
-      values.push_back(value.value(0));
-      sources.push_back({constraint.name().data(), ends});
-      origin.push_back({static_cast<int>(f), b});
+  constraint.at(element, state_, true, value);
+  double most = vertices_ ? 6 * weights_.trust_radius : 0;  // by which this step can lower it
+  for (int end = 0; end < 2; ++end) {
+    if (!moves(ends[end])) continue;
+    most +=
+        value.jacobian[end].row(0).cwiseProduct(scale_).cwiseAbs().sum() * weights_.trust_radius;
+  }
+  if (value.value(0) > most) return false;
+  for (int end = 0; end < 2; ++end) {
+    if (!moves(ends[end])) continue;
+    for (int k = 0; k < per_tile; ++k) {
+      const double entry = value.jacobian[end](0, k) * scale_(k);
+      if (entry == 0) continue;
+      entries.emplace_back(static_cast<int>(values_.size()), slot_[ends[end]] * per_tile + k,
+                           entry);
     }
   }
-  if (vertices) {
-    for (const VertexEntry& entry : rows_by_vertex(model, state, origin, *vertices)) {
-      for (int c = 0; c < 3; ++c) {
-        entries.emplace_back(entry.row, own + 3 * entry.vertex + c,
-                             entry.derivative(c) * vertex_scale(entry.vertex));
-      }
-    }
-  }
-  problem.sparse.resize(static_cast<Eigen::Index>(values.size()), count);
-  problem.sparse.setFromTriplets(entries.begin(), entries.end());
-  problem.sparse_value =
-      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-  problem.dense.resize(count, static_cast<Eigen::Index>(rows.size()));
-  problem.dense_value.resize(static_cast<Eigen::Index>(rows.size()));
-  if (prices.stiffness > 0) {
-    problem.dense_stiffness = prices.stiffness;
-    problem.dense_price = 0;
-  }
-  const double reach = ease * prices.reach;  // in units of the step
-  problem.lower = Eigen::VectorXd::Constant(count, -reach);
-  problem.upper = Eigen::VectorXd::Constant(count, reach);
-  problem.wanted = Eigen::VectorXd::Zero(count);
-  const PinBounds& bounds = model.geometry->pin_bounds;
-  for (std::size_t k = 0; k < tiles.size(); ++k) {
-    const int i = tiles[k], first = static_cast<int>(k) * per_tile;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      problem.dense.block<per_tile, 1>(first, static_cast<Eigen::Index>(r)) =
-          rows[r].gradient.row(i).cwiseProduct(scale).transpose();
-    }
-    for (int t = 0; t < 6; ++t) {
-      double& low = problem.lower(first + 3 + t);
-      double& high = problem.upper(first + 3 + t);
-      low = std::max(low, ease * (bounds.lower(i, t) - state(i, 3 + t)));
-      high = std::min(high, ease * (bounds.upper(i, t) - state(i, 3 + t)));
-    }
-  }
-  for (int v = 0; vertices && v < vertices->count(); ++v) {
-    for (int c = 0; c < 3; ++c) {
-      const int at = own + 3 * v + c;
-      const double moved = vertices->moved(v, c), unit = vertex_scale(v);
-      problem.lower(at) = std::min(0.0, std::max(-prices.reach, -prices.farthest - moved)) / unit;
-      problem.upper(at) = std::max(0.0, std::min(prices.reach, prices.farthest - moved)) / unit;
-      problem.wanted(at) = -moved / unit;
-      for (std::size_t r = 0; r < rows.size(); ++r) {
-        problem.dense(at, static_cast<Eigen::Index>(r)) = rows[r].by_vertex(v, c) * unit;
-      }
-    }
-  }
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    problem.dense_value(static_cast<Eigen::Index>(r)) = rows[r].value;
-  }
+  values_.push_back(value.value(0));
+  sources_.push_back({constraint.name().data(), ends});
+  return true;
+}
 
-  const LeastStep least = solve_least_step(problem);
-  LayoutStep out;
-  out.step = LayoutState::Zero(state.rows(), per_tile);
-  for (std::size_t k = 0; k < tiles.size(); ++k) {
-    out.step.row(tiles[k]) = least.z.segment<per_tile>(static_cast<Eigen::Index>(k) * per_tile)
-                                 .transpose()
-                                 .cwiseProduct(scale);
+void StepProblem::add_constraints() {
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<ConstraintRow> origin;
+  const LayoutTerms constraints = make_constraints(model_);
+  for (std::size_t f = 0; f < constraints.size(); ++f) {
+    for (int e = 0; e < constraints[f]->element_count(); ++e) {
+      if (add_constraint_row(*constraints[f], e, entries))
+        origin.push_back({static_cast<int>(f), e});
+    }
   }
-  out.vertex_step.resize(vertex_scale.size(), 3);
-  for (int v = 0; v < vertex_scale.size(); ++v) {
-    out.vertex_step.row(v) = vertex_scale(v) * least.z.segment<3>(own + 3 * v).transpose();
+  if (vertices_) {
+    for (const VertexEntry& entry : rows_by_vertex(model_, state_, origin, *vertices_)) {
+      for (int c = 0; c < 3; ++c) {
+        entries.emplace_back(entry.row, own_ + 3 * entry.vertex + c,
+                             entry.derivative(c) * vertex_scale_(entry.vertex));
+      }
+    }
   }
-  out.unmet.assign(rows.size(), 0);
-  for (Eigen::Index r = 0; prices.stiffness == 0 && r < least.dense_multiplier.size(); ++r) {
-    out.unmet[r] = least.dense_multiplier(r) > 0.5 * problem.dense_price;
+  problem_.sparse.resize(static_cast<Eigen::Index>(values_.size()), count_);
+  problem_.sparse.setFromTriplets(entries.begin(), entries.end());
+  problem_.sparse_value =
+      Eigen::Map<const Eigen::VectorXd>(values_.data(), static_cast<Eigen::Index>(values_.size()));
+}
+
+void StepProblem::add_bounds() {
+  problem_.lower = Eigen::VectorXd::Constant(count_, -weights_.trust_radius);
+  problem_.upper = Eigen::VectorXd::Constant(count_, weights_.trust_radius);
+  problem_.wanted = Eigen::VectorXd::Zero(count_);
+  for (const Bound& bound : inset_bounds(model_)) {
+    if (!moves(bound.block)) continue;
+    const int at = slot_[bound.block] * per_tile + bound.unknown;
+    const double now = state_(bound.block, bound.unknown);
+    problem_.lower(at) = std::max(problem_.lower(at), bound.lower - now);
+    problem_.upper(at) = std::min(problem_.upper(at), bound.upper - now);
   }
+}
+
+void StepProblem::add_vertex_bounds() {
+  for (int v = 0; v < vertices_->count(); ++v) {
+    for (int c = 0; c < 3; ++c) {
+      const int at = own_ + 3 * v + c;
+      const double moved = vertices_->moved(v, c), unit = vertex_scale_(v),
+                   radius = weights_.trust_radius, farthest = weights_.largest_displacement;
+      problem_.lower(at) = std::min(0.0, std::max(-radius, -farthest - moved)) / unit;
+      problem_.upper(at) = std::max(0.0, std::min(radius, farthest - moved)) / unit;
+      problem_.wanted(at) = -moved / unit;
+    }
+  }
+}
+
+void StepProblem::add_forces() {
+  if (weights_.tightness > 0) {
+    problem_.dense_curvature = weights_.tightness;
+    problem_.dense_penalty = 0;
+  }
+  problem_.dense.resize(count_, static_cast<Eigen::Index>(forces_.size()));
+  problem_.dense_value.resize(static_cast<Eigen::Index>(forces_.size()));
+  for (std::size_t r = 0; r < forces_.size(); ++r) {
+    auto column = problem_.dense.col(static_cast<Eigen::Index>(r));
+    problem_.dense_value(static_cast<Eigen::Index>(r)) = forces_[r].value;
+    for (std::size_t k = 0; k < tiles_.size(); ++k) {
+      column.segment<per_tile>(static_cast<Eigen::Index>(k) * per_tile) =
+          forces_[r].gradient.row(tiles_[k]).cwiseProduct(scale_).transpose();
+    }
+    for (int v = 0; v < vertex_scale_.size(); ++v) {
+      column.segment<3>(own_ + 3 * v) = forces_[r].by_vertex.row(v).transpose() * vertex_scale_(v);
+    }
+  }
+}
+
+// The strongest first, at most 8.
+std::vector<Obstacle> StepProblem::obstacles(const LeastStep& least) const {
   std::map<std::pair<std::vector<int>, std::string>, double> strength;
-  for (std::size_t r = 0; r < sources.size(); ++r) {
-    std::vector<int> ends = {sources[r].tiles[0]};
-    if (sources[r].tiles[1] >= 0) ends.push_back(sources[r].tiles[1]);
+  for (std::size_t r = 0; r < sources_.size(); ++r) {
+    std::vector<int> ends = {sources_[r].tiles[0]};
+    if (sources_[r].tiles[1] >= 0) ends.push_back(sources_[r].tiles[1]);
     std::sort(ends.begin(), ends.end());
-    strength[{ends, sources[r].what}] += least.sparse_multiplier(static_cast<Eigen::Index>(r));
+    strength[{ends, sources_[r].what}] += least.sparse_multiplier(static_cast<Eigen::Index>(r));
   }
-  for (std::size_t k = 0; k < tiles.size(); ++k) {
+  const double radius = weights_.trust_radius;
+  for (std::size_t k = 0; k < tiles_.size(); ++k) {
     for (int t = 0; t < 6; ++t) {
       const Eigen::Index z = static_cast<Eigen::Index>(k) * per_tile + 3 + t;
-      // Only where the inset itself, not the step's reach, is the limit.
-      const double held = (problem.lower(z) > -reach ? least.lower_multiplier(z) : 0.0) +
-                          (problem.upper(z) < reach ? least.upper_multiplier(z) : 0.0);
-      strength[{{tiles[k]}, "inset at its limit"}] += held;
+      // Only where the inset itself, not the trust region, is the limit.
+      const double held = (problem_.lower(z) > -radius ? least.lower_multiplier(z) : 0.0) +
+                          (problem_.upper(z) < radius ? least.upper_multiplier(z) : 0.0);
+      strength[{{tiles_[k]}, "inset at its limit"}] += held;
     }
   }
+  std::vector<Obstacle> out;
   for (const auto& [key, multiplier] : strength) {
-    if (multiplier > 1e-3) out.obstacles.push_back({key.second, key.first, multiplier});
+    if (multiplier > 1e-3) out.push_back({key.second, key.first, multiplier});
   }
-  std::stable_sort(
-      out.obstacles.begin(), out.obstacles.end(),
-      [](const Obstacle& a, const Obstacle& b) { return a.multiplier > b.multiplier; });
-  if (out.obstacles.size() > 8) out.obstacles.resize(8);
+  std::stable_sort(out.begin(), out.end(), [](const Obstacle& a, const Obstacle& b) {
+    return a.multiplier > b.multiplier;
+  });
+  if (out.size() > 8) out.resize(8);
   return out;
+}
+
+LayoutStep StepProblem::solve() const {
+  const LeastStep least = solve_least_step(problem_);
+  LayoutStep out;
+  out.step = LayoutState::Zero(state_.rows(), per_tile);
+  for (std::size_t k = 0; k < tiles_.size(); ++k) {
+    out.step.row(tiles_[k]) = least.z.segment<per_tile>(static_cast<Eigen::Index>(k) * per_tile)
+                                  .transpose()
+                                  .cwiseProduct(scale_);
+  }
+  out.vertex_step.resize(vertex_scale_.size(), 3);
+  for (int v = 0; v < vertex_scale_.size(); ++v) {
+    out.vertex_step.row(v) = vertex_scale_(v) * least.z.segment<3>(own_ + 3 * v).transpose();
+  }
+  out.obstacles = obstacles(least);
+  return out;
+}
+
+}  // namespace
+
+LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
+                             const std::vector<ForceRow>& forces, const std::vector<int>& tiles,
+                             const MovingVertices* vertices, const StepWeights& weights) {
+  return StepProblem(model, state, forces, tiles, vertices, weights).solve();
 }
 
 double largest_violation(const LayoutModel& model, const LayoutState& state) {
   return largest_violation(make_constraints(model), state);
 }
 
-bool restore_constraints(LayoutModel& model, LayoutState& state, int most_steps) {
+bool restore_constraints(LayoutModel& model, LayoutState& state, int max_steps) {
   constexpr double accuracy = 0.5 * tolerance::constraint;
   const double clearance = model.parameters.d_gap_min - accuracy;
   LayoutTerm::Value value;
-  for (int step = 0; step <= most_steps; ++step) {
+  for (int step = 0; step <= max_steps; ++step) {
     std::vector<char> chosen(model.tile_count(), 0);
     double worst = 0;
     for (const auto& constraint : make_constraints(model)) {
@@ -223,15 +286,15 @@ bool restore_constraints(LayoutModel& model, LayoutState& state, int most_steps)
       for (const Separation& pair : close) add_separation(model, pair);
       continue;
     }
-    if (step == most_steps) return false;
+    if (step == max_steps) return false;
     // Room to give way: two rings around what is violated.
     for (int ring = 0; ring < 2; ++ring) {
       for (int i : with_neighbours(model, chosen)) chosen[i] = 1;
     }
-    StepPrices prices;
-    prices.reach = std::max(0.2, 2 * worst);
+    StepWeights weights;
+    weights.trust_radius = std::max(0.2, 2 * worst);
     state +=
-        least_layout_step(model, state, {}, with_neighbours(model, chosen), nullptr, prices).step;
+        least_layout_step(model, state, {}, with_neighbours(model, chosen), nullptr, weights).step;
   }
   return false;
 }

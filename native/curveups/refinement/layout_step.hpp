@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "curveups/layout/layout_terms.hpp"
-#include "curveups/refinement/least_step.hpp"
+#include "curveups/numerics/least_step.hpp"
 #include "curveups/refinement/vertex_rows.hpp"
 
 namespace curveups {
@@ -20,14 +20,14 @@ struct ForceRow {
   Points3 by_vertex;  // of the moving vertices, layout unknowns held
 };
 
-// What a step costs.
-struct StepPrices {
-  double reach;  // mm that no unknown may exceed
-  // Half the square of what a mm of a pose or an inset costs, and of E_target (Eq. 4, mm4).
-  double layout = 1, target = 0;
-  // Forces as hard constraints, or half their missing squares times this.
-  double stiffness = 0;
-  double farthest = 0;  // mm that coordinates of vertices stay within of their places in the target
+// What a step minimises and how far it may go: half the squared length in mm of all moves of poses
+// and insets is the unit.
+struct StepWeights {
+  double trust_radius;   // mm that no unknown may exceed
+  double target = 0;     // of half of E_target (Eq. 4, mm4)
+  double tightness = 0;  // of half the missing squares of forces; 0: forces are hard constraints
+  double largest_displacement =
+      0;  // mm, by coordinate: of vertices from their places in the target
 };
 
 // What holds a force row back, by falling share.
@@ -40,7 +40,6 @@ struct Obstacle {
 struct LayoutStep {
   LayoutState step;                 // zero on tiles that are left alone
   Points3 vertex_step;              // mm, of the moving vertices
-  std::vector<char> unmet;          // per force row: out of this step's reach
   std::vector<Obstacle> obstacles;  // the strongest ones, at most 8
 };
 
@@ -55,8 +54,8 @@ std::vector<int> tiles_that_matter(const LayoutModel& model, const std::vector<F
 // The least step of the given tiles and vertices that keeps every constraint the tiles take part in
 // and lifts the force rows to zero. vertices may be null: none move.
 LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
-                             const std::vector<ForceRow>& rows, const std::vector<int>& tiles,
-                             const MovingVertices* vertices, const StepPrices& prices);
+                             const std::vector<ForceRow>& forces, const std::vector<int>& tiles,
+                             const MovingVertices* vertices, const StepWeights& weights);
 
 // Largest violation of the constraints, mm.
 double largest_violation(const LayoutModel& model, const LayoutState& state);
@@ -64,6 +63,6 @@ double largest_violation(const LayoutModel& model, const LayoutState& state);
 // Puts the state back onto its constraints by least steps, each around what is violated, and adds
 // separations to the model for tiles that have come too near. Returns whether all hold to
 // tolerance::constraint; insets must keep their bounds already.
-bool restore_constraints(LayoutModel& model, LayoutState& state, int most_steps);
+bool restore_constraints(LayoutModel& model, LayoutState& state, int max_steps);
 
 }  // namespace curveups

@@ -11,7 +11,7 @@
 #include "curveups/core/parallel.hpp"
 #include "curveups/design/pin_room.hpp"
 #include "curveups/design/vertex_patch.hpp"
-#include "curveups/refinement/least_step.hpp"
+#include "curveups/numerics/least_step.hpp"
 
 namespace curveups {
 namespace {

@@ -45,7 +45,7 @@ class Repair {
   void search(RepairResult& result);
   double merit(const Judgement& now) const;
   bool reached(const Judgement& now) const;
-  StepPrices prices() const;
+  StepWeights step_weights() const;
 
   bool draw_pins_out();
   bool improve(RepairResult& result, Judgement& now);
@@ -146,16 +146,16 @@ void Repair::restore_start(RepairResult& result) {
   }
 }
 
-StepPrices Repair::prices() const {
-  StepPrices out;
-  out.reach = reach_;
-  out.farthest = options_.farthest * parameters_.L;
+StepWeights Repair::step_weights() const {
+  StepWeights out;
+  out.trust_radius = reach_;
+  out.largest_displacement = options_.farthest * parameters_.L;
   const double area = parameters_.L * parameters_.L;
   if (penalty()) {
     // Eq. 3, in units that make a mm of the layout cost one half.
     const double unit = area / (ease * ease);
     out.target = 2 * unit / (area * area);
-    out.stiffness = 2 * unit * parameters_.w_tight;
+    out.tightness = 2 * unit * parameters_.w_tight;
   } else {
     out.target = reluctance / area;
   }
@@ -207,7 +207,7 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   std::sort(tiles.begin(), tiles.end());
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
   for (; reach_ > 1e-3; reach_ *= 0.5) {
-    last_step_ = least_layout_step(from.model(), from.state, rows, tiles, moving, prices());
+    last_step_ = least_layout_step(from.model(), from.state, rows, tiles, moving, step_weights());
     if (!move_to(last_step_, moving, from)) continue;
     const Judgement next = tracked_.judge();
     if (!(merit(next) < merit(now) * (1 - 1e-3))) continue;

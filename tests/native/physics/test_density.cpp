@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "curveups/core/errors.hpp"
+#include "curveups/design/parameters.hpp"
 #include "curveups/physics/neo_hookean.hpp"
 #include "curveups/physics/tension_field.hpp"
 
@@ -49,21 +51,26 @@ void check_derivatives(const Gradient32& F, Function density) {
   }
 }
 
-TEST(Density, NeoHookeanDerivativesMatchFiniteDifferences) {
-  std::mt19937 generator(1);
-  for (const Stretch& s : stretches) {
-    check_derivatives(random_gradient(s.s1, s.s2, generator), neo_hookean);
+TEST(Density, EveryDerivativeMatchesFiniteDifferencesInEveryBranch) {
+  for (const DensityModel& model : density_models()) {
+    SCOPED_TRACE(std::string(model.name));
+    std::mt19937 generator(2);
+    for (const Stretch& s : stretches) {
+      const Gradient32 F = random_gradient(s.s1, s.s2, generator);
+      EXPECT_EQ(principal_stretches(F).tension(), s.tension);
+      check_derivatives(
+          F, [&](const Gradient32& G, bool second) { return model.evaluate(G, 1e-4, second); });
+    }
   }
 }
 
-TEST(Density, TensionFieldDerivativesMatchFiniteDifferencesInEveryBranch) {
-  std::mt19937 generator(2);
-  for (const Stretch& s : stretches) {
-    const Gradient32 F = random_gradient(s.s1, s.s2, generator);
-    EXPECT_EQ(principal_stretches(F).tension(), s.tension);
-    check_derivatives(
-        F, [](const Gradient32& G, bool second) { return tension_field(G, 1e-4, second); });
+TEST(Density, IsWhatTheParameterOffers) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.name != "membrane_model") continue;
+    ASSERT_EQ(info.choices.size(), density_models().size());
+    for (std::string_view choice : info.choices) EXPECT_EQ(density_model(choice).name, choice);
   }
+  EXPECT_THROW(density_model("steel"), InvalidInput);
 }
 
 TEST(Density, ValuesAreThePapers) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The subproblem of every repair step: the least step that keeps linearised constraints,
-//   minimise 1/2 |z - wanted|^2 + price . e + 1/2 e . stiffness e
+// The least step that keeps linearised constraints, a convex quadratic program:
+//   minimise 1/2 |z - wanted|^2 + penalty . e + 1/2 e . curvature e
 //   subject to   C z + c + e >= 0,  e >= 0,  lower <= z <= upper.
-// Rows are sparse (layout constraints) or dense (normal forces: few, each of all unknowns). The
-// elastic e makes every problem feasible: where constraints contradict one another the dearer ones
-// win, and a row's e tells what is missing. A convex problem, solved by a primal-dual
+// Rows are sparse (geometric constraints) or dense (few, each of all unknowns). The elastic e makes
+// every problem feasible (exact penalty): where constraints contradict one another those of the
+// larger penalty win, and a row's e tells what is missing. Solved by a primal-dual
 // interior-point method; dense rows enter the sparse factorization by the Woodbury identity.
 #pragma once
 
@@ -24,13 +24,13 @@ struct LeastStepProblem {
   Eigen::VectorXd dense_value;
   Eigen::VectorXd lower, upper;  // lower < upper, within which zero lies or on one of which
   Eigen::VectorXd wanted;        // empty for zero
-  double sparse_price = 1e4, dense_price = 1e3;
-  double dense_stiffness = 0;  // with a small price: dense rows as a quadratic penalty
+  double sparse_penalty = 1e4, dense_penalty = 1e3;
+  double dense_curvature = 0;  // with a small penalty: dense rows as a quadratic one
 };
 
 struct LeastStep {
   Eigen::VectorXd z;
-  // Multipliers: how much each constraint holds the step back; at its price where it is not met.
+  // Multipliers: how much each constraint holds the step back; at its penalty where it is not met.
   Eigen::VectorXd sparse_multiplier, dense_multiplier, lower_multiplier, upper_multiplier;
   SolveReport solve;
 };

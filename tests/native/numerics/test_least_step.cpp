@@ -4,7 +4,7 @@
 #include <array>
 #include <random>
 
-#include "curveups/refinement/least_step.hpp"
+#include "curveups/numerics/least_step.hpp"
 
 namespace curveups {
 namespace {
@@ -59,8 +59,8 @@ TEST(LeastStep, WeighsQuadraticPenalties) {
     p.wanted = Eigen::Vector2d(0.2, -0.4);
     p.dense = Eigen::Vector2d(1, 0);
     p.dense_value = Eigen::VectorXd::Constant(1, -1);
-    p.dense_price = 0;
-    p.dense_stiffness = k;
+    p.dense_penalty = 0;
+    p.dense_curvature = k;
     const LeastStep step = solve_least_step(p);
     EXPECT_TRUE(step.solve.converged()) << k;
     EXPECT_NEAR(step.z(0), (0.2 + k) / (1 + k), 1e-6) << k;
@@ -69,7 +69,8 @@ TEST(LeastStep, WeighsQuadraticPenalties) {
 }
 
 TEST(LeastStep, SaysByTheMultiplierWhatCannotBeMet) {
-  // z1 >= 3 is asked of a box of 1: the row stays at its price; the dearer row z2 <= z1 - 1 holds.
+  // z1 >= 3 is asked of a box of 1: the row stays at its penalty; the row of the larger one, z2 <=
+  // z1 - 1 holds.
   LeastStepProblem p = make_problem(2, 1);
   p.sparse.resize(1, 2);
   p.sparse.insert(0, 0) = 1;
@@ -81,7 +82,7 @@ TEST(LeastStep, SaysByTheMultiplierWhatCannotBeMet) {
   EXPECT_TRUE(step.solve.converged());
   EXPECT_NEAR(step.z(0), 1, 1e-6);
   EXPECT_NEAR(step.z(1), 0, 1e-6);
-  EXPECT_NEAR(step.dense_multiplier(0), p.dense_price, 1e-3);
+  EXPECT_NEAR(step.dense_multiplier(0), p.dense_penalty, 1e-3);
 }
 
 TEST(LeastStep, MeetsTheOptimalityConditionsOfRandomProblems) {
@@ -103,8 +104,8 @@ TEST(LeastStep, MeetsTheOptimalityConditionsOfRandomProblems) {
       for (int i = 0; i < n; ++i) p.dense(i, k) = uniform(generator);
       p.dense_value(k) = -0.2;
     }
-    p.dense_stiffness = stiffness;
-    if (stiffness > 0) p.dense_price = 0;
+    p.dense_curvature = stiffness;
+    if (stiffness > 0) p.dense_penalty = 0;
     const LeastStep step = solve_least_step(p);
     ASSERT_TRUE(step.solve.converged()) << stiffness;
     const Eigen::VectorXd c = p.sparse * step.z + p.sparse_value,
