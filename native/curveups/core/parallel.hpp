@@ -13,6 +13,7 @@ namespace curveups {
 // Threads for parallel loops; at least 1. Default: the machine's processors, or the environment
 // variable CURVEUPS_THREADS where it is a positive number.
 int thread_count();
+// Not while a loop runs.
 void set_thread_count(int count);
 
 // Calls body(begin, end) on consecutive ranges that cover [0, count). An exception of a range is
