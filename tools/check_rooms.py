@@ -24,6 +24,7 @@ NATIVE: dict[str, tuple[str, ...]] = {
 LIBRARIES = (
     ("OpenCASCADE", r"[\w/]+\.hxx", {"fabrication"}),
     ("lib3mf", r"(Model/COM/|lib3mf).*", {"fabrication"}),
+    ("Clipper", r"polyclipping/.*", {"bodies"}),
     ("CHOLMOD", r"cholmod.*|suitesparse/.*", {"numerics"}),
     ("oneTBB", r"(tbb|oneapi)/.*", {"core"}),
     ("Ceres", r"ceres/.*", {"layout"}),

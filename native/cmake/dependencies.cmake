@@ -28,6 +28,13 @@ set_target_properties(Ceres::ceres PROPERTIES INTERFACE_LINK_LIBRARIES "${CERES_
 add_library(curveups_ceres INTERFACE)
 target_link_libraries(curveups_ceres INTERFACE Ceres::ceres)
 
+# Clipper: unions and offsets of plane polygons, used by bodies alone.
+find_path(CLIPPER_INCLUDE polyclipping/clipper.hpp REQUIRED)
+find_library(CLIPPER_LIBRARY polyclipping REQUIRED)
+add_library(curveups_clipper INTERFACE)
+target_include_directories(curveups_clipper SYSTEM INTERFACE ${CLIPPER_INCLUDE})
+target_link_libraries(curveups_clipper INTERFACE ${CLIPPER_LIBRARY})
+
 # OpenCASCADE, used by fabrication alone. The toolkits FreeCAD has loaded already.
 find_package(OpenCASCADE REQUIRED)
 add_library(curveups_occt INTERFACE)

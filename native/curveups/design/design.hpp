@@ -8,7 +8,7 @@
 #include "curveups/design/contacts.hpp"
 #include "curveups/design/flat_layout.hpp"
 #include "curveups/design/parameters.hpp"
-#include "curveups/design/pins.hpp"
+#include "curveups/design/pin_bounds.hpp"
 
 namespace curveups {
 

@@ -9,8 +9,8 @@
 namespace curveups {
 namespace {
 
-constexpr double contour_slack = 0.1;  // what the contour may lie off the exact distance, mm
-constexpr double anchor_gap = 0.5;     // between two anchors, mm
+constexpr double contour_deviation = 0.1;  // how far the contour may lie inside, mm
+constexpr double anchor_gap = 0.5;         // between two anchors, mm
 
 // Points along the closed contour at equal distances of about `spacing`, from its lowest point on.
 std::vector<Vec2> spread_along(const Polygon& loop, double spacing) {
@@ -83,12 +83,12 @@ std::vector<std::vector<Vec2>> place_anchors(const std::vector<PieceFootprint>& 
     for (int i = begin; i < end; ++i) {
       std::vector<OutlineShape> shapes;
       for (const Polygon& tile : pieces[i].tiles) {
-        shapes.push_back({tile, {Vec2::Zero(), 0}, reach + contour_slack});
+        shapes.push_back({tile, {Vec2::Zero(), 0}, reach + contour_deviation});
       }
       for (const Polygon& joint : pieces[i].joints) {
-        shapes.push_back({joint, {Vec2::Zero(), 0}, reach + contour_slack});
+        shapes.push_back({joint, {Vec2::Zero(), 0}, reach + contour_deviation});
       }
-      const Polygon contour = outline_of(shapes, std::clamp(0.1 * p.anchor_radius, 0.3, 1.0))[0];
+      const Polygon contour = outline_of(shapes, contour_deviation)[0];
       candidates[i] = spread_along(contour, std::max(p.anchor_spacing, least));
     }
   });

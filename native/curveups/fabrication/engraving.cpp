@@ -112,16 +112,6 @@ std::vector<std::vector<std::array<int, 2>>> trace(const Cells& cells) {
   return loops;
 }
 
-bool contains(const Polygon& polygon, const Vec2& p) {
-  bool inside = false;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
-  }
-  return inside;
-}
-
 std::vector<TextRegion> regions_of(const std::vector<std::vector<std::string>>& lines,
                                    double cell) {
   const double height = lines.size() * glyph_height + (lines.size() - 1) * 2.0;

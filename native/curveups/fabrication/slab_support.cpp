@@ -12,7 +12,7 @@
 namespace curveups {
 namespace {
 
-constexpr double slab_grid = 0.5;  // mm
+constexpr double slab_deviation = 0.1;  // of the chords of the outline's arcs, mm
 
 // What the slab surrounds of each tile: everything below its top.
 std::vector<PrintBody> cavities(const PrintModel& model, double top) {
@@ -73,15 +73,6 @@ int nearest_tile(const PrintModel& model, const PieceFootprint& footprint, int p
 void refuse_strangers(const PrintModel& model, int piece, const Polygon& loop,
                       const std::vector<PieceFootprint>& footprints,
                       const std::vector<Polygon>& outer) {
-  auto inside = [&](const Vec2& q) {
-    bool in = false;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Vec2 &a = loop[k], &b = loop[(k + 1) % loop.size()];
-      if ((a.y() > q.y()) == (b.y() > q.y())) continue;
-      if (q.x() < a.x() + (q.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) in = !in;
-    }
-    return in;
-  };
   auto refuse = [&](int other, const Vec2& where) {
     throw InfeasibleDesign("the support of piece " + std::to_string(piece + 1) +
                                " runs into piece " + std::to_string(other + 1),
@@ -94,13 +85,13 @@ void refuse_strangers(const PrintModel& model, int piece, const Polygon& loop,
     if (other == piece) continue;
     for (const Polygon& tile : footprints[other].tiles) {
       for (const Vec2& q : tile) {
-        if (inside(q)) refuse(other, q);
+        if (contains(loop, q)) refuse(other, q);
       }
     }
   }
   for (std::size_t earlier = 0; earlier < outer.size(); ++earlier) {
     for (const Vec2& q : outer[earlier]) {
-      if (inside(q)) refuse(static_cast<int>(earlier), q);
+      if (contains(loop, q)) refuse(static_cast<int>(earlier), q);
     }
   }
 }
@@ -143,7 +134,8 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
     for (std::size_t i = 0; i < cavity.size(); ++i) {
       if (model.piece_of_tile[i] == piece) inside.push_back(cavity[i]);
     }
-    std::vector<Polygon> loops = outline_of(shapes, std::min(slab_grid, p.support_margin));
+    std::vector<Polygon> loops =
+        outline_of(shapes, std::min(slab_deviation, 0.1 * p.support_margin));
     for (std::size_t k = 1; k < loops.size(); ++k) {
       if (area(loops[k]) < 0) continue;
       throw SolverFailure("the support of piece " + std::to_string(piece + 1) + " falls apart",

@@ -76,6 +76,16 @@ double area(const Polygon& polygon) {
   return 0.5 * sum;
 }
 
+bool contains(const Polygon& polygon, const Vec2& p) {
+  bool inside = false;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+  }
+  return inside;
+}
+
 double segment_distance(const Vec2& a, const Vec2& b, const Vec2& p) {
   const Vec2 d = b - a;
   const double s = d.squaredNorm() > 0 ? std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;

@@ -23,8 +23,11 @@ Polygon intersection(const Polygon& a, const Polygon& b);
 // Points of the polygon at least `distance` away from all of its edges.
 Polygon inset(const Polygon& polygon, double distance);
 
-// Positive where the polygon is counter-clockwise.
+// Of any simple polygon, positive where it runs counter-clockwise.
 double area(const Polygon& polygon);
+
+// Whether p lies inside any simple polygon.
+bool contains(const Polygon& polygon, const Vec2& p);
 
 // Distance of p from the polygon, 0 inside.
 double distance(const Polygon& polygon, const Vec2& p);

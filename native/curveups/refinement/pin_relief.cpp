@@ -9,7 +9,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/design/pin_room.hpp"
+#include "curveups/design/pin_bounds.hpp"
 #include "curveups/design/vertex_patch.hpp"
 #include "curveups/numerics/least_step.hpp"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "curveups/design/design.hpp"
-#include "curveups/design/pins.hpp"
+#include "curveups/design/pin_bounds.hpp"
 #include "support/meshes.hpp"
 
 namespace curveups {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include "curveups/design/pin_room.hpp"
+#include "curveups/design/pin_bounds.hpp"
 #include "curveups/design/vertex_patch.hpp"
 #include "curveups/refinement/pin_relief.hpp"
 #include "support/meshes.hpp"

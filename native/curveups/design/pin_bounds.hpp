@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the sides of a tile leave for its pins: bounds of their insets.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "curveups/design/pins.hpp"
+
+namespace curveups {
+
+// a_prev q[t-1] + a_here q[t] >= bound: pin corner t of this side stays clear of a truncation
+// plane.
+struct PinKeepout {
+  int tile;
+  Side side;
+  int corner;
+  double a_prev, a_here, bound;
+};
+
+// What one side of a tile leaves for its pin.
+struct PinRoom {
+  std::array<double, 3> lower, upper;  // of the insets, mm
+  std::vector<PinKeepout> keepouts;    // those that can bind within the bounds
+  double scale;  // of the largest pin against the front triangle; negative where none is possible
+  double area;   // of the largest pin, mm2; 0 where none is possible
+};
+
+// Bounds as in compute_pin_bounds, with the given p_min.
+PinRoom pin_room(const TileMesh& tiles, const Truncation& truncation, const Parameters& parameters,
+                 int tile, Side side, double p_min);
+
+// A pin side whose area is below A_pin_min.
+struct SmallPin {
+  int tile;
+  Side side;
+  double area;  // mm2: the most its bounds allow, or what it has in a finished design
+};
+
+struct PinBounds {
+  Array6 lower, upper;  // mm
+  std::vector<PinKeepout> keepouts;
+  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> least_area;  // per tile and side, mm2
+  std::vector<SmallPin> small;  // sides with least_area below A_pin_min
+};
+
+// Bounds of every inset: p_min and p_max (p_min counted from the recessed edge where walls are
+// recessed), the limits of sharp folds at pin level (on the concave side facing pins would meet, on
+// the convex side the membrane would cut into the tile's edge), and corners clear of every
+// truncation plane. A side whose bounds allow less than A_pin_min is listed and gets what is
+// possible as its least_area; where not even A_pin_floor is possible its p_min is lowered as far as
+// it must be (to a tenth at most). Where lower and upper contradict one another lower wins: pins
+// that meet are worse than a membrane that touches an edge.
+PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation,
+                             const Parameters& parameters);
+
+}  // namespace curveups
