@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Iterable
+
 VALID, NOT_VALID, BAD_INPUT, STOPPED, NOT_WRITTEN = range(5)
 
 
@@ -28,15 +30,8 @@ def tile_name(row: int) -> str:
     return f"T{row + 1:05d}"
 
 
-def tile_list(rows, most: int = 6) -> str:
+def tile_list(rows: Iterable[int], most: int = 6) -> str:
     """Names of tiles for a message, cut short."""
     rows = list(rows)
     names = ", ".join(tile_name(int(row)) for row in rows[:most])
     return names + (f" and {len(rows) - most} more" if len(rows) > most else "")
-
-
-def from_native(error: Exception, where: str = "") -> CurveUpsError:
-    """The native module's exception as one line; `where` names the input it came from."""
-    tiles = tile_list(getattr(error, "tiles", ()))
-    place = ", ".join(part for part in (where, tiles) if part)
-    return CurveUpsError(str(error), place, getattr(error, "remedy", ""))

@@ -13,68 +13,81 @@ import numpy as np
 from .errors import Stopped
 from .native import native
 from .output import Folder
-from .pipeline import Stage
-from .progress import Progress
+from .project import Results
 from .report.data import build_report, to_text
 from .report.html import build_html
+from .stages.solids import Solids
+from .stages.stage import Job, Row
+
+# Formats of the print's files, and the kinds of bodies that each has a file of.
+FORMATS = (("step", ("tiles", "support", "anchors", "print", "actuated")),
+           ("stl", ("tiles", "support", "anchors")), ("3mf", ("print",)))
 
 
-def write_outcome(outcome: Any, path: Path, progress: Progress) -> Folder:
-    """design.json, the solids' files and the document, then the reports. A stop between files
-    leaves those already complete and the reports, which say so."""
+def write_results(results: Results, path: Path, job: Job) -> tuple[Folder, bool]:
+    """design.json, the solids' files and the document, then the reports. A stop between files leaves
+    those already complete and the reports, which say so. Returns the folder and whether all was
+    written or, at any time, the run was stopped."""
     folder = Folder(path)
     start = time.perf_counter()
-    folder.write_text("design.json", native.write_design(outcome.design))
-    if outcome.suggestions.proposed:
-        folder.write_text(f"{outcome.name}-cuts.json", cuts_text(outcome))
+    folder.write_text("design.json", native.write_design(results.design))
+    suggested = results.get("suggestions")
+    if suggested is not None and suggested.proposed:
+        folder.write_text(f"{results.name}-cuts.json", cuts_text(results))
     software: dict[str, str] = {}
-    if outcome.model is not None:
+    rows, stopped = results.rows(), results.stopped
+    solids = results.get("solids")
+    if solids is not None and solids.model is not None:
         try:
-            _write_solids(outcome, folder, progress)
-            _write_document(outcome, folder, progress, software)
+            _write_solids(solids, results.name, folder, job)
+            _write_document(results, folder, job, software)
         except (Stopped, native.Cancelled):
-            outcome.stopped = True
-        outcome.stages.append(Stage("export", time.perf_counter() - start))
-    write_reports(outcome, folder, software)
-    return folder
+            stopped = True
+        rows.append(Row("export", time.perf_counter() - start))
+    write_reports(results, folder, rows, stopped, software)
+    return folder, stopped
 
 
-def _write_solids(outcome: Any, folder: Folder, progress: Progress) -> None:
-    """STEP, STL and 3MF; a kind of which there are no bodies (anchors switched off) has no file."""
-    model, name = outcome.model, outcome.name
-    there = [kind for kind in ("tiles", "support", "anchors") if model.volumes[kind] > 0]
-    for kind in (*there, "print", "actuated"):
-        _write(folder, f"{name}-{kind}.step", progress,
-               lambda path: model.write_step(kind, path, progress))
-    for kind in there:
-        _write(folder, f"{name}-{kind}.stl", progress,
-               lambda path: model.write_stl(kind, path, progress))
-    _write(folder, f"{name}-print.3mf", progress, lambda path: model.write_3mf(path, progress))
+def _write_solids(solids: Solids, name: str, folder: Folder, job: Job) -> None:
+    """A kind of which there are no bodies (anchors switched off) has no file."""
+    for ending, kinds in FORMATS:
+        for kind in kinds:
+            if kind in (*solids.kinds, "print", "actuated"):
+                _write(folder, f"{name}-{kind}.{ending}", job,
+                       lambda path: _writer(solids.model, ending)(kind, path, job))
 
 
-def _write_document(outcome: Any, folder: Folder, progress: Progress,
-                    software: dict[str, str]) -> None:
+def _writer(model: Any, ending: str) -> Callable[..., None]:
+    if ending == "3mf":
+        return lambda kind, path, job: model.write_3mf(path, job)
+    return model.write_step if ending == "step" else model.write_stl
+
+
+def _write_document(results: Results, folder: Folder, job: Job, software: dict[str, str]) -> None:
     from . import freecad_io
 
     def write(path: str) -> None:
-        software.update(freecad_io.write_document(outcome, Path(path)))
+        software.update(freecad_io.write_document(results, Path(path)))
 
-    _write(folder, f"{outcome.name}.FCStd", progress, write)
+    _write(folder, f"{results.name}.FCStd", job, write)
 
 
-def _write(folder: Folder, name: str, progress: Progress, writer: Callable[[str], None]) -> None:
-    if not progress(f"writing {name}", -1.0):
+def _write(folder: Folder, name: str, job: Job, writer: Callable[[str], None]) -> None:
+    if not job(f"writing {name}"):
         raise Stopped
     folder.write(name, lambda path: writer(str(path)))
 
 
-def write_reports(outcome: Any, folder: Folder, software: dict[str, str] | None = None) -> None:
-    """report.html, then report.json, which lists all files but itself."""
+def write_reports(results: Results, folder: Folder, rows: list[Row] | None = None,
+                  stopped: bool = False, software: dict[str, str] | None = None) -> None:
+    """report.html, then report.json, which lists all files but itself. rows: with those of writing."""
     report: dict[str, Any] = {}
+    shown = results.rows() if rows is None else rows
+    stopped = stopped or results.stopped
 
     def write_page(path: Path) -> None:
-        report.update(build_report(outcome, folder.files, software or {}))
-        path.write_bytes(build_html(outcome, report).encode("utf-8"))
+        report.update(build_report(results, shown, stopped, folder.files, software or {}))
+        path.write_bytes(build_html(results, report).encode("utf-8"))
 
     folder.write("report.html", write_page)
     if "print" in report:
@@ -82,9 +95,9 @@ def write_reports(outcome: Any, folder: Folder, software: dict[str, str] | None 
     folder.write_text("report.json", to_text(report))
 
 
-def cuts_text(outcome: Any) -> str:
+def cuts_text(results: Results) -> str:
     """The design's cuts and those proposed, as `--cuts` takes them."""
-    edges = np.vstack([outcome.design.cuts, *(cut.edges for cut in outcome.suggestions.proposed)])
+    edges = np.vstack([results.design.cuts, *(cut.edges for cut in results["suggestions"].proposed)])
     return json.dumps({"edges": np.sort(edges, axis=1).tolist()}) + "\n"
 
 

@@ -7,7 +7,7 @@ import re
 import struct
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, Iterator
 
 import numpy as np
 
@@ -15,12 +15,16 @@ from . import freecad_session, mesh_files
 from .errors import CurveUpsError
 from .gui_document import MESH_FLAT_LINES, SHADED, Box, View, finish_document
 from .mesh_files import Mesh
+from .native import native
+
+if TYPE_CHECKING:
+    from .project import Results
 
 # Objects of the document, and the native module's kinds of bodies.
 BODIES = {"Tiles": "tiles", "Support": "support", "Anchors": "anchors"}
-# sRGB as in STEP and 3MF (fabrication/palette.hpp), the target in the colour of its tiles.
-COLOURS = {"Tiles": (58, 110, 165), "Support": (222, 203, 164), "Anchors": (190, 92, 67),
-           "Target": (58, 110, 165)}
+# As in STEP and 3MF, the target in the colour of its tiles.
+COLOURS = {**{name: native.COLOURS[kind] for name, kind in BODIES.items()},
+           "Target": native.COLOURS["tiles"]}
 # Showing the solids of more tiles takes OpenCASCADE's meshing several seconds: the target is shown
 # instead of them until they are asked for.
 MOST_SHOWN = 800
@@ -158,8 +162,8 @@ _READERS = {
 }
 
 
-def write_document(outcome: Any, path: Path) -> dict[str, str]:
-    """The parametric document of a finished outcome, saved to `path`; returns versions of software.
+def write_document(results: Results, path: Path) -> dict[str, str]:
+    """The parametric document of a run's results, saved to `path`; returns versions of software.
 
     Shapes are kept in the file (2500 tiles: 3 s, 16 MB), so that a FreeCAD without this workbench
     shows them too.
@@ -172,11 +176,10 @@ def write_document(outcome: Any, path: Path) -> dict[str, str]:
     document = freecad.newDocument("CurveUps", hidden=True, temp=True)
     try:
         design = document.addObject("App::FeaturePython", "Design")
-        DesignProxy(design, outcome.design, outcome.verdict)
-        design.Proxy.model = outcome.model
+        DesignProxy(design, results)
+        V, F = results.design.V, results.design.F
         surface = document.addObject("Mesh::Feature", "Target")
-        surface.Mesh = mesh.Mesh([[tuple(map(float, outcome.design.V[v])) for v in face]
-                                  for face in outcome.design.F])
+        surface.Mesh = mesh.Mesh([[tuple(map(float, V[v])) for v in face] for face in F])
         for name, kind in BODIES.items():
             # A view without Python: those with it are shown on opening, hidden or not.
             body = document.addObject("Part::FeaturePython", name, None, None, False,
@@ -185,9 +188,9 @@ def write_document(outcome: Any, path: Path) -> dict[str, str]:
         document.recompute()
         broken = [obj.Name for obj in document.Objects if "Invalid" in obj.State]
         if broken:
-            raise CurveUpsError(f"the document's {broken[0]} can't be computed", outcome.name,
+            raise CurveUpsError(f"the document's {broken[0]} can't be computed", results.name,
                                 "see FreeCAD's report view")
-        solids = len(outcome.design.F) <= MOST_SHOWN
+        solids = len(F) <= MOST_SHOWN
         shown = {"Design": True, "Target": not solids, "Tiles": solids, "Support": False,
                  "Anchors": solids}
         for name, value in shown.items():
@@ -198,13 +201,13 @@ def write_document(outcome: Any, path: Path) -> dict[str, str]:
         freecad.closeDocument(document.Name)
     views = [View(name, value, COLOURS.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
              for name, value in shown.items()]
-    finish_document(path, outcome.name, views,
-                    _print_box(outcome.model) if solids else _box(outcome.design.V))
+    finish_document(path, results.name, views,
+                    _print_box(results["solids"].model) if solids else _box(V))
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
 
 
 @contextmanager
-def _binary_shapes(freecad: Any):
+def _binary_shapes(freecad: Any) -> Iterator[None]:
     """Shapes saved in binary: all bits of them, in a third less time and space than as text."""
     preferences = freecad.ParamGet("User parameter:BaseApp/Preferences/Document")
     before = preferences.GetBool("SaveBinaryBrep", False)

@@ -4,14 +4,18 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
+import threading
+from contextlib import contextmanager
+from typing import Any, Iterator
 
 from .errors import CurveUpsError
 
 _DEBIAN = "/usr/lib/freecad-python3/lib"
 
 
-def load(*modules: str):
+def load(*modules: str) -> Any:
     """Imports FreeCAD and the named modules of it; returns FreeCAD, or a tuple with all of them.
 
     Takes 0.2 to 0.6 s outside of FreeCAD, so only what needs it calls this.
@@ -21,7 +25,8 @@ def load(*modules: str):
         if folder and folder not in sys.path:
             sys.path.append(folder)
         try:
-            loaded = [__import__(name) for name in ("FreeCAD", *modules)]
+            with _kept_signals():
+                loaded = [__import__(name) for name in ("FreeCAD", *modules)]
         except ImportError as error:
             reason = error
             continue
@@ -30,7 +35,20 @@ def load(*modules: str):
                         "install FreeCAD, then run tools/setup again")
 
 
-def version(freecad) -> str:
+@contextmanager
+def _kept_signals() -> Iterator[None]:
+    """FreeCAD takes SIGINT when it is imported; whoever had it gets it back."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    handler = signal.getsignal(signal.SIGINT)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, handler or signal.SIG_DFL)
+
+
+def version(freecad: Any) -> str:
     """FreeCAD's version, as 0.20.2."""
     parts = freecad.Version()
     return ".".join(str(part) for part in parts[:3] if str(part).isdigit())

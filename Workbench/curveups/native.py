@@ -9,13 +9,16 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import sys
+from contextlib import contextmanager
 from pathlib import Path
+from types import ModuleType
+from typing import Iterator
 
 from . import __version__
-from .errors import CurveUpsError
+from .errors import CurveUpsError, Stopped, tile_list
 
 
-def _load():
+def _load() -> ModuleType:
     here = Path(__file__).parent
     name = f"Python {sys.version_info.major}.{sys.version_info.minor}"
     built = sorted(path.name for path in here.glob("_native*"))
@@ -43,3 +46,21 @@ def _load():
 
 
 native = _load()
+
+
+@contextmanager
+def translated(where: str = "") -> Iterator[None]:
+    """The one place where exceptions of the native module, and of libraries below it, become what
+    reaches users. `where` names the input they came from."""
+    try:
+        yield
+    except native.Cancelled:
+        raise Stopped from None
+    except native.Error as error:
+        place = ", ".join(part for part in (where, tile_list(error.tiles)) if part)
+        raise CurveUpsError(str(error), place, error.remedy) from error
+    except MemoryError:
+        raise CurveUpsError("there is not enough memory", where,
+                            "use larger tiles (--set L=...) or a smaller target") from None
+    except RuntimeError as error:  # of a library: the native module's own errors are handled above
+        raise CurveUpsError(f"unexpected failure: {error}", where, "please report it") from error

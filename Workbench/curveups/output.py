@@ -69,7 +69,7 @@ class Folder:
             except OSError:
                 return
 
-    def write(self, name: str, writer: Callable[[Path], None]) -> None:
+    def write(self, name: str, writer: Callable[[Path], object]) -> None:
         """Calls `writer` with a temporary path of the same ending, then gives the file its name.
 
         Whatever else keeps the file from being written ends with status 4 and says what is complete;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Progress on standard error, and stopping by SIGINT.
 
-A `Progress` is what pipelines and native calls take: called with what is being done and how much of
+A `Progress` is what jobs and native calls take: called with what is being done and how much of
 it (0 to 1, negative where unknown), it answers whether to go on.
 """
 
@@ -10,7 +10,7 @@ from __future__ import annotations
 import signal
 import sys
 import time
-from typing import Callable, Optional, TextIO
+from typing import Any, Callable, Optional, TextIO
 
 Progress = Callable[[str, float], bool]
 
@@ -20,23 +20,18 @@ class Interrupt:
 
     def __init__(self) -> None:
         self.requested = False
-        self._before = None
+        self._before: Any = None
 
     def __enter__(self) -> "Interrupt":
-        self._before = signal.getsignal(signal.SIGINT)
-        self.install()
+        self._before = signal.signal(signal.SIGINT, self._handle)
         return self
 
-    def install(self) -> None:
-        """To be called again after an import that may have taken the signal (FreeCAD)."""
-        signal.signal(signal.SIGINT, self._handle)
-
-    def _handle(self, *_) -> None:
+    def _handle(self, *_: Any) -> None:
         if self.requested:
             raise KeyboardInterrupt
         self.requested = True
 
-    def __exit__(self, *_) -> None:
+    def __exit__(self, *_: Any) -> None:
         signal.signal(signal.SIGINT, self._before or signal.SIG_DFL)
 
 

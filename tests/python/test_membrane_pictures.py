@@ -2,13 +2,15 @@
 """The picture of the membranes' stretch says what the membranes do."""
 
 import io
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from curveups.native import native
+from curveups.project import Project
 from curveups.report import html, membrane_pictures
+from curveups.report.data import build_report
+from curveups.stages import verification
 from matplotlib.colors import to_rgb
 from matplotlib.image import imread
 
@@ -19,9 +21,8 @@ def strip(stretch, tension):
     triangles = [t for k in range(len(stretch)) for t in
                  ([2 * k, 2 * k + 2, 2 * k + 1], [2 * k + 1, 2 * k + 2, 2 * k + 3])]
     larger = np.repeat(stretch, 2)
-    return SimpleNamespace(flat=flat, triangles=np.array(triangles),
-                           stretch=np.column_stack([larger, 0.5 * larger]),
-                           tension=list(np.repeat(tension, 2)))
+    return {"flat": flat, "triangles": np.array(triangles),
+            "stretch": np.column_stack([larger, 0.5 * larger]), "tension": np.repeat(tension, 2)}
 
 
 def share(image, colour):
@@ -59,12 +60,11 @@ def test_a_membrane_that_is_slack_all_over_is_drawn(image):
 
 def test_the_page_shows_both_membranes_where_they_were_computed(designed):
     design = native.read_design((designed.folder / "design.json").read_text())
-    found = native.verify_design(design, None, native.bump_tips(design))
-    outcome = SimpleNamespace(design=design, verification=found)
-    heading, picture = html._membrane_pictures(outcome)
-    assert "Membranes" in heading and "data:image/png;base64," in picture
-    assert f"{found.blocks['physics']['largest_stretch']:.4g}" in picture
-    assert html._membrane_pictures(outcome) == [heading, picture]
-    assert html._membrane_pictures(SimpleNamespace(design=design, verification=None)) == []
-    page = (designed.folder / "report.html").read_text()
-    assert heading in page
+    results = Project.of_design(design).run(("figures", "verification"))
+    found = results["verification"]
+    page = html.build_html(results, {**build_report(results, [], False, {}, {}), "warnings": []})
+    assert "<h2>Membranes</h2>" in page and "data:image/png;base64," in page
+    assert f"the largest stretch is {found.blocks['physics']['largest_stretch']:.4g}" in page
+    assert [p.heading for p in found.pictures()] == ["Contact forces", "", "Membranes"]
+    assert verification.Verification(note="verification was off").pictures() == ()
+    assert "<h2>Membranes</h2>" in (designed.folder / "report.html").read_text()

@@ -11,11 +11,19 @@ from types import SimpleNamespace
 import pytest
 from running import dome
 
-from curveups import cli, files, freecad_io, pipeline, verdict
+from curveups import cli, files, freecad_io
 from curveups.cli import main
 from curveups.errors import NOT_WRITTEN, CurveUpsError
 from curveups.native import native
 from curveups.output import Folder, safe_name
+from curveups.project import Project
+from curveups.stages import suggestions, verification
+from curveups.stages.cut_request import CutRequest
+from curveups.stages.design import Figures
+from curveups.stages.solids import Check
+from curveups.stages.stage import Job
+from curveups.stages.surface import find_source
+from curveups.verdict import Verdict, judge
 
 BIG = "9" * 400
 MODEL = ('<?xml version="1.0" encoding="%s"?><model unit="millimeter" xmlns='
@@ -173,16 +181,19 @@ def test_what_nobody_thought_of_is_not_called_invalid(capsys, monkeypatch):
     assert "Traceback" in capsys.readouterr().err
 
 
+GOALS = ("figures", "deviation", "verification", "recheck", "suggestions")
+
+
 @pytest.fixture
-def request_of_cap(tmp_path):
+def project_of_cap(tmp_path):
     (tmp_path / "cap.obj").write_text(dome(2))
-    V, F = freecad_io.read_target(tmp_path / "cap.obj", 0.1)
 
     def make(**settings):
         values = native.Parameters()
         for name, value in settings.items():
             values.set(name, value)
-        return pipeline.Request("cap", V, F, values, remesh=False, solids=False, where="cap")
+        source = find_source(str(tmp_path / "cap.obj"), remesh=False)
+        return Project("cap", values, {"source": source, "cut request": CutRequest()}, "cap")
 
     return make
 
@@ -210,109 +221,102 @@ def raising(error, first=0):
     return call
 
 
-def go_on(*_):
-    return True
-
-
 @pytest.mark.parametrize("error", [native.SolverFailure("no memory for the factor"), MemoryError()])
-def test_a_verification_that_breaks_down_keeps_the_layout(request_of_cap, monkeypatch, tmp_path, error):
-    monkeypatch.setattr(pipeline, "native", Replaced(verify_design=raising(error)))
-    outcome = pipeline.run_design(request_of_cap(), go_on)
-    assert outcome.verdict.valid is False and not outcome.stopped
-    assert any("could not be verified" in r and "memory" in r for r in outcome.verdict.reasons)
-    files.write_outcome(outcome, tmp_path / "out", go_on)
+def test_a_verification_that_breaks_down_keeps_the_layout(project_of_cap, monkeypatch, tmp_path, error):
+    monkeypatch.setattr(verification, "native", Replaced(verify_design=raising(error)))
+    results = project_of_cap().run(GOALS)
+    assert results.verdict.valid is False and not results.stopped
+    assert any("could not be verified" in r and "memory" in r for r in results.verdict.reasons)
+    files.write_results(results, tmp_path / "out", Job())
     assert json.loads((tmp_path / "out" / "report.json").read_text())["valid"] is False
     assert native.read_design((tmp_path / "out" / "design.json").read_text()).name == "cap"
 
 
-def test_a_recheck_that_breaks_down_is_a_warning(request_of_cap, monkeypatch):
+def test_a_failure_where_a_verdict_was_asked_for_is_an_error(project_of_cap, monkeypatch):
+    monkeypatch.setattr(verification, "native", Replaced(
+        verify_design=raising(native.SolverFailure("no memory for the factor"))))
+    with pytest.raises(CurveUpsError, match="no memory for the factor"):
+        project_of_cap().run(("verification",), strict=True)
+
+
+def test_a_recheck_that_breaks_down_is_a_warning(project_of_cap, monkeypatch):
     broken = raising(native.SolverFailure("no memory for the factor"), first=1)
-    monkeypatch.setattr(pipeline, "native", Replaced(verify_design=broken))
-    outcome = pipeline.run_design(request_of_cap(recheck=True, repair=False), go_on)
-    assert outcome.verdict.valid is True and outcome.recheck is None
-    warned = [w["what"] for w in outcome.warnings if w["kind"] == "recheck"]
+    monkeypatch.setattr(verification, "native", Replaced(verify_design=broken))
+    results = project_of_cap(recheck=True, repair=False).run(GOALS)
+    assert results.verdict.valid is True and not results["recheck"].ran
+    warned = [w["what"] for w in results.warnings() if w["kind"] == "recheck"]
     assert len(warned) == 1 and "no memory" in warned[0]
 
 
 @pytest.mark.parametrize("error, stopped", [(native.SolverFailure("no memory"), False),
                                             (native.Cancelled("stopped"), True)])
-def test_looking_for_cuts_that_breaks_down_is_a_warning(request_of_cap, monkeypatch, error, stopped):
+def test_looking_for_cuts_that_breaks_down_is_a_warning(project_of_cap, monkeypatch, error, stopped):
     def fail(*_):
         raise error
 
-    monkeypatch.setattr(pipeline.suggestions, "stretch_of", fail)
-    outcome = pipeline.run_design(request_of_cap(), go_on)
-    assert outcome.stopped is stopped and outcome.verification is not None
-    assert [w["kind"] for w in outcome.warnings if w["kind"] == "cuts"] == ([] if stopped else ["cuts"])
+    monkeypatch.setattr(suggestions, "native", Replaced(layout_figures=fail))
+    results = project_of_cap().run(GOALS)
+    assert results.stopped is stopped and results["verification"].judged
+    assert [w["kind"] for w in results.warnings() if w["kind"] == "cuts"] == ([] if stopped else ["cuts"])
 
 
-def test_cancelling_verification_is_a_stop(request_of_cap, monkeypatch):
-    monkeypatch.setattr(pipeline, "native", Replaced(
+def test_cancelling_verification_is_a_stop(project_of_cap, monkeypatch):
+    monkeypatch.setattr(verification, "native", Replaced(
         verify_design=raising(native.Cancelled("stopped"))))
-    outcome = pipeline.run_design(request_of_cap(), go_on)
-    assert outcome.stopped and outcome.verdict.valid is None
-    assert outcome.verdict.reasons == ["stopped during verification"]
+    results = project_of_cap().run(GOALS)
+    assert results.stopped and results.verdict.valid is None
+    assert results.verdict.reasons == ("stopped during verification",)
 
 
-def outcome_with(gap=0.0, converged=False, clearance=0.5):
-    constraints = SimpleNamespace(max_gap_violation_mm=gap, max_pin_bound_violation_mm=0.0,
-                                  close_pairs=[], small_pins=[])
-    parameters = SimpleNamespace(get=lambda _: 1.0)
-    return SimpleNamespace(
-        figures=SimpleNamespace(constraints=constraints, unresolved=[]), verify_note="", verify_failure="",
-        design=SimpleNamespace(parameters=parameters), recheck=None, repair=None,
-        layout=SimpleNamespace(converged=converged, stopped=False, iterations=7),
-        verification=SimpleNamespace(to_dict=lambda: {"valid": True}),
-        suggestions=SimpleNamespace(sentences=lambda: []),
-        solids=SimpleNamespace(unsound=[], min_clearance_flat_mm=clearance, max_overlap_actuated_mm3=0.0))
+def judged(broken=(), unsettled="the layout did not converge in 7 iterations", reasons=()):
+    """The verdict on constraints and solids as given, of a design whose forces hold; and the warnings."""
+    figures = Figures(1, 0, {}, (), (), (), tuple(broken), unsettled)
+    results = {"figures": figures, "verification": verification.Verification(valid=True),
+               "check": Check(broken=tuple(reasons))}
+    return judge(results), [w["what"] for w in figures.warnings()]
 
 
 def test_a_layout_that_did_not_settle_counts_only_with_a_violation():
-    sound, broken = outcome_with(), outcome_with(gap=0.1)
-    assert verdict.judge(sound).valid is True
-    assert ["did not converge" in w["what"] for w in verdict.warn_unsettled(sound)] == [True]
-    assert verdict.judge(broken).valid is False
-    assert any("did not converge" in reason for reason in verdict.judge(broken).reasons)
-    assert verdict.warn_unsettled(broken) == []
-    assert verdict.warn_unsettled(outcome_with(converged=True)) == []
+    verdict, warned = judged()
+    assert verdict.valid is True and ["did not converge" in what for what in warned] == [True]
+    verdict, warned = judged(broken=["flat tiles are nearer than d_gap_min"])
+    assert verdict.valid is False and any("did not converge" in reason for reason in verdict.reasons)
+    assert warned == []
+    assert judged(unsettled="") == (Verdict(True), [])
 
 
-def test_bodies_that_touch_when_flat_are_not_valid():
-    """Bodies that overlap have the distance 0, as those that touch."""
-    assert verdict.judge(outcome_with(clearance=0.0)).valid is False
-    assert verdict.judge(outcome_with(clearance=1e-3)).valid is True
+def test_a_reason_of_any_result_makes_a_design_not_valid():
+    verdict, _ = judged(unsettled="", reasons=["solids meet in the flat layout"])
+    assert verdict == Verdict(False, ("solids meet in the flat layout",))
 
 
 def test_scaled_targets_are_divided_as_finely_as_their_tiles_ask(monkeypatch, tmp_path):
     """0.0005 L in the print, whatever the file's unit."""
-    from curveups import cli_commands
-
     given = []
     (tmp_path / "a.step").write_text("ISO")
     monkeypatch.setattr(freecad_io, "read_target", lambda path, deflection: given.append(deflection)
                         or native.builtin_target("half-sphere", 1.0))
-    session = SimpleNamespace(reporter=go_on, interrupt=SimpleNamespace(
-        install=lambda: None, requested=False))
+
+    def read(target, scale):
+        values = native.Parameters()
+        values.set("L", 8.0)
+        values.set("scale", scale)
+        project = Project("a", values, {"source": find_source(target), "cut request": CutRequest()})
+        return project.run(("surface",))["surface"]
+
     for scale in (1.0, 1000.0, 0.1):
-        options = SimpleNamespace(config=[], settings=["L=8", f"scale={scale}"],
-                                  target=str(tmp_path / "a.step"))
-        cli_commands._request(options, session)
+        read(str(tmp_path / "a.step"), scale)
         assert given[-1] * scale == pytest.approx(0.004)
-    faces = []
-    for scale in ("1", "20", "1e6", "1e-6"):
-        options.settings, options.target = ["L=8", f"scale={scale}"], "half-sphere"
-        faces.append(len(cli_commands._request(options, session).F))
+    faces = [len(read("half-sphere", scale).F) for scale in (1, 20, 1e6, 1e-6)]
     assert faces[0] < faces[1] <= faces[2] and faces[3] < faces[0]
 
 
-def test_a_report_is_built_once_and_lists_the_page(request_of_cap, monkeypatch, tmp_path):
-    request = request_of_cap(verify=False)
-    request.solids = True
-    outcome = pipeline.run_design(request, go_on)
+def test_a_report_is_built_once_and_lists_the_page(project_of_cap, monkeypatch, tmp_path):
+    results = project_of_cap(verify=False).run(("figures", "solids", "check"))
     calls, build = [], files.build_report
     monkeypatch.setattr(files, "build_report", lambda *a: calls.append(1) or build(*a))
     folder = Folder(tmp_path / "out")
-    files.write_reports(outcome, folder)
+    files.write_reports(results, folder)
     report = json.loads((tmp_path / "out" / "report.json").read_text())
     assert len(calls) == 1
     assert report["print"]["files"] == {

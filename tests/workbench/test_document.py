@@ -44,7 +44,7 @@ for row in native.parameter_table():
     expected = kept.get(row.name)
     assert value == expected or abs(value - expected) < 1e-12 * abs(expected), row.name
     read_only = 'ReadOnly' in design.getEditorMode(row.name)
-    assert read_only == (row.affects != 'geometry'), row.name
+    assert read_only == (row.tier != 'rebuild'), row.name
 assert design.shear_modulus_front.getValueAs('kPa').Value == 1000 * kept.get('shear_modulus_front')
 assert design.CurveUpsVersion
 done()

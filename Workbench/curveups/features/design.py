@@ -10,10 +10,11 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from .. import __version__, pipeline
-from ..errors import CurveUpsError, from_native
-from ..native import native
-from ..solids import model_warnings
+from .. import __version__
+from ..errors import CurveUpsError
+from ..native import native, translated
+from ..project import Project, Results
+from ..verdict import Verdict
 from . import properties
 from .properties import HIDDEN, OUTPUT, READ_ONLY
 
@@ -23,8 +24,8 @@ class DesignProxy:
 
     TYPE = "CurveUps::Design"
 
-    def __init__(self, obj: Any, design: Any, verdict: Any):
-        self.model = None
+    def __init__(self, obj: Any, results: Results):
+        self.project: Project | None = None
         obj.addProperty("App::PropertyString", "Layout", "Design",
                         "The solved layout, as the text of design.json.", READ_ONLY | HIDDEN)
         obj.addProperty("App::PropertyString", "Verdict", "Design",
@@ -36,62 +37,48 @@ class DesignProxy:
                         READ_ONLY | HIDDEN)
         obj.addProperty("App::PropertyString", "CurveUpsVersion", "Design",
                         "The version that made this object.", READ_ONLY)
+        design, verdict = results.design, results.verdict
         obj.Layout = native.write_design(design)
         obj.SolvedVerdict = json.dumps({"valid": verdict.valid, "reasons": verdict.reasons})
         obj.CurveUpsVersion = __version__
         properties.add_parameters(obj, design.parameters)
         obj.Proxy = self
+        self.project = Project.of_design(design, obj.Label, results.made)
 
     def execute(self, obj: Any) -> None:
-        """Builds the solids for the current geometry parameters, unless they stand already. Where they
+        """Makes the bodies for the current geometry parameters, unless they stand already. Where they
         can't be, raises and leaves what depends on this object as it was."""
-        standing, self.model = self.model, None
-        try:
-            design = native.read_design(obj.Layout)
-            parameters = design.parameters
+        project = self._project(obj)
+        parameters = project.latest("design").design.parameters
+        with translated(obj.Label):
             changed = properties.apply_to(obj, parameters)
-            parameters.check()
-            design.parameters = parameters
-            outcome = pipeline.Outcome(design.name, design, native.evaluate_design(design))
-            model = standing or native.make_print_model(design)
-        except native.Error as error:
-            raise from_native(error, obj.Label) from None
-        self.model = model
-        self._judge(obj, outcome, changed)
-
-    def _judge(self, obj: Any, outcome: Any, changed: list[str]) -> None:
-        import FreeCAD
-
+        project.parameters = parameters
+        results = project.run(("figures", "bodies"), strict=True,
+                              note=f"geometry changed since verification ({', '.join(changed)})")
         saved = json.loads(obj.SolvedVerdict)
-        valid, reasons = saved["valid"], saved["reasons"]
+        verdict = results.verdict if changed else Verdict(saved["valid"], tuple(saved["reasons"]))
+        obj.Verdict, obj.Reasons = verdict.word, list(verdict.reasons)
         if changed:
-            outcome.verify_note = f"geometry changed since verification ({', '.join(changed)})"
-            verdict = pipeline.judge(outcome)
-            valid, reasons = verdict.valid, verdict.reasons
-        obj.Verdict = {True: "valid", False: "not valid", None: "not judged"}[valid]
-        obj.Reasons = reasons
-        if changed:
-            found = [warning["what"] for warning in model_warnings(self.model)]
-            for text in (reasons if valid is False else []) + found:
-                FreeCAD.Console.PrintWarning(f"{obj.Label}: {text}\n")
+            import FreeCAD
 
-    def onChanged(self, obj: Any, name: str) -> None:
-        """A parameter that changed, by undo as well, leaves the model behind."""
-        if properties.is_free(name):
-            self.model = None
+            found = [warning["what"] for warning in results["bodies"].warnings()]
+            for text in (*(verdict.reasons if verdict.valid is False else ()), *found):
+                FreeCAD.Console.PrintWarning(f"{obj.Label}: {text}\n")
 
     def shape(self, obj: Any, kind: str) -> Any:
         """The compound of one kind of body, from the last recompute."""
-        if self.model is None:
-            self.execute(obj)
-        try:
-            return self.model.shape(kind)
-        except native.Error as error:
-            raise from_native(error, obj.Label) from None
+        with translated(obj.Label):
+            return self._project(obj).run(("bodies",), strict=True)["bodies"].model.shape(kind)
+
+    def _project(self, obj: Any) -> Project:
+        if self.project is None:
+            with translated(obj.Label):
+                self.project = Project.of_design(native.read_design(obj.Layout), obj.Label)
+        return self.project
 
     def onDocumentRestored(self, obj: Any) -> None:
         """Documents of older versions lack the parameters that came later."""
-        self.model = None
+        self.project = None
         try:
             properties.add_parameters(obj, native.read_design(obj.Layout).parameters)
         except native.Error as error:
@@ -103,7 +90,7 @@ class DesignProxy:
         return {"type": self.TYPE}
 
     def loads(self, state: Any) -> None:
-        self.model = None
+        self.project = None
 
     __getstate__ = dumps
     __setstate__ = loads

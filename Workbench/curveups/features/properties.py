@@ -17,9 +17,6 @@ _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
                "MPa": "App::PropertyPressure", "g/cm3": "App::PropertyDensity"}
 _UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
 
-# What a recompute can follow without solving the layout again.
-FREE = ("geometry",)
-
 
 def add_parameters(obj: Any, parameters: Any) -> None:
     """One property for each parameter that `obj` lacks, with the value of `parameters`.
@@ -33,7 +30,7 @@ def add_parameters(obj: Any, parameters: Any) -> None:
         kind = _TYPES.get(row.type) or _UNIT_TYPES.get(row.unit)
         if kind not in supported:
             kind = "App::PropertyFloat"
-        free = row.affects in FREE
+        free = row.tier == "rebuild"
         tip = row.meaning + _range(row)
         if not free:
             tip += " Read-only: it needs a new layout."
@@ -61,11 +58,6 @@ def _range(row: Any) -> str:
     return f" From {row.minimum:g} to {row.maximum:g}{unit}."
 
 
-def is_free(name: str) -> bool:
-    """Whether a recompute follows the property of this name."""
-    return any(row.name == name and row.affects in FREE for row in native.parameter_table())
-
-
 def apply_to(obj: Any, parameters: Any) -> list[str]:
     """Takes the free parameters over from the properties; the names of those that changed.
 
@@ -73,7 +65,7 @@ def apply_to(obj: Any, parameters: Any) -> list[str]:
     """
     changed = []
     for row in native.parameter_table():
-        if row.affects not in FREE or row.name not in obj.PropertiesList:
+        if row.tier != "rebuild" or row.name not in obj.PropertiesList:
             continue
         value = value_of(obj, row)
         before = parameters.get(row.name)

@@ -30,7 +30,7 @@ def cut_view(design: Any, cuts: Sequence[dict], width: float = 10.0) -> bytes:
     sides = _sides(np.asarray(design.F))
     for number, cut in enumerate(cuts, 1):
         colour = MADE if cut["applied"] else PROPOSED
-        edges = [tuple(sorted(edge)) for edge in cut["edges"]]
+        edges = [(min(edge), max(edge)) for edge in cut["edges"]]
         lips = [flat[tile][[t, (t + 1) % 3]] for edge in edges for tile, t in sides[edge]]
         layout.add_collection(LineCollection(lips, colors=colour, linewidths=2))
         layout.annotate(str(number), np.mean(lips[len(lips) // 2], axis=0), color=colour,
@@ -48,6 +48,6 @@ def _sides(F: np.ndarray) -> dict[tuple[int, int], list[tuple[int, int]]]:
     sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
     for tile, face in enumerate(F.tolist()):
         for t in range(3):
-            edge = tuple(sorted((face[t], face[(t + 1) % 3])))
-            sides.setdefault(edge, []).append((tile, t))
+            a, b = face[t], face[(t + 1) % 3]
+            sides.setdefault((min(a, b), max(a, b)), []).append((tile, t))
     return sides

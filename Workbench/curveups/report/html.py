@@ -5,13 +5,12 @@ from __future__ import annotations
 
 import base64
 from html import escape
-from typing import Any
-
-import numpy as np
+from typing import Any, Callable, Sequence
 
 from ..errors import tile_list
 from ..native import native
-from ..solids import fits_bed, read_printer
+from ..project import Results
+from ..stages.solids import fits_bed, read_printer
 from . import cut_pictures, membrane_pictures, pictures
 
 _STYLE = """
@@ -31,26 +30,24 @@ figure { margin: 0; } figcaption { color: #6d6454; font-size: .9rem; }
 """
 
 
-def build_html(outcome: Any, report: dict) -> str:
-    """The page for an outcome and its report."""
-    design = outcome.design
-    parts = [
-        f"<h1>{escape(report['name'])}</h1>",
-        _verdict(report),
-        "<h2>Actuated</h2>",
-        _picture(pictures.actuated_view(design), "The tiles in the target shape, front side light."),
-        "<h2>Flat layout</h2>",
-        _picture(pictures.flat_layout(design),
-                 "As it is printed, front side up; the pins that carry the membrane in dark."),
-    ]
-    parts += _cuts(design, report)
-    parts += _physics_pictures(outcome) + _membrane_pictures(outcome)
+_VIEWS: dict[str, Callable[..., bytes]] = {
+    "flat": pictures.flat_layout, "actuated": pictures.actuated_view, "cuts": cut_pictures.cut_view,
+    "stretch": membrane_pictures.stretch_view}
+
+
+def build_html(results: Results, report: dict) -> str:
+    """The page for the results of a run and their report."""
+    parts = [f"<h1>{escape(report['name'])}</h1>", _verdict(report)]
+    for picture in results.pictures():
+        parts += [f"<h2>{escape(picture.heading)}</h2>"] if picture.heading else []
+        parts.append(_picture(_VIEWS[picture.view](**picture.data), picture.caption))
+    parts += _cuts(report.get("suggested_cuts", ()))
     if "print" in report:
-        parts += ["<h2>For the print shop</h2>", _quote(report, design)]
+        parts += ["<h2>For the print shop</h2>", _quote(report, results.parameters)]
     parts += ["<h2>Figures</h2>", _figures(report)]
     if report["warnings"]:
         parts += ["<h2>Warnings</h2>", _warnings(report["warnings"])]
-    parts += ["<h2>Parameters</h2>", _parameters(design.parameters.to_dict())]
+    parts += ["<h2>Parameters</h2>", _parameters(results.parameters.to_dict())]
     body = "\n".join(parts)
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
             f'<meta name="viewport" content="width=device-width, initial-scale=1">'
@@ -69,58 +66,20 @@ def _verdict(report: dict) -> str:
             + (f"<ul>{reasons}</ul>" if reasons else ""))
 
 
-def _cuts(design: Any, report: dict) -> list[str]:
+def _cuts(cuts: Sequence[dict]) -> list[str]:
     """Suggested cuts with their predicted effect."""
-    cuts = report.get("suggested_cuts")
-    if not cuts:
-        return []
     rows = []
     for number, cut in enumerate(cuts, 1):
         before, after = cut["predicted"]["before"] or {}, cut["predicted"]["after"] or {}
         rows.append((number, "made" if cut["applied"] else "proposed", cut["reason"],
                      cut["length_mm"], *(f"{_show(before.get(key))} → {_show(after.get(key))}" for key in
                                          ("scale_spread", "area_ratio", "slack_springs"))))
-    return ["<h2>Suggested cuts</h2>",
-            _picture(cut_pictures.cut_view(design, cuts),
-                     "Cuts that were made in blue, those proposed in red; the target from two sides."),
-            _table(rows, ("No.", "State", "Where", "Length, mm", "Spread of scale", "Flat / actuated area",
+    if not rows:
+        return []
+    return [_table(rows, ("No.", "State", "Where", "Length, mm", "Spread of scale", "Flat / actuated area",
                           "Slack membrane at")),
             '<p class="note">Figures are predictions by draft layouts, each with the cuts before it '
             "made.</p>"]
-
-
-def _physics_pictures(outcome: Any) -> list[str]:
-    """Forces and friction as colour on the layout, where they were computed."""
-    found = outcome.verification
-    if found is None or not len(found.contact_tiles):
-        return []
-    design = outcome.design
-    friction = np.zeros(len(design.F))
-    for column in range(2):
-        np.maximum.at(friction, found.contact_tiles[:, column], found.contact_friction_ratio)
-    weak = [tuple(pair) for pair in found.blocks["contact_forces"]["invalid_contacts"]]
-    marked = " Contacts below f_min are marked." if weak else ""
-    return ["<h2>Contact forces</h2>",
-            _picture(pictures.flat_layout(design, np.asarray(found.tile_normal_force), "N", weak),
-                     f"Least normal force at each tile's contact points.{marked}"),
-            _picture(pictures.flat_layout(design, friction, "friction / normal force", weak),
-                     f"Largest friction that any of a tile's contacts needs.{marked}")]
-
-
-def _membrane_pictures(outcome: Any) -> list[str]:
-    """The membranes' stretch on the layout, where they were computed."""
-    found = outcome.verification
-    membranes = () if found is None else found.membranes
-    if not membranes or not all(len(membrane.triangles) for membrane in membranes):
-        return []
-    largest = found.blocks["physics"]["largest_stretch"]
-    return ["<h2>Membranes</h2>",
-            _picture(membrane_pictures.stretch_view(membranes),
-                     "The larger principal stretch of both membranes when actuated (tau = "
-                     f"{outcome.design.parameters.get('tau'):g} before), on the flat layout seen from the "
-                     "front. The scale leaves out the hundredth at either end; the largest stretch is "
-                     f"{_show(largest)}. Wrinkled places are tinted, slack ones grey, and the pins, to which "
-                     "the membranes are glued, are left white.")]
 
 
 def _picture(png: bytes, caption: str) -> str:
@@ -129,7 +88,7 @@ def _picture(png: bytes, caption: str) -> str:
             f"<figcaption>{escape(caption)}</figcaption></figure>")
 
 
-def _table(rows: list[tuple[str, Any]], head: tuple[str, ...] = ()) -> str:
+def _table(rows: Sequence[tuple[Any, ...]], head: tuple[str, ...] = ()) -> str:
     top = "<tr>" + "".join(f"<th>{escape(cell)}</th>" for cell in head) + "</tr>" if head else ""
     lines = []
     for row in rows:
@@ -151,8 +110,8 @@ def _show(value: Any) -> str:
     return str(value)
 
 
-def _quote(report: dict, design: Any) -> str:
-    block, get, name = report["print"], design.parameters.get, report["name"]
+def _quote(report: dict, parameters: Any) -> str:
+    block, get, name = report["print"], parameters.get, report["name"]
     x, y, z = block["bbox_mm"]
     rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"]
     printer = read_printer(get("printer"))

@@ -8,53 +8,53 @@
 namespace curveups::bindings {
 namespace {
 
-struct LayoutDesign {
-  Design design;
+// Flat corners and insets of a layout, with how it was found.
+struct Layout {
+  FlatCorners T;
+  Array6 q;
   LayoutResult result;
 };
 
 }  // namespace
 
 void bind_layout(py::module_& module) {
-  py::class_<LayoutDesign>(module, "LayoutResult", "A design and how its layout was found.")
-      .def_readonly("design", &LayoutDesign::design)
+  py::class_<Layout>(module, "LayoutResult", "A layout and how it was found.")
+      .def_property_readonly(
+          "T", [](const Layout& r) { return to_blocks(r.T, 3, 2); }, "M x 3 x 2, mm.")
+      .def_property_readonly(
+          "q", [](const Layout& r) { return to_blocks(r.q, 2, 3); }, "M x 2 x 3, mm.")
       .def_property_readonly("converged",
-                             [](const LayoutDesign& r) { return r.result.solve.converged(); })
-      .def_property_readonly("stopped",
-                             [](const LayoutDesign& r) { return r.result.solve.stopped(); })
+                             [](const Layout& r) { return r.result.solve.converged(); })
+      .def_property_readonly("stopped", [](const Layout& r) { return r.result.solve.stopped(); })
       .def_property_readonly("iterations",
-                             [](const LayoutDesign& r) { return r.result.solve.iterations; })
+                             [](const Layout& r) { return r.result.solve.iterations; })
       .def_property_readonly("collision_rounds",
-                             [](const LayoutDesign& r) { return r.result.collision_rounds; })
-      .def_property_readonly("separations",
-                             [](const LayoutDesign& r) { return r.result.separations; })
+                             [](const Layout& r) { return r.result.collision_rounds; })
+      .def_property_readonly("separations", [](const Layout& r) { return r.result.separations; })
       .def_property_readonly("largest_violation_mm",
-                             [](const LayoutDesign& r) { return r.result.solve.residual; })
-      .def_property_readonly("energies", [](const LayoutDesign& r) { return r.result.energies; });
+                             [](const Layout& r) { return r.result.solve.residual; })
+      .def_property_readonly("energies", [](const Layout& r) { return r.result.energies; });
   module.def(
       "solve_layout",
-      [](const std::string& name, const Points3& V, const Triangles& F, const Edges& cuts,
-         const Parameters& parameters, py::object progress) {
+      [](const Points3& V, const Triangles& F, const Edges& cuts, const Parameters& parameters,
+         py::object progress) {
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          LayoutDesign out;
-          const TriangleMesh mesh{V, F};
-          const DesignGeometry geometry = make_geometry(mesh, cuts, parameters);
+          const DesignGeometry geometry = make_geometry({V, F}, cuts, parameters);
+          Layout out;
           out.result = solve_layout(geometry, parameters, sink);
-          out.design = {
-              name,         parameters, mesh, flat_corners(geometry.tiles, out.result.poses),
-              out.result.q, cuts,       {}};
+          out.T = flat_corners(geometry.tiles, out.result.poses);
+          out.q = out.result.q;
           return out;
         });
       },
-      py::arg("name"), py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
       py::arg("progress") = py::none(),
       "Flat poses and pins for a target mesh (Eq. 9 under hard constraints).");
   module.def(
       "solve_soft_layout",
-      [](const std::string& name, const Points3& V, const Triangles& F, const Edges& cuts,
-         const Parameters& parameters, const std::optional<Design>& start, int max_iterations,
-         py::object on_iterate) {
-        LayoutDesign out;
+      [](const Points3& V, const Triangles& F, const Edges& cuts, const Parameters& parameters,
+         const std::optional<Design>& start, int max_iterations, py::object on_iterate) {
+        Layout out;
         const TriangleMesh mesh{V, F};
         std::exception_ptr error;
         {
@@ -84,15 +84,14 @@ void bind_layout(py::module_& module) {
           };
           const LayoutResult soft =
               solve_soft_layout(geometry, parameters, from, max_iterations, callback);
-          out.design = {name,   parameters, mesh, flat_corners(geometry.tiles, soft.poses),
-                        soft.q, cuts,       {}};
-          out.result.solve = soft.solve;
-          out.result.energies = soft.energies;
+          out.T = flat_corners(geometry.tiles, soft.poses);
+          out.q = soft.q;
+          out.result = soft;
         }
         if (error) std::rethrow_exception(error);
         return out;
       },
-      py::arg("name"), py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
       py::arg("start") = py::none(), py::arg("max_iterations") = 100,
       py::arg("on_iterate") = py::none(),
       "Eq. 9 with soft terms only, for interaction. on_iterate(T, q, energy) gets every accepted "

@@ -101,18 +101,20 @@ void bind_print_model(py::module_& module) {
       .def(
           "judge_solids",
           [](PrintModel& m, py::object progress) {
-            std::vector<std::string> reasons;
+            double clearance = 0, overlap = 0;
             const auto unsound = without_gil(std::move(progress), [&](const Progress& sink) {
               auto found = check_solids(m, sink);
-              reasons =
-                  solid_reasons(found, min_clearance_flat(m).value, max_overlap_actuated(m).value);
+              clearance = min_clearance_flat(m).value;
+              overlap = max_overlap_actuated(m).value;
               return found;
             });
-            return py::make_tuple(pairs(unsound), reasons);
+            return py::make_tuple(pairs(unsound), clearance, overlap,
+                                  solid_reasons(unsound, clearance, overlap));
           },
           py::arg("progress") = py::none(),
           "The bodies whose solid is not valid, not closed or not of its exact volume, with why; "
-          "and the reasons, in words, for which solids make the design not valid.")
+          "min_clearance_flat, max_overlap_actuated; and the reasons, in words, for which solids "
+          "make the design not valid.")
       .def(
           "check_solids",
           [](PrintModel& m, py::object progress) {

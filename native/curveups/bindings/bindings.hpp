@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One function per room; module.cpp calls them in the order of dependency.
+// One function per class, or per group of functions, in a file of its name; module.cpp calls them
+// in the order of dependency.
 //
 // Style: arrays go in and out as numpy arrays (Eigen types by reference where they are row-major,
 // so that nothing is copied on the way in); results are small classes with read-only attributes;
@@ -52,13 +53,24 @@ auto without_gil(py::object callable, Work work) {
 // An M x 6 matrix as an M x a x b array, a b = 6.
 py::array_t<double> to_blocks(const Array6& m, int a, int b);
 
-void bind_core(py::module_& module);
+void bind_errors(py::module_& module);
+void bind_threads(py::module_& module);
 void bind_geometry(py::module_& module);
+void bind_clean_mesh(py::module_& module);
+void bind_mesh_checks(py::module_& module);
+void bind_remesh(py::module_& module);
+void bind_parameters(py::module_& module);
 void bind_design(py::module_& module);
+void bind_design_figures(py::module_& module);
+void bind_target_checks(py::module_& module);
 void bind_layout(py::module_& module);
-void bind_cuts(py::module_& module);
-void bind_physics(py::module_& module);
-void bind_refinement(py::module_& module);
+void bind_layout_figures(py::module_& module);
+void bind_cut_suggestions(py::module_& module);
+void bind_remedies(py::module_& module);
+void bind_solution_store(py::module_& module);
+void bind_verification(py::module_& module);
+void bind_repair(py::module_& module);
+void bind_pin_relief(py::module_& module);
 void bind_print_model(py::module_& module);
 
 }  // namespace curveups::bindings

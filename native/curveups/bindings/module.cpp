@@ -5,12 +5,23 @@ PYBIND11_MODULE(_native, module) {
   using namespace curveups::bindings;
   module.doc() = "Native part of CurveUps: layout, truncation, contacts and tile solids.";
   module.attr("__version__") = CURVEUPS_VERSION;
-  bind_core(module);
+  bind_errors(module);
+  bind_threads(module);
   bind_geometry(module);
+  bind_clean_mesh(module);
+  bind_mesh_checks(module);
+  bind_remesh(module);
+  bind_parameters(module);
   bind_design(module);
+  bind_design_figures(module);
+  bind_target_checks(module);
   bind_layout(module);
-  bind_cuts(module);
-  bind_physics(module);
-  bind_refinement(module);
+  bind_layout_figures(module);
+  bind_cut_suggestions(module);
+  bind_remedies(module);
+  bind_solution_store(module);
+  bind_verification(module);
+  bind_repair(module);
+  bind_pin_relief(module);
   bind_print_model(module);
 }

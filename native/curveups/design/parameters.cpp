@@ -15,140 +15,141 @@ using P = Parameters;
 
 // clang-format off
 std::vector<ParameterInfo> make_table() {
+  using namespace reader;
   return {
     {"scale", "", "Target", "Factor on the coordinates of a file without units (1000 for metres).",
-     Affects::target, &P::scale, 1e-6, 1e6},
+     target, &P::scale, 1e-6, 1e6},
     {"flip", "", "Target", "Turns front and back over, for targets whose normals point inwards.",
-     Affects::target, &P::flip},
+     target, &P::flip},
     {"L", "mm", "Target", "Mean edge length of the tiles; with --no-remesh the mesh's own is used.",
-     Affects::target, &P::L, 0.5, 200},
+     target | tiles, &P::L, 0.5, 200},
     {"H_body", "mm", "Tiles", "Thickness of a tile between its front and its back face.",
-     Affects::geometry, &P::H_body, 0.2, 100},
+     tiles, &P::H_body, 0.2, 100},
     {"H_pin", "mm", "Tiles", "Height of the pins on both faces, to whose tops membranes are glued.",
-     Affects::geometry, &P::H_pin, 0.05, 50},
+     tiles, &P::H_pin, 0.05, 50},
     {"d_gap_min", "mm", "Layout", "Least distance between any two tiles in the flat layout.",
-     Affects::layout, &P::d_gap_min, 0, 20},
+     layout | bodies | support, &P::d_gap_min, 0, 20},
     {"p_min", "mm", "Layout", "Least inset of a pin's edge from its face's (recessed) edge.",
-     Affects::layout, &P::p_min, 0, 20},
+     tiles, &P::p_min, 0, 20},
     {"p_max", "mm", "Layout", "Largest inset of a pin's edge: farther pins pull too weakly.",
-     Affects::layout, &P::p_max, 0, 50},
+     tiles, &P::p_max, 0, 50},
     {"A_pin_min", "mm2", "Layout", "Least area of a pin's top, so that the glue holds.",
-     Affects::layout, &P::A_pin_min, 0, 1000},
+     tiles, &P::A_pin_min, 0, 1000},
     {"A_pin_floor", "mm2", "Layout", "Pins smaller than this make a design invalid.",
-     Affects::verification, &P::A_pin_floor, 0, 1000},
+     tiles, &P::A_pin_floor, 0, 1000},
     {"pin_clearance", "mm", "Layout",
      "Distance that pins keep from facing pins and truncation planes at sharp folds.",
-     Affects::layout, &P::pin_clearance, 0, 5},
+     tiles, &P::pin_clearance, 0, 5},
     {"tau", "", "Layout", "Stretch of the membranes when glued; 3 is nine times the area.",
-     Affects::layout, &P::tau, 1.05, 8},
+     layout | physics, &P::tau, 1.05, 8},
     {"w_a", "", "Layout", "Weight of the alignment energy: facing edges opposite one another.",
-     Affects::layout, &P::w_a, 0, 1e6},
+     layout, &P::w_a, 0, 1e6},
     {"w_p", "", "Layout", "Weight of the packing energy: facing edges near one another.",
-     Affects::layout, &P::w_p, 0, 1e6},
+     layout, &P::w_p, 0, 1e6},
     {"w_s", "", "Layout", "Weight of the spring energy: membranes evenly and well stretched.",
-     Affects::layout, &P::w_s, 0, 1e6},
+     layout, &P::w_s, 0, 1e6},
     {"w_c", "", "Layout", "Weight of the collision energy while constraints are soft.",
-     Affects::layout, &P::w_c, 0, 1e9},
+     layout, &P::w_c, 0, 1e9},
     {"w_pa", "", "Layout", "Weight of the pin area energy while constraints are soft.",
-     Affects::layout, &P::w_pa, 0, 1e9},
+     layout, &P::w_pa, 0, 1e9},
     {"bumps", "", "Bumps",
      "What holds contacts against sliding: bumps, dimples (bumps that snap into hollows) or none.",
-     Affects::geometry, &P::bumps, 0, 0, {"bumps", "dimples", "none"}},
+     tiles, &P::bumps, 0, 0, {"bumps", "dimples", "none"}},
     {"bump_height", "mm", "Bumps", "Height of a friction bump over its wall.",
-     Affects::geometry, &P::bump_height, 0.02, 5},
+     tiles, &P::bump_height, 0.02, 5},
     {"bump_diameter", "mm", "Bumps", "Diameter of a friction bump where it meets its wall.",
-     Affects::geometry, &P::bump_diameter, 0.1, 10},
+     bodies, &P::bump_diameter, 0.1, 10},
     {"bump_count", "", "Bumps", "Bumps on an interface, both tiles together.",
-     Affects::geometry, &P::bump_count, 3, 40},
+     bodies, &P::bump_count, 3, 40},
     {"bump_rows", "", "Bumps", "Rows in which the bumps of an interface stand.",
-     Affects::geometry, &P::bump_rows, 2, 10},
+     bodies, &P::bump_rows, 2, 10},
     {"bump_recess", "", "Bumps",
      "Recesses walls with bumps by half the height, so that bumps do not swell the actuated shape.",
-     Affects::geometry, &P::bump_recess},
+     tiles, &P::bump_recess},
     {"dimple_clearance", "mm", "Bumps", "Fit clearance between a bump and its dimple.",
-     Affects::geometry, &P::dimple_clearance, 0, 2},
+     bodies, &P::dimple_clearance, 0, 2},
     {"support", "", "Support",
      "What keeps the layout together after printing: soluble slab, breakaway bridges or none.",
-     Affects::geometry, &P::support, 0, 0, {"soluble", "breakaway", "none"}},
+     layout | support, &P::support, 0, 0, {"soluble", "breakaway", "none"}},
     {"support_drop", "mm", "Support", "How far the slab stays below the upper pin tops (glue).",
-     Affects::geometry, &P::support_drop, 0, 50},
+     support, &P::support_drop, 0, 50},
     {"support_margin", "mm", "Support", "Width of the slab around tiles and anchors.",
-     Affects::geometry, &P::support_margin, 0.2, 50},
+     layout | support, &P::support_margin, 0.2, 50},
     {"bridge_width", "mm", "Support", "Width of a breakaway bridge.",
-     Affects::geometry, &P::bridge_width, 0.1, 20},
+     support, &P::bridge_width, 0.1, 20},
     {"bridge_thickness", "mm", "Support", "Thickness of a breakaway bridge.",
-     Affects::geometry, &P::bridge_thickness, 0.1, 20},
+     support, &P::bridge_thickness, 0.1, 20},
     {"bridge_notch", "mm", "Support", "Depth of the notch at which a bridge breaks.",
-     Affects::geometry, &P::bridge_notch, 0, 10},
+     support, &P::bridge_notch, 0, 10},
     {"bridge_depth", "mm", "Support", "How deep a bridge enters each body.",
-     Affects::geometry, &P::bridge_depth, 0, 5},
+     support, &P::bridge_depth, 0, 5},
     {"anchors", "", "Anchors", "Cylinders around the layout that take the surplus membrane's pull.",
-     Affects::geometry, &P::anchors},
+     layout | support, &P::anchors},
     {"anchor_radius", "mm", "Anchors", "Radius of an anchoring cylinder.",
-     Affects::geometry, &P::anchor_radius, 0.5, 100},
+     layout | support, &P::anchor_radius, 0.5, 100},
     {"anchor_spacing", "mm", "Anchors", "Distance between the axes of neighbouring anchors.",
-     Affects::geometry, &P::anchor_spacing, 1, 500},
+     support, &P::anchor_spacing, 1, 500},
     {"anchor_distance", "mm", "Anchors", "Distance of the anchors from the layout's outline.",
-     Affects::geometry, &P::anchor_distance, 0.2, 200},
+     layout | support, &P::anchor_distance, 0.2, 200},
     {"engrave", "", "Anchors", "Engraves name, version and piece on one anchor of each piece.",
-     Affects::geometry, &P::engrave},
+     support, &P::engrave},
     {"engrave_depth", "mm", "Anchors", "Depth of the engraving.",
-     Affects::geometry, &P::engrave_depth, 0.05, 10},
+     support, &P::engrave_depth, 0.05, 10},
     {"printer", "", "Files", "Printer whose bed, gaps and features the print is compared with.",
-     Affects::files, &P::printer, 0, 0, {"polyjet", "resin", "fdm"}},
+     check, &P::printer, 0, 0, {"polyjet", "resin", "fdm"}},
     {"mesh_deviation", "mm", "Files", "Largest deviation of STL and 3MF from the curved surfaces.",
-     Affects::files, &P::mesh_deviation, 1e-4, 1},
+     files, &P::mesh_deviation, 1e-4, 1},
     {"mesh_bumps", "", "Files", "Whether STL and 3MF have the bumps.",
-     Affects::files, &P::mesh_bumps},
+     files, &P::mesh_bumps},
     {"shear_modulus_front", "MPa", "Physics", "Shear modulus of the front membrane (latex).",
-     Affects::verification, &P::shear_modulus_front, 1e-3, 1e3},
+     physics, &P::shear_modulus_front, 1e-3, 1e3},
     {"shear_modulus_back", "MPa", "Physics", "Shear modulus of the back membrane (latex).",
-     Affects::verification, &P::shear_modulus_back, 1e-3, 1e3},
+     physics, &P::shear_modulus_back, 1e-3, 1e3},
     {"thickness_front", "mm", "Physics", "Thickness of the front membrane before it is stretched.",
-     Affects::verification, &P::thickness_front, 0.01, 10},
+     physics, &P::thickness_front, 0.01, 10},
     {"thickness_back", "mm", "Physics", "Thickness of the back membrane before it is stretched.",
-     Affects::verification, &P::thickness_back, 0.01, 10},
+     physics, &P::thickness_back, 0.01, 10},
     {"membrane_model", "", "Physics",
      "Energy of the membranes: tension-field (they wrinkle where squeezed) or plain neo-Hookean.",
-     Affects::verification, &P::membrane_model, 0, 0, {"tension-field", "neo-hookean"}},
+     physics, &P::membrane_model, 0, 0, {"tension-field", "neo-hookean"}},
     {"mesh_size", "", "Physics",
      "Largest triangles of the coarser membrane mesh as a part of L; the finer has half of it.",
-     Affects::verification, &P::mesh_size, 0.05, 2},
+     physics, &P::mesh_size, 0.05, 2},
     {"friction_coefficient", "", "Physics", "Coulomb friction between tiles, at bumps as well.",
-     Affects::verification, &P::friction_coefficient, 0.01, 10},
+     physics, &P::friction_coefficient, 0.01, 10},
     {"f_min_ratio", "", "Physics",
      "Least normal force at contact points as a part of the mean normal force.",
-     Affects::verification, &P::f_min_ratio, 0, 1},
+     physics, &P::f_min_ratio, 0, 1},
     {"gravity", "", "Physics",
      "Weight of the tiles: left out, carried by held tiles, or by a plane on which the piece rests.",
-     Affects::verification, &P::gravity, 0, 0, {"off", "held", "resting"}},
+     physics, &P::gravity, 0, 0, {"off", "held", "resting"}},
     {"held_tiles", "", "Physics",
      "Tiles that carry the piece where gravity is held, as T00012,T00345; none: its lowest.",
-     Affects::verification, &P::held_tiles},
+     physics, &P::held_tiles},
     {"density", "g/cm3", "Physics", "Density of the tiles, for gravity.",
-     Affects::verification, &P::density, 0, 30},
+     physics, &P::density, 0, 30},
     {"gravity_x", "", "Physics", "Direction in which gravity pulls: x.",
-     Affects::verification, &P::gravity_x, -1, 1},
+     physics, &P::gravity_x, -1, 1},
     {"gravity_y", "", "Physics", "Direction in which gravity pulls: y.",
-     Affects::verification, &P::gravity_y, -1, 1},
+     physics, &P::gravity_y, -1, 1},
     {"gravity_z", "", "Physics", "Direction in which gravity pulls: z.",
-     Affects::verification, &P::gravity_z, -1, 1},
+     physics, &P::gravity_z, -1, 1},
     {"move_vertices", "", "Repair",
      "Lets repair move the actuated vertices a little where poses and pins alone do not do.",
-     Affects::layout, &P::move_vertices},
+     reader::repair, &P::move_vertices},
     {"tightness", "", "Repair",
      "Least normal forces as hard constraints, or weighed against fidelity by w_tight (penalty).",
-     Affects::layout, &P::tightness, 0, 0, {"hard", "penalty"}},
+     reader::repair, &P::tightness, 0, 0, {"hard", "penalty"}},
     {"w_tight", "", "Repair",
      "Weight of missing normal force against deviation from the target where tightness is penalty.",
-     Affects::layout, &P::w_tight, 0, 1e9},
+     reader::repair, &P::w_tight, 0, 1e9},
     {"verify", "", "Stages", "Computes membranes and contact forces and judges the design.",
-     Affects::verification, &P::verify},
+     physics, &P::verify},
     {"repair", "", "Stages",
      "Makes room for pins before the layout and repairs weak contacts after verification.",
-     Affects::layout, &P::repair},
+     reader::repair, &P::repair},
     {"recheck", "", "Stages", "Verifies a second time, with a membrane mesh half as coarse.",
-     Affects::verification, &P::recheck},
+     reader::recheck, &P::recheck},
   };
 }
 // clang-format on
@@ -223,6 +224,13 @@ const ParameterInfo* find_parameter(std::string_view name) {
   return nullptr;
 }
 
+std::string_view tier(const ParameterInfo& info) {
+  const std::string_view group = info.group;
+  if (group == "Files") return "files";
+  if (group == "Physics" || group == "Stages") return "verify";
+  return group == "Target" || group == "Layout" || group == "Repair" ? "layout" : "rebuild";
+}
+
 std::vector<int> listed_tiles(std::string_view text) {
   std::vector<int> tiles;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -279,13 +287,23 @@ void set_parameter(Parameters& parameters, std::string_view name, const Paramete
 }
 
 ParameterValue get_parameter(const Parameters& parameters, std::string_view name) {
-  const ParameterInfo& info = find(name);
-  if (const auto* member = std::get_if<double P::*>(&info.member)) return parameters.*(*member);
-  if (const auto* whole = std::get_if<int P::*>(&info.member)) {
-    return static_cast<double>(parameters.*(*whole));
-  }
-  if (const auto* flag = std::get_if<bool P::*>(&info.member)) return parameters.*(*flag);
-  return parameters.*std::get<std::string P::*>(info.member);
+  return std::visit(
+      [&](auto member) {
+        using Value = std::decay_t<decltype(parameters.*member)>;
+        if constexpr (std::is_same_v<Value, int>) {
+          return ParameterValue(static_cast<double>(parameters.*member));
+        } else {
+          return ParameterValue(parameters.*member);
+        }
+      },
+      find(name).member);
+}
+
+bool operator==(const Parameters& a, const Parameters& b) {
+  const auto& table = parameter_table();
+  return std::all_of(table.begin(), table.end(), [&](const ParameterInfo& info) {
+    return std::visit([&](auto member) { return a.*member == b.*member; }, info.member);
+  });
 }
 
 void check_parameters(const Parameters& p) {

@@ -3,6 +3,7 @@
 // properties and the documentation all read.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -83,15 +84,33 @@ struct Parameters {
   bool recheck = false;
 };
 
-// Which stages a change of the parameter makes out of date.
-enum class Affects { target, layout, geometry, files, verification };
+// Parts of the engine that read a parameter, as a set of flags: what they made of another value is
+// out of date. tiles: frustums, truncation and bounds of pins, which all but the target are made
+// of.
+namespace reader {
+enum Part : unsigned {
+  target = 1,
+  tiles = 2,
+  layout = 4,
+  bodies = 8,
+  support = 16,
+  physics = 32,
+  repair = 64,
+  recheck = 128,
+  files = 256,
+  check = 512
+};
+inline constexpr std::array<std::string_view, 10> names = {
+    "target",  "tiles",  "layout",  "bodies", "support",
+    "physics", "repair", "recheck", "files",  "check"};
+}  // namespace reader
 
 struct ParameterInfo {
   std::string_view name;
   std::string_view unit;     // "mm", "mm2", "" for pure numbers
   std::string_view group;    // heading in the property editor
   std::string_view meaning;  // one sentence, the tooltip
-  Affects affects;
+  unsigned readers;          // reader::Part flags
   std::variant<double Parameters::*, int Parameters::*, bool Parameters::*,
                std::string Parameters::*>
       member;
@@ -105,6 +124,10 @@ const std::vector<ParameterInfo>& parameter_table();
 // Null for an unknown name.
 const ParameterInfo* find_parameter(std::string_view name);
 
+// What a user does after a change: "layout" (lay out anew), "rebuild" (solids follow at once, the
+// layout stays), "verify" or "files" (write them again). By the parameter's group.
+std::string_view tier(const ParameterInfo& info);
+
 using ParameterValue = std::variant<double, bool, std::string>;
 
 // Sets one parameter by its name. Numbers may come as text. Throws InvalidInput, naming the
@@ -115,6 +138,7 @@ void set_parameter(Parameters& parameters, std::string_view name, const Paramete
 // Throws InvalidInput for anything else.
 std::vector<int> listed_tiles(std::string_view text);
 ParameterValue get_parameter(const Parameters& parameters, std::string_view name);
+bool operator==(const Parameters& a, const Parameters& b);
 
 // Throws InvalidInput where single values are in range but contradict one another (p_min > p_max,
 // a bump higher than half its diameter, ...).

@@ -2,8 +2,9 @@
 #include "curveups/design/target_checks.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "curveups/core/text.hpp"
+#include "curveups/core/tolerances.hpp"
 #include "curveups/design/remote_overlaps.hpp"
 
 namespace curveups {
@@ -12,12 +13,6 @@ namespace {
 void sort_unique(std::vector<int>& tiles) {
   std::sort(tiles.begin(), tiles.end());
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
-}
-
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
 }
 
 }  // namespace
@@ -95,6 +90,45 @@ std::vector<TargetFinding> check_target(const TriangleMesh& mesh, const Edges& c
   return findings;
 }
 
+namespace {
+
+std::vector<std::string> broken_constraints(const DesignFigures& figures, double A_pin_floor) {
+  const ConstraintReport& c = figures.constraints;
+  std::vector<std::string> reasons;
+  if (c.max_gap_violation_mm > tolerance::constraint) {
+    const std::string pairs = listed(c.close_pairs, 6, pair_name);
+    reasons.push_back("flat tiles are " + number(c.max_gap_violation_mm) +
+                      " mm nearer than d_gap_min" + (pairs.empty() ? "" : " (" + pairs + ")"));
+  }
+  if (c.max_pin_bound_violation_mm > tolerance::constraint) {
+    reasons.push_back("pin insets leave their bounds by " + number(c.max_pin_bound_violation_mm) +
+                      " mm");
+  }
+  std::vector<int> small;
+  for (const SmallPin& pin : c.small_pins) {
+    if (pin.area < A_pin_floor) small.push_back(pin.tile);
+  }
+  if (!small.empty()) {
+    const std::string count = std::to_string(small.size());
+    sort_unique(small);
+    reasons.push_back(count + " pin sides are smaller than A_pin_floor (" + tile_names(small) +
+                      ")");
+  }
+  if (!figures.unresolved.empty()) {
+    std::vector<int> tiles;
+    for (const std::array<int, 2>& pair : figures.unresolved) {
+      tiles.insert(tiles.end(), pair.begin(), pair.end());
+    }
+    sort_unique(tiles);
+    reasons.push_back(std::to_string(figures.unresolved.size()) +
+                      " pairs of tiles overlap when actuated and no plane parts them (" +
+                      tile_names(tiles) + ")");
+  }
+  return reasons;
+}
+
+}  // namespace
+
 DesignFigures evaluate_design(const Design& design) {
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
   DesignFigures figures;
@@ -108,6 +142,7 @@ DesignFigures evaluate_design(const Design& design) {
   figures.actuated_area = geometry.tiles.area.sum();
   figures.flat_area = flat_area(geometry, design.T);
   figures.constraints = check_constraints(geometry, design.T, design.q, design.parameters);
+  figures.reasons = broken_constraints(figures, design.parameters.A_pin_floor);
   return figures;
 }
 

@@ -33,6 +33,7 @@ struct DesignFigures {
   std::vector<std::array<int, 2>> unresolved;
   double actuated_area = 0, flat_area = 0;  // mm2
   ConstraintReport constraints;
+  std::vector<std::string> reasons;  // why these make it not valid, in words; none: they do not
 };
 
 // Throws what make_geometry throws.

@@ -8,6 +8,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/core/text.hpp"
 
 namespace curveups {
 namespace {
@@ -153,10 +154,12 @@ std::string tile_name(int tile) {
   return name;
 }
 
-std::string tile_names(const std::vector<int>& tiles) {
-  std::string names;
-  for (int tile : tiles) names += (names.empty() ? "" : ", ") + tile_name(tile);
-  return names;
+std::string tile_names(const std::vector<int>& tiles, std::size_t most) {
+  return listed(tiles, most, tile_name);
+}
+
+std::string pair_name(const std::array<int, 2>& tiles) {
+  return tile_name(tiles[0]) + "-" + tile_name(tiles[1]);
 }
 
 }  // namespace curveups

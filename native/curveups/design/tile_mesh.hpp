@@ -76,6 +76,9 @@ std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale = 
 
 // What tile i is called in files and messages: "T00001" for tile 0; a list is separated by commas.
 std::string tile_name(int tile);
-std::string tile_names(const std::vector<int>& tiles);
+// The first `most`, and how many more there are.
+std::string tile_names(const std::vector<int>& tiles, std::size_t most = 6);
+// As "T00001-T00002".
+std::string pair_name(const std::array<int, 2>& tiles);
 
 }  // namespace curveups

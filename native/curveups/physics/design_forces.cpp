@@ -13,13 +13,6 @@ constexpr std::array<Side, 2> sides = {Side::front, Side::back};
 
 }  // namespace
 
-BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters) {
-  const GravityLoad gravity = gravity_load(geometry, parameters);
-  std::vector<ContactPoint> points = interface_points(geometry.tiles, geometry.patches);
-  points.insert(points.end(), gravity.ground.begin(), gravity.ground.end());
-  return BalanceSystem(std::move(points), tile_centres(geometry.tiles), parameters.L, gravity.held);
-}
-
 DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
                            const FlatPoses& poses, const Array6& q, const Progress& progress)
     : parameters_(parameters), poses_(poses), q_(q) {

@@ -8,15 +8,9 @@
 #include <memory>
 #include <optional>
 
-#include "curveups/physics/contact_forces.hpp"
-#include "curveups/physics/loads.hpp"
-#include "curveups/physics/membrane_solution.hpp"
+#include "curveups/physics/solved_design.hpp"
 
 namespace curveups {
-
-// The balance of a design's tiles at their contact points (interface_points, then the ground's),
-// not factorized yet.
-BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters);
 
 class DesignForces {
  public:

@@ -2,35 +2,15 @@
 #include "curveups/physics/verdict.hpp"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "curveups/core/text.hpp"
 
 namespace curveups {
 namespace {
 
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
-
-std::string names(const std::vector<int>& tiles) {
-  std::string out;
-  for (std::size_t i = 0; i < tiles.size() && i < 8; ++i)
-    out += (i ? ", " : "") + tile_name(tiles[i]);
-  if (tiles.size() > 8) out += " and " + std::to_string(tiles.size() - 8) + " more";
-  return out;
-}
-
-std::string pair_name(const std::array<int, 2>& pair) {
-  return tile_name(pair[0]) + "-" + tile_name(pair[1]);
-}
-
+std::string names(const std::vector<int>& tiles) { return tile_names(tiles, 8); }
 std::string names(const std::vector<std::array<int, 2>>& pairs) {
-  std::string out;
-  for (std::size_t i = 0; i < pairs.size() && i < 8; ++i)
-    out += (i ? ", " : "") + pair_name(pairs[i]);
-  if (pairs.size() > 8) out += " and " + std::to_string(pairs.size() - 8) + " more";
-  return out;
+  return listed(pairs, 8, pair_name);
 }
 
 // The contacts of the heaviest points of a unilateral solution, each once.
@@ -46,8 +26,11 @@ std::vector<std::array<int, 2>> critical_contacts(const UnilateralResult& result
   return pairs;
 }
 
-void judge_least_squares(const VerdictInput& in, ValidationReport& report) {
+void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
   const ContactFigures& f = report.contact_forces;
+  if (f.points > 0 && !(f.normal_mean > 0)) {
+    report.reasons.push_back("the membranes do not press the tiles together");
+  }
   if (f.points_below_f_min > 0) {
     const int p = in.forces.weakest_point;
     std::string reason = std::to_string(f.points_below_f_min) + " contact points";
@@ -71,7 +54,7 @@ void judge_least_squares(const VerdictInput& in, ValidationReport& report) {
   }
 }
 
-void judge_unilateral(const VerdictInput& in, ValidationReport& report) {
+void judge_unilateral(const VerdictInput& in, VerificationReport& report) {
   const UnilateralFigures& u = report.unilateral;
   const std::string mu = number(u.friction_coefficient);
   const std::string where = names(critical_contacts(in.coulomb, in.system));
@@ -99,7 +82,7 @@ void judge_unilateral(const VerdictInput& in, ValidationReport& report) {
   }
 }
 
-void judge_membranes(const VerdictInput& in, ValidationReport& report) {
+void judge_membranes(const VerdictInput& in, VerificationReport& report) {
   const char* sides[2] = {"front", "back"};
   if (!report.physics.converged) {
     report.reasons.push_back("the membranes' equilibrium was not reached (residual " +
@@ -107,11 +90,11 @@ void judge_membranes(const VerdictInput& in, ValidationReport& report) {
   }
   for (int s = 0; s < 2; ++s) {
     const MembraneClearance& c = in.clearance[s];
-    if (c.distance < 0) {
+    if (!is_clear(c.distance)) {
       report.reasons.push_back("the " + std::string(sides[s]) + " membrane would cut " +
                                number(-c.distance) + " mm into the body of " + tile_name(c.tile) +
                                ": raise H_pin or lower insets there");
-    } else if (c.distance < 0.05) {
+    } else if (c.distance < safe_clearance) {
       report.warnings.push_back({"the " + std::string(sides[s]) + " membrane touches the body of " +
                                      tile_name(c.tile) + " (clearance " + number(c.distance) +
                                      " mm)",
@@ -127,7 +110,7 @@ void judge_membranes(const VerdictInput& in, ValidationReport& report) {
 
 }  // namespace
 
-void give_verdict(const VerdictInput& input, ValidationReport& report) {
+void give_verdict(const VerdictInput& input, VerificationReport& report) {
   judge_least_squares(input, report);
   judge_unilateral(input, report);
   judge_membranes(input, report);

@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// From figures to reasons in words.
+// What makes a design hold, defined once: verification reports by it, repair works towards it.
 #pragma once
 
 #include "curveups/physics/clearance.hpp"
-#include "curveups/physics/validation.hpp"
+#include "curveups/physics/verification_report.hpp"
 
 namespace curveups {
 
+// A contact point presses with f_min at least.
+inline bool presses(double normal_force, double f_min) { return normal_force >= f_min; }
+
+// Pushing forces within friction reach f_min at every point, as far as the cone program tells.
+// scale: the unit of forces that the program was solved in.
+inline bool floor_is_reached(double largest_floor, double f_min, double scale) {
+  return largest_floor >= f_min - UnilateralOptions{}.tolerance * scale;
+}
+
+// A membrane does not cut into a body. distance: mm, negative inside.
+inline bool is_clear(double distance) { return distance >= 0; }
+
+// Below this a finer mesh may find that a membrane cuts in, mm.
+inline constexpr double safe_clearance = 0.05;
+
 struct VerdictInput {
-  const TileMesh& tiles;
   const BalanceSystem& system;
   const ContactForces& forces;
   const UnilateralResult& coulomb;
@@ -20,6 +34,6 @@ struct VerdictInput {
 };
 
 // Fills valid, reasons and warnings of a report whose figures are complete.
-void give_verdict(const VerdictInput& input, ValidationReport& report);
+void give_verdict(const VerdictInput& input, VerificationReport& report);
 
 }  // namespace curveups

@@ -45,7 +45,7 @@ std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& poin
   for (BlockedContact& contact : out) {
     char share[32];
     std::snprintf(share, sizeof share, "%.2f", contact.least_force);
-    contact.reason = "contact " + tile_name(contact.tiles[0]) + "-" + tile_name(contact.tiles[1]) +
+    contact.reason = "contact " + pair_name(contact.tiles) +
                      (by_floor ? " keeps pushing forces within friction at " : " has ") + share +
                      " of f_min";
   }
@@ -74,7 +74,7 @@ std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
     }
     contact.obstacle = found->what;
     contact.held = found->tiles;
-    contact.reason += ": held by the " + found->what + " of " + tile_names(found->tiles);
+    contact.reason += ": held by the " + found->what + " of " + tile_names(found->tiles, found->tiles.size());
   }
   return out;
 }

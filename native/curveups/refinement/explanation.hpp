@@ -2,12 +2,23 @@
 // Why contacts stay weak, in words that name tiles.
 #pragma once
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "curveups/refinement/judgement.hpp"
 #include "curveups/refinement/layout_step.hpp"
 
 namespace curveups {
+
+// A contact that stays weak, and what holds it.
+struct BlockedContact {
+  std::array<int, 2> tiles;
+  double least_force;     // in units of f_min
+  std::string reason;     // one sentence that names tiles
+  std::string obstacle;   // Obstacle::what, empty where there is none
+  std::vector<int> held;  // the tiles whose constraints are in the way
+};
 
 // The contacts with a point below f_min, in the order of the points; where there are none and the
 // largest floor is below it, those that hold the floor down (indices of points). Each with the

@@ -27,7 +27,7 @@ Judgement judge(const std::vector<ContactPoint>& points, const Eigen::VectorXd& 
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (points[p].contact < 0) continue;
     const double f = normal(static_cast<Eigen::Index>(p)) / out.f_min;
-    out.weak += f < 1;
+    out.weak += !presses(normal(static_cast<Eigen::Index>(p)), out.f_min);
     out.least = std::min(out.least, f);
     out.missing += std::max(0.0, options.goal - f);
     const double lack = f_min_ratio * std::max(0.0, options.penalty_goal - f);

@@ -2,10 +2,12 @@
 // How well a design holds together, in one comparable value.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "curveups/physics/contact_forces.hpp"
-#include "curveups/refinement/repair.hpp"
+#include "curveups/physics/verdict.hpp"
+#include "curveups/refinement/repair_options.hpp"
 
 namespace curveups {
 
@@ -18,10 +20,13 @@ struct Judgement {
   double missing = 0;  // sum of what points and the floor lack of their goals, in units of f_min
   double missing_squares = 0;  // of what points lack of the penalty's goal, in units of the mean
   double floor = 0;            // largest floor in units of f_min; NaN where it was not computed
+  double depth = 0;            // to which a membrane cuts into a body, mm, where it was looked at
 
-  double depth = 0;  // to which a membrane cuts into a body, mm, where it was looked at
-
-  bool valid() const { return weak == 0 && !(floor < 1) && depth == 0; }
+  // As verification judges (verdict.hpp), what was not looked at left out.
+  bool valid() const {
+    return weak == 0 && (std::isnan(floor) || floor_is_reached(floor, 1, mean / f_min)) &&
+           is_clear(-depth);
+  }
   bool better_than(const Judgement& other) const {
     if (valid() != other.valid()) return valid();
     if (weak != other.weak) return weak < other.weak;

@@ -24,9 +24,9 @@ constexpr double reluctance = 100;
 
 class Repair {
  public:
-  Repair(const Design& design, const RepairOptions& options, SolvedDesign* solved,
+  Repair(const Design& design, const RepairOptions& options, SolutionStore* store,
          const Progress& progress);
-  RepairResult run(const Design& design);
+  RepairResult run();
 
  private:
   // On a fresh mesh; points of the judgement, and those that hold its floor down.
@@ -40,8 +40,9 @@ class Repair {
   bool penalty() const { return parameters_.tightness == "penalty"; }
   std::shared_ptr<Shape> make_shape(const TriangleMesh& mesh, const LayoutModel* found) const;
 
+  Design design_here() const;
   void restore_start(RepairResult& result);
-  Judgement judge_fresh(RepairResult& result);
+  Judgement judge_fresh();
   void search(RepairResult& result);
   double merit(const Judgement& now) const;
   bool reached(const Judgement& now) const;
@@ -54,14 +55,14 @@ class Repair {
   void tell(const Judgement& now) const;
 
   RepairOptions options_;
-  SolvedDesign* solved_;
+  SolutionStore* store_;
   Progress progress_;
-  Parameters parameters_;
-  Edges cuts_;
+  Design design_;  // as given
+  const Parameters& parameters_;
   Points3 target_;
   Eigen::VectorXd weight_;  // A_j of Eq. 4
   Array6 caps_;             // upper bounds of insets beside membranes that were too low
-  Place here_;
+  Place given_, here_;      // of the design given, and now
   TrackedForces tracked_;
   std::optional<Judged> best_;
   std::vector<Touch> touches_;
@@ -70,16 +71,16 @@ class Repair {
   LayoutStep last_step_;
 };
 
-Repair::Repair(const Design& design, const RepairOptions& options, SolvedDesign* solved,
+Repair::Repair(const Design& design, const RepairOptions& options, SolutionStore* store,
                const Progress& progress)
     : options_(options),
-      solved_(solved && solved->belongs_to(design) ? solved : nullptr),
+      store_(store),
       progress_(progress),
-      parameters_(design.parameters),
-      cuts_(design.cuts),
+      design_(design),
+      parameters_(design_.parameters),
       target_(design.target ? design.target->V : design.mesh.V),
       caps_(Array6::Constant(design.mesh.F.rows(), 6, std::numeric_limits<double>::infinity())),
-      tracked_(design.parameters, options, progress) {
+      tracked_(design_.parameters, options, progress) {
   here_.shape = make_shape(design.mesh, nullptr);
   const TileMesh& tiles = here_.geometry().tiles;
   const int count = tiles.tile_count();
@@ -92,6 +93,7 @@ Repair::Repair(const Design& design, const RepairOptions& options, SolvedDesign*
                        "give the target that the mesh was moved away from");
   }
   here_.state = state_of(here_.model(), fit_poses(tiles, design.T), design.q);
+  given_ = here_;
   weight_ = Eigen::VectorXd::Zero(target_.rows());
   for (int i = 0; i < count; ++i) {
     for (int t = 0; t < 3; ++t) weight_(tiles.mesh.F(i, t)) += tiles.area(i) / 3;
@@ -101,21 +103,33 @@ Repair::Repair(const Design& design, const RepairOptions& options, SolvedDesign*
 // found: a model whose collisions are known; or null.
 std::shared_ptr<Shape> Repair::make_shape(const TriangleMesh& mesh,
                                           const LayoutModel* found) const {
-  auto shape = std::make_shared<Shape>(mesh, cuts_, parameters_, caps_);
+  auto shape = std::make_shared<Shape>(mesh, design_.cuts, parameters_, caps_);
   if (found) shape->model.gaps = found->gaps;
   return shape;
 }
 
+// The given design at the place where this stands, bit for bit where that has not moved.
+Design Repair::design_here() const {
+  if (here_.vertices() == given_.vertices() && here_.state == given_.state) return design_;
+  Design out = design_;
+  if (here_.vertices() != given_.vertices()) {
+    if (!out.target) out.target = out.mesh;
+    out.mesh = here_.geometry().tiles.mesh;
+  }
+  out.T = flat_corners(here_.geometry().tiles, here_.poses());
+  out.q = here_.insets();
+  return out;
+}
+
 // Meshes anew, where nobody has: the verdict, and the correction of the moving mesh from here on.
-Judgement Repair::judge_fresh(RepairResult& result) {
-  SolvedDesign fresh = solved_ ? std::move(*solved_)
-                               : solve_fresh(here_, parameters_, tracked_.f_min_ratio(), progress_);
-  solved_ = nullptr;
+Judgement Repair::judge_fresh() {
+  if (!keep_going(progress_, "repair: fresh membranes")) throw Cancelled();
+  SolvedDesign fresh = take_or_solve(store_, here_.geometry(), design_here(), progress_);
   Judgement now = tracked_.judge_fresh(here_, fresh);
   touches_ = find_touches(here_.geometry(), fresh, parameters_);
   for (const Touch& touch : touches_) now.depth = std::max(now.depth, -touch.clearance);
   if (now.valid()) {
-    result.solved = std::make_shared<SolvedDesign>(std::move(fresh));
+    if (store_) store_->put(std::move(fresh));
   } else {
     tracked_.follow(here_, fresh, now);
   }
@@ -138,7 +152,6 @@ void Repair::restore_start(RepairResult& result) {
                                 (here_.state - given).rightCols<6>().cwiseAbs().maxCoeff());
   if (result.restored_mm > tolerance::constraint) {
     if (!keep_going(progress_, "restoring the layout", 0)) throw Cancelled();
-    solved_ = nullptr;
   }
   if (!restore_constraints(here_.shape->model, here_.state, 40)) {
     throw InfeasibleDesign("the layout breaks constraints that small steps can't restore",
@@ -284,7 +297,7 @@ void Repair::tell(const Judgement& now) const {
 void Repair::search(RepairResult& result) {
   restore_start(result);
   while (true) {
-    Judgement now = judge_fresh(result);
+    Judgement now = judge_fresh();
     if (!best_) first_weak_ = now.weak;
     result.steps.push_back({now.weak, now.least, now.floor, 0, false, true});
     if (!best_ || now.better_than(best_->judgement)) {
@@ -293,7 +306,7 @@ void Repair::search(RepairResult& result) {
     }
     tell(now);
     if (now.valid()) {
-      result.status = RepairStatus::valid;
+      result.solve.status = SolveStatus::converged;
       return;
     }
     const bool drawn =
@@ -306,47 +319,36 @@ void Repair::search(RepairResult& result) {
   }
 }
 
-RepairResult Repair::run(const Design& design) {
+RepairResult Repair::run() {
   RepairResult result;
-  result.design = design;
-  const Place given = here_;
   std::string breakdown;
   try {
     search(result);
   } catch (const Cancelled&) {
-    result.status = RepairStatus::stopped;
+    result.solve.status = SolveStatus::stopped;
   } catch (const Error& error) {  // on the way: the best so far stands
     if (!best_) throw;
     breakdown = std::string("repair ended early: ") + error.what();
   }
-  if (!best_) return result;
-  const Place& best = best_->place;
-  if (result.status == RepairStatus::blocked) {
-    result.blocked = explain_weak_contacts(best.geometry().tiles, best_->points, best_->judgement,
+  here_ = best_ ? best_->place : given_;
+  if (result.solve.status == SolveStatus::unfinished) {
+    result.blocked = explain_weak_contacts(here_.geometry().tiles, best_->points, best_->judgement,
                                            best_->critical_points, last_step_.obstacles);
     result.suggestions = suggest_remedies(result.blocked);
     if (!breakdown.empty()) result.suggestions.push_back(breakdown);
   }
-  const bool reshaped = best.vertices() != given.vertices();
-  if (!reshaped && best.state == given.state) return result;  // bit for bit as given
-  const TileMesh& tiles = best.geometry().tiles;
-  result.design.T = flat_corners(tiles, best.poses());
-  result.design.q = best.insets();
-  result.largest_move = std::max((result.design.T - design.T).cwiseAbs().maxCoeff(),
-                                 (best.state - given.state).rightCols<6>().cwiseAbs().maxCoeff());
-  if (reshaped) {
-    if (!design.target) result.design.target = design.mesh;
-    result.design.mesh = tiles.mesh;
-    result.largest_vertex_move = (tiles.mesh.V - design.mesh.V).rowwise().norm().maxCoeff();
-  }
+  result.design = design_here();
+  result.largest_move = std::max((result.design.T - design_.T).cwiseAbs().maxCoeff(),
+                                 (here_.state - given_.state).rightCols<6>().cwiseAbs().maxCoeff());
+  result.largest_vertex_move = (result.design.mesh.V - design_.mesh.V).rowwise().norm().maxCoeff();
   return result;
 }
 
 }  // namespace
 
-RepairResult repair_design(const Design& design, const RepairOptions& options, SolvedDesign* solved,
+RepairResult repair_design(const Design& design, const RepairOptions& options, SolutionStore* store,
                            const Progress& progress) {
-  return Repair(design, options, solved, progress).run(design);
+  return Repair(design, options, store, progress).run();
 }
 
 }  // namespace curveups

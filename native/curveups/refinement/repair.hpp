@@ -13,32 +13,16 @@
 // verdict is a fresh mesh's alone.
 #pragma once
 
-#include <array>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "curveups/core/progress.hpp"
 #include "curveups/design/design.hpp"
-#include "curveups/physics/validation.hpp"
+#include "curveups/physics/solved_design.hpp"
+#include "curveups/refinement/explanation.hpp"
+#include "curveups/refinement/repair_options.hpp"
 
 namespace curveups {
-
-struct RepairOptions {
-  double reach = 0.2;  // mm that an unknown moves in a step at most, at first
-  // Weak points are lifted to this times f_min (what the mesh error may take is to spare), and
-  // points below `watched` times f_min must not fall below it.
-  double goal = 1.5;
-  double watched = 2.0;
-  double penalty_goal = 1.1;  // times f_min, where tightness is a penalty
-  // The same for the largest floor of the unilateral problem, which is one number.
-  double floor_goal = 1.2;
-  // Vertices stay within this times L of their places in the target, by coordinate.
-  double farthest = 0.1;
-  int most_steps = 30;
-};
-
-enum class RepairStatus { valid, stopped, blocked };
 
 struct RepairStep {
   int weak_points;      // normal force below f_min
@@ -50,23 +34,13 @@ struct RepairStep {
   bool fresh_mesh;      // judged on a fresh, extrapolated mesh
 };
 
-// A contact that stays weak, and what holds it.
-struct BlockedContact {
-  std::array<int, 2> tiles;
-  double least_force;     // in units of f_min
-  std::string reason;     // one sentence that names tiles
-  std::string obstacle;   // Obstacle::what, empty where there is none
-  std::vector<int> held;  // the tiles whose constraints are in the way
-};
-
 struct RepairResult {
-  Design design;  // the best found: fewest weak points, then the largest least force
-  RepairStatus status = RepairStatus::blocked;
+  Design design;      // the best found: fewest weak points, then the largest least force
+  SolveReport solve;  // converged: valid; unfinished: blocked by what `blocked` names
   std::vector<RepairStep> steps;   // the first is the design given
   double restored_mm = 0;          // by how much constraints were violated in the design given
   double largest_move = 0;         // of a front corner in the layout or an inset, mm
   double largest_vertex_move = 0;  // of an actuated vertex in this repair, mm
-  std::shared_ptr<SolvedDesign> solved;  // of the design, where it is valid
   std::vector<BlockedContact> blocked;
   std::vector<std::string> suggestions;
 };
@@ -74,11 +48,11 @@ struct RepairResult {
 // Valid: least-squares normal forces at every contact point and the largest floor of the unilateral
 // problem >= f_min, no membrane cuts into a body, and all constraints of the layout are kept. Where
 // vertices move the result's target is the given design's target, or its mesh. Cancelled through
-// progress it is stopped and keeps the best so far. solved: what verification of this very design
-// kept, taken over; or null. Throws what make_geometry throws, InvalidInput for arrays that
-// disagree, InfeasibleDesign where the layout's constraints can't be restored or membranes fold
-// over even so, SolverFailure.
-RepairResult repair_design(const Design& design, const RepairOptions& options, SolvedDesign* solved,
+// progress it is stopped and keeps the best so far. store: asked for what verification has solved
+// of this very design, and left with what is solved of a valid result; or null. Throws what
+// make_geometry throws, InvalidInput for arrays that disagree, InfeasibleDesign where the layout's
+// constraints can't be restored or membranes fold over even so, SolverFailure.
+RepairResult repair_design(const Design& design, const RepairOptions& options, SolutionStore* store,
                            const Progress& progress);
 
 }  // namespace curveups

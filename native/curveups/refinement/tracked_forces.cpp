@@ -4,33 +4,12 @@
 #include <limits>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/physics/clearance.hpp"
+#include "curveups/physics/verdict.hpp"
 
 namespace curveups {
 
 namespace {
 constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
-}
-
-SolvedDesign solve_fresh(const Place& place, const Parameters& parameters, double f_min_ratio,
-                         const Progress& progress) {
-  if (!keep_going(progress, "repair: fresh membranes")) throw Cancelled();
-  const DesignGeometry& geometry = place.geometry();
-  const TileMesh& tiles = geometry.tiles;
-  SolvedDesign fresh;
-  fresh.mesh = tiles.mesh;
-  fresh.T = flat_corners(tiles, place.poses());
-  fresh.q = place.insets();
-  fresh.f_min_ratio = f_min_ratio;
-  // Poses out of the corners, as a reader of the design has them.
-  fresh.membranes =
-      solve_membranes(geometry, fit_poses(tiles, fresh.T), fresh.q, parameters, progress);
-  fresh.loads = gravity_load(geometry, parameters).weight;
-  for (const MembraneSolution& side : fresh.membranes) {
-    add_wrenches(extrapolate<Points3>(side.forces, side.coarse_forces), side.pin_corners,
-                 tile_centres(tiles), fresh.loads);
-  }
-  return fresh;
 }
 
 std::vector<Touch> find_touches(const DesignGeometry& geometry, const SolvedDesign& solved,
@@ -64,8 +43,8 @@ UnilateralResult TrackedForces::unilateral(const DesignGeometry& geometry,
 
 Judgement TrackedForces::judge_fresh(const Place& place, const SolvedDesign& fresh) {
   f_min_ratio_ = fresh.f_min_ratio;
-  BalanceSystem system = make_balance_system(place.geometry(), parameters_);
-  const Eigen::VectorXd normal = solve_contact_forces(system, fresh.loads).force.col(0);
+  const BalanceSystem system = make_balance_system(place.geometry(), parameters_);
+  const Eigen::VectorXd normal = fresh.forces.force.col(0);
   auto judged = [&](bool with_floor) {
     const double floor =
         with_floor ? unilateral(place.geometry(), fresh.loads).largest_floor : not_computed;

@@ -12,20 +12,12 @@
 
 namespace curveups {
 
-// Membranes and loads as verification of the design at this place will have them. Throws what
-// solve_membranes throws, Cancelled.
-SolvedDesign solve_fresh(const Place& place, const Parameters& parameters, double f_min_ratio,
-                         const Progress& progress);
-
 // A tile that a membrane cuts into or all but touches.
 struct Touch {
   int tile;
   Side side;
   double clearance;  // mm, negative where it cuts in
 };
-
-// Below this a finer mesh may find that a membrane cuts in, mm.
-inline constexpr double safe_clearance = 0.05;
 
 std::vector<Touch> find_touches(const DesignGeometry& geometry, const SolvedDesign& solved,
                                 const Parameters& parameters);

@@ -2,7 +2,7 @@
 // Wrenches and normal forces against the mesh size: first order, and the default's error.
 #include <gtest/gtest.h>
 
-#include "curveups/physics/validation.hpp"
+#include "curveups/physics/verification.hpp"
 #include "support/designs.hpp"
 #include "support/meshes.hpp"
 
@@ -104,7 +104,7 @@ TEST_F(Convergence, TheDefaultsErrorIsSmallAndStated) {
   EXPECT_LT(error, 0.015);
   EXPECT_LT(error, 0.5 * normal_error(wrenches_[1]));
   EXPECT_LT(force_error(extrapolated), force_error(wrenches_[1]));
-  const ValidationReport report = verify_design(design_, {}, {});
+  const VerificationReport report = verify_design(design_, {}, {});
   EXPECT_LT(error, report.physics.normal_force_error);
   EXPECT_LT(report.physics.normal_force_error, 0.015);
 }

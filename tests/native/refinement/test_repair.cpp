@@ -7,7 +7,7 @@
 #include "curveups/core/parallel.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/layout/layout.hpp"
-#include "curveups/physics/validation.hpp"
+#include "curveups/physics/verification.hpp"
 #include "curveups/refinement/repair.hpp"
 #include "support/meshes.hpp"
 
@@ -74,7 +74,7 @@ Design with_weak_contacts() {
 TEST(Repair, LeavesAValidDesignAsItIs) {
   const Design& design = dome_design();
   const RepairResult result = repair_design(design, {}, nullptr, {});
-  EXPECT_EQ(result.status, RepairStatus::valid);
+  EXPECT_EQ(result.solve.status, SolveStatus::converged);
   EXPECT_EQ(result.design.T, design.T);
   EXPECT_EQ(result.design.q, design.q);
   EXPECT_EQ(result.steps.size(), 1u);
@@ -83,23 +83,21 @@ TEST(Repair, LeavesAValidDesignAsItIs) {
 TEST(Repair, LiftsWeakContactsAboveAHigherFloor) {
   const Design design = with_weak_contacts();
   ASSERT_GT(weak_points(design), 0);
-  const RepairResult result = repair_design(design, {}, nullptr, {});
-  EXPECT_EQ(result.status, RepairStatus::valid);
+  SolutionStore store;
+  const RepairResult result = repair_design(design, {}, &store, {});
+  EXPECT_EQ(result.solve.status, SolveStatus::converged);
   EXPECT_TRUE(result.steps.front().fresh_mesh);
   EXPECT_TRUE(result.steps.back().fresh_mesh);
   EXPECT_GT(result.steps.front().weak_points, 0);
   EXPECT_GT(result.largest_move, 0);
   expect_constraints_kept(result.design);
-  const ValidationReport fresh = verify_design(result.design, {}, {});
+  const VerificationReport fresh = verify_design(result.design, {}, {});
   EXPECT_EQ(fresh.contact_forces.points_below_f_min, 0);
   // What repair solved last is what verification would solve.
-  ASSERT_TRUE(result.solved);
-  VerifyOptions options;
-  options.solved = result.solved.get();
-  const ValidationReport handed = verify_design(result.design, options, {});
-  EXPECT_EQ(handed.elastic, fresh.elastic);
-  EXPECT_EQ(handed.contact_forces.normal_min, fresh.contact_forces.normal_min);
-  EXPECT_TRUE(result.solved->membranes[0].mesh.triangles.empty());  // taken over
+  const std::optional<SolvedDesign> left = store.take(result.design);
+  ASSERT_TRUE(left);
+  EXPECT_EQ(left->elastic, fresh.elastic);
+  EXPECT_EQ(left->forces.normal_min, fresh.contact_forces.normal_min);
 }
 
 TEST(Repair, RestoresSpoiledPinsAndPoses) {
@@ -115,7 +113,7 @@ TEST(Repair, RestoresSpoiledPinsAndPoses) {
   }
   const RepairResult result = repair_design(design, {}, nullptr, {});
   EXPECT_GT(result.restored_mm, 0.01);
-  EXPECT_EQ(result.status, RepairStatus::valid);
+  EXPECT_EQ(result.solve.status, SolveStatus::converged);
   expect_constraints_kept(result.design);
   EXPECT_EQ(weak_points(result.design), 0);
 }
@@ -136,7 +134,7 @@ Design with_a_high_floor() {
 TEST(Repair, MovesVerticesWherePosesAndPinsDoNotDo) {
   Design design = with_a_high_floor();
   const RepairResult result = repair_design(design, {}, nullptr, {});
-  EXPECT_EQ(result.status, RepairStatus::valid);
+  EXPECT_EQ(result.solve.status, SolveStatus::converged);
   EXPECT_GT(result.largest_vertex_move, 0.01);
   EXPECT_LT(result.largest_vertex_move, 0.2 * design.parameters.L);
   ASSERT_TRUE(result.design.target.has_value());
@@ -152,7 +150,7 @@ TEST(Repair, MovesVerticesWherePosesAndPinsDoNotDo) {
   RepairOptions few;
   few.most_steps = 8;
   const RepairResult without = repair_design(design, few, nullptr, {});
-  EXPECT_EQ(without.status, RepairStatus::blocked);
+  EXPECT_EQ(without.solve.status, SolveStatus::unfinished);
   EXPECT_EQ(without.design.mesh.V, design.mesh.V);
   EXPECT_FALSE(without.design.target.has_value());
   EXPECT_FALSE(without.suggestions.empty());
@@ -161,11 +159,11 @@ TEST(Repair, MovesVerticesWherePosesAndPinsDoNotDo) {
 TEST(Repair, LiftsTheFloorOfTheUnilateralProblem) {
   Design design = laid_out(test::saddle(4));
   design.parameters.friction_coefficient = 0.1;
-  const ValidationReport before = verify_design(design, {}, {});
+  const VerificationReport before = verify_design(design, {}, {});
   ASSERT_EQ(before.contact_forces.points_below_f_min, 0);
   ASSERT_FALSE(before.unilateral.feasible);
   const RepairResult result = repair_design(design, {}, nullptr, {});
-  EXPECT_EQ(result.status, RepairStatus::valid);
+  EXPECT_EQ(result.solve.status, SolveStatus::converged);
   EXPECT_LT(result.steps.front().least_floor, 1);
   EXPECT_GE(result.steps.back().least_floor, 1);
   expect_constraints_kept(result.design);
@@ -175,10 +173,10 @@ TEST(Repair, LiftsTheFloorOfTheUnilateralProblem) {
 TEST(Repair, DrawsPinsOutWhereAMembraneCutsIntoABody) {
   Design design = laid_out(test::dome(4, 7, 25));
   design.parameters.H_pin = 0.5;
-  const ValidationReport before = verify_design(design, {}, {});
+  const VerificationReport before = verify_design(design, {}, {});
   ASSERT_LT(before.physics.clearance_mm, 0);
   const RepairResult result = repair_design(design, {}, nullptr, {});
-  EXPECT_EQ(result.status, RepairStatus::valid);
+  EXPECT_EQ(result.solve.status, SolveStatus::converged);
   expect_constraints_kept(result.design);
   EXPECT_GT(verify_design(result.design, {}, {}).physics.clearance_mm, 0);
 }
@@ -205,14 +203,13 @@ TEST(Repair, WeighsTightnessAgainstFidelityWhereAsked) {
 
 TEST(Repair, StartsFromWhatVerificationKept) {
   const Design design = with_weak_contacts();
-  VerifyOptions keep;
-  keep.keep_solution = true;
-  const ValidationReport report = verify_design(design, keep, {});
-  const RepairResult kept = repair_design(design, {}, report.solved.get(), {}),
+  SolutionStore store;
+  verify_design(design, &store, {});
+  const RepairResult kept = repair_design(design, {}, &store, {}),
                      fresh = repair_design(design, {}, nullptr, {});
-  EXPECT_EQ(kept.status, RepairStatus::valid);
-  EXPECT_LT((kept.design.T - fresh.design.T).cwiseAbs().maxCoeff(), 1e-4);
-  EXPECT_LT((kept.design.q - fresh.design.q).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_EQ(kept.solve.status, SolveStatus::converged);
+  EXPECT_EQ(kept.design.T, fresh.design.T);
+  EXPECT_EQ(kept.design.q, fresh.design.q);
 }
 
 TEST(Repair, SaysWhatBlocksTheImpossible) {
@@ -221,7 +218,7 @@ TEST(Repair, SaysWhatBlocksTheImpossible) {
   RepairOptions options;
   options.most_steps = 3;
   const RepairResult result = repair_design(design, options, nullptr, {});
-  EXPECT_EQ(result.status, RepairStatus::blocked);
+  EXPECT_EQ(result.solve.status, SolveStatus::unfinished);
   ASSERT_FALSE(result.blocked.empty());
   for (const BlockedContact& contact : result.blocked) {
     EXPECT_LT(contact.least_force, 1);
@@ -237,7 +234,7 @@ TEST(Repair, StoppedItKeepsTheBestSoFar) {
       repair_design(design, {}, nullptr, [&](const std::string& what, double) {
         return what.find("weak points") == std::string::npos || ++calls < 2;
       });
-  EXPECT_EQ(result.status, RepairStatus::stopped);
+  EXPECT_EQ(result.solve.status, SolveStatus::stopped);
   ASSERT_GE(result.steps.size(), 2u);
   expect_constraints_kept(result.design);
 }

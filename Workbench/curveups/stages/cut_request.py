@@ -4,25 +4,43 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from .errors import CurveUpsError, from_native
-from .native import native
+from ..errors import CurveUpsError
+from ..native import native, translated
+from .stage import Result, Row, digest
+from .suggestions import CutSearch
 
 
-@dataclass
-class CutRequest:
-    """What a cuts file asks for; `where` names it in messages."""
+@dataclass(frozen=True)
+class CutRequest(Result):
+    """What a cuts file asks for, and what was accepted of a search; `where` names the file in
+    messages."""
 
     edges: np.ndarray = field(default_factory=lambda: np.zeros((0, 2), np.int32))
-    polylines: list[np.ndarray] = field(default_factory=list)
+    polylines: tuple[np.ndarray, ...] = ()
     where: str = ""
+    suggested: int = 0                       # how many cuts are looked for besides
+    accepted: Optional[CutSearch] = None   # the search whose cuts are among the edges
 
     def __bool__(self) -> bool:
         return len(self.edges) > 0 or len(self.polylines) > 0
+
+    @property
+    def content(self) -> str:
+        return digest(self.edges, *self.polylines, self.suggested)
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return self.accepted.rows(self.accepted.seconds) if self.accepted else ()
+
+    def accept(self, search: CutSearch) -> "CutRequest":
+        """With the cuts that a search found: in the order of their making."""
+        edges = np.vstack([search.before, *(cut.edges for cut in search.cuts)]).astype(np.int32)
+        return replace(self, edges=edges, polylines=(), suggested=0, accepted=search)
 
 
 def read_cuts(path: Path) -> CutRequest:
@@ -34,7 +52,7 @@ def read_cuts(path: Path) -> CutRequest:
         what = f"unknown field '{sorted(unknown)[0]}'" if unknown else "there are no cuts"
         raise CurveUpsError(what, where, "give edges or polylines")
     return CutRequest(_edges(data.get("edges", []), where),
-                      _polylines(data.get("polylines", []), where), where)
+                      tuple(_polylines(data.get("polylines", []), where)), where)
 
 
 def resolve_cuts(request: CutRequest, V: np.ndarray, F: np.ndarray) -> np.ndarray:
@@ -58,7 +76,7 @@ def resolve_cuts(request: CutRequest, V: np.ndarray, F: np.ndarray) -> np.ndarra
 
 def read_json_object(path: Path) -> dict:
     """A JSON file that holds an object; every way in which it can be broken is one line."""
-    def refuse(text: str):
+    def refuse(text: str) -> None:
         raise ValueError(f"{text} is no number")
 
     try:
@@ -74,7 +92,7 @@ def read_json_object(path: Path) -> dict:
     return data
 
 
-def _edges(rows, where: str) -> np.ndarray:
+def _edges(rows: Any, where: str) -> np.ndarray:
     good = isinstance(rows, list) and all(
         isinstance(row, list) and len(row) == 2
         and all(type(v) is int and 0 <= v < 2**31 for v in row) for row in rows)
@@ -84,7 +102,7 @@ def _edges(rows, where: str) -> np.ndarray:
     return np.array(rows, np.int32).reshape(-1, 2)
 
 
-def _polylines(rows, where: str) -> list[np.ndarray]:
+def _polylines(rows: Any, where: str) -> list[np.ndarray]:
     lines = []
     for row in rows if isinstance(rows, list) else [None]:
         try:
@@ -108,10 +126,8 @@ def _snap(line: np.ndarray, number: int, V: np.ndarray, F: np.ndarray, size: flo
             raise CurveUpsError(
                 f"polyline {number + 1} has a point {distance:.3g} mm away from the target",
                 where, "give the points in mm, on the surface")
-    try:
+    with translated(f"{where}, polyline {number + 1}"):
         path = native.shortest_edge_path(V, F, line)
-    except native.Error as error:
-        raise from_native(error, f"{where}, polyline {number + 1}") from None
     return [(min(pair), max(pair)) for pair in zip(path, path[1:])]
 
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "curveups/bindings/bindings.hpp"
-#include "curveups/physics/validation.hpp"
+#include "curveups/physics/verification.hpp"
 
 namespace curveups::bindings {
 namespace {
@@ -76,7 +76,7 @@ py::dict unilateral_block(const UnilateralFigures& f) {
   return out;
 }
 
-py::dict blocks(const ValidationReport& report) {
+py::dict blocks(const VerificationReport& report) {
   py::dict out;
   if (!report.computed) return out;
   out["physics"] = physics_block(report.physics);
@@ -85,7 +85,7 @@ py::dict blocks(const ValidationReport& report) {
   return out;
 }
 
-py::list warnings(const ValidationReport& report) {
+py::list warnings(const VerificationReport& report) {
   py::list out;
   for (const Warning& warning : report.warnings) {
     py::dict one;
@@ -96,7 +96,7 @@ py::list warnings(const ValidationReport& report) {
   return out;
 }
 
-py::dict to_dict(const ValidationReport& report) {
+py::dict to_dict(const VerificationReport& report) {
   py::dict out = blocks(report);
   out["valid"] = report.valid;
   out["reasons"] = report.reasons;
@@ -105,30 +105,29 @@ py::dict to_dict(const ValidationReport& report) {
 }
 
 template <class Member>
-auto array(Member ValidationReport::*member) {
-  return [member](const ValidationReport& report) { return report.*member; };
+auto array(Member VerificationReport::*member) {
+  return [member](const VerificationReport& report) { return report.*member; };
 }
 
 }  // namespace
 
-void bind_physics(py::module_& module) {
+void bind_verification(py::module_& module) {
   py::class_<MembranePicture>(module, "MembranePicture", "One membrane's mesh, for pictures.")
       .def_readonly("flat", &MembranePicture::flat, "N x 2, mm, in the layout.")
       .def_readonly("actuated", &MembranePicture::actuated, "N x 3, mm.")
       .def_readonly("triangles", &MembranePicture::triangles)
       .def_readonly("stretch", &MembranePicture::stretch, "Larger and smaller, per triangle.")
       .def_readonly("tension", &MembranePicture::tension, "0 taut, 1 wrinkled, 2 slack.");
-  py::class_<SolvedDesign, std::shared_ptr<SolvedDesign>>(
-      module, "SolvedDesign", "Membranes and loads that were solved for a design.");
-  py::class_<ValidationReport>(module, "ValidationReport", "The physical model and its verdict.")
-      .def_readonly("valid", &ValidationReport::valid)
-      .def_readonly("reasons", &ValidationReport::reasons)
+  py::class_<VerificationReport>(module, "VerificationReport",
+                                 "The physical model and its verdict.")
+      .def_readonly("valid", &VerificationReport::valid)
+      .def_readonly("reasons", &VerificationReport::reasons)
       .def_property_readonly("warnings", &warnings)
       .def_property_readonly("blocks", &blocks, "physics, contact_forces, unilateral.")
       .def("to_dict", &to_dict, "The blocks with valid, reasons and warnings.")
       .def_property_readonly(
           "contact_tiles",
-          [](const ValidationReport& report) {
+          [](const VerificationReport& report) {
             Edges out(report.contact_tiles.size(), 2);
             for (Eigen::Index k = 0; k < out.rows(); ++k) {
               out.row(k) << report.contact_tiles[k][0], report.contact_tiles[k][1];
@@ -136,36 +135,27 @@ void bind_physics(py::module_& module) {
             return out;
           },
           "K x 2: the tiles of every contact.")
-      .def_property_readonly("contact_normal_min", array(&ValidationReport::contact_normal_min))
-      .def_property_readonly("contact_normal_mean", array(&ValidationReport::contact_normal_mean))
+      .def_property_readonly("contact_normal_min", array(&VerificationReport::contact_normal_min))
+      .def_property_readonly("contact_normal_mean", array(&VerificationReport::contact_normal_mean))
       .def_property_readonly("contact_friction_ratio",
-                             array(&ValidationReport::contact_friction_ratio))
-      .def_property_readonly("tile_normal_force", array(&ValidationReport::tile_normal_min),
+                             array(&VerificationReport::contact_friction_ratio))
+      .def_property_readonly("tile_normal_force", array(&VerificationReport::tile_normal_min),
                              "Least normal force at each tile's contact points, N.")
-      .def_property_readonly("elastic_wrenches", array(&ValidationReport::elastic),
+      .def_property_readonly("elastic_wrenches", array(&VerificationReport::elastic),
                              "M x 6: membranes' force (N) and torque about the tile's centre.")
-      .def_property_readonly("membranes",
-                             [](const ValidationReport& report) {
-                               return py::make_tuple(report.membrane[0], report.membrane[1]);
-                             })
-      .def_readonly("solved", &ValidationReport::solved, "For repair_design, where it was kept.")
-      .def(
-          "drop_solution", [](ValidationReport& report) { report.solved.reset(); },
-          "Gives back the memory of what keep_solution kept.");
+      .def_property_readonly("membranes", [](const VerificationReport& report) {
+        return py::make_tuple(report.membrane[0], report.membrane[1]);
+      });
   module.def(
       "verify_design",
-      [](const Design& design, py::object progress, std::vector<Points3> bump_tips,
-         bool keep_solution, std::shared_ptr<SolvedDesign> solved) {
+      [](const Design& design, SolutionStore* store, py::object progress) {
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return verify_design(design, {std::move(bump_tips), keep_solution, solved.get()}, sink);
+          return verify_design(design, store, sink);
         });
       },
-      py::arg("design"), py::arg("progress") = py::none(),
-      py::arg("bump_tips") = std::vector<Points3>(), py::arg("keep_solution") = false,
-      py::arg("solved") = py::none(),
-      "Membranes, contact forces and verdict. bump_tips: per contact the points (n x 3) at which "
-      "its tiles touch when actuated. "
-      "keep_solution: for repair_design. solved: what a repair that ended valid hands on.");
+      py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
+      "Membranes, contact forces and verdict. store: a SolutionStore that is asked for what is "
+      "solved of the design already, and left with it.");
 }
 
 }  // namespace curveups::bindings

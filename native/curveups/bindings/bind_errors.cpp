@@ -1,33 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Exceptions, progress and threads.
+// The exceptions, each a Python class of its C++ name.
 #include "curveups/bindings/bindings.hpp"
 #include "curveups/core/errors.hpp"
-#include "curveups/core/parallel.hpp"
 
 namespace curveups::bindings {
-
-PythonProgress::PythonProgress(py::object callable) : callable_(std::move(callable)) {}
-
-Progress PythonProgress::function() {
-  return [this](const std::string& what, double fraction) {
-    py::gil_scoped_acquire acquire;
-    if (error_) return false;
-    try {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (callable_.is_none()) return true;
-      const py::object answer = callable_(what, fraction);
-      return answer.is_none() || answer.cast<bool>();
-    } catch (...) {
-      error_ = std::current_exception();
-      return false;
-    }
-  };
-}
-
-void PythonProgress::rethrow() {
-  if (error_) std::rethrow_exception(error_);
-}
-
 namespace {
 
 // A Python class per C++ exception, with the attributes `remedy` and `tiles`.
@@ -58,10 +34,10 @@ ExceptionTypes* types = nullptr;
 
 }  // namespace
 
-void bind_core(py::module_& module) {
+void bind_errors(py::module_& module) {
   types = new ExceptionTypes;
-  types->error = make_exception(module, "Error", "Base of this module's exceptions.",
-                                PyExc_RuntimeError);
+  types->error =
+      make_exception(module, "Error", "Base of this module's exceptions.", PyExc_RuntimeError);
   types->error.attr("remedy") = "";
   types->error.attr("tiles") = py::tuple();
   auto make = [&](const char* name, const char* doc) {
@@ -93,9 +69,6 @@ void bind_core(py::module_& module) {
       raise(types->error, e);
     }
   });
-  module.def("thread_count", &thread_count, "Threads that parallel loops use.");
-  module.def("set_thread_count", &set_thread_count, py::arg("count"),
-             "Sets the number of threads; results do not depend on it.");
 }
 
 }  // namespace curveups::bindings

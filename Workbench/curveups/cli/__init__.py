@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line: arguments, exit statuses, one-line errors. What commands do: cli_commands.py."""
+"""The command line: arguments, exit statuses, one-line errors. What commands do: commands.py."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ import os
 import sys
 import traceback
 from pathlib import Path
-from typing import Optional
+from typing import Any, Callable, NoReturn, Optional, TextIO
 
-from . import __version__
-from .errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
-from .progress import Interrupt, Reporter
+from .. import __version__
+from ..errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
+from ..progress import Interrupt, Reporter
 
 _EPILOG = """exit status: 0 valid, or not judged because verification was off; 1 finished, not valid;
 2 bad input or usage, nothing written; 3 stopped, best so far written; 4 a file could not be written"""
@@ -24,7 +24,7 @@ MOST_CUTS = 100
 class _Parser(argparse.ArgumentParser):
     """Argument errors in the one-line form of all others."""
 
-    def error(self, message: str):
+    def error(self, message: str) -> NoReturn:
         raise CurveUpsError(message, "command line", f"see '{self.prog} --help'")
 
 
@@ -72,7 +72,7 @@ def _count(text: str) -> int:
     return int(text)
 
 
-def _command(commands, name: str, text: str, quiet: bool = True) -> argparse.ArgumentParser:
+def _command(commands: Any, name: str, text: str, quiet: bool = True) -> argparse.ArgumentParser:
     parser = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".",
                                  allow_abbrev=False, epilog=_EPILOG)
     if quiet:
@@ -104,7 +104,7 @@ class _CleanOutput:
     """Standard output for this program alone: libraries that print there (OpenCASCADE does, from
     C) write to nothing while it is entered."""
 
-    def __enter__(self):
+    def __enter__(self) -> TextIO:
         sys.stdout.flush()
         self._kept = os.dup(1)
         nothing = os.open(os.devnull, os.O_WRONLY)
@@ -112,23 +112,22 @@ class _CleanOutput:
         os.close(nothing)
         return os.fdopen(os.dup(self._kept), "w", encoding="utf-8")
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: Any) -> None:
         os.dup2(self._kept, 1)
         os.close(self._kept)
 
 
-def run(arguments: Optional[list[str]], reporter_of=Reporter) -> int:
+def run(arguments: Optional[list[str]], reporter_of: Callable[..., Reporter] = Reporter) -> int:
     """Runs one command and returns its exit status; raises CurveUpsError."""
     options = make_parser().parse_args(arguments)
     with Interrupt() as interrupt, _CleanOutput() as output:
         reporter = reporter_of(interrupt, getattr(options, "quiet", False))
         try:
             # Loaded only now, so that --help works where the native module is broken.
-            from . import cli_commands
+            from . import commands
 
             with output:
-                return cli_commands.COMMANDS[options.command](
-                    options, cli_commands.Session(reporter, interrupt, output))
+                return commands.COMMANDS[options.command](options, commands.Session(reporter, output))
         finally:
             reporter.close()
 
@@ -160,10 +159,3 @@ def _tell(text: str) -> None:
     if os.environ.get("CURVEUPS_DEBUG") == "1":
         traceback.print_exc()
     print(f"curveups: error: {text}", file=sys.stderr)
-
-
-if __name__ == "__main__":
-    code = main()
-    sys.stderr.flush()
-    # FreeCAD, loaded as a module, may crash while the interpreter takes itself apart.
-    os._exit(code)

@@ -4,7 +4,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/physics/design_forces.hpp"
-#include "curveups/physics/validation.hpp"
+#include "curveups/physics/verification.hpp"
 #include "support/designs.hpp"
 #include "support/meshes.hpp"
 
@@ -16,7 +16,7 @@ using test::spread_design;
 
 Design dome() { return spread_design(hexagon(3, test::cap_height), 1.35, 1.2); }
 
-bool mentions(const ValidationReport& report, const std::string& text) {
+bool mentions(const VerificationReport& report, const std::string& text) {
   for (const std::string& reason : report.reasons) {
     if (reason.find(text) != std::string::npos) return true;
   }
@@ -24,7 +24,7 @@ bool mentions(const ValidationReport& report, const std::string& text) {
 }
 
 TEST(Verify, ADomeBalancesAndPushesEverywhere) {
-  const ValidationReport r = verify_design(dome(), {}, {});
+  const VerificationReport r = verify_design(dome(), {}, {});
   EXPECT_TRUE(r.computed);
   EXPECT_TRUE(r.physics.converged);
   EXPECT_LE(r.physics.fine_iterations[0], 20);
@@ -40,22 +40,22 @@ TEST(Verify, ADomeBalancesAndPushesEverywhere) {
   EXPECT_LE(r.contact_forces.normal_min,
             r.unilateral.unlimited_largest_floor + 2e-3 * r.contact_forces.normal_mean);
   EXPECT_TRUE(r.valid);
-  EXPECT_EQ(r.reasons, std::vector<std::string>());
+  EXPECT_TRUE(r.reasons.empty());
 }
 
 TEST(Verify, ForcesAreProportionalToStiffness) {
   Design design = dome();
-  const ValidationReport a = verify_design(design, {}, {});
+  const VerificationReport a = verify_design(design, {}, {});
   for (double* m : {&design.parameters.shear_modulus_front, &design.parameters.shear_modulus_back})
     *m *= 3;
-  const ValidationReport b = verify_design(design, {}, {});
+  const VerificationReport b = verify_design(design, {}, {});
   EXPECT_LT((3 * a.elastic - b.elastic).cwiseAbs().maxCoeff(),
             1e-6 * b.elastic.cwiseAbs().maxCoeff());
   EXPECT_NEAR(b.contact_forces.normal_mean / a.contact_forces.normal_mean, 3, 1e-6);
   EXPECT_EQ(a.valid, b.valid);
   // Different membranes: neither of both.
   design.parameters.shear_modulus_back /= 3;
-  const ValidationReport c = verify_design(design, {}, {});
+  const VerificationReport c = verify_design(design, {}, {});
   EXPECT_TRUE(c.physics.converged);
   EXPECT_GT(c.contact_forces.normal_mean, a.contact_forces.normal_mean);
   EXPECT_LT(c.contact_forces.normal_mean, b.contact_forces.normal_mean);
@@ -63,9 +63,9 @@ TEST(Verify, ForcesAreProportionalToStiffness) {
 
 TEST(Verify, SmallerTrianglesMoveForcesByLessThanTheStatedError) {
   Design design = dome();
-  const ValidationReport coarse = verify_design(design, {}, {});
+  const VerificationReport coarse = verify_design(design, {}, {});
   design.parameters.mesh_size = 0.2;
-  const ValidationReport fine = verify_design(design, {}, {});
+  const VerificationReport fine = verify_design(design, {}, {});
   EXPECT_LT(fine.physics.normal_force_error, coarse.physics.normal_force_error);
   EXPECT_LT(coarse.physics.normal_force_error, 0.015);
   double mean = 0;
@@ -77,7 +77,7 @@ TEST(Verify, SmallerTrianglesMoveForcesByLessThanTheStatedError) {
 }
 
 TEST(Verify, ALooseLayoutWithWrinklesConverges) {
-  const ValidationReport r =
+  const VerificationReport r =
       verify_design(spread_design(hexagon(3, test::cap_height), 1.9, 1.2), {}, {});
   EXPECT_TRUE(r.physics.converged);
   EXPECT_LE(r.physics.fine_iterations[0], 20);
@@ -88,11 +88,10 @@ TEST(Verify, ALooseLayoutWithWrinklesConverges) {
 TEST(Verify, WithoutStretchTheMembranesGoSlackAndNothingIsValid) {
   Design design = dome();
   design.parameters.tau = 1.05;
-  const ValidationReport r = verify_design(design, {}, {});
+  const VerificationReport r = verify_design(design, {}, {});
   EXPECT_TRUE(r.physics.converged);
   EXPECT_GT(r.physics.slack_fraction + r.physics.wrinkled_fraction, 0.3);
   EXPECT_FALSE(r.valid);
-  EXPECT_FALSE(r.reasons.empty());
 }
 
 TEST(Verify, CutsPiecesAndLonelyTiles) {
@@ -105,7 +104,7 @@ TEST(Verify, CutsPiecesAndLonelyTiles) {
     ASSERT_GE(tiles.topology.neighbour(lonely, t), 0);
     design.cuts.row(t) << tiles.mesh.F(lonely, t), tiles.mesh.F(lonely, next3(t));
   }
-  const ValidationReport r = verify_design(design, {}, {});
+  const VerificationReport r = verify_design(design, {}, {});
   EXPECT_TRUE(r.physics.converged);
   EXPECT_LT(r.physics.force_balance, 1e-9);
   EXPECT_LT(r.contact_forces.imbalance, 1e-9);
@@ -118,44 +117,64 @@ TEST(Verify, OneTileAndTwoTiles) {
   for (int count : {1, 2}) {
     TriangleMesh part = mesh;
     part.F = mesh.F.topRows(count);
-    const ValidationReport r = verify_design(spread_design(part, 1.35, 1.2), {}, {});
+    const VerificationReport r = verify_design(spread_design(part, 1.35, 1.2), {}, {});
     EXPECT_TRUE(r.physics.converged);
     EXPECT_EQ(r.unilateral.status, SolveStatus::converged);
     EXPECT_EQ(r.contact_tiles.size(), static_cast<std::size_t>(count - 1));
   }
 }
 
+// Where tips stand at the interfaces' corners they hold what corners hold.
 TEST(Verify, BumpTipsAreContactPoints) {
   const Design design = dome();
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
-  VerifyOptions corners, middle;
+  const SolvedDesign solved = solve_design(geometry, design, {});
+  std::vector<Points3> corners, middle;
   for (const ContactPatch& patch : geometry.patches) {
     Points3 at(patch.point_count, 3);
     for (int l = 0; l < patch.point_count; ++l) at.row(l) = patch.point[l].transpose();
-    corners.bump_tips.push_back(at);
-    middle.bump_tips.push_back(at.colwise().mean());
+    corners.push_back(at);
+    middle.push_back(at.colwise().mean());
   }
-  const ValidationReport r = verify_design(design, corners, {});
-  ASSERT_TRUE(r.unilateral.tips_status);
-  EXPECT_EQ(*r.unilateral.tips_status, r.unilateral.status);
-  EXPECT_NEAR(r.unilateral.tips_largest_floor, r.unilateral.largest_floor, 1e-6);
+  auto solve = [&](const std::vector<Points3>& tips) {
+    BalanceSystem system =
+        make_balance_system(geometry, design.parameters, contact_points_at_tips(geometry, tips));
+    UnilateralOptions options;
+    options.friction_coefficient = design.parameters.friction_coefficient;
+    options.scale = solved.forces.normal_mean;
+    const ContactForces start = solve_contact_forces(system, solved.loads);
+    return solve_unilateral(system, solved.loads, start.force, options);
+  };
+  const VerificationReport r = verify_design(design, {}, {});
+  const UnilateralResult at_corners = solve(corners);
+  EXPECT_EQ(at_corners.solve.status, r.unilateral.status);
+  EXPECT_NEAR(at_corners.largest_floor, r.unilateral.largest_floor, 1e-6);
   // A single point each can't hold the tiles' torques.
-  const ValidationReport one = verify_design(design, middle, {});
-  EXPECT_NE(*one.unilateral.tips_status, SolveStatus::converged);
-  EXPECT_FALSE(one.valid);
-  EXPECT_TRUE(mentions(one, "bumps"));
-  corners.bump_tips.pop_back();
-  EXPECT_THROW(verify_design(design, corners, {}), InvalidInput);
+  EXPECT_NE(solve(middle).solve.status, SolveStatus::converged);
+  // Contacts without tips touch at their corners.
+  const std::vector<Points3> none(corners.size(), Points3(0, 3));
+  EXPECT_EQ(contact_points_at_tips(geometry, none).size(),
+            interface_points(geometry.tiles, geometry.patches).size());
+}
+
+// Verification asks the bodies itself where printed tiles touch.
+TEST(Verify, TilesWithBumpsAreJudgedAtTheirTips) {
+  Design design = dome();
+  const VerificationReport bumps = verify_design(design, {}, {});
+  ASSERT_TRUE(bumps.unilateral.tips_status);
+  EXPECT_EQ(*bumps.unilateral.tips_status, SolveStatus::converged);
+  design.parameters.bumps = "none";
+  EXPECT_FALSE(verify_design(design, {}, {}).unilateral.tips_status);
 }
 
 TEST(Verify, GravityIsCarriedByHeldTilesOrByThePlane) {
   Design design = dome();
   design.parameters.gravity = "held";
   design.parameters.density = 1.18;
-  const ValidationReport light = verify_design(design, {}, {});
+  const VerificationReport light = verify_design(design, {}, {});
   EXPECT_LT(light.contact_forces.imbalance, 1e-9);
   design.parameters.held_tiles = "T00001, T00004,T00008";
-  const ValidationReport held = verify_design(design, {}, {});
+  const VerificationReport held = verify_design(design, {}, {});
   EXPECT_LT(held.contact_forces.imbalance, 1e-9);
   // One end of the dome carries it in another way than the other.
   EXPECT_NE(held.contact_forces.normal_min, light.contact_forces.normal_min);
@@ -165,11 +184,11 @@ TEST(Verify, GravityIsCarriedByHeldTilesOrByThePlane) {
   // A density far beyond any material pulls the piece apart.
   design.parameters.density = 30;
   design.parameters.shear_modulus_front = design.parameters.shear_modulus_back = 1e-3;
-  const ValidationReport heavy = verify_design(design, {}, {});
+  const VerificationReport heavy = verify_design(design, {}, {});
   EXPECT_FALSE(heavy.valid);
   design.parameters = dome().parameters;
   design.parameters.gravity = "resting";
-  const ValidationReport resting = verify_design(design, {}, {});
+  const VerificationReport resting = verify_design(design, {}, {});
   EXPECT_LT(resting.contact_forces.imbalance, 1e-6);
   EXPECT_EQ(resting.unilateral.status, SolveStatus::converged);
 }
@@ -177,7 +196,7 @@ TEST(Verify, GravityIsCarriedByHeldTilesOrByThePlane) {
 TEST(Verify, AMembraneThatCutsIntoABodyIsNotValid) {
   // A sharp ridge with pins far behind it.
   const TriangleMesh ridge = hexagon(2, [](double x, double) { return -0.8 * std::abs(x); });
-  const ValidationReport r = verify_design(spread_design(ridge, 1.5, 1.6), {}, {});
+  const VerificationReport r = verify_design(spread_design(ridge, 1.5, 1.6), {}, {});
   EXPECT_LT(r.physics.clearance_mm, 0);
   EXPECT_FALSE(r.valid);
   EXPECT_TRUE(mentions(r, "into the body of T0"));
@@ -187,9 +206,9 @@ TEST(Verify, AMembraneThatCutsIntoABodyIsNotValid) {
 TEST(Verify, IsTheSameWithOneThreadAndTwo) {
   const int threads = thread_count();
   set_thread_count(1);
-  const ValidationReport one = verify_design(dome(), {}, {});
+  const VerificationReport one = verify_design(dome(), {}, {});
   set_thread_count(2);
-  const ValidationReport two = verify_design(dome(), {}, {});
+  const VerificationReport two = verify_design(dome(), {}, {});
   set_thread_count(threads);
   EXPECT_EQ((one.elastic - two.elastic).cwiseAbs().maxCoeff(), 0);
   EXPECT_EQ(one.unilateral.largest_floor, two.unilateral.largest_floor);
@@ -198,31 +217,60 @@ TEST(Verify, IsTheSameWithOneThreadAndTwo) {
   EXPECT_EQ(one.reasons, two.reasons);
 }
 
-TEST(Verify, KeepsWhatRepairStartsFrom) {
-  Design design = dome();
-  EXPECT_FALSE(verify_design(design, {}, {}).solved);
-  VerifyOptions options;
-  options.keep_solution = true;
-  const ValidationReport r = verify_design(design, options, {});
-  ASSERT_TRUE(r.solved);
-  EXPECT_TRUE(r.solved->belongs_to(design));
-  EXPECT_EQ(r.solved->loads, r.elastic);
-  EXPECT_EQ(r.solved->f_min_ratio, design.parameters.f_min_ratio);
+TEST(Verify, LeavesWhatRepairStartsFrom) {
+  const Design design = dome();
+  SolutionStore store;
+  const VerificationReport r = verify_design(design, &store, {});
+  std::optional<SolvedDesign> left = store.take(design);
+  ASSERT_TRUE(left);
+  EXPECT_EQ(left->loads, r.elastic);
+  EXPECT_EQ(left->f_min_ratio, design.parameters.f_min_ratio);
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
   const FlatPoses poses = fit_poses(geometry.tiles, design.T);
   const DesignForces fresh(geometry, design.parameters, poses, design.q, {});
-  DesignForces kept(
-      geometry, design.parameters,
-      {std::move(r.solved->membranes[0].coarse), std::move(r.solved->membranes[1].coarse)}, poses,
-      design.q);
+  DesignForces kept(geometry, design.parameters,
+                    {std::move(left->membranes[0].coarse), std::move(left->membranes[1].coarse)},
+                    poses, design.q);
   EXPECT_EQ(kept.contact_forces().force, fresh.contact_forces().force);
   // It follows other poses and insets as a fresh one does.
   const Array6 q = design.q.array() + 0.01;
   kept.move(poses, q, {});
   EXPECT_LT((kept.contact_forces().force - fresh.contact_forces().force).norm(),
             0.1 * fresh.contact_forces().force.norm());
-  design.T(0, 0) += 1e-9;
-  EXPECT_FALSE(r.solved->belongs_to(design));
+}
+
+// Membranes of another design, or of one whose owner has used them up, must never be judged.
+TEST(SolutionStore, ServesOnceAndOnlyTheVeryDesign) {
+  const Design design = dome();
+  SolutionStore store;
+  const VerificationReport first = verify_design(design, &store, {});
+  auto refuses = [&](const char* what, auto change) {
+    Design other = design;
+    change(other);
+    EXPECT_FALSE(store.take(other)) << what;
+  };
+  refuses("layout", [](Design& d) { d.T(0, 0) += 1e-9; });
+  refuses("pins", [](Design& d) { d.q(0, 0) += 1e-9; });
+  refuses("vertices", [](Design& d) { d.mesh.V(0, 0) += 1e-9; });
+  refuses("stretch", [](Design& d) { d.parameters.tau = 2.9; });
+  refuses("modulus", [](Design& d) { d.parameters.shear_modulus_back *= 2; });
+  refuses("gravity", [](Design& d) { d.parameters.gravity = "held"; });
+  refuses("cuts", [](Design& d) {
+    d.cuts.resize(1, 2);
+    d.cuts << d.mesh.F(20, 0), d.mesh.F(20, 1);
+  });
+  // Another stretch is another verdict, whatever the store holds.
+  Design looser = design;
+  looser.parameters.tau = 2;
+  const VerificationReport served = verify_design(looser, &store, {});
+  EXPECT_EQ(served.elastic, verify_design(looser, {}, {}).elastic);
+  EXPECT_NE(served.elastic, first.elastic);
+  ASSERT_TRUE(store.take(looser));
+  EXPECT_FALSE(store.take(looser));
+  const VerificationReport again = verify_design(looser, &store, {});
+  EXPECT_EQ(again.elastic, served.elastic);
+  store.clear();
+  EXPECT_FALSE(store.take(looser));
 }
 
 TEST(Verify, StopsWhenAskedTo) {

@@ -1,41 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The exact physical model of a design and its verdict: membranes, contact forces as in the paper,
-// contacts that push only, and what a user must know before printing.
+// What verification finds of a design: figures in mm and N, reasons, warnings, arrays for pictures.
 #pragma once
 
-#include <memory>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "curveups/core/progress.hpp"
-#include "curveups/design/design.hpp"
-#include "curveups/physics/density.hpp"
-#include "curveups/physics/membrane_solution.hpp"
+#include "curveups/physics/elastic_forces.hpp"
 #include "curveups/physics/unilateral.hpp"
 
 namespace curveups {
-
-// What has been solved for a design: verification hands it to repair, and repair, where it ends
-// valid, back to the verification that follows. Its membranes are taken over by whoever uses them.
-struct SolvedDesign {
-  TriangleMesh mesh;  // of the design ...
-  FlatCorners T;      // ... it belongs to
-  Array6 q;
-  std::array<MembraneSolution, 2> membranes;  // front, back
-  Wrenches loads;          // on the tiles: of both meshes (extrapolated) and gravity
-  double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the mesh's error
-
-  bool belongs_to(const Design& design) const;
-};
-
-struct VerifyOptions {
-  // Where tiles touch when actuated, per contact: the bumps' tips (n x 3, world). Contacts without
-  // any touch at their corners. Empty: no bumps.
-  std::vector<Points3> bump_tips;
-  bool keep_solution = false;      // for repair
-  SolvedDesign* solved = nullptr;  // used where it belongs to the design
-};
 
 struct Warning {
   std::string what;
@@ -89,7 +64,8 @@ struct MembranePicture {
   std::vector<int> tension;  // 0 taut, 1 wrinkled, 2 slack
 };
 
-struct ValidationReport {
+// All that verification found.
+struct VerificationReport {
   bool valid = false;
   std::vector<std::string> reasons;
   std::vector<Warning> warnings;
@@ -105,14 +81,6 @@ struct ValidationReport {
       tile_normal_min;  // least normal force at each tile's points; NaN without contacts
   Wrenches elastic;     // M x 6, of the membranes
   MembranePicture membrane[2];
-  // Where it was asked for.
-  std::shared_ptr<SolvedDesign> solved;
 };
-
-// Throws what make_geometry throws (InfeasibleDesign, TopologyError, InvalidInput), InvalidInput
-// for arrays that disagree, SolverFailure, Cancelled. Results do not depend on the number of
-// threads.
-ValidationReport verify_design(const Design& design, const VerifyOptions& options,
-                               const Progress& progress);
 
 }  // namespace curveups

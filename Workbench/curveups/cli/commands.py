@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What each command of the command line does."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Iterator, TextIO
+
+from ..errors import NOT_VALID, STOPPED, VALID, CurveUpsError
+from ..files import write_obj, write_reports, write_results
+from ..native import native, translated
+from ..output import Folder, require_folder_name, safe_name
+from ..progress import Reporter
+from ..project import Project, Results
+from ..stages.cut_request import CutRequest, read_cuts, read_json_object
+from ..stages.stage import Job
+from ..stages.surface import find_source
+
+JUDGED = ("figures", "deviation", "verification", "recheck")
+PRINTED = ("solids", "check")
+
+
+@dataclass
+class Session:
+    """What commands share: where progress goes and what may stop them, where answers are printed."""
+
+    reporter: Reporter
+    output: TextIO
+
+    @property
+    def job(self) -> Job:
+        return Job(self.reporter)
+
+
+def design(options: Any, session: Session) -> int:
+    """curveups design"""
+    require_folder_name(options.output)
+    cuts = read_cuts(options.cuts) if options.cuts else CutRequest()
+    cuts = replace(cuts, suggested=options.auto_cuts)
+    project = _project(options, cuts, remesh=not options.no_remesh)
+    job = session.job
+    if cuts.suggested:
+        project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
+    results = project.run((*JUDGED, *(() if options.no_solids else PRINTED), "suggestions"), job)
+    _, stopped = write_results(results, options.output, job)
+    return _finish(results, options.output, session, stopped)
+
+
+def remesh(options: Any, session: Session) -> int:
+    """curveups remesh"""
+    require_folder_name(options.output)
+    # A closed target can be cut later.
+    project = _project(options, CutRequest(suggested=1))
+    target = project.run(("target",), session.job)["target"]
+    write_obj(Folder(options.output), f"{project.name}-remeshed.obj", target.V, target.F)
+    session.reporter.say(f"{len(target.F)} faces, mean edge {target.mean_edge:.3f} mm")
+    return VALID
+
+
+def targets(options: Any, session: Session) -> int:
+    """curveups targets"""
+    for name, _ in native.builtin_targets():
+        print(name, file=session.output)
+    return VALID
+
+
+def parameters(options: Any, session: Session) -> int:
+    """curveups parameters"""
+    group = None
+    for row in native.parameter_table():
+        if row.group != group:
+            print(f"{'' if group is None else chr(10)}{row.group}", file=session.output)
+            group = row.group
+        print(f"  {row.name:<22}{_default(row):<22}{_range(row):<29}{row.meaning}",
+              file=session.output)
+    return VALID
+
+
+def verify(options: Any, session: Session) -> int:
+    """curveups verify"""
+    if options.output:
+        require_folder_name(options.output)
+    project = Project.of_design(_read_design(options.design), str(options.design))
+    parameters = project.parameters
+    parameters.set("verify", True)
+    project.parameters = parameters
+    results = project.run(("figures", "verification", "recheck"), session.job, strict=True)
+    if options.output:
+        write_reports(results, Folder(options.output))
+    return _finish(results, options.output, session, results.stopped)
+
+
+def export(options: Any, session: Session) -> int:
+    """curveups export"""
+    require_folder_name(options.output)
+    project = Project.of_design(_read_design(options.design), str(options.design))
+    rows = {row.name: row for row in native.parameter_table()}
+    values, rebuilt = project.parameters, False
+    for name, text in _settings(options.settings):
+        before = values.get(name) if name in rows else None
+        _set(values, name, text, f"--set {name}")
+        if rows[name].tier not in ("rebuild", "files"):
+            raise CurveUpsError(f"{name} can't change on export", f"--set {name}",
+                                "run 'curveups design' with it")
+        rebuilt |= rows[name].tier == "rebuild" and values.get(name) != before
+    project.parameters = values
+    job = session.job
+    results = project.run(
+        ("figures", *PRINTED), job, strict=True,
+        note="geometry changed since verification" if rebuilt else "an export does not verify")
+    _, stopped = write_results(results, options.output, job)
+    return _finish(results, options.output, session, stopped)
+
+
+COMMANDS = {"design": design, "remesh": remesh, "targets": targets, "parameters": parameters,
+            "verify": verify, "export": export}
+
+
+def _finish(results: Results, folder: Path | None, session: Session, stopped: bool) -> int:
+    reporter, verdict = session.reporter, results.verdict
+    reporter.say(f"{results.name}: {len(results['design'].design.F)} tiles, {verdict.word}")
+    for reason in verdict.reasons:
+        reporter.say(f"  {reason}")
+    _tell_of_cuts(results, reporter)
+    if stopped:  # a signal that came too late to leave anything out stopped nothing
+        reporter.say("stopped: what there is, is written" if folder else "stopped")
+        return STOPPED
+    return NOT_VALID if verdict.valid is False else VALID
+
+
+def _tell_of_cuts(results: Results, reporter: Reporter) -> None:
+    """Where cuts are proposed: how to make them."""
+    found = results.get("suggestions")
+    if found is None or not found.proposed:
+        return
+    if results.verdict.valid is not False:  # otherwise they stand among the reasons
+        for cut in found.proposed:
+            reporter.say(f"  warning: {cut} would relieve the layout")
+    reporter.say(f"  to make them: --cuts with {results.name}-cuts.json, or --auto-cuts "
+                 f"{len(found.applied) + len(found.proposed)} for as many, chosen anew")
+
+
+def _project(options: Any, cuts: CutRequest, remesh: bool = True) -> Project:
+    values = native.Parameters()
+    for path in options.config:
+        for name, value in read_json_object(path).items():
+            if name != "about":  # a note of the file's author
+                _set(values, name, value, str(path))
+    for name, text in _settings(options.settings):
+        _set(values, name, text, f"--set {name}")
+    source = find_source(options.target, remesh=remesh, will_be_cut=bool(cuts) or cuts.suggested > 0)
+    return Project(source.name, values, {"source": source, "cut request": cuts}, options.target)
+
+
+def _read_design(path: Path) -> Any:
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise CurveUpsError(f"the design can't be read: {error.strerror}", str(path),
+                            "check its name and permissions") from None
+    except ValueError:
+        raise CurveUpsError("the design is no text", str(path),
+                            "give a design.json of 'curveups design'") from None
+    with translated(str(path)):
+        found = native.read_design(text)
+    return found.with_name(safe_name(found.name))  # files are named after it
+
+
+def _settings(texts: list[str]) -> Iterator[tuple[str, str]]:
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not equals or not name:
+            raise CurveUpsError(f"'{text}' is no setting", "--set", "give name=value")
+        yield name.strip(), value.strip()
+
+
+def _set(values: Any, name: str, value: Any, where: str) -> None:
+    with translated(where):
+        values.set(name, value)
+
+
+def _default(row: Any) -> str:
+    value = row.default
+    text = ("on" if value else "off") if isinstance(value, bool) else (
+        f"{value:g}" if isinstance(value, (int, float)) else value)
+    return f"{text} {row.unit}".strip()
+
+
+def _range(row: Any) -> str:
+    if row.type == "switch":
+        return "on, off"
+    if row.type == "tiles":
+        return "tile names"
+    if row.choices:
+        return ", ".join(row.choices)
+    return f"{row.minimum:g} to {row.maximum:g}"

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work as stages: one file a stage, listed here in the order in which reports show their results."""
+
+from . import (cuts, design, deviation, layout, relief, repair, solids, suggestions, surface, target,
+               verification)
+
+STAGES = (surface.STAGE, target.STAGE, cuts.STAGE, suggestions.SEARCH, relief.STAGE, layout.STAGE,
+          verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, deviation.STAGE,
+          verification.STAGE, verification.RECHECK, solids.BODIES, solids.STAGE, solids.CHECK,
+          suggestions.STAGE)

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The edges across which tiles are disconnected."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..native import native
+from .cut_request import resolve_cuts
+from .findings import settle, tiles_place
+from .stage import Inputs, Job, Result, Stage, digest
+
+
+@dataclass(frozen=True)
+class Cuts(Result):
+    """edges: C x 2 vertex pairs of the target, each once, ascending as they were asked for."""
+
+    edges: np.ndarray
+
+    @property
+    def content(self) -> str:
+        return digest(self.edges)
+
+
+def _run(inputs: Inputs, job: Job) -> Cuts:
+    target = inputs["target"]
+    edges = resolve_cuts(inputs["cut request"], target.V, target.F)
+    settle([finding for finding in native.check_target(target.V, target.F, edges, inputs.parameters)
+            if finding.is_error], inputs.where, tiles_place)
+    return Cuts(edges)
+
+
+STAGE = Stage("cuts", ("target", "cut request"), frozenset({"tiles"}), _run)

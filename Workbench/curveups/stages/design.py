@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The finished design, and how well it keeps its constraints."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence
+
+from ..native import native
+from .stage import Inputs, Picture, Result, Stage, digest
+
+
+def design_digest(design: Any) -> str:
+    """Of all but its parameters and name."""
+    target = design.target or ()
+    return digest(design.V, design.F, design.T, design.q, design.cuts, *target)
+
+
+@dataclass(frozen=True)
+class FinishedDesign(Result):
+    """A design that is laid out and, where that was asked for, repaired; or one that was given."""
+
+    design: Any                          # native Design
+    verification: Optional[Result] = None  # of this very design, where there is one already
+    unsettled: str = ""                  # of its layout
+
+    @property
+    def content(self) -> str:
+        return design_digest(self.design)
+
+    def pictures(self) -> Sequence[Picture]:
+        data = {"design": self.design}
+        return (Picture("Actuated", "The tiles in the target shape, front side light.", "actuated", data),
+                Picture("Flat layout", "As it is printed, front side up; the pins that carry the membrane "
+                                       "in dark.", "flat", data))
+
+
+def _finish(inputs: Inputs) -> FinishedDesign:
+    repair = inputs["repair"]
+    return FinishedDesign(repair.design, repair.verification, inputs["layout"].unsettled)
+
+
+STAGE = Stage("design", ("layout", "repair"), frozenset(), lambda inputs, job: _finish(inputs),
+              on_stop=lambda stage, inputs: _finish(inputs))
+
+
+@dataclass(frozen=True)
+class Figures(Result):
+    """Counts, areas and constraints of a design under the parameters as they are."""
+
+    tiles: int
+    cuts: int
+    figures: dict[str, Any]
+    small_pins: tuple[tuple[int, str, float], ...]  # tile, side, mm2: from A_pin_floor to A_pin_min
+    pins_below_floor: tuple[int, ...]  # tiles
+    hinges: tuple[int, ...]
+    broken: tuple[str, ...]  # reasons
+    unsettled: str
+
+    def report(self) -> dict[str, Any]:
+        return {"tiles": self.tiles, "cuts": self.cuts, **self.figures}
+
+    def reasons(self) -> Sequence[str]:
+        return (*self.broken, self.unsettled) if self.broken and self.unsettled else self.broken
+
+    def warnings(self) -> Sequence[dict]:
+        found: list[dict] = []
+        if self.unsettled and not self.broken:  # nothing but the layout's quality is in doubt
+            found.append({"what": f"{self.unsettled}; all constraints hold", "kind": "layout", "tiles": []})
+        found += [{"what": f"the {side} pin has {area:.3g} mm2, less than A_pin_min", "kind": "small_pin",
+                   "tiles": [tile], "area_mm2": area, "side": side}
+                  for tile, side, area in self.small_pins]
+        if self.hinges:
+            found.append({"what": f"{len(self.hinges)} contacts are only a hinge: nothing but the front "
+                                  "edge touches",
+                          "kind": "hinge", "tiles": [], "contacts": list(self.hinges)})
+        return found
+
+
+def _evaluate(inputs: Inputs) -> Figures:
+    finished = inputs["design"]
+    design = finished.design.with_parameters(inputs.parameters)
+    found = native.evaluate_design(design)
+    constraints, floor = found.constraints, inputs.parameters.get("A_pin_floor")
+    blocks = {
+        "contacts": int(found.contacts),
+        "area": {"actuated_cm2": found.actuated_area_mm2 / 100, "flat_cm2": found.flat_area_mm2 / 100,
+                 "ratio": found.flat_area_mm2 / found.actuated_area_mm2},
+        "constraints": {
+            "max_rigidity_mm": constraints.max_rigidity_mm,
+            "max_gap_violation_mm": constraints.max_gap_violation_mm,
+            "max_pin_bound_violation_mm": constraints.max_pin_bound_violation_mm,
+            "max_pin_area_violation_mm2": constraints.max_pin_area_violation_mm2,
+            "pin_sides_below_area": len(constraints.small_pins),
+            "overlaps": len(constraints.close_pairs)},
+        "truncation": {"pairs_of_type": [int(n) for n in found.truncation_types],
+                       "three_point_contacts": int(found.three_point_contacts),
+                       "hinges": len(found.hinges)},
+    }
+    small = tuple(pin for pin in constraints.small_pins if pin[2] >= floor)
+    below = tuple(int(pin[0]) for pin in constraints.small_pins if pin[2] < floor)
+    return Figures(len(design.F), len(design.cuts), blocks, small, below,
+                   tuple(int(k) for k in found.hinges), tuple(found.reasons), finished.unsettled)
+
+
+FIGURES = Stage("figures", ("design",), frozenset({"tiles", "layout"}),
+                lambda inputs, job: _evaluate(inputs), on_stop=lambda stage, inputs: _evaluate(inputs))

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far the design's actuated surface is from the target, as it was before remeshing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from ..native import native
+from .stage import Inputs, Result, Stage
+
+
+@dataclass(frozen=True)
+class Deviation(Result):
+    """Distances in mm."""
+
+    mean: float
+    largest: float
+    hausdorff: float
+
+    def report(self) -> dict[str, Any]:
+        return {"deviation": {"mean_mm": self.mean, "max_mm": self.largest, "hausdorff_mm": self.hausdorff}}
+
+
+def _run(inputs: Inputs) -> Deviation:
+    target, design = inputs["target"], inputs["design"].design
+    return Deviation(*native.surface_deviation(design.V, design.F, target.source_V, target.source_F))
+
+
+STAGE = Stage("deviation", ("target", "design"), frozenset(),
+              lambda inputs, job: _run(inputs), on_stop=lambda stage, inputs: _run(inputs))

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The coarse optimisation: flat poses and pins (Eq. 9 under hard constraints)."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import Any, Sequence
+
+from ..native import native
+from .stage import Inputs, Job, Result, Row, Stage
+from .design import design_digest
+
+
+@dataclass(frozen=True)
+class Layout(Result):
+    """The design as it is laid out, and how that went."""
+
+    design: Any             # native Design
+    converged: bool
+    was_stopped: bool
+    iterations: int
+    collision_rounds: int
+    separations: int
+    largest_violation_mm: float
+    energies: dict[str, float]
+    flatten_seconds: float  # up to the first step
+
+    @property
+    def content(self) -> str:
+        return design_digest(self.design)
+
+    @property
+    def stopped(self) -> bool:
+        return self.was_stopped
+
+    @property
+    def unsettled(self) -> str:
+        """What to say of a layout that the optimiser gave up; empty where it settled."""
+        if self.converged or self.was_stopped:
+            return ""
+        return f"the layout did not converge in {self.iterations} iterations"
+
+    def report(self) -> dict[str, Any]:
+        return {"layout": {"converged": self.converged, "iterations": self.iterations,
+                           "collision_rounds": self.collision_rounds, "separations": self.separations,
+                           "largest_violation_mm": self.largest_violation_mm,
+                           "energies": dict(self.energies)}}
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("flatten", self.flatten_seconds),
+                Row("layout", seconds - self.flatten_seconds, self.iterations))
+
+
+def _run(inputs: Inputs, job: Job) -> Layout:
+    target, relief, edges = inputs["target"], inputs["relief"], inputs["cuts"].edges
+    start = time.perf_counter()
+    first: list[float] = []
+
+    def progress(what: str, fraction: float) -> bool:
+        if not first:
+            first.append(time.perf_counter() - start)
+        return job(what, fraction)
+
+    found = native.solve_layout(relief.V, target.F, edges, inputs.parameters, progress)
+    design = native.Design(inputs["source"].name, inputs.parameters, relief.V, target.F, found.T, found.q,
+                           edges, None if relief.moved is None else (target.V, target.F))
+    return Layout(design, bool(found.converged), bool(found.stopped), int(found.iterations),
+                  int(found.collision_rounds), int(found.separations), found.largest_violation_mm,
+                  {name: float(value) for name, value in found.energies.items()}, first[0] if first else 0.0)
+
+
+STAGE = Stage("layout", ("source", "target", "cuts", "relief"), frozenset({"tiles", "layout"}), _run)

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Room for pins that folds leave too little of: vertices moved a little before the layout."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence
+
+import numpy as np
+
+from ..native import native
+from .findings import settle, tiles_place
+from .stage import Inputs, Job, Result, Row, Stage, digest
+
+
+@dataclass(frozen=True)
+class Relief(Result):
+    """V: N x 3, where the tiles' vertices are from now on."""
+
+    V: np.ndarray
+    found: tuple[dict, ...]             # warnings
+    asked: bool = False
+    moved: Optional[dict] = None        # the block of report.json, where vertices moved
+
+    @property
+    def content(self) -> str:
+        return digest(self.V)
+
+    def report(self) -> dict[str, Any]:
+        return {} if self.moved is None else {"relief": self.moved}
+
+    def warnings(self) -> Sequence[dict]:
+        return self.found
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("relief", seconds),) if self.asked else ()
+
+
+def _run(inputs: Inputs, job: Job) -> Relief:
+    target, edges, parameters = inputs["target"], inputs["cuts"].edges, inputs.parameters
+    asked = parameters.get("repair") and parameters.get("move_vertices")
+    V, moved = target.V, None
+    if asked:
+        relief = native.relieve_pins(V, target.F, edges, parameters, job)
+        if relief.relieved:
+            V = relief.V
+            moved = {"largest_move_mm": relief.largest_move_mm,
+                     "pin_sides": [{"tile": int(pin.tile), "side": pin.side, "area_before_mm2": pin.area}
+                                   for pin in relief.relieved],
+                     "remaining": len(relief.remaining)}
+    found = settle(native.check_target(V, target.F, edges, parameters), inputs.where, tiles_place)
+    return Relief(V, found, asked, moved)
+
+
+STAGE = Stage("relief", ("target", "cuts"), frozenset({"tiles", "repair"}), _run)

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Repair of weak contacts: poses, pins and, where these do not do, vertices (Eq. 3)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence
+
+from ..errors import CurveUpsError
+from ..native import native
+from .stage import Inputs, Job, Result, Row, Stage
+from .design import design_digest
+
+
+@dataclass(frozen=True)
+class Repair(Result):
+    """The design as it is after repair: the layout's own where none was needed."""
+
+    design: Any
+    verification: Optional[Result] = None     # of the design, where it is the layout's own
+    status: str = ""                          # empty where repair did not run
+    block: Optional[dict] = None              # of report.json
+    blocked: tuple[dict, ...] = ()            # contacts that stay weak: reason, obstacle, held tiles
+    suggestions: tuple[str, ...] = ()
+    warned: tuple[dict, ...] = ()
+
+    @property
+    def content(self) -> str:
+        return design_digest(self.design)
+
+    @property
+    def stopped(self) -> bool:
+        return self.status == "stopped"
+
+    def report(self) -> dict[str, Any]:
+        return {} if self.block is None else {"repair": self.block}
+
+    def advice(self) -> Sequence[str]:
+        return [contact["reason"] for contact in self.blocked]
+
+    def warnings(self) -> Sequence[dict]:
+        return self.warned
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("refine", seconds, len(self.block["steps"])),) if self.block else ()
+
+
+def _run(inputs: Inputs, job: Job) -> Repair:
+    before, known = inputs["layout"].design, inputs["verification of the layout"].verification
+    if known.valid or known.note or known.failure or not inputs.parameters.get("repair"):
+        return Repair(before, known)
+    design = before.with_parameters(inputs.parameters)
+    found = native.repair_design(design, inputs.store, job)
+    changed = design_digest(found.design) != design_digest(design)
+    blocked = tuple({"tiles": [int(t) for t in contact.tiles], "reason": contact.reason,
+                     "obstacle": contact.obstacle, "held": [int(t) for t in contact.held]}
+                    for contact in found.blocked)
+    block = {
+        "status": found.status, "restored_mm": found.restored_mm, "largest_move_mm": found.largest_move_mm,
+        "largest_vertex_move_mm": found.largest_vertex_move_mm,
+        "steps": [{"weak_points": int(step.weak_points), "least_force_of_f_min": step.least_force,
+                   "least_floor_of_f_min": step.least_floor, "vertices": bool(step.vertices),
+                   "fresh_mesh": bool(step.fresh_mesh)} for step in found.steps],
+        "blocked": [{"tiles": contact["tiles"], "reason": contact["reason"]} for contact in blocked],
+        "suggestions": list(found.suggestions)}
+    return Repair(found.design if changed else before, None if changed else known, found.status, block,
+                  blocked, tuple(found.suggestions))
+
+
+def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:
+    # No repair can begin from here: the design ends as it is, with the verdict it has.
+    return Repair(inputs["layout"].design, inputs["verification of the layout"].verification,
+                  warned=({"what": f"repair can't begin: {error.what}", "kind": "repair", "tiles": []},))
+
+
+def _stopped(stage: str, inputs: Inputs) -> Repair:
+    return Repair(inputs["layout"].design, inputs["verification of the layout"].verification)
+
+
+STAGE = Stage("repair", ("layout", "verification of the layout"),
+              frozenset({"tiles", "layout", "bodies", "physics", "repair"}), _run, _failed, _stopped)

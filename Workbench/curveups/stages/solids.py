@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solids of a design, what is measured and checked of them, and what the printer makes of it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, ClassVar, Mapping, Optional, Sequence
+
+from ..native import native
+from .stage import Inputs, Job, Result, Row, Stage
+
+PRINTERS = Path(__file__).parents[3] / "resources" / "printers"
+KINDS = ("tiles", "support", "anchors")
+
+
+@dataclass(frozen=True)
+class Bodies(Result):
+    """All that is printed, without solids: those are built when they are asked for."""
+
+    lasting: ClassVar[bool] = False
+    model: Optional[Any] = None       # native PrintModel; none where the work was stopped
+    warned: tuple[dict, ...] = ()     # what the bodies lack, though they can be built
+
+    def warnings(self) -> Sequence[dict]:
+        return self.warned
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("solids", seconds),) if self.model else ()
+
+
+def _make(inputs: Inputs, job: Job) -> Bodies:
+    model = native.make_print_model(inputs["design"].design.with_parameters(inputs.parameters))
+    return Bodies(model, tuple(_lacks(model)))
+
+
+@dataclass(frozen=True)
+class Solids(Result):
+    """Solids of all bodies, ready to be written; no model where the work was stopped."""
+
+    lasting: ClassVar[bool] = False
+    model: Optional[Any] = None
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of which there are bodies."""
+        return tuple(kind for kind in KINDS if self.model and self.model.volumes[kind] > 0)
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("solids", seconds),) if self.model else ()
+
+
+def _build(inputs: Inputs, job: Job) -> Solids:
+    model = inputs["bodies"].model
+    if model is not None and job("building solids", 0.0):
+        model.build_solids(job)
+    return Solids(model)
+
+
+def _lacks(model: Any) -> list[dict]:
+    warnings = []
+    bare = list(model.bare_interfaces)
+    if bare:
+        tiles = sorted({tile for a, b, _ in bare for tile in (a, b)})
+        warnings.append({"what": f"{len(bare)} interfaces carry no bumps: {bare[0][2]}",
+                         "kind": "bare_interface", "tiles": tiles})
+    loose = [int(tile) for tile in model.loose_tiles]
+    if loose:
+        warnings.append({"what": f"{len(loose)} tiles are not held by the support",
+                         "kind": "loose", "tiles": loose})
+    if model.loose_anchors:
+        warnings.append({"what": f"{model.loose_anchors} anchors are not held by the support",
+                         "kind": "loose", "tiles": []})
+    return warnings
+
+
+PARTS = frozenset({"tiles", "bodies", "support", "files"})
+BODIES = Stage("bodies", ("design",), PARTS, _make, on_stop=lambda stage, inputs: Bodies())
+STAGE = Stage("solids", ("bodies",), frozenset(), _build, on_stop=lambda stage, inputs: Solids())
+
+
+@dataclass(frozen=True)
+class Check(Result):
+    """Figures of the print: lengths in mm, volumes in cm3."""
+
+    print_block: Mapping[str, Any] = field(default_factory=dict)   # of report.json, without files
+    solids_block: Mapping[str, Any] = field(default_factory=dict)
+    broken: tuple[str, ...] = ()      # reasons
+    warned: tuple[dict, ...] = ()     # what the printer can't make
+
+    def report(self) -> dict[str, Any]:
+        if not self.print_block:
+            return {}
+        return {"solids": dict(self.solids_block), "print": dict(self.print_block)}
+
+    def reasons(self) -> Sequence[str]:
+        return self.broken
+
+    def warnings(self) -> Sequence[dict]:
+        return self.warned
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("check", seconds),) if self.print_block else ()
+
+
+def _check(inputs: Inputs, job: Job) -> Check:
+    model = inputs["solids"].model
+    if model is None:
+        return Check()
+    job("checking solids", 0.0)
+    unsound, clearance, overlap, reasons = model.judge_solids(job)
+    box = [float(x) for x in model.bbox]
+    volumes = {kind: model.volumes[kind] / 1000 for kind in KINDS}
+    smallest = min((size for _, _, size in model.thinnest), default=0.0)
+    printed = {"bbox_mm": box, "bodies": int(model.body_count), "pieces": int(model.piece_count),
+               "tile_volume_cm3": volumes["tiles"], "support_volume_cm3": volumes["support"],
+               "anchor_volume_cm3": volumes["anchors"], "smallest_feature_mm": smallest}
+    solids = {"tiles": int(model.tile_count), "invalid": len(unsound), "volume_cm3": volumes["tiles"],
+              "min_clearance_flat_mm": clearance, "max_overlap_actuated_mm3": overlap}
+    printer = read_printer(inputs.parameters.get("printer"))
+    return Check(printed, solids, tuple(reasons), tuple(_printer_warnings(model, box, clearance, printer)))
+
+
+CHECK = Stage("check", ("solids",), frozenset({"check"}), _check, on_stop=lambda stage, inputs: Check())
+
+
+def _printer_warnings(model: Any, box: Sequence[float], clearance: float, printer: dict
+                      ) -> list[dict[str, Any]]:
+    """What the chosen printer can't make: bed, gaps, features."""
+    warnings: list[dict[str, Any]] = []
+    if not fits_bed(box, printer):
+        warnings.append({"what": f"the print ({box[0]:.0f} x {box[1]:.0f} x {box[2]:.0f} mm) is larger "
+                                 f"than the bed of a {printer['name']}",
+                         "kind": "bed", "tiles": []})
+    if clearance < printer["smallest_gap_mm"]:
+        warnings.append({"what": f"tiles come as near as {clearance:.3g} mm; a "
+                                 f"{printer['name']} needs {printer['smallest_gap_mm']:g} mm",
+                         "kind": "gap", "tiles": []})
+    thin = [row for row in model.thinnest if row[2] < printer["smallest_feature_mm"]]
+    if thin:
+        body, what, size = min(thin, key=lambda row: row[2])
+        tiles = sorted(int(row[0][1:]) - 1 for row in thin
+                       if row[0][:1] == "T" and row[0][1:].isdigit())
+        warnings.append({"what": f"{len(thin)} bodies have features smaller than a {printer['name']} "
+                                 f"makes; {body}: {what}, {size:.3g} mm",
+                         "kind": "feature", "tiles": tiles})
+    return warnings
+
+
+def read_printer(name: str) -> dict:
+    """What is known of a printer: bed, resolution, smallest gap and feature, sources."""
+    return json.loads((PRINTERS / f"{name}.json").read_text(encoding="utf-8"))
+
+
+def fits_bed(box: Sequence[float], printer: dict) -> bool:
+    """Whether a print of this size fits, turned by a right angle where that helps."""
+    bed = printer["bed_mm"]
+    return (box[2] <= bed[2] and min(box[:2]) <= min(bed[:2]) and max(box[:2]) <= max(bed[:2]))

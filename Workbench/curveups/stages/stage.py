@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a stage and a result are.
+
+A stage is a pure function with a name: it says what it reads (other stages, and the parts of the
+parameter table that its native code reads) and makes a result, an immutable value. A result gives its
+own blocks of report.json, reasons, warnings and pictures; who shows them knows no stage by name.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence
+
+import numpy as np
+
+from ..errors import CurveUpsError
+from ..native import native
+from ..progress import Progress
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of report.json's "stages": a name that others rely on, seconds, steps."""
+
+    name: str
+    seconds: float
+    iterations: int = 0
+
+
+@dataclass(frozen=True)
+class Picture:
+    """What is to be drawn of a result, by `view` (report/pictures.py); `heading` opens a section."""
+
+    heading: str
+    caption: str
+    view: str
+    data: Mapping[str, Any] = field(default_factory=dict)
+
+
+class Value:
+    """Base of what results consist of: frozen dataclasses, known by their name to whoever saves them."""
+
+    known: ClassVar[dict[str, type]] = {}
+
+    def __init_subclass__(cls) -> None:
+        Value.known[cls.__name__] = cls
+
+
+class Result(Value):
+    """Base of all results: frozen dataclasses of numbers, texts, arrays and designs. Every method has an
+    answer for results that have nothing to say."""
+
+    lasting: ClassVar[bool] = True  # can be saved; otherwise it is made anew
+
+    @property
+    def content(self) -> str:
+        """A digest of what later stages read of this: equal contents make equal results. Empty where
+        only its origin tells (it is then as new as what it was made from)."""
+        return ""
+
+    @property
+    def stopped(self) -> bool:
+        """Whether this is the best so far of work that was stopped."""
+        return False
+
+    def settles(self) -> Mapping[str, Any]:
+        """Parameters that this decides for all that follows."""
+        return {}
+
+    def report(self) -> dict[str, Any]:
+        """Its blocks of report.json."""
+        return {}
+
+    def reasons(self) -> Sequence[str]:
+        """Why the design is not valid, as far as this knows."""
+        return ()
+
+    def advice(self) -> Sequence[str]:
+        """What is to be said besides where the design does not hold."""
+        return ()
+
+    def warnings(self) -> Sequence[dict]:
+        """Entries for the report's warnings: what, kind, tiles."""
+        return ()
+
+    def pictures(self) -> Sequence[Picture]:
+        """What the page shows of this."""
+        return ()
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        """Its lines among the report's stages, given how long it took in all."""
+        return ()
+
+
+@dataclass
+class Job:
+    """Where work reports and what may stop it: handed to every stage and, as a callable, to the native
+    module. Stopping means the same everywhere: the best so far where there is one, else nothing."""
+
+    progress: Optional[Progress] = None
+    listen: Optional[Callable[[str, Mapping[str, Any]], None]] = None  # stage, what it has so far
+    stopped: bool = False
+    stage: str = ""  # that is running
+
+    def __call__(self, what: str, fraction: float = -1.0) -> bool:
+        if not self.stopped and self.progress and not self.progress(what, fraction):
+            self.stopped = True
+        return not self.stopped
+
+    def listener(self, stage: str) -> Optional[Callable[..., None]]:
+        """For native `on_iterate`: hands intermediate results on, where anybody listens."""
+        listen = self.listen
+        if listen is None:
+            return None
+        tell = listen
+        return lambda **found: tell(stage, found)
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """What a stage reads: results by the names it declared, and the parameters."""
+
+    parameters: Any
+    results: Mapping[str, Result]
+    store: Any = None  # native SolutionStore: what is solved of a design, for the next who needs it
+    where: str = ""    # names the target or file in messages
+
+    def __getitem__(self, name: str) -> Any:
+        return self.results[name]
+
+
+@dataclass(frozen=True)
+class Stage:
+    """`reads`: upstream stages; `parts`: whose parameters it reads (native `ParameterInfo.readers`);
+    `on_failure`: the result of a failure that must not cost what there is already; `on_stop`: of a stop
+    (with the stage that was stopped) where work before it is worth its files."""
+
+    name: str
+    reads: tuple[str, ...]
+    parts: frozenset[str]
+    run: Callable[[Inputs, Job], Result]
+    on_failure: Optional[Callable[[CurveUpsError, Inputs], Result]] = None
+    on_stop: Optional[Callable[[str, Inputs], Result]] = None
+
+    @cached_property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the parameters it reads, from the one table."""
+        return tuple(row.name for row in native.parameter_table() if self.parts & set(row.readers))
+
+
+def digest(*parts: Any) -> str:
+    """A digest of texts and arrays; numbers count bit by bit."""
+    found = hashlib.sha256()
+    for part in parts:
+        if isinstance(part, np.ndarray):
+            part = np.ascontiguousarray(part)
+            found.update(f"{part.dtype.str}{part.shape}".encode())
+            found.update(part.tobytes())
+        else:
+            found.update(str(part).encode())
+        found.update(b"\0")
+    return found.hexdigest()
+
+
+def advice_of(error: CurveUpsError) -> str:
+    """An error inside of another sentence."""
+    return error.what + (f" ({error.remedy})" if error.remedy else "")

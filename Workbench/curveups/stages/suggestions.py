@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What would help a design that does not hold or is badly stretched: cuts, other parameters."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence
+
+import numpy as np
+
+from ..errors import CurveUpsError, Stopped
+from ..native import native
+from .stage import Inputs, Job, Picture, Result, Row, Stage, Value, advice_of
+
+# A layout is badly stretched where the conformal map scales its tiles this differently, or where
+# this share of the membrane between pins is slack.
+STRETCHED_SPREAD, STRETCHED_SLACK = 12.0, 0.02
+UNASKED = 2  # cuts that are proposed where none were asked for
+
+
+@dataclass(frozen=True)
+class SuggestedCut(Value):
+    """A cut and its predicted effect: figures of draft layouts, or None."""
+
+    edges: np.ndarray
+    length_mm: float
+    reason: str
+    before: Optional[dict]
+    after: Optional[dict]
+
+    def __str__(self) -> str:
+        text = f"a cut of {self.length_mm:.0f} mm {self.reason}"
+        if self.before is None or self.after is None:
+            return text
+        a, b = self.before, self.after
+        return (f"{text} (predicted: flat area {a['area_ratio']:.2f} to {b['area_ratio']:.2f} times the "
+                f"actuated, slack membrane at {a['slack_springs']} to {b['slack_springs']} places, energy "
+                f"per contact {a['energy_per_contact']:.2f} to {b['energy_per_contact']:.2f})")
+
+    def entry(self, applied: bool) -> dict:
+        """As in report.json."""
+        return {"edges": [[int(a), int(b)] for a, b in self.edges], "length_mm": self.length_mm,
+                "reason": self.reason, "applied": applied,
+                "predicted": {"before": self.before, "after": self.after}}
+
+
+def _search(target: Any, edges: np.ndarray, parameters: Any, most: int, weak: Sequence[tuple[int, int]],
+            job: Job) -> tuple[tuple[SuggestedCut, ...], Any]:
+    """Cuts in the order of their making, and the native result."""
+    found = native.suggest_cuts(target.V, target.F, edges, parameters, most, list(weak), job)
+    return tuple(SuggestedCut(np.array(cut.edges), cut.length_mm, cut.reason, _figures(cut.before),
+                              _figures(cut.after)) for cut in found.cuts), found
+
+
+@dataclass(frozen=True)
+class CutSearch(Result):
+    """Cuts that a target wants before any layout; CutRequest.accept makes them."""
+
+    before: np.ndarray  # the cuts there are
+    cuts: tuple[SuggestedCut, ...]
+    layouts: int        # drafts that were solved
+    seconds: float
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("cuts", seconds, self.layouts),)
+
+
+def _search_target(inputs: Inputs, job: Job) -> CutSearch:
+    start, edges = time.perf_counter(), inputs["cuts"].edges
+    most = inputs["cut request"].suggested
+    cuts, found = _search(inputs["target"], edges, inputs.parameters, most, (), job)
+    if found.stopped:
+        raise Stopped
+    return CutSearch(edges, cuts, int(found.layouts), time.perf_counter() - start)
+
+
+SEARCH = Stage("cut search", ("target", "cut request", "cuts"), frozenset({"tiles", "layout"}),
+               _search_target)
+
+
+def _figures(figures: Any) -> Optional[dict]:
+    if figures is None:
+        return None
+    return {"scale_spread": figures.scale_spread, "area_ratio": figures.area_ratio,
+            "energy_per_contact": figures.energy_per_contact, "spring_mean": figures.spring_mean,
+            "slack_springs": int(figures.slack_springs)}
+
+
+@dataclass(frozen=True)
+class Suggestions(Result):
+    """Cuts that were made because they were asked for, those that are proposed, other remedies."""
+
+    applied: tuple[SuggestedCut, ...] = ()
+    proposed: tuple[SuggestedCut, ...] = ()
+    remedies: tuple[str, ...] = ()    # other parameters, one sentence each
+    general: tuple[str, ...] = ()     # of repair, where nothing better is known
+    stretch: Optional[dict] = None    # how far the layout is stretched
+    badly: bool = False
+    searched: bool = False
+    was_stopped: bool = False
+    failure: str = ""
+    design: Any = None
+
+    @property
+    def stopped(self) -> bool:
+        return self.was_stopped
+
+    def report(self) -> dict[str, Any]:
+        cuts = [cut.entry(True) for cut in self.applied] + [cut.entry(False) for cut in self.proposed]
+        blocks: dict[str, Any] = {"suggested_cuts": cuts} if cuts else {}
+        if self.stretch is not None:
+            blocks["layout"] = {"stretch": self.stretch}
+        return blocks
+
+    def advice(self) -> Sequence[str]:
+        known = [f"suggested: {sentence}" for sentence in (*map(str, self.proposed), *self.remedies)]
+        return known or self.general
+
+    def warnings(self) -> Sequence[dict]:
+        if self.failure:
+            what = f"cuts could not be looked for: {self.failure}"
+            return ({"what": what, "kind": "cuts", "tiles": []},)
+        if not self.badly or self.stretch is None:
+            return ()
+        return ({"what": "the layout is badly stretched: its flat map scales tiles "
+                         f"{self.stretch['scale_spread']:.3g} times differently, and the membrane is slack "
+                         f"at {self.stretch['slack_springs']} places",
+                 "kind": "stretched", "tiles": [],
+                 "remedy": "cut it as suggested" if self.proposed else "no cut was found that is worth it"},)
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("cuts", seconds),) if self.searched else ()
+
+    def pictures(self) -> Sequence[Picture]:
+        if not (self.applied or self.proposed):
+            return ()
+        return (Picture("Suggested cuts", "Cuts that were made in blue, those proposed in red; the target "
+                                          "from two sides.", "cuts",
+                        {"design": self.design, "cuts": self.report()["suggested_cuts"]}),)
+
+
+def _applied(inputs: Inputs) -> tuple[SuggestedCut, ...]:
+    accepted = inputs["cut request"].accepted
+    return accepted.cuts if accepted else ()
+
+
+def _run(inputs: Inputs, job: Job) -> Suggestions:
+    layout, verification, repair = inputs["layout"], inputs["verification"], inputs["repair"]
+    design = inputs["design"].design.with_parameters(inputs.parameters)
+    applied, general = _applied(inputs), repair.suggestions
+    stretch = _figures(native.layout_figures(design)) or {}
+    contacts = inputs["figures"].report()["contacts"]
+    badly = (stretch["scale_spread"] > STRETCHED_SPREAD
+             or stretch["slack_springs"] > STRETCHED_SLACK * 2 * contacts)
+    failed = verification.judged and not verification.failure and not verification.valid
+    if not (badly or failed or not layout.converged):
+        return Suggestions(applied, general=general, stretch=stretch, design=design)
+    proposed, search = _search(inputs["target"], design.cuts, inputs.parameters, UNASKED,
+                               verification.weak_contacts, job)
+    remedies = _remedies(design, inputs, verification.weak_contacts)
+    return Suggestions(applied, proposed, tuple(remedies), general, stretch, badly, True,
+                       bool(search.stopped), design=design)
+
+
+def _failed(error: CurveUpsError, inputs: Inputs) -> Suggestions:
+    return Suggestions(_applied(inputs), general=inputs["repair"].suggestions,
+                       failure=advice_of(error), design=inputs["design"].design)
+
+
+def _stopped(stage: str, inputs: Inputs) -> Suggestions:
+    return Suggestions(_applied(inputs), general=inputs["repair"].suggestions, was_stopped=True,
+                       design=inputs["design"].design)
+
+
+READS = ("target", "cut request", "layout", "repair", "design", "figures", "verification")
+STAGE = Stage("suggestions", READS, frozenset({"tiles", "layout"}), _run, _failed, _stopped)
+
+
+def _remedies(design: Any, inputs: Inputs, weak: Sequence[tuple[int, int]]) -> list[str]:
+    """Values of parameters for pins without room and membranes without tension."""
+    pins = set(inputs["figures"].pins_below_floor)
+    # Gaps are a matter of room between tiles; all other obstacles are pins'.
+    pins |= {tile for contact in inputs["repair"].blocked if contact["obstacle"] not in ("", "gap")
+             for tile in contact["held"]}
+    if not pins and not weak:
+        return []
+    values, get = native.find_remedies(design, sorted(pins), list(weak)), design.parameters.get
+    sentences = []
+    if values.H_body is not None:
+        sentences.append(f"tiles of H_body = {values.H_body:g} mm instead of {get('H_body'):g} give "
+                         "the pins named a quarter more than A_pin_min")
+    if values.L is not None:
+        tiles = f"tiles of L = {values.L:g} mm instead of {get('L'):.3g}"
+        sentences.append(f"{tiles} do so too" if sentences else
+                         f"{tiles} give the pins named a quarter more than A_pin_min")
+    if values.tau is not None:
+        sentences.append(f"membranes stretched to tau = {values.tau:g} instead of {get('tau'):g} would "
+                         "be taut at all weak contacts")
+    return sentences

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The mesh that becomes tiles: cleaned, checked and remeshed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Mapping, Optional, Sequence
+
+import numpy as np
+
+from ..errors import CurveUpsError
+from ..native import native
+from .findings import faces_place, settle
+from .stage import Inputs, Job, Result, Row, Stage, digest
+
+# Findings of check_mesh after which a mesh has no edge lengths worth speaking of.
+BROKEN = ("empty", "index-out-of-range", "not-finite")
+
+
+@dataclass(frozen=True)
+class Target(Result):
+    """V (N x 3, mm), F (M x 3) and what is to be said of them."""
+
+    V: np.ndarray
+    F: np.ndarray
+    source_V: np.ndarray             # what it was remeshed from
+    source_F: np.ndarray
+    mean_edge: float
+    edge_cv: float
+    sagitta: float
+    notes: tuple[str, ...]
+    found: tuple[dict, ...]          # warnings
+    own_length: Optional[float]      # L, where the mesh is taken as it is
+
+    @property
+    def content(self) -> str:
+        return digest(self.V, self.F, self.own_length)
+
+    def settles(self) -> Mapping[str, Any]:
+        return {} if self.own_length is None else {"L": self.own_length}
+
+    def report(self) -> dict[str, Any]:
+        return {"target": {"mean_edge_mm": self.mean_edge, "edge_cv": self.edge_cv,
+                           "sagitta_mm": self.sagitta, "notes": list(self.notes)}}
+
+    def warnings(self) -> Sequence[dict]:
+        return self.found
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("remesh", seconds),)
+
+
+def _run(inputs: Inputs, job: Job) -> Target:
+    source, surface, L = inputs["source"], inputs["surface"], inputs.parameters.get("L")
+    job("checking the target")
+    V, F, notes = surface.V, surface.F, []
+    if source.remesh:
+        # Otherwise the mesh is taken as it is: cuts name its vertices by number.
+        clean = native.clean_mesh(V, F)
+        V, F, notes = clean.V, clean.F, list(clean.notes)
+    else:
+        settle([f for f in native.check_mesh(V, F, 1.0, True) if f.kind in BROKEN], inputs.where,
+               faces_place)
+        L = _own_length(V, F, inputs.where)
+    findings = native.check_mesh(V, F, L, source.will_be_cut)
+    notes += [finding.message for finding in findings if finding.kind == "components"]
+    found = settle([f for f in findings if f.kind != "components"], inputs.where, faces_place)
+    if not source.remesh:
+        lengths = _edge_lengths(V, F)
+        return Target(V, F, V, F, float(lengths.mean()), float(lengths.std() / lengths.mean()), 0.0,
+                      tuple(notes), found, L)
+    made = native.remesh(V, F, L, job)
+    return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta, tuple(notes), found, None)
+
+
+STAGE = Stage("target", ("source", "surface"), frozenset({"target"}), _run)
+
+
+def _own_length(V: np.ndarray, F: np.ndarray, where: str) -> float:
+    length = float(native.mean_edge_length(V, F))
+    row = next(row for row in native.parameter_table() if row.name == "L")
+    if not row.minimum <= length <= row.maximum:
+        raise CurveUpsError(
+            f"the mesh's mean edge length is {length:.4g} mm", where,
+            f"tiles have {row.minimum:g} to {row.maximum:g} mm: set scale for another unit, or remesh")
+    return length
+
+
+def _edge_lengths(V: np.ndarray, F: np.ndarray) -> np.ndarray:
+    pairs = np.unique(np.sort(np.vstack([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1), axis=0)
+    return np.linalg.norm(V[pairs[:, 0]] - V[pairs[:, 1]], axis=1)

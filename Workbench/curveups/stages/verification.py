@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The exact physical model: membranes, contact forces and the verdict on them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Mapping, Sequence
+
+import numpy as np
+
+from ..errors import CurveUpsError
+from ..native import native
+from .stage import Inputs, Job, Picture, Result, Row, Stage, advice_of
+
+BLOCKS = ("physics", "contact_forces", "unilateral")
+SIDE_ARRAYS = ("flat", "triangles", "stretch", "tension")
+
+
+@dataclass(frozen=True)
+class Verification(Result):
+    """What the model found; without blocks it was not, or could not be, computed: `note` says why."""
+
+    note: str = ""       # why there is none
+    failure: str = ""    # why there is none though it was wanted: the design is not valid
+    valid: bool = False
+    blocks: Mapping[str, Any] = field(default_factory=dict)
+    found: tuple[str, ...] = ()      # reasons
+    warned: tuple[dict, ...] = ()    # warnings
+    design: Any = None               # native Design, for pictures
+    arrays: Mapping[str, np.ndarray] = field(default_factory=dict)  # per contact and per tile
+    membranes: tuple[Mapping[str, np.ndarray], ...] = ()  # front and back, for pictures
+
+    @property
+    def judged(self) -> bool:
+        """Whether there is a verdict."""
+        return not self.note
+
+    @property
+    def weak_contacts(self) -> list[tuple[int, int]]:
+        """Tile pairs of contacts below f_min."""
+        pairs = self.blocks.get("contact_forces", {}).get("invalid_contacts", ())
+        return [(int(a), int(b)) for a, b in pairs]
+
+    def report(self) -> dict[str, Any]:
+        return {name: self.blocks[name] for name in BLOCKS if name in self.blocks}
+
+    def reasons(self) -> Sequence[str]:
+        return (self.failure,) if self.failure else self.found
+
+    def warnings(self) -> Sequence[dict]:
+        return self.warned
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        if not self.judged:
+            return ()
+        physics = self.blocks.get("physics", {})
+        return (Row("verify", seconds, sum(sum(physics.get(f"newton_iterations_{mesh}", ()))
+                                           for mesh in ("coarse", "fine"))),)
+
+    def pictures(self) -> Sequence[Picture]:
+        if not len(self.arrays.get("contact_tiles", ())):
+            return ()
+        pairs, friction = self.arrays["contact_tiles"], np.zeros(len(self.design.F))
+        for column in range(2):
+            np.maximum.at(friction, pairs[:, column], self.arrays["contact_friction_ratio"])
+        weak = self.weak_contacts
+        marked = " Contacts below f_min are marked." if weak else ""
+        forces = {"design": self.design, "values": self.arrays["tile_normal_force"], "label": "N",
+                  "marked": weak}
+        return (
+            Picture("Contact forces", f"Least normal force at each tile's contact points.{marked}", "flat",
+                    forces),
+            Picture("", f"Largest friction that any of a tile's contacts needs.{marked}", "flat",
+                    {**forces, "values": friction, "label": "friction / normal force"}),
+            *self._membrane_pictures())
+
+    def _membrane_pictures(self) -> Sequence[Picture]:
+        if not self.membranes or not all(len(side["triangles"]) for side in self.membranes):
+            return ()
+        return (Picture(
+            "Membranes",
+            "The larger principal stretch of both membranes when actuated (tau = "
+            f"{self.design.parameters.get('tau'):g} before), on the flat layout seen from the front. The "
+            "scale leaves out the hundredth at either end; the largest stretch is "
+            f"{self.blocks['physics']['largest_stretch']:.4g}. Wrinkled places are tinted, slack ones grey, "
+            "and the pins, to which the membranes are glued, are left white.",
+            "stretch", {"membranes": self.membranes}),)
+
+
+def verify(design: Any, job: Job, store: Any = None) -> Verification:
+    """Runs the model on a native Design."""
+    found = native.verify_design(design, store, job)
+    names = ("contact_tiles", "contact_friction_ratio", "tile_normal_force")
+    sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS}
+                  for side in found.membranes)
+    return Verification(valid=found.valid, blocks=found.blocks, found=tuple(found.reasons),
+                        warned=tuple(found.warnings), design=design,
+                        arrays={name: np.asarray(getattr(found, name)) for name in names}, membranes=sides)
+
+
+def _verify(design: Any, inputs: Inputs, job: Job) -> Verification:
+    if not inputs.parameters.get("verify"):
+        return Verification(note="verification was off")
+    return verify(design.with_parameters(inputs.parameters), job, inputs.store)
+
+
+@dataclass(frozen=True)
+class LayoutVerification(Result):
+    """What repair has to know of the layout; the verdict is that on the design it ends with."""
+
+    verification: Verification
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return self.verification.rows(seconds)
+
+
+def _verify_layout(inputs: Inputs, job: Job) -> LayoutVerification:
+    found = _verify(inputs["layout"].design, inputs, job)
+    if found.valid:
+        inputs.store.clear()  # otherwise repair starts from it
+    return LayoutVerification(found)
+
+
+def _verify_design(inputs: Inputs, job: Job) -> Verification:
+    finished = inputs["design"]
+    found = finished.verification or _verify(finished.design, inputs, job)
+    inputs.store.clear()
+    return found
+
+
+def _failed(error: CurveUpsError, inputs: Inputs) -> Verification:
+    # The layout is worth its files; without a verdict it must not pass for valid.
+    return Verification(failure=f"the design could not be verified: {advice_of(error)}")
+
+
+def _stopped(stage: str, inputs: Inputs) -> Verification:
+    return Verification(note=f"stopped during {stage.split(' of ')[0]}")
+
+
+PARTS = frozenset({"tiles", "bodies", "physics"})
+OF_LAYOUT = Stage("verification of the layout", ("layout",), PARTS, _verify_layout,
+                  lambda error, inputs: LayoutVerification(_failed(error, inputs)),
+                  lambda stage, inputs: LayoutVerification(_stopped(stage, inputs)))
+STAGE = Stage("verification", ("design",), PARTS, _verify_design, _failed, _stopped)
+
+
+@dataclass(frozen=True)
+class Recheck(Result):
+    """The verdict on a membrane mesh of half the size, where that was asked for."""
+
+    verification: Verification = Verification()
+    ran: bool = False
+    warned: tuple[dict, ...] = ()
+
+    def report(self) -> dict[str, Any]:
+        found = self.verification
+        block = {"valid": found.valid, "reasons": list(found.found), **found.report()}
+        return {"recheck": block} if self.ran else {}
+
+    def reasons(self) -> Sequence[str]:
+        return [f"on a membrane mesh of half the size: {reason}" for reason in self.verification.found]
+
+    def warnings(self) -> Sequence[dict]:
+        return self.warned
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("recheck", seconds),) if self.ran else ()
+
+
+def _recheck(inputs: Inputs, job: Job) -> Recheck:
+    if not inputs.parameters.get("recheck") or not inputs["verification"].valid:
+        return Recheck()
+    finer = native.Parameters(inputs.parameters)
+    finer.set("mesh_size", max(0.05, 0.5 * finer.get("mesh_size")))
+    return Recheck(verify(inputs["design"].design.with_parameters(finer), job), ran=True)
+
+
+def _recheck_failed(error: CurveUpsError, inputs: Inputs) -> Recheck:
+    return Recheck(warned=({"what": "the verdict could not be had on a finer membrane mesh: "
+                                    f"{advice_of(error)}", "kind": "recheck", "tiles": []},))
+
+
+RECHECK = Stage("recheck", ("design", "verification"), PARTS | {"recheck"}, _recheck, _recheck_failed,
+                lambda stage, inputs: Recheck())

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/bindings/bindings.hpp"
+#include "curveups/geometry/clean_mesh.hpp"
+
+namespace curveups::bindings {
+
+void bind_clean_mesh(py::module_& module) {
+  py::class_<CleanMesh>(module, "CleanMesh", "A repaired mesh and what was done to it.")
+      .def_property_readonly("V", [](const CleanMesh& c) { return c.mesh.V; })
+      .def_property_readonly("F", [](const CleanMesh& c) { return c.mesh.F; })
+      .def_readonly("notes", &CleanMesh::notes);
+  module.def(
+      "clean_mesh",
+      [](const Points3& V, const Triangles& F) {
+        const py::gil_scoped_release release;
+        return clean_mesh({V, F});
+      },
+      py::arg("V"), py::arg("F"),
+      "Merges vertices, removes degenerate and doubled faces, makes the orientation consistent.");
+}
+
+}  // namespace curveups::bindings

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/bindings/bindings.hpp"
+#include "curveups/geometry/mesh_checks.hpp"
+
+namespace curveups::bindings {
+
+void bind_mesh_checks(py::module_& module) {
+  py::class_<MeshFinding>(module, "MeshFinding", "What is wrong with a surface, and where.")
+      .def_readonly("kind", &MeshFinding::kind)
+      .def_readonly("message", &MeshFinding::message)
+      .def_readonly("remedy", &MeshFinding::remedy)
+      .def_readonly("faces", &MeshFinding::faces)
+      .def_readonly("vertices", &MeshFinding::vertices)
+      .def_readonly("is_error", &MeshFinding::is_error)
+      .def("__repr__", [](const MeshFinding& f) {
+        return "<MeshFinding " + f.kind + (f.is_error ? " (error): " : ": ") + f.message + ">";
+      });
+  module.def(
+      "check_mesh",
+      [](const Points3& V, const Triangles& F, double L, bool cuts_given) {
+        const py::gil_scoped_release release;
+        return check_mesh({V, F}, L, cuts_given);
+      },
+      py::arg("V"), py::arg("F"), py::arg("L"), py::arg("cuts_given") = false,
+      "What can't be made from the surface: a list of MeshFinding.");
+}
+
+}  // namespace curveups::bindings

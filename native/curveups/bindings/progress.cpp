@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/bindings/bindings.hpp"
+
+namespace curveups::bindings {
+
+PythonProgress::PythonProgress(py::object callable) : callable_(std::move(callable)) {}
+
+Progress PythonProgress::function() {
+  return [this](const std::string& what, double fraction) {
+    py::gil_scoped_acquire acquire;
+    if (error_) return false;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (callable_.is_none()) return true;
+      const py::object answer = callable_(what, fraction);
+      return answer.is_none() || answer.cast<bool>();
+    } catch (...) {
+      error_ = std::current_exception();
+      return false;
+    }
+  };
+}
+
+void PythonProgress::rethrow() {
+  if (error_) std::rethrow_exception(error_);
+}
+
+}  // namespace curveups::bindings

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/solved_design.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace curveups {
+namespace {
+
+template <class Matrix>
+bool same(const Matrix& a, const Matrix& b) {
+  return a.rows() == b.rows() && a == b;
+}
+
+bool same_design(const Design& a, const Design& b) {
+  return same(a.mesh.V, b.mesh.V) && same(a.mesh.F, b.mesh.F) && same(a.T, b.T) && same(a.q, b.q) &&
+         same(a.cuts, b.cuts) && a.parameters == b.parameters;
+}
+
+Wrenches sum_wrenches(const std::array<MembraneSolution, 2>& membranes, const Points3& centres,
+                      Points3 MembraneSolution::*forces) {
+  Wrenches wrenches = Wrenches::Zero(centres.rows(), 6);
+  for (const MembraneSolution& side : membranes) {
+    add_wrenches(side.*forces, side.pin_corners, centres, wrenches);
+  }
+  return wrenches;
+}
+
+// Half of what the extrapolation changes: on the designs it was compared with finer meshes on, the
+// extrapolated normal forces were within a fifth of it.
+void estimate_error(const Points3& fine_forces, SolvedDesign& solved) {
+  const ContactForces& forces = solved.forces;
+  const Eigen::ArrayXd error = 0.5 * (forces.force.col(0) - fine_forces.col(0)).array().abs();
+  if (error.size() == 0 || !(forces.normal_mean > 0)) return;
+  solved.normal_force_error = error.mean() / forces.normal_mean;
+  solved.largest_normal_force_error = error.maxCoeff() / forces.normal_mean;
+}
+
+}  // namespace
+
+BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters,
+                                  std::vector<ContactPoint> points) {
+  const GravityLoad gravity = gravity_load(geometry, parameters);
+  points.insert(points.end(), gravity.ground.begin(), gravity.ground.end());
+  return BalanceSystem(std::move(points), tile_centres(geometry.tiles), parameters.L, gravity.held);
+}
+
+BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters) {
+  return make_balance_system(geometry, parameters,
+                             interface_points(geometry.tiles, geometry.patches));
+}
+
+SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
+                          const Progress& progress) {
+  const Parameters& parameters = design.parameters;
+  SolvedDesign solved;
+  solved.design = design;
+  solved.membranes = solve_membranes(geometry, fit_poses(geometry.tiles, design.T), design.q,
+                                     parameters, progress);
+  const Points3 centres = tile_centres(geometry.tiles);
+  const Wrenches fine = sum_wrenches(solved.membranes, centres, &MembraneSolution::forces);
+  solved.elastic = extrapolate<Wrenches>(
+      fine, sum_wrenches(solved.membranes, centres, &MembraneSolution::coarse_forces));
+  const Wrenches weight = gravity_load(geometry, parameters).weight;
+  solved.loads = solved.elastic + weight;
+  BalanceSystem system = make_balance_system(geometry, parameters);
+  solved.forces = solve_contact_forces(system, solved.loads);
+  estimate_error(solve_contact_forces(system, fine + weight).force, solved);
+  solved.f_min_ratio = std::max(parameters.f_min_ratio, solved.normal_force_error);
+  return solved;
+}
+
+void SolutionStore::put(SolvedDesign solved) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  solved_ = std::move(solved);
+}
+
+std::optional<SolvedDesign> SolutionStore::take(const Design& design) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!solved_ || !same_design(solved_->design, design)) return std::nullopt;
+  return std::exchange(solved_, std::nullopt);
+}
+
+void SolutionStore::clear() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  solved_.reset();
+}
+
+SolvedDesign take_or_solve(SolutionStore* store, const DesignGeometry& geometry,
+                           const Design& design, const Progress& progress) {
+  std::optional<SolvedDesign> solved;
+  if (store) solved = store->take(design);
+  return solved ? std::move(*solved) : solve_design(geometry, design, progress);
+}
+
+}  // namespace curveups

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Membranes of a design at their equilibrium with the contact forces that follow: what verification
+// reports on and repair starts from. Solved once and handed on through a SolutionStore.
+#pragma once
+
+#include <array>
+#include <mutex>
+#include <optional>
+
+#include "curveups/physics/contact_forces.hpp"
+#include "curveups/physics/loads.hpp"
+#include "curveups/physics/membrane_solution.hpp"
+
+namespace curveups {
+
+struct SolvedDesign {
+  Design design;                              // that all of this belongs to
+  std::array<MembraneSolution, 2> membranes;  // front, back
+  Wrenches elastic;      // of the membranes on the tiles, extrapolated from both meshes
+  Wrenches loads;        // these and gravity
+  ContactForces forces;  // least squares, under these loads
+  // Estimated error of normal forces by the mesh, relative to their mean: mean over the points and
+  // largest.
+  double normal_force_error = 0, largest_normal_force_error = 0;
+  double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the error where larger
+};
+
+// geometry: make_geometry's of the design. Throws what solve_membranes and solve_contact_forces
+// throw, Cancelled.
+SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
+                          const Progress& progress);
+
+// The balance of a design's tiles at these contact points and on the ground, not factorized yet.
+BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters,
+                                  std::vector<ContactPoint> points);
+// At the corners of the interfaces.
+BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters);
+
+// Holds one solution at most. Whoever takes it owns it and nobody gets it a second time; a design
+// that differs from the solution's in a bit of its mesh, cuts, layout, pins or parameters gets
+// nothing, and solves. Results do not depend on whether it held something. Safe to be shared by
+// threads.
+class SolutionStore {
+ public:
+  void put(SolvedDesign solved);
+  std::optional<SolvedDesign> take(const Design& design);
+  void clear();
+
+ private:
+  std::mutex mutex_;
+  std::optional<SolvedDesign> solved_;
+};
+
+// What the store (which may be null) has for the design, or solved now.
+SolvedDesign take_or_solve(SolutionStore* store, const DesignGeometry& geometry,
+                           const Design& design, const Progress& progress);
+
+}  // namespace curveups

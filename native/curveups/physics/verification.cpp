@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/verification.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "curveups/bodies/bumps.hpp"
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
+#include "curveups/physics/verdict.hpp"
+
+namespace curveups {
+namespace {
+
+using Membranes = std::array<MembraneSolution, 2>;
+
+void check_arrays(const Design& design, const TileMesh& tiles) {
+  if (design.T.rows() != tiles.tile_count() || design.q.rows() != tiles.tile_count()) {
+    throw InvalidInput("the design's layout and pins do not have one row per tile",
+                       "give T and q for every row of F");
+  }
+  if (!design.T.allFinite() || !design.q.allFinite()) {
+    throw InvalidInput("the design holds a number that is not finite", "give finite numbers");
+  }
+}
+
+// Rest areas of one side's membrane, all of it and by patch of its domain, mm2.
+struct MembraneAreas {
+  double all = 0, wrinkled = 0, slack = 0;  // wrinkled: or slack
+  std::vector<double> patch, slack_patch;
+};
+
+MembraneAreas measure_areas(const MembraneSolution& m) {
+  MembraneAreas areas;
+  areas.patch.assign(m.domain.patches.size(), 0);
+  areas.slack_patch = areas.patch;
+  for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = m.mesh.triangles[t];
+    const Vec2 p = m.flat.row(a), q = m.flat.row(b), r = m.flat.row(c);
+    const double part = wedge(q - p, r - p);
+    areas.all += part;
+    areas.patch[m.mesh.patch[t]] += part;
+    if (m.stretch[t].tension != MembraneTension::taut) areas.wrinkled += part;
+    if (m.stretch[t].tension == MembraneTension::slack) {
+      areas.slack += part;
+      areas.slack_patch[m.mesh.patch[t]] += part;
+    }
+  }
+  return areas;
+}
+
+// Tiles beside patches of which more than a tenth is slack, ascending.
+std::vector<int> tiles_beside_slack(const MembraneSolution& m, const MembraneAreas& areas) {
+  std::vector<int> tiles;
+  for (std::size_t p = 0; p < areas.patch.size(); ++p) {
+    if (areas.slack_patch[p] <= 0.1 * areas.patch[p]) continue;
+    for (int tile : tiles_of(m.domain.patches[p])) tiles.push_back(tile);
+  }
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  return tiles;
+}
+
+MembranePicture picture_of(const MembraneSolution& m) {
+  MembranePicture picture{m.flat, m.state.x, {}, {}, {}};
+  picture.triangles.resize(m.mesh.triangles.size(), 3);
+  picture.stretch.resize(m.mesh.triangles.size(), 2);
+  for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = m.mesh.triangles[t];
+    picture.triangles.row(t) << a, b, c;
+    picture.stretch.row(t) << m.stretch[t].larger, m.stretch[t].smaller;
+    picture.tension.push_back(static_cast<int>(m.stretch[t].tension));
+  }
+  return picture;
+}
+
+// Returns per side the tiles beside slack membrane.
+std::array<std::vector<int>, 2> describe_membranes(const Membranes& membranes,
+                                                   const Points3& centres, double L,
+                                                   VerificationReport& report) {
+  PhysicsFigures& f = report.physics;
+  f.converged = true;
+  MembraneAreas both;
+  std::array<std::vector<int>, 2> slack_tiles;
+  for (int s = 0; s < 2; ++s) {
+    const MembraneSolution& m = membranes[s];
+    f.triangles += static_cast<int>(m.mesh.triangles.size());
+    f.free_vertices += m.free_vertices;
+    f.coarse_iterations[s] = m.coarse.state.solve.iterations;
+    f.fine_iterations[s] = m.state.solve.iterations;
+    f.residual = std::max(f.residual, m.state.solve.residual);
+    f.converged = f.converged && m.state.solve.converged() && m.coarse.state.solve.converged();
+    for (const TriangleStretch& stretch : m.stretch) {
+      f.largest_stretch = std::max(f.largest_stretch, stretch.larger);
+    }
+    const MembraneAreas areas = measure_areas(m);
+    both.all += areas.all;
+    both.wrinkled += areas.wrinkled;
+    both.slack += areas.slack;
+    slack_tiles[s] = tiles_beside_slack(m, areas);
+    report.membrane[s] = picture_of(m);
+  }
+  if (both.all > 0) {
+    f.wrinkled_fraction = both.wrinkled / both.all;
+    f.slack_fraction = both.slack / both.all;
+  }
+  const WrenchBalance balance = wrench_balance(report.elastic, centres, L);
+  f.force_balance = balance.force;
+  f.torque_balance = balance.torque;
+  f.mean_tile_force = report.elastic.leftCols<3>().rowwise().norm().mean();
+  return slack_tiles;
+}
+
+void describe_contacts(const TileMesh& tiles, const BalanceSystem& system,
+                       const ContactForces& forces, double f_min, VerificationReport& report) {
+  ContactFigures& f = report.contact_forces;
+  f.f_min = f_min;
+  f.normal_mean = forces.normal_mean;
+  f.normal_min = forces.normal_min;
+  f.imbalance = forces.imbalance;
+  const int contacts = static_cast<int>(tiles.contacts.size());
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  report.contact_normal_min.setConstant(contacts, none);
+  report.contact_normal_mean.setConstant(contacts, none);
+  report.contact_friction_ratio.setConstant(contacts, none);
+  report.tile_normal_min.setConstant(tiles.tile_count(), none);
+  for (const Contact& contact : tiles.contacts) report.contact_tiles.push_back(contact.tile);
+  const std::vector<ContactSummary> summaries = summarize_contacts(system, forces.force);
+  for (const ContactSummary& one : summaries) {
+    report.contact_normal_min(one.contact) = one.normal_min;
+    report.contact_normal_mean(one.contact) = one.normal_mean;
+    report.contact_friction_ratio(one.contact) = one.friction_ratio;
+    f.friction_ratio_mean += one.friction_ratio / static_cast<double>(summaries.size());
+    f.friction_ratio_max = std::max(f.friction_ratio_max, one.friction_ratio);
+    if (!presses(one.normal_min, f.f_min))
+      f.invalid_contacts.push_back(tiles.contacts[one.contact].tile);
+    for (int tile : tiles.contacts[one.contact].tile) {
+      double& least = report.tile_normal_min(tile);
+      if (!(least <= one.normal_min)) least = one.normal_min;
+    }
+  }
+  for (int p = 0; p < system.point_count(); ++p) {
+    if (system.points()[p].contact < 0) continue;
+    ++f.points;
+    f.points_below_f_min += !presses(forces.force(p, 0), f.f_min);
+    f.pulling_points += forces.force(p, 0) < 0;
+  }
+}
+
+// Second-order cone programs of a verdict, and how far membranes stay from bodies: independent of
+// one another.
+struct Programs {
+  UnilateralResult coulomb, unlimited, tips;
+  std::array<MembraneClearance, 2> clearance;
+};
+
+// system, unlimited_system: at the interfaces' corners; tips: null without bumps. scale: the unit
+// of forces, N.
+Programs solve_programs(BalanceSystem& system, BalanceSystem& unlimited_system, BalanceSystem* tips,
+                        const SolvedDesign& solved, double scale, const DesignGeometry& geometry,
+                        const Progress& progress) {
+  const Parameters& parameters = solved.design.parameters;
+  UnilateralOptions coulomb;
+  coulomb.friction_coefficient = parameters.friction_coefficient;
+  coulomb.scale = scale;
+  UnilateralOptions unlimited = coulomb;
+  unlimited.friction_coefficient = std::numeric_limits<double>::infinity();
+  std::mutex mutex;
+  const Progress serial = [&](const std::string& what, double fraction) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return keep_going(progress, what, fraction);
+  };
+  Programs out;
+  auto solve = [&](BalanceSystem& at, const Points3& first, const UnilateralOptions& options) {
+    return solve_unilateral(at, solved.loads, first, options, serial);
+  };
+  auto clearance = [&](int side) {
+    return membrane_clearance(geometry, solved.membranes[side], parameters.H_pin);
+  };
+  parallel_tasks({[&] { out.coulomb = solve(system, solved.forces.force, coulomb); },
+                  [&] {
+                    if (!tips) return;
+                    const ContactForces start = solve_contact_forces(*tips, solved.loads);
+                    out.tips = solve(*tips, start.force, coulomb);
+                  },
+                  [&] { out.unlimited = solve(unlimited_system, solved.forces.force, unlimited); },
+                  [&] { out.clearance[0] = clearance(0); },
+                  [&] { out.clearance[1] = clearance(1); }});
+  return out;
+}
+
+UnilateralFigures describe_programs(const Programs& programs, bool with_tips, double f_min,
+                                    double friction_coefficient, double scale) {
+  UnilateralFigures u;
+  u.friction_coefficient = friction_coefficient;
+  u.floor = f_min;
+  u.status = programs.coulomb.solve.status;
+  u.largest_floor = programs.coulomb.largest_floor;
+  u.feasible =
+      u.status == SolveStatus::converged && floor_is_reached(u.largest_floor, f_min, scale);
+  u.unlimited_status = programs.unlimited.solve.status;
+  u.unlimited_largest_floor = programs.unlimited.largest_floor;
+  if (with_tips) {
+    u.tips_status = programs.tips.solve.status;
+    u.tips_largest_floor = programs.tips.largest_floor;
+  }
+  return u;
+}
+
+}  // namespace
+
+std::vector<ContactPoint> contact_points_at_tips(const DesignGeometry& geometry,
+                                                 const std::vector<Points3>& tips) {
+  std::vector<ContactPoint> points;
+  for (const ContactPoint& corner : interface_points(geometry.tiles, geometry.patches)) {
+    const Points3& here = tips[corner.contact];
+    if (here.rows() == 0) {
+      points.push_back(corner);
+    } else if (points.empty() || points.back().contact != corner.contact) {
+      for (int p = 0; p < here.rows(); ++p) {
+        points.push_back({here.row(p).transpose(), corner.normal, corner.tile, corner.contact});
+      }
+    }
+  }
+  return points;
+}
+
+VerificationReport verify_design(const Design& design, SolutionStore* store,
+                                 const Progress& progress) {
+  const Parameters& parameters = design.parameters;
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, parameters);
+  const TileMesh& tiles = geometry.tiles;
+  check_arrays(design, tiles);
+  const std::vector<Points3> tips =
+      bump_tips(tiles, plan_bumps(geometry, fit_poses(tiles, design.T), parameters));
+  VerificationReport report;
+  SolvedDesign solved;
+  try {
+    solved = take_or_solve(store, geometry, design, progress);
+  } catch (const InfeasibleDesign& error) {
+    report.reasons.push_back(error.what());
+    return report;
+  }
+  report.computed = true;
+  report.elastic = solved.elastic;
+  report.physics.normal_force_error = solved.normal_force_error;
+  report.physics.largest_normal_force_error = solved.largest_normal_force_error;
+  const std::array<std::vector<int>, 2> slack_tiles =
+      describe_membranes(solved.membranes, tile_centres(tiles), parameters.L, report);
+
+  const ContactForces& forces = solved.forces;
+  const double f_min = solved.f_min_ratio * std::max(0.0, forces.normal_mean);
+  BalanceSystem system = make_balance_system(geometry, parameters),
+                unlimited_system = make_balance_system(geometry, parameters);
+  describe_contacts(tiles, system, forces, f_min, report);
+
+  std::optional<BalanceSystem> tips_system;
+  if (std::any_of(tips.begin(), tips.end(), [](const Points3& at) { return at.rows() > 0; })) {
+    tips_system.emplace(
+        make_balance_system(geometry, parameters, contact_points_at_tips(geometry, tips)));
+  }
+  const double scale =
+      forces.normal_mean > 0 ? forces.normal_mean : std::max(report.physics.mean_tile_force, 1e-12);
+  const Programs programs =
+      solve_programs(system, unlimited_system, tips_system ? &*tips_system : nullptr, solved, scale,
+                     geometry, progress);
+  report.physics.clearance_mm =
+      std::min(programs.clearance[0].distance, programs.clearance[1].distance);
+  report.unilateral = describe_programs(programs, tips_system.has_value(), f_min,
+                                        parameters.friction_coefficient, scale);
+  give_verdict({system, forces, programs.coulomb, tips_system ? &programs.tips : nullptr,
+                tips_system ? &*tips_system : nullptr, programs.clearance, slack_tiles,
+                solved.f_min_ratio > parameters.f_min_ratio},
+               report);
+  if (store) store->put(std::move(solved));
+  return report;
+}
+
+}  // namespace curveups

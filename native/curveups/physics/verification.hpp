@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The exact physical model of a design and its verdict: membranes, contact forces as in the paper,
+// contacts that push only (at the interfaces' corners, and at the bumps' tips where tiles carry
+// bumps), and what a user must know before printing.
+#pragma once
+
+#include "curveups/core/progress.hpp"
+#include "curveups/physics/solved_design.hpp"
+#include "curveups/physics/verification_report.hpp"
+
+namespace curveups {
+
+// store: asked for what is solved of this very design, and left with it; null where nobody needs
+// it. Throws what make_geometry and plan_bumps throw (InfeasibleDesign, TopologyError,
+// InvalidInput), InvalidInput for arrays that disagree, SolverFailure, Cancelled. Results do not
+// depend on the number of threads, nor on the store.
+VerificationReport verify_design(const Design& design, SolutionStore* store,
+                                 const Progress& progress);
+
+// The points at which tiles touch when contacts have tips (per contact n x 3, world; 0 x 3: the
+// contact touches at the interface's corners).
+std::vector<ContactPoint> contact_points_at_tips(const DesignGeometry& geometry,
+                                                 const std::vector<Points3>& tips);
+
+}  // namespace curveups
