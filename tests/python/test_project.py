@@ -237,6 +237,23 @@ def test_stopping_means_the_best_so_far_or_nothing(project):
     assert project.latest("verification") is None
 
 
+def test_who_listens_gets_the_iterates_and_the_same_design(project, tmp_path):
+    heard = []
+    listening = Job(listen=lambda stage, T, q, figure: heard.append((stage, T, q, figure)))
+    design = project.run(("design",), listening).design
+    assert {stage for stage, *_ in heard} == {"layout"}
+    assert all(T.shape == (24, 3, 2) and q.shape == (24, 2, 3) for _, T, q, _ in heard)
+    assert len(heard) == project.latest("layout").iterations + 1
+    assert heard[-1][3] < 0.5 * heard[0][3]
+    again = Project("cap", native.Parameters(), {"source": project.latest("source"),
+                                                 "cut request": CutRequest()})
+    assert design_digest(again.run(("design",)).design) == design_digest(design)
+    stop = Job(listen=lambda *_: setattr(stop, "stopped", True))
+    third = Project("cap", native.Parameters(), {"source": project.latest("source"),
+                                                 "cut request": CutRequest()})
+    assert third.run(("figures",), stop)["layout"].stopped
+
+
 def test_a_design_that_is_given_has_no_target(project):
     design = project.run(("design",)).design
     given = Project.of_design(design, "design.json")

@@ -62,7 +62,8 @@ def _run(inputs: Inputs, job: Job) -> Layout:
             first.append(time.perf_counter() - start)
         return job(what, fraction)
 
-    found = native.solve_layout(relief.V, target.F, edges, inputs.parameters, progress)
+    found = native.solve_layout(relief.V, target.F, edges, inputs.parameters, progress,
+                                job.listener("layout"))
     design = native.Design(inputs["source"].name, inputs.parameters, relief.V, target.F, found.T, found.q,
                            edges, None if relief.moved is None else (target.V, target.F))
     return Layout(design, bool(found.converged), bool(found.stopped), int(found.iterations),

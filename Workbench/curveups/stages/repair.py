@@ -50,7 +50,7 @@ def _run(inputs: Inputs, job: Job) -> Repair:
     if known.valid or known.note or known.failure or not inputs.parameters.get("repair"):
         return Repair(before, known)
     design = before.with_parameters(inputs.parameters)
-    found = native.repair_design(design, inputs.store, job)
+    found = native.repair_design(design, inputs.store, job, job.listener("repair"))
     changed = design_digest(found.design) != design_digest(design)
     blocked = tuple({"tiles": [int(t) for t in contact.tiles], "reason": contact.reason,
                      "obstacle": contact.obstacle, "held": [int(t) for t in contact.held]}

@@ -94,13 +94,18 @@ class Result(Value):
         return ()
 
 
+# Gets the iterates of a stage: flat corners (M x 3 x 2, mm), insets (M x 2 x 3, mm), and the layout's
+# energy or the number of weak points that a repair has left.
+Listener = Callable[[str, np.ndarray, np.ndarray, float], object]
+
+
 @dataclass
 class Job:
     """Where work reports and what may stop it: handed to every stage and, as a callable, to the native
     module. Stopping means the same everywhere: the best so far where there is one, else nothing."""
 
     progress: Optional[Progress] = None
-    listen: Optional[Callable[[str, Mapping[str, Any]], None]] = None  # stage, what it has so far
+    listen: Optional[Listener] = None
     stopped: bool = False
     stage: str = ""  # that is running
 
@@ -109,13 +114,18 @@ class Job:
             self.stopped = True
         return not self.stopped
 
-    def listener(self, stage: str) -> Optional[Callable[..., None]]:
-        """For native `on_iterate`: hands intermediate results on, where anybody listens."""
+    def listener(self, stage: str) -> Optional[Callable[..., bool]]:
+        """For the native module: hands iterates on, where anybody listens."""
         listen = self.listen
         if listen is None:
             return None
         tell = listen
-        return lambda **found: tell(stage, found)
+
+        def hand_on(T: np.ndarray, q: np.ndarray, figure: float) -> bool:
+            tell(stage, T, q, figure)
+            return not self.stopped
+
+        return hand_on
 
 
 @dataclass(frozen=True)

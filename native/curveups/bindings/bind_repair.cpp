@@ -36,14 +36,20 @@ void bind_repair(py::module_& module) {
       .def_readonly("suggestions", &RepairResult::suggestions);
   module.def(
       "repair_design",
-      [](const Design& design, SolutionStore* store, py::object progress) {
-        return without_gil(std::move(progress), [&](const Progress& sink) {
-          return repair_design(design, {}, store, sink);
+      [](const Design& design, SolutionStore* store, py::object progress, py::object on_step) {
+        PythonListener listener(std::move(on_step));
+        const PythonListener::Function function = listener.function();
+        RepairResult result = without_gil(std::move(progress), [&](const Progress& sink) {
+          return repair_design(design, {}, store, sink, function);
         });
+        listener.rethrow();
+        return result;
       },
       py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
+      py::arg("on_step") = py::none(),
       "Lifts contact forces above f_min by the least steps of poses, pins and, where these do not "
-      "do, vertices. store: as in verify_design; a valid result leaves what was solved of it.");
+      "do, vertices. store: as in verify_design; a valid result leaves what was solved of it. "
+      "on_step(T, q, weak_points) gets every step and stops the work by returning False.");
 }
 
 }  // namespace curveups::bindings

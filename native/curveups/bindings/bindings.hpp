@@ -15,6 +15,7 @@
 #include <pybind11/stl.h>
 
 #include <exception>
+#include <functional>
 #include <utility>
 
 #include "curveups/core/progress.hpp"
@@ -49,6 +50,20 @@ auto without_gil(py::object callable, Work work) {
   progress.rethrow();
   return result;
 }
+
+// A Python callable (or None) that gets the iterates of long work as (T, q, figure), the same way;
+// it answers whether to go on.
+class PythonListener {
+ public:
+  using Function = std::function<bool(const Array6& T, const Array6& q, double figure)>;
+  explicit PythonListener(py::object callable) : callable_(std::move(callable)) {}
+  Function function();  // empty where there is no callable
+  void rethrow();
+
+ private:
+  py::object callable_;
+  std::exception_ptr error_;
+};
 
 // An M x 6 matrix as an M x a x b array, a b = 6.
 py::array_t<double> to_blocks(const Array6& m, int a, int b);

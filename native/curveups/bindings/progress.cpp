@@ -25,4 +25,22 @@ void PythonProgress::rethrow() {
   if (error_) std::rethrow_exception(error_);
 }
 
+PythonListener::Function PythonListener::function() {
+  if (callable_.is_none()) return {};
+  return [this](const Array6& T, const Array6& q, double figure) {
+    py::gil_scoped_acquire acquire;
+    try {
+      const py::object answer = callable_(to_blocks(T, 3, 2), to_blocks(q, 2, 3), figure);
+      return answer.is_none() || answer.cast<bool>();
+    } catch (...) {
+      error_ = std::current_exception();
+      return false;
+    }
+  };
+}
+
+void PythonListener::rethrow() {
+  if (error_) std::rethrow_exception(error_);
+}
+
 }  // namespace curveups::bindings

@@ -38,7 +38,8 @@ void require_room_for_pins(const PinBounds& bounds) {
 }  // namespace
 
 LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& parameters,
-                          const Progress& progress, LayoutEffort effort) {
+                          const Progress& progress, LayoutEffort effort,
+                          const LayoutCallback& callback) {
   require_room_for_pins(geometry.pin_bounds);
   LayoutModel model = make_layout_model(geometry, parameters);
   LayoutState state = initial_layout(model);
@@ -46,6 +47,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   InteriorPoint<LayoutTerm> method(
       {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},
       make_constraints(model), inset_bounds(model));
+  const LayoutTerms terms = make_energies(model, false);  // for those who listen
   LayoutResult result;
   double mu = mu_start, goal = mu_search;
   double progressed = 0;  // never falls: collisions that are found start a round's share again
@@ -55,6 +57,11 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
     const double done = result.collision_rounds == 0 && goal > mu_end ? 0.0 : 0.6;
     const Progress scaled = [&](const std::string& what, double fraction) {
       progressed = std::max(progressed, done + (done > 0 ? 0.4 : 0.6) * fraction);
+      if (callback) {
+        double energy = 0;
+        for (const auto& [name, value] : energies_by_name(terms, state)) energy += value;
+        if (!callback(poses_of(model, state), insets_of(state), energy)) return false;
+      }
       return keep_going(progress, what, progressed);
     };
     const SolveReport outcome =
@@ -82,8 +89,9 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
       mu = mu_start;
     }
   }
-  result.energies = energies_by_name(make_energies(model, false), state);
+  result.energies = energies_by_name(terms, state);
   result.poses = arrange_pieces(geometry.tiles, poses_of(model, state), print_margin(parameters));
+  result.T = flat_corners(geometry.tiles, result.poses);
   result.q = insets_of(state);
   return result;
 }

@@ -2,6 +2,7 @@
 // The coarse optimisation of the paper (section 5.1): from a target mesh to flat poses and pins.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -13,12 +14,16 @@ namespace curveups {
 
 struct LayoutResult {
   FlatPoses poses;
+  FlatCorners T;  // of these poses
   Array6 q;
   SolveReport solve;                       // residual: of the hard constraints, mm
   int collision_rounds = 0;                // times that separations were added
   int separations = 0;                     // pairs of tiles kept apart besides contacts
   std::map<std::string, double> energies;  // Eq. 9's terms by name, with their weights
 };
+
+// Called with every iterate: flat poses, insets and Eq. 9's value; false stops as progress does.
+using LayoutCallback = std::function<bool(const FlatPoses&, const Array6&, double energy)>;
 
 // draft: stops where the first solve of a full one looks for collisions. The objective has settled
 // to some 2 % then; tiles without a contact may be too near to one another.
@@ -30,6 +35,7 @@ enum class LayoutEffort { full, draft };
 // rectangle, pieces side by side. Stopped by the progress sink it returns what it has. Throws what
 // initial_layout throws, InfeasibleDesign where a tile has no room for a pin, SolverFailure.
 LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& parameters,
-                          const Progress& progress, LayoutEffort effort = LayoutEffort::full);
+                          const Progress& progress, LayoutEffort effort = LayoutEffort::full,
+                          const LayoutCallback& callback = {});
 
 }  // namespace curveups

@@ -42,7 +42,7 @@ class BlockCost : public ceres::CostFunction {
 
 class Watcher : public ceres::IterationCallback {
  public:
-  Watcher(const LayoutModel& model, const LayoutState& state, const SoftLayoutCallback& callback)
+  Watcher(const LayoutModel& model, const LayoutState& state, const LayoutCallback& callback)
       : model_(model), state_(state), callback_(callback) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
@@ -55,14 +55,14 @@ class Watcher : public ceres::IterationCallback {
  private:
   const LayoutModel& model_;
   const LayoutState& state_;
-  const SoftLayoutCallback& callback_;
+  const LayoutCallback& callback_;
 };
 
 }  // namespace
 
 LayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters& parameters,
                                const std::optional<SoftLayoutStart>& start, int max_iterations,
-                               const SoftLayoutCallback& callback) {
+                               const LayoutCallback& callback) {
   const LayoutModel model = make_layout_model(geometry, parameters);
   LayoutState state = start ? state_of(model, start->poses, start->q) : initial_layout(model);
   const PinBounds& bounds = geometry.pin_bounds;
@@ -106,6 +106,7 @@ LayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters&
   }
   LayoutResult result;
   result.poses = poses_of(model, state);
+  result.T = flat_corners(geometry.tiles, result.poses);
   result.q = insets_of(state);
   result.solve.iterations = static_cast<int>(summary.iterations.size()) - 1;
   if (summary.termination_type == ceres::CONVERGENCE) result.solve.status = SolveStatus::converged;

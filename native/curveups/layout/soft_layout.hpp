@@ -2,7 +2,6 @@
 // Eq. 9 with soft terms only, for interaction: the layout as it settles, iterate by iterate.
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "curveups/layout/layout.hpp"
@@ -14,15 +13,12 @@ struct SoftLayoutStart {
   Array6 q;
 };
 
-// Called after every accepted step with the poses, the insets and Eq. 9's value; false stops.
-using SoftLayoutCallback = std::function<bool(const FlatPoses&, const Array6&, double energy)>;
-
 // The same energies as solve_layout with E_c and E_pa in place of hard constraints; insets keep
 // their bounds. A smooth least-squares problem with bounds: Ceres solves it. start: an earlier
 // layout of the same tiles (after a cut, say), by default the conformal one. Poses stay where they
 // are: nothing is turned or arranged. The energies have collision and pin area too.
 LayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters& parameters,
                                const std::optional<SoftLayoutStart>& start, int max_iterations,
-                               const SoftLayoutCallback& callback);
+                               const LayoutCallback& callback);
 
 }  // namespace curveups

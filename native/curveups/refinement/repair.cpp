@@ -25,7 +25,7 @@ constexpr double reluctance = 100;
 class Repair {
  public:
   Repair(const Design& design, const RepairOptions& options, SolutionStore* store,
-         const Progress& progress);
+         const Progress& progress, const RepairCallback& callback);
   RepairResult run();
 
  private:
@@ -57,6 +57,7 @@ class Repair {
   RepairOptions options_;
   SolutionStore* store_;
   Progress progress_;
+  RepairCallback callback_;
   Design design_;  // as given
   const Parameters& parameters_;
   Points3 target_;
@@ -72,10 +73,11 @@ class Repair {
 };
 
 Repair::Repair(const Design& design, const RepairOptions& options, SolutionStore* store,
-               const Progress& progress)
+               const Progress& progress, const RepairCallback& callback)
     : options_(options),
       store_(store),
       progress_(progress),
+      callback_(callback),
       design_(design),
       parameters_(design_.parameters),
       target_(design.target ? design.target->V : design.mesh.V),
@@ -291,6 +293,9 @@ void Repair::tell(const Judgement& now) const {
   const std::string what = "repair: " + std::to_string(now.weak) + " weak points";
   const double fraction = first_weak_ > 0 ? 1 - static_cast<double>(now.weak) / first_weak_ : 1;
   if (!keep_going(progress_, what, std::max(0.0, fraction))) throw Cancelled();
+  if (!callback_) return;
+  const FlatCorners T = flat_corners(here_.geometry().tiles, here_.poses());
+  if (!callback_(T, here_.insets(), now.weak)) throw Cancelled();
 }
 
 // Steps and fresh meshes in turn, until a place is valid or nothing helps any more.
@@ -347,8 +352,8 @@ RepairResult Repair::run() {
 }  // namespace
 
 RepairResult repair_design(const Design& design, const RepairOptions& options, SolutionStore* store,
-                           const Progress& progress) {
-  return Repair(design, options, store, progress).run();
+                           const Progress& progress, const RepairCallback& callback) {
+  return Repair(design, options, store, progress, callback).run();
 }
 
 }  // namespace curveups

@@ -13,6 +13,7 @@
 // verdict is a fresh mesh's alone.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,10 @@ struct RepairResult {
   std::vector<std::string> suggestions;
 };
 
+// Called after every step with flat corners, insets and the number of weak points; false stops as
+// progress does.
+using RepairCallback = std::function<bool(const FlatCorners&, const Array6&, double weak_points)>;
+
 // Valid: least-squares normal forces at every contact point and the largest floor of the unilateral
 // problem >= f_min, no membrane cuts into a body, and all constraints of the layout are kept. Where
 // vertices move the result's target is the given design's target, or its mesh. Cancelled through
@@ -53,6 +58,6 @@ struct RepairResult {
 // make_geometry throws, InvalidInput for arrays that disagree, InfeasibleDesign where the layout's
 // constraints can't be restored or membranes fold over even so, SolverFailure.
 RepairResult repair_design(const Design& design, const RepairOptions& options, SolutionStore* store,
-                           const Progress& progress);
+                           const Progress& progress, const RepairCallback& callback = {});
 
 }  // namespace curveups
