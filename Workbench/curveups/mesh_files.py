@@ -13,6 +13,7 @@ import xml.etree.ElementTree as ElementTree
 import zipfile
 import zlib
 from pathlib import Path
+from typing import Any, Iterator
 
 import numpy as np
 
@@ -49,17 +50,19 @@ def read_off(path: Path) -> Mesh:
     """Vertices and faces of an OFF file (ASCII, no colours needed)."""
     rows = ((number, words) for number, line in _lines(path)
             if (words := line.split("#")[0].split()))
-    number, words = next(rows, (1, []))
+    nothing: list[str] = []
+    number, words = next(rows, (1, nothing))
     if not words or words[0] != "OFF":
         raise CurveUpsError("this is no OFF file", f"{path}, line {number}",
                             "its first word has to be OFF")
-    counts = words[1:] or next(rows, (number, []))[1]
+    counts = words[1:] or next(rows, (number, nothing))[1]
     try:
         vertex_count, face_count = int(counts[0]), int(counts[1])
     except (IndexError, ValueError):
         raise CurveUpsError("the numbers of vertices and faces are missing",
                             f"{path}, line {number}", "export the file again") from None
-    vertices, faces = [], []
+    vertices: list[tuple[float, float, float]] = []
+    faces: list[list[int]] = []
     for number, words in rows:
         where = f"{path}, line {number}"
         if len(vertices) < vertex_count:
@@ -121,7 +124,7 @@ def _model_part(archive: zipfile.ZipFile) -> str:
     return min(names, key=lambda name: (name.lower() != "3d/3dmodel.model", name))
 
 
-def _3mf_meshes(root, namespace: str) -> list[Mesh]:
+def _3mf_meshes(root: Any, namespace: str) -> list[Mesh]:
     objects = {item.get("id"): item for item in root.iter(namespace + "object")}
 
     def collect(identity: str, transform: np.ndarray, depth: int) -> list[Mesh]:
@@ -158,7 +161,7 @@ def _compose(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
     return np.vstack([inner[:3] @ outer[:3], inner[3] @ outer[:3] + outer[3]])
 
 
-def _lines(path: Path):
+def _lines(path: Path) -> Iterator[tuple[int, str]]:
     if path.stat().st_size > MOST_BYTES:
         raise CurveUpsError("the file is too large", str(path), "simplify the mesh")
     with open(path, encoding="utf-8", errors="replace") as file:

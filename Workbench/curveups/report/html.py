@@ -22,8 +22,10 @@ h3 { margin: 1.2rem 0 .3rem; font-size: 1rem; }
 .valid { background: #d8efd9; color: #1c5a24; } .invalid { background: #f9dcd8; color: #8c1d12; }
 .open { background: #eee6d4; color: #5d4a1d; }
 table { border-collapse: collapse; width: 100%; background: #fff; }
-td, th { padding: .3rem .7rem; border-bottom: 1px solid #e8e1d3; text-align: left; vertical-align: top; }
-th { font-weight: 600; background: #f3ede0; } td { font-variant-numeric: tabular-nums; } .pairs td:first-child { width: 32%; }
+td, th { padding: .3rem .7rem; border-bottom: 1px solid #e8e1d3; text-align: left;
+  vertical-align: top; }
+th { font-weight: 600; background: #f3ede0; } td { font-variant-numeric: tabular-nums; }
+.pairs td:first-child { width: 32%; }
 img { width: 100%; background: #fff; border: 1px solid #e8e1d3; border-radius: .4rem; }
 figure { margin: 0; } figcaption { color: #6d6454; font-size: .9rem; }
 .note { color: #6d6454; }

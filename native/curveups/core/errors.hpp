@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The exceptions that leave this library, each a Python exception of the same name. Not converging is
-// an outcome that results report; these are for input and topology that can't be.
+// The exceptions that leave this library, each a Python exception of the same name. Not converging
+// is an outcome that results report; these are for input and topology that can't be.
 #pragma once
 
 #include <stdexcept>

@@ -7,8 +7,8 @@
 
 namespace curveups {
 
-// Called by long work now and then: what is being done, and how much of it (0 to 1, negative where it
-// can't be known). Returns false to stop: the work then returns the best it has, with its status
+// Called by long work now and then: what is being done, and how much of it (0 to 1, negative where
+// it can't be known). Returns false to stop: the work then returns the best it has, with its status
 // saying so, or throws Cancelled where there is no partial result. An empty function never stops.
 using Progress = std::function<bool(const std::string& what, double fraction)>;
 

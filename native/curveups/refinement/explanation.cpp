@@ -74,7 +74,8 @@ std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
     }
     contact.obstacle = found->what;
     contact.held = found->tiles;
-    contact.reason += ": held by the " + found->what + " of " + tile_names(found->tiles, found->tiles.size());
+    contact.reason +=
+        ": held by the " + found->what + " of " + tile_names(found->tiles, found->tiles.size());
   }
   return out;
 }
