@@ -14,9 +14,10 @@
 
 namespace curveups {
 
-// A row for each block.
+// A row for each block, stored row by row.
 template <int W>
-using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, W, Eigen::RowMajor>;
+using BlockVector =
+    Eigen::Matrix<double, Eigen::Dynamic, W, W == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
 template <int W>
 class Term {

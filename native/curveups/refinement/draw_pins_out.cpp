@@ -5,7 +5,7 @@
 
 namespace curveups {
 
-bool cap_insets(const std::vector<Touch>& touches, const Place& place, Array6& caps) {
+bool cap_insets(const std::vector<Touch>& touches, const Iterate& place, Array6& caps) {
   const PinBounds& bounds = place.geometry().pin_bounds;
   const MeshTopology& topology = place.geometry().tiles.topology;
   bool any = false;

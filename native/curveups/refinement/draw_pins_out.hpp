@@ -9,6 +9,6 @@ namespace curveups {
 
 // Caps the insets of the tiles touched, and of those next to them, below where they are. Returns
 // whether there is any that can give way.
-bool cap_insets(const std::vector<Touch>& touches, const Place& place, Array6& caps);
+bool cap_insets(const std::vector<Touch>& touches, const Iterate& place, Array6& caps);
 
 }  // namespace curveups

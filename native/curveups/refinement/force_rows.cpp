@@ -6,7 +6,7 @@ namespace curveups {
 namespace {
 
 // Both in units of the mean normal force.
-ForceRow make_row(const Place& place, double value, double unit, const ForceGradient& gradient,
+ForceRow make_row(const Iterate& place, double value, double unit, const ForceGradient& gradient,
                   const MovingVertices* moving) {
   const TileMesh& tiles = place.geometry().tiles;
   ForceRow row{value, LayoutState(place.state.rows(), unknowns_per_tile), gradient.by_vertex};
@@ -36,12 +36,12 @@ ForceRow make_row(const Place& place, double value, double unit, const ForceGrad
 
 }  // namespace
 
-MovingVertices vertices_to_move(const Place& place, const TrackedForces& tracked,
+MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& tracked,
                                 const Judgement& now, const RepairOptions& options,
-                                const Points3& target, const Eigen::VectorXd& weight) {
+                                const TargetDistance& target) {
   const TileMesh& tiles = place.geometry().tiles;
   const std::vector<ContactPoint>& points = tracked.points();
-  std::vector<char> near(tiles.tile_count(), 0), chosen(target.rows(), 0);
+  std::vector<char> near(tiles.tile_count(), 0), chosen(target.places().rows(), 0);
   auto mark = [&](const ContactPoint& point) {
     for (int tile : point.tile) {
       if (tile < 0) continue;
@@ -55,7 +55,7 @@ MovingVertices vertices_to_move(const Place& place, const TrackedForces& tracked
     if (points[p].contact < 0) continue;
     if (now.normal(static_cast<Eigen::Index>(p)) < options.goal * now.f_min) mark(points[p]);
   }
-  if (tracked.watches_floor()) {
+  if (tracked.floor_is_active()) {
     for (int p : tracked.floor().critical_points) mark(points[p]);
   }
   for (int i = 0; i < tiles.tile_count(); ++i) {
@@ -63,7 +63,7 @@ MovingVertices vertices_to_move(const Place& place, const TrackedForces& tracked
   }
   const VertexPatches patches(place.geometry());
   MovingVertices out;
-  for (int v = 0; v < target.rows(); ++v) {
+  for (int v = 0; v < target.places().rows(); ++v) {
     if (!chosen[v]) continue;
     out.vertex.push_back(v);
     out.patches.push_back(patches.around(v));
@@ -71,20 +71,20 @@ MovingVertices vertices_to_move(const Place& place, const TrackedForces& tracked
   out.moved.resize(out.count(), 3);
   out.weight.resize(out.count());
   for (int k = 0; k < out.count(); ++k) {
-    out.moved.row(k) = place.vertices().row(out.vertex[k]) - target.row(out.vertex[k]);
-    out.weight(k) = weight(out.vertex[k]);
+    out.moved.row(k) = place.vertices().row(out.vertex[k]) - target.places().row(out.vertex[k]);
+    out.weight(k) = target.area()(out.vertex[k]);
   }
   return out;
 }
 
-std::vector<ForceRow> force_rows(const Place& place, const TrackedForces& tracked,
+std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& tracked,
                                  const Judgement& now, const RepairOptions& options, double goal,
                                  const MovingVertices* moving) {
   const std::vector<ContactPoint>& points = tracked.points();
   std::vector<int> chosen;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (points[p].contact >= 0 &&
-        now.normal(static_cast<Eigen::Index>(p)) < options.watched * now.f_min) {
+        now.normal(static_cast<Eigen::Index>(p)) < options.active * now.f_min) {
       chosen.push_back(static_cast<int>(p));
     }
   }
@@ -102,7 +102,7 @@ std::vector<ForceRow> force_rows(const Place& place, const TrackedForces& tracke
     const double value = (now.normal(chosen[r]) - goal * now.f_min) / now.mean;
     rows.push_back(make_row(place, value, 1 / now.mean, gradients[r], moving));
   }
-  if (tracked.watches_floor() && tracked.floor().solve.status != SolveStatus::unfinished) {
+  if (tracked.floor_is_active() && tracked.floor().solve.status != SolveStatus::unfinished) {
     const double value = (now.floor - options.floor_goal) * now.f_min / now.mean;
     rows.push_back(make_row(place, value, 1 / now.mean,
                             floor_gradient(tracked.forces(), tracked.floor(), patches), moving));

@@ -6,19 +6,20 @@
 #include <vector>
 
 #include "curveups/refinement/layout_step.hpp"
+#include "curveups/refinement/merit_terms.hpp"
 #include "curveups/refinement/tracked_forces.hpp"
 
 namespace curveups {
 
 // The vertices of the tiles at points that must be lifted, and of the tiles next to these. target:
-// where vertices belong; weight: A_j of Eq. 4, mm2 per vertex.
-MovingVertices vertices_to_move(const Place& place, const TrackedForces& tracked,
+// where vertices belong.
+MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& tracked,
                                 const Judgement& now, const RepairOptions& options,
-                                const Points3& target, const Eigen::VectorXd& weight);
+                                const TargetDistance& target);
 
-// A row per point below the watched force, whose goal is `goal` times f_min, and one for the floor
-// where that is watched. moving may be null.
-std::vector<ForceRow> force_rows(const Place& place, const TrackedForces& tracked,
+// A row per point below the active force, whose goal is `goal` times f_min, and one for the floor
+// where that is active. moving may be null.
+std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& tracked,
                                  const Judgement& now, const RepairOptions& options, double goal,
                                  const MovingVertices* moving);
 

@@ -12,15 +12,16 @@
 #include "curveups/refinement/draw_pins_out.hpp"
 #include "curveups/refinement/explanation.hpp"
 #include "curveups/refinement/force_rows.hpp"
+#include "curveups/refinement/merit_terms.hpp"
 
 namespace curveups {
 namespace {
 
-// Where tightness is a penalty: what moving a tile by L / ease costs against Eq. 3, next to
+// Where tightness is a penalty: moving a tile by L / layout_scale costs one unit of Eq. 3: next to
 // nothing.
-constexpr double ease = 0.1;
+constexpr double layout_scale = 0.1;
 // Where it is hard: what moving a vertex costs against moving a tile as far.
-constexpr double reluctance = 100;
+constexpr double vertex_cost = 100;
 
 class Repair {
  public:
@@ -31,7 +32,7 @@ class Repair {
  private:
   // On a fresh mesh; points of the judgement, and those that hold its floor down.
   struct Judged {
-    Place place;
+    Iterate place;
     Judgement judgement;
     std::vector<ContactPoint> points;
     std::vector<int> critical_points;
@@ -51,7 +52,7 @@ class Repair {
   bool draw_pins_out();
   bool improve(RepairResult& result, Judgement& now);
   bool take_step(RepairResult& result, Judgement& now, bool with_vertices);
-  bool move_to(const LayoutStep& step, const MovingVertices* moving, const Place& from);
+  bool move_to(const LayoutStep& step, const MovingVertices* moving, const Iterate& from);
   void tell(const Judgement& now) const;
 
   RepairOptions options_;
@@ -60,14 +61,13 @@ class Repair {
   RepairCallback callback_;
   Design design_;  // as given
   const Parameters& parameters_;
-  Points3 target_;
-  Eigen::VectorXd weight_;  // A_j of Eq. 4
-  Array6 caps_;             // upper bounds of insets beside membranes that were too low
-  Place given_, here_;      // of the design given, and now
+  TargetDistance target_;
+  Array6 caps_;           // upper bounds of insets beside membranes that were too low
+  Iterate given_, here_;  // of the design given, and now
   TrackedForces tracked_;
   std::optional<Judged> best_;
   std::vector<Touch> touches_;
-  double reach_ = 0;
+  double trust_radius_ = 0;
   int first_weak_ = 0;
   LayoutStep last_step_;
 };
@@ -80,7 +80,8 @@ Repair::Repair(const Design& design, const RepairOptions& options, SolutionStore
       callback_(callback),
       design_(design),
       parameters_(design_.parameters),
-      target_(design.target ? design.target->V : design.mesh.V),
+      target_(design.target ? design.target->V : design.mesh.V,
+              Eigen::VectorXd::Zero(design.mesh.V.rows())),
       caps_(Array6::Constant(design.mesh.F.rows(), 6, std::numeric_limits<double>::infinity())),
       tracked_(design_.parameters, options, progress) {
   here_.shape = make_shape(design.mesh, nullptr);
@@ -90,16 +91,17 @@ Repair::Repair(const Design& design, const RepairOptions& options, SolutionStore
     throw InvalidInput("the design's T and q do not have a row for each tile",
                        "give arrays of one design");
   }
-  if (target_.rows() != design.mesh.V.rows()) {
+  if (target_.places().rows() != design.mesh.V.rows()) {
     throw InvalidInput("the design's target has other vertices than its mesh",
                        "give the target that the mesh was moved away from");
   }
   here_.state = state_of(here_.model(), fit_poses(tiles, design.T), design.q);
   given_ = here_;
-  weight_ = Eigen::VectorXd::Zero(target_.rows());
+  Eigen::VectorXd area = Eigen::VectorXd::Zero(design.mesh.V.rows());
   for (int i = 0; i < count; ++i) {
-    for (int t = 0; t < 3; ++t) weight_(tiles.mesh.F(i, t)) += tiles.area(i) / 3;
+    for (int t = 0; t < 3; ++t) area(tiles.mesh.F(i, t)) += tiles.area(i) / 3;
   }
+  target_ = TargetDistance(target_.places(), area);
 }
 
 // found: a model whose collisions are known; or null.
@@ -141,8 +143,7 @@ Judgement Repair::judge_fresh() {
 // What steps must lower: what forces lack, or Eq. 3 in units of L^4 and of the mean normal force.
 double Repair::merit(const Judgement& now) const {
   if (!penalty()) return now.missing;
-  const double E_target = weight_.dot((here_.vertices() - target_).rowwise().squaredNorm()) /
-                          std::pow(parameters_.L, 4);
+  const double E_target = target_.value(here_.vertices()) / std::pow(parameters_.L, 4);
   return E_target + parameters_.w_tight * now.missing_squares;
 }
 
@@ -163,22 +164,22 @@ void Repair::restore_start(RepairResult& result) {
 
 StepWeights Repair::step_weights() const {
   StepWeights out;
-  out.trust_radius = reach_;
-  out.largest_displacement = options_.farthest * parameters_.L;
+  out.trust_radius = trust_radius_;
+  out.largest_displacement = options_.largest_displacement * parameters_.L;
   const double area = parameters_.L * parameters_.L;
   if (penalty()) {
     // Eq. 3, in units that make a mm of the layout cost one half.
-    const double unit = area / (ease * ease);
+    const double unit = area / (layout_scale * layout_scale);
     out.target = 2 * unit / (area * area);
     out.tightness = 2 * unit * parameters_.w_tight;
   } else {
-    out.target = reluctance / area;
+    out.target = vertex_cost / area;
   }
   return out;
 }
 
 // Takes the step, back onto the constraints, forces following. False where that fails.
-bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const Place& from) {
+bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const Iterate& from) {
   here_ = from;
   try {
     if (moving) {
@@ -208,10 +209,10 @@ bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const
 
 // One accepted step, or false where none lifts the weak forces any more.
 bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices) {
-  const Place from = here_;
+  const Iterate from = here_;
   const UnilateralResult floor = tracked_.floor();
   MovingVertices chosen;
-  if (with_vertices) chosen = vertices_to_move(here_, tracked_, now, options_, target_, weight_);
+  if (with_vertices) chosen = vertices_to_move(here_, tracked_, now, options_, target_);
   const MovingVertices* moving = chosen.count() > 0 ? &chosen : nullptr;
   const double goal = penalty() ? options_.penalty_goal : options_.goal;
   const std::vector<ForceRow> rows = force_rows(here_, tracked_, now, options_, goal, moving);
@@ -221,7 +222,7 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   }
   std::sort(tiles.begin(), tiles.end());
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
-  for (; reach_ > 1e-3; reach_ *= 0.5) {
+  for (; trust_radius_ > 1e-3; trust_radius_ *= 0.5) {
     last_step_ = least_layout_step(from.model(), from.state, rows, tiles, moving, step_weights());
     if (!move_to(last_step_, moving, from)) continue;
     const Judgement next = tracked_.judge();
@@ -232,7 +233,7 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
     if (moving) largest = std::max(largest, last_step_.vertex_step.cwiseAbs().maxCoeff());
     now = next;
     result.steps.push_back({now.weak, now.least, now.floor, largest, moving != nullptr, false});
-    reach_ = std::min(2 * reach_, options_.reach);
+    trust_radius_ = std::min(2 * trust_radius_, options_.trust_radius);
     return true;
   }
   here_ = from;
@@ -242,7 +243,7 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
 
 // False where no pin can, or the layout has no room for it.
 bool Repair::draw_pins_out() {
-  const Place from = here_;
+  const Iterate from = here_;
   const Array6 caps = caps_;
   if (!cap_insets(touches_, here_, caps_)) return false;
   here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
@@ -270,8 +271,8 @@ bool Repair::reached(const Judgement& now) const {
 // Steps until the goals are reached or nothing helps. Returns whether there was one.
 bool Repair::improve(RepairResult& result, Judgement& now) {
   bool moved = false, slow = penalty();
-  reach_ = options_.reach;
-  while (static_cast<int>(result.steps.size()) <= options_.most_steps && !reached(now)) {
+  trust_radius_ = options_.trust_radius;
+  while (static_cast<int>(result.steps.size()) <= options_.max_steps && !reached(now)) {
     const double before = merit(now);
     const bool with_vertices = slow && parameters_.move_vertices;
     if (take_step(result, now, with_vertices)) {
@@ -283,7 +284,7 @@ bool Repair::improve(RepairResult& result, Judgement& now) {
       break;
     } else {
       slow = true;
-      reach_ = options_.reach;
+      trust_radius_ = options_.trust_radius;
     }
   }
   return moved;
@@ -315,7 +316,7 @@ void Repair::search(RepairResult& result) {
       return;
     }
     const bool drawn =
-        static_cast<int>(result.steps.size()) <= options_.most_steps && draw_pins_out();
+        static_cast<int>(result.steps.size()) <= options_.max_steps && draw_pins_out();
     if (drawn) {
       now = tracked_.judge();
       result.steps.push_back({now.weak, now.least, now.floor, 0, false, false});

@@ -5,17 +5,17 @@
 namespace curveups {
 
 struct RepairOptions {
-  double reach = 0.2;  // mm that an unknown moves in a step at most, at first
+  double trust_radius = 0.2;  // mm that an unknown moves in a step at most, at first
   // Weak points are lifted to this times f_min (what the mesh error may take is to spare), and
-  // points below `watched` times f_min must not fall below it.
+  // points below `active` times f_min are rows of the step: they must not fall below f_min.
   double goal = 1.5;
-  double watched = 2.0;
+  double active = 2.0;
   double penalty_goal = 1.1;  // times f_min, where tightness is a penalty
   // The same for the largest floor of the unilateral problem, which is one number.
   double floor_goal = 1.2;
   // Vertices stay within this times L of their places in the target, by coordinate.
-  double farthest = 0.1;
-  int most_steps = 30;
+  double largest_displacement = 0.1;
+  int max_steps = 30;
 };
 
 }  // namespace curveups

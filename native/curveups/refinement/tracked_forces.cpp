@@ -41,7 +41,7 @@ UnilateralResult TrackedForces::unilateral(const DesignGeometry& geometry,
   return solve_unilateral(system, loads, start.force, options, progress_);
 }
 
-Judgement TrackedForces::judge_fresh(const Place& place, const SolvedDesign& fresh) {
+Judgement TrackedForces::judge_fresh(const Iterate& place, const SolvedDesign& fresh) {
   f_min_ratio_ = fresh.f_min_ratio;
   const BalanceSystem system = make_balance_system(place.geometry(), parameters_);
   const Eigen::VectorXd normal = fresh.forces.force.col(0);
@@ -50,39 +50,39 @@ Judgement TrackedForces::judge_fresh(const Place& place, const SolvedDesign& fre
         with_floor ? unilateral(place.geometry(), fresh.loads).largest_floor : not_computed;
     return curveups::judge(system.points(), normal, floor, f_min_ratio_, options_);
   };
-  Judgement now = judged(watches_floor_);
-  if (now.weak == 0 && !watches_floor_) {
+  Judgement now = judged(floor_is_active_);
+  if (now.weak == 0 && !floor_is_active_) {
     now = judged(true);
-    watches_floor_ = !now.valid();
+    floor_is_active_ = !now.valid();
   }
   return now;
 }
 
-void TrackedForces::follow(const Place& place, SolvedDesign& fresh, const Judgement& judged) {
+void TrackedForces::follow(const Iterate& place, SolvedDesign& fresh, const Judgement& judged) {
   forces_ = std::make_unique<DesignForces>(
       place.geometry(), parameters_,
       std::array<SolvedMembrane, 2>{std::move(fresh.membranes[0].coarse),
                                     std::move(fresh.membranes[1].coarse)},
       place.poses(), place.insets());
   correction_ = judged.normal - forces_->contact_forces().force.col(0);
-  if (watches_floor_) {
+  if (floor_is_active_) {
     floor_ = unilateral(place.geometry(), forces_->loads());
     floor_correction_ = judged.floor * judged.f_min - floor_.largest_floor;
   }
 }
 
-void TrackedForces::move(const Place& place) {
+void TrackedForces::move(const Iterate& place) {
   forces_->move(place.geometry(), place.poses(), place.insets(), progress_);
 }
 
-void TrackedForces::move_back(const Place& place, const UnilateralResult& floor) {
+void TrackedForces::move_back(const Iterate& place, const UnilateralResult& floor) {
   floor_ = floor;
   move(place);
 }
 
 Judgement TrackedForces::judge() {
-  if (watches_floor_) floor_ = unilateral(forces_->geometry(), forces_->loads());
-  const double floor = watches_floor_ ? floor_.largest_floor + floor_correction_ : not_computed;
+  if (floor_is_active_) floor_ = unilateral(forces_->geometry(), forces_->loads());
+  const double floor = floor_is_active_ ? floor_.largest_floor + floor_correction_ : not_computed;
   Eigen::VectorXd normal = forces_->contact_forces().force.col(0);
   // Where a contact point came or went with the vertices the next fresh mesh has to tell.
   if (normal.size() == correction_.size()) normal += correction_;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "curveups/physics/sensitivities.hpp"
+#include "curveups/refinement/iterate.hpp"
 #include "curveups/refinement/judgement.hpp"
-#include "curveups/refinement/place.hpp"
 
 namespace curveups {
 
@@ -30,23 +30,23 @@ class TrackedForces {
   // The verdict on a place. The largest floor is a part of it where no point is weak, and from then
   // on where it is what fails. Throws InfeasibleDesign where the membranes don't press the tiles
   // together.
-  Judgement judge_fresh(const Place& place, const SolvedDesign& fresh);
+  Judgement judge_fresh(const Iterate& place, const SolvedDesign& fresh);
   // Follows from here on; takes the membranes. judged: what judge_fresh said of them.
-  void follow(const Place& place, SolvedDesign& fresh, const Judgement& judged);
+  void follow(const Iterate& place, SolvedDesign& fresh, const Judgement& judged);
 
   // On the moving mesh. Throws what DesignForces::move throws; then what is held is of no use until
   // the next successful move.
-  void move(const Place& place);
+  void move(const Iterate& place);
   Judgement judge();
   // Back to a place that was judged, with its floor.
-  void move_back(const Place& place, const UnilateralResult& floor);
+  void move_back(const Iterate& place, const UnilateralResult& floor);
 
   const DesignForces& forces() const { return *forces_; }
   const std::vector<ContactPoint>& points() const { return forces_->system().points(); }
   // f_min over the mean normal force: as asked, or the mesh's error once that is known.
   double f_min_ratio() const { return f_min_ratio_; }
-  bool watches_floor() const { return watches_floor_; }
-  // Of the last judgement; only where it is watched.
+  bool floor_is_active() const { return floor_is_active_; }
+  // Of the last judgement; only where it is active.
   const UnilateralResult& floor() const { return floor_; }
 
  private:
@@ -60,7 +60,7 @@ class TrackedForces {
   // What the fresh mesh gave beyond the moving one: normal forces and the floor, N.
   Eigen::VectorXd correction_;
   double floor_correction_ = 0;
-  bool watches_floor_ = false;
+  bool floor_is_active_ = false;
   UnilateralResult floor_;
 };
 

@@ -148,7 +148,7 @@ TEST(Repair, MovesVerticesWherePosesAndPinsDoNotDo) {
 
   design.parameters.move_vertices = false;
   RepairOptions few;
-  few.most_steps = 8;
+  few.max_steps = 8;
   const RepairResult without = repair_design(design, few, nullptr, {});
   EXPECT_EQ(without.solve.status, SolveStatus::unfinished);
   EXPECT_EQ(without.design.mesh.V, design.mesh.V);
@@ -186,7 +186,7 @@ TEST(Repair, WeighsTightnessAgainstFidelityWhereAsked) {
   design.parameters.f_min_ratio *= 1.2;
   design.parameters.tightness = "penalty";
   RepairOptions options;
-  options.most_steps = 10;
+  options.max_steps = 10;
   std::array<double, 2> moved, least;
   for (int k = 0; k < 2; ++k) {
     design.parameters.w_tight = k == 0 ? 1e-4 : 1e3;
@@ -216,7 +216,7 @@ TEST(Repair, SaysWhatBlocksTheImpossible) {
   Design design = small_dome();
   design.parameters.f_min_ratio = 0.95;  // all points nearly alike: no dome does that
   RepairOptions options;
-  options.most_steps = 3;
+  options.max_steps = 3;
   const RepairResult result = repair_design(design, options, nullptr, {});
   EXPECT_EQ(result.solve.status, SolveStatus::unfinished);
   ASSERT_FALSE(result.blocked.empty());

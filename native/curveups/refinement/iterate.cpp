@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/refinement/place.hpp"
+#include "curveups/refinement/iterate.hpp"
 
 namespace curveups {
 
@@ -12,7 +12,7 @@ Shape::Shape(const TriangleMesh& mesh, const Edges& cuts, const Parameters& para
       bounds.upper.cwiseMin(caps.cwiseMax((bounds.lower.array() + capped_room).matrix()));
 }
 
-void Place::keep_pin_bounds() {
+void Iterate::keep_pin_bounds() {
   const PinBounds& bounds = geometry().pin_bounds;
   state.rightCols<6>() = state.rightCols<6>().cwiseMax(bounds.lower).cwiseMin(bounds.upper);
 }

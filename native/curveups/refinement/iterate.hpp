@@ -24,7 +24,7 @@ struct Shape {
 inline constexpr double capped_room = 0.005;
 
 // Copies share the shape.
-struct Place {
+struct Iterate {
   std::shared_ptr<Shape> shape;
   LayoutState state;
 
