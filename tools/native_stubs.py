@@ -36,11 +36,14 @@ def native_stubs() -> str:
     text = re.sub(r"numpy\.ndarray\[numpy\.(\w+)(\[([^\]]*)\])?(?:, [^\]]*)?\]", array, text)
     text = re.sub(r"\b(int|float|str|bool)\[\d+\]", r"\1", text)  # an array of so many is a list of them
     text = re.sub(r"progress: object\b", "progress: Optional[Callable[[str, float], object]]", text)
+    # Lists are returned; any sequence is taken.
+    text = re.sub(r"(?m)^(\s*def \w+\()(.*)(\) ->)",
+                  lambda m: m[1] + m[2].replace("List[", "Sequence[") + m[3], text)
     # pybind11's object is Python's Any; a docstring with a colon in it is no type.
     text = re.sub(r"-> (object|[A-Z]\w*( \w+)+[^:\n]*): \.\.\.", "-> Any: ...", text)
     text = text.replace("import numpy\n", "import numpy\nimport numpy.typing\n", 1)
     text = re.sub(r"from typing import (.*)\n", lambda m: "from typing import " + ", ".join(
-        sorted({"Annotated", "Any", "Callable", *m[1].split(", ")})) + "\n", text, count=1)
+        sorted({"Annotated", "Any", "Callable", "Sequence", *m[1].split(", ")})) + "\n", text, count=1)
     return HEAD + text
 
 
