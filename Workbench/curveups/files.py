@@ -19,10 +19,6 @@ from .report.html import build_html
 from .stages.solids import Solids
 from .stages.stage import Job, Row
 
-# Formats of the print's files, and the kinds of bodies that each has a file of.
-FORMATS = (("step", ("tiles", "support", "anchors", "print", "actuated")),
-           ("stl", ("tiles", "support", "anchors")), ("3mf", ("print",)))
-
 
 def write_results(results: Results, path: Path, job: Job) -> tuple[Folder, bool]:
     """design.json, the solids' files and the document, then the reports. A stop between files leaves
@@ -50,17 +46,11 @@ def write_results(results: Results, path: Path, job: Job) -> tuple[Folder, bool]
 
 def _write_solids(solids: Solids, name: str, folder: Folder, job: Job) -> None:
     """A kind of which there are no bodies (anchors switched off) has no file."""
-    for ending, kinds in FORMATS:
+    for ending, kinds in native.print_formats():
         for kind in kinds:
             if kind in (*solids.kinds, "print", "actuated"):
                 _write(folder, f"{name}-{kind}.{ending}", job,
-                       lambda path: _writer(solids.model, ending)(kind, path, job))
-
-
-def _writer(model: Any, ending: str) -> Callable[..., None]:
-    if ending == "3mf":
-        return lambda kind, path, job: model.write_3mf(path, job)
-    return model.write_step if ending == "step" else model.write_stl
+                       lambda path: solids.model.write(ending, kind, path, job))
 
 
 def _write_document(results: Results, folder: Folder, job: Job, software: dict[str, str]) -> None:

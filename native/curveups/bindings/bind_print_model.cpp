@@ -19,20 +19,6 @@ py::list pairs(const std::vector<UnsoundSolid>& unsound) {
   return out;
 }
 
-using WriteKind = void(const PrintModel&, const std::string& kind, const std::string& path,
-                       const Progress&);
-
-// A writer of one kind of bodies as a method.
-auto by_kind(WriteKind* write) {
-  return [write](const PrintModel& m, const std::string& kind, const std::string& path,
-                 py::object progress) {
-    without_gil(std::move(progress), [&](const Progress& sink) {
-      write(m, kind, path, sink);
-      return true;
-    });
-  };
-}
-
 }  // namespace
 
 void bind_print_model(py::module_& module) {
@@ -132,19 +118,25 @@ void bind_print_model(py::module_& module) {
           },
           py::arg("kind"), py::arg("direct") = true, py::arg("progress") = py::none(),
           "A compound of the kind's solids as a Part.Shape. direct=False goes through a file.")
-      .def("write_step", by_kind(write_step), py::arg("kind"), py::arg("path"),
-           py::arg("progress") = py::none())
-      .def("write_stl", by_kind(write_stl), py::arg("kind"), py::arg("path"),
-           py::arg("progress") = py::none())
       .def(
-          "write_3mf",
-          [](const PrintModel& m, const std::string& path, py::object progress) {
+          "write",
+          [](const PrintModel& m, const std::string& ending, const std::string& kind,
+             const std::string& path, py::object progress) {
             without_gil(std::move(progress), [&](const Progress& sink) {
-              write_3mf(m, path, sink);
+              print_format(ending).write(m, kind, path, sink);
               return true;
             });
           },
-          py::arg("path"), py::arg("progress") = py::none());
+          py::arg("ending"), py::arg("kind"), py::arg("path"), py::arg("progress") = py::none(),
+          "Writes a file of one kind of bodies, in the format of that ending (print_formats).");
+  module.def(
+      "print_formats",
+      [] {
+        py::list out;
+        for (const PrintFormat& f : print_formats()) out.append(py::make_tuple(f.ending, f.kinds));
+        return out;
+      },
+      "Endings of a print's files, in their order, and the kinds of bodies that have one of each.");
   module.def(
       "make_print_model",
       [](const Design& design) {

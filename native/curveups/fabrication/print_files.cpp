@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/fabrication/print_files.hpp"
 
+#include "curveups/core/errors.hpp"
 #include "curveups/fabrication/mesh_files.hpp"
 #include "curveups/fabrication/step_file.hpp"
 
@@ -27,6 +28,25 @@ void write_stl(const PrintModel& model, const std::string& kind, const std::stri
 
 void write_3mf(const PrintModel& model, const std::string& path, const Progress& progress) {
   write_3mf(meshes_of(model, "print", progress), model.name, path, progress);
+}
+
+const std::vector<PrintFormat>& print_formats() {
+  static const std::vector<PrintFormat> formats = {
+      {"step", {"tiles", "support", "anchors", "print", "actuated"}, write_step},
+      {"stl", {"tiles", "support", "anchors"}, write_stl},
+      {"3mf",
+       {"print"},
+       [](const PrintModel& model, const std::string&, const std::string& path,
+          const Progress& progress) { write_3mf(model, path, progress); }},
+  };
+  return formats;
+}
+
+const PrintFormat& print_format(const std::string& ending) {
+  for (const PrintFormat& format : print_formats()) {
+    if (format.ending == ending) return format;
+  }
+  throw InvalidInput("no print file is called ." + ending, "give step, stl or 3mf");
 }
 
 }  // namespace curveups

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "curveups/core/progress.hpp"
 #include "curveups/fabrication/print_model.hpp"
@@ -15,5 +16,18 @@ void write_step(const PrintModel& model, const std::string& kind, const std::str
 void write_stl(const PrintModel& model, const std::string& kind, const std::string& path,
                const Progress& progress);
 void write_3mf(const PrintModel& model, const std::string& path, const Progress& progress);
+
+// A new format is a file that writes it and a line in print_files.cpp.
+struct PrintFormat {
+  std::string ending;              // of file names, without a dot
+  std::vector<std::string> kinds;  // each of which has a file of this format
+  void (*write)(const PrintModel& model, const std::string& kind, const std::string& path,
+                const Progress& progress);
+};
+
+// In the order in which a print's files are written.
+const std::vector<PrintFormat>& print_formats();
+// Throws InvalidInput for an ending that no format has.
+const PrintFormat& print_format(const std::string& ending);
 
 }  // namespace curveups

@@ -39,8 +39,7 @@ class Builder {
     }
     join_footprints();
     if (p().anchors) add_anchors();
-    if (p().support == "soluble") add_slabs(model_, footprints_);
-    if (p().support == "breakaway") add_bridges(model_);
+    add_support(model_, footprints_);
     list_features();
     centre();
     add_actuated();

@@ -15,4 +15,11 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
 // Lists what no bridge holds. Throws what make_bridges throws.
 void add_bridges(PrintModel& model);
 
+// What the parameter `support` asks for. A new kind is a file, its lines here and a choice of the
+// parameter.
+inline void add_support(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
+  if (model.parameters.support == "soluble") add_slabs(model, footprints);
+  if (model.parameters.support == "breakaway") add_bridges(model);
+}
+
 }  // namespace curveups
