@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The checks see what they are for, and the benchmark fails where it has to."""
+"""The checks see what they are for, the benchmark fails where it has to, and what CONTRIBUTING.md shows
+works."""
 
+import importlib.util
 import json
+import re
 import sys
 
 import pytest
@@ -12,6 +15,8 @@ sys.path.insert(0, str(ROOT / "tools"))
 import bench_results  # noqa: E402
 import bench_table  # noqa: E402
 import check_rooms  # noqa: E402
+from curveups import project  # noqa: E402
+from curveups.native import native  # noqa: E402
 
 
 @pytest.mark.parametrize("path, text, said", [
@@ -59,3 +64,21 @@ def test_results_renew_their_models_and_keep_the_others(designed, tmp_path):
     assert len(after) == len(before) + 2  # the new model's lines
     assert [line for line in before if line not in after] == [
         line for line in before if line.startswith("| disc | ")]
+
+
+def test_the_stage_of_the_contributors_page(designed, monkeypatch):
+    page = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    spec = importlib.util.spec_from_loader("curveups.stages.weight", loader=None)
+    module = importlib.util.module_from_spec(spec)
+    monkeypatch.setitem(sys.modules, spec.name, module)
+    exec(re.search(r"```python\n(.*?)```", page, re.S)[1], module.__dict__)
+    monkeypatch.setitem(project._BY_NAME, module.STAGE.name, module.STAGE)
+
+    of = project.Project.of_design(native.read_design(json.dumps(designed.json("design.json"))))
+    grams = of.run(("weight",))["weight"].grams
+    assert grams == pytest.approx(of.run(("bodies",))["bodies"].model.volumes["tiles"] / 1000 * 1.18)
+    values = of.parameters
+    values.set("density", 2 * 1.18)
+    of.parameters = values
+    assert of.out_of_date("weight") == ("density",)
+    assert of.run(("weight",))["weight"].grams == pytest.approx(2 * grams)
