@@ -46,11 +46,12 @@ def write_results(results: Results, path: Path, job: Job) -> tuple[Folder, bool]
 
 def _write_solids(solids: Solids, name: str, folder: Folder, job: Job) -> None:
     """A kind of which there are no bodies (anchors switched off) has no file."""
+    model: Any = solids.model
     for ending, kinds in native.print_formats():
         for kind in kinds:
             if kind in (*solids.kinds, "print", "actuated"):
                 _write(folder, f"{name}-{kind}.{ending}", job,
-                       lambda path: solids.model.write(ending, kind, path, job))
+                       lambda path: model.write(ending, kind, path, job))
 
 
 def _write_document(results: Results, folder: Folder, job: Job, software: dict[str, str]) -> None:
