@@ -12,7 +12,7 @@ import sys
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
-from typing import Iterator
+from typing import TYPE_CHECKING, Iterator
 
 from . import __version__
 from .errors import CurveUpsError, Stopped, tile_list
@@ -45,7 +45,10 @@ def _load() -> ModuleType:
     return module
 
 
-native = _load()
+if TYPE_CHECKING:
+    from . import _native as native
+else:
+    native = _load()
 
 
 @contextmanager
