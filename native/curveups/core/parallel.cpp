@@ -2,6 +2,7 @@
 #include "curveups/core/parallel.hpp"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -24,8 +26,20 @@ int default_threads() {
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
+// oneTBB has as many workers as there are processors unless more are asked for.
+int allowed(int count) {
+  static std::mutex mutex;
+  static std::unique_ptr<tbb::global_control> more;
+  const std::lock_guard<std::mutex> lock(mutex);
+  constexpr auto most = tbb::global_control::max_allowed_parallelism;
+  if (static_cast<std::size_t>(count) > tbb::global_control::active_value(most)) {
+    more = std::make_unique<tbb::global_control>(most, count);
+  }
+  return count;
+}
+
 std::atomic<int>& threads() {
-  static std::atomic<int> count(default_threads());
+  static std::atomic<int> count(allowed(default_threads()));
   return count;
 }
 
@@ -54,7 +68,7 @@ void in_arena(const Work& work) {
 
 int thread_count() { return threads(); }
 
-void set_thread_count(int count) { threads() = std::max(1, count); }
+void set_thread_count(int count) { threads() = allowed(std::max(1, count)); }
 
 void parallel_ranges(int count, const std::function<void(int, int)>& body) {
   if (count <= 0) return;

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "curveups/core/parallel.hpp"
@@ -78,6 +81,21 @@ TEST(Parallel, SumsAreThoseOfAPlainLoopWithAnyNumberOfThreads) {
       EXPECT_EQ(static_cast<int>(order.size()), count);
     }
   }
+  set_thread_count(before);
+}
+
+// Also where there are fewer processors.
+TEST(Parallel, AsManyThreadsWorkAsAreAskedFor) {
+  const int before = thread_count();
+  set_thread_count(4);
+  std::atomic<int> arrived{0};
+  const auto meet = [&] {
+    ++arrived;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (arrived < 4 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    EXPECT_EQ(arrived, 4);
+  };
+  parallel_tasks({meet, meet, meet, meet});
   set_thread_count(before);
 }
 
