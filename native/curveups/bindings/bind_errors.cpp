@@ -26,16 +26,16 @@ py::object make_exception(py::module_& module, const char* name, const char* doc
 }
 
 // Leaked on purpose: translators run until the interpreter ends.
-struct ExceptionTypes {
+struct ErrorTypes {
   py::object error, invalid_input, topology_error, infeasible_design, solver_failure, io_error,
       cancelled;
 };
-ExceptionTypes* types = nullptr;
+ErrorTypes* types = nullptr;
 
 }  // namespace
 
 void bind_errors(py::module_& module) {
-  types = new ExceptionTypes;
+  types = new ErrorTypes;
   types->error =
       make_exception(module, "Error", "Base of this module's exceptions.", PyExc_RuntimeError);
   types->error.attr("remedy") = "";
@@ -49,6 +49,7 @@ void bind_errors(py::module_& module) {
   types->solver_failure = make("SolverFailure", "A numerical method broke down.");
   types->io_error = make("IoError", "A file could not be read or written.");
   types->cancelled = make("Cancelled", "Stopped by the caller, without a partial result.");
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature is pybind11's
   py::register_exception_translator([](std::exception_ptr pointer) {
     if (!pointer) return;
     try {

@@ -139,7 +139,7 @@ Orientation orient(const Points3& V, const std::vector<Face>& faces) {
     for (std::size_t i = 0; i < part.size(); ++i) {
       const int f = part[i];
       const Vec3 a = V.row(faces[f][0]), b = V.row(faces[f][1]), c = V.row(faces[f][2]);
-      area[static_cast<int>(out.turn[f])] += (b - a).cross(c - a).norm();
+      area[out.turn[f] ? 1 : 0] += (b - a).cross(c - a).norm();
       for (int t = 0; t < 3; ++t) {
         const int p = faces[f][t], q = faces[f][next3(t)];
         const std::vector<int>& two = at[std::minmax(p, q)];

@@ -46,7 +46,7 @@ class GradedCriteria {
     }
   };
 
-  class Is_bad {
+  class Is_bad {  // NOLINT(readability-identifier-naming): the name is CGAL's
    public:
     explicit Is_bad(const std::function<double(const Vec2&)>* size) : size_(size) {}
     CGAL::Mesh_2::Face_badness operator()(const Quality& q) const {
