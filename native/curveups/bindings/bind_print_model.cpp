@@ -61,9 +61,6 @@ void bind_print_model(py::module_& module) {
             return out;
           },
           "Contacts without bumps: their two tiles and why.")
-      .def_property_readonly(
-          "bump_tips", [](const PrintModel& m) { return bump_tips(m.geometry.tiles, m.bumps); },
-          "Per contact the tips of its bumps, in the actuated configuration.")
       .def_readonly("loose_tiles", &PrintModel::loose_tiles)
       .def_readonly("loose_anchors", &PrintModel::loose_anchors)
       .def("min_clearance_flat",
@@ -102,13 +99,6 @@ void bind_print_model(py::module_& module) {
           "min_clearance_flat, max_overlap_actuated; and the reasons, in words, for which solids "
           "make the design not valid.")
       .def(
-          "check_solids",
-          [](PrintModel& m, py::object progress) {
-            return pairs(without_gil(std::move(progress),
-                                     [&](const Progress& sink) { return check_solids(m, sink); }));
-          },
-          py::arg("progress") = py::none(), "The first part of what judge_solids gives.")
-      .def(
           "shape",
           [](PrintModel& m, const std::string& kind, bool direct, py::object progress) {
             const auto shape = without_gil(std::move(progress), [&](const Progress& sink) {
@@ -145,15 +135,6 @@ void bind_print_model(py::module_& module) {
       },
       py::arg("design"),
       "The print of a design; raises InfeasibleDesign, naming tiles, where it can't be made.");
-  module.def(
-      "bump_tips",
-      [](const Design& design) {
-        py::gil_scoped_release release;
-        const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
-        const FlatPoses poses = fit_poses(geometry.tiles, design.T);
-        return bump_tips(geometry, poses, design.parameters);
-      },
-      py::arg("design"), "As PrintModel.bump_tips, without a print model.");
   py::dict colours;
   for (int k = 0; k < 3; ++k) {
     const Colour c = body_colour(static_cast<BodyKind>(k));

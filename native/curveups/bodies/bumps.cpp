@@ -344,7 +344,10 @@ BumpPlan plan_bumps(const DesignGeometry& geometry, const FlatPoses& poses,
   return Planner(geometry, poses, parameters).run();
 }
 
-std::vector<Points3> bump_tips(const TileMesh& tiles, const BumpPlan& plan) {
+std::vector<Points3> bump_tips(const DesignGeometry& geometry, const FlatPoses& poses,
+                               const Parameters& parameters) {
+  const TileMesh& tiles = geometry.tiles;
+  const BumpPlan plan = plan_bumps(geometry, poses, parameters);
   std::vector<std::vector<Vec3>> of_contact(tiles.contacts.size());
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (const WallCap& cap : plan.of_tile[i]) {
@@ -360,11 +363,6 @@ std::vector<Points3> bump_tips(const TileMesh& tiles, const BumpPlan& plan) {
     tips.push_back(std::move(rows));
   }
   return tips;
-}
-
-std::vector<Points3> bump_tips(const DesignGeometry& geometry, const FlatPoses& poses,
-                               const Parameters& parameters) {
-  return bump_tips(geometry.tiles, plan_bumps(geometry, poses, parameters));
 }
 
 }  // namespace curveups

@@ -44,8 +44,7 @@ BumpPlan plan_bumps(const DesignGeometry& geometry, const FlatPoses& poses,
                     const Parameters& parameters);
 
 // Per contact the apexes of its bumps in the actuated configuration (world): where its tiles touch.
-std::vector<Points3> bump_tips(const TileMesh& tiles, const BumpPlan& plan);
-// The same of the bumps that plan_bumps gives; throws what it throws.
+// Throws what plan_bumps throws.
 std::vector<Points3> bump_tips(const DesignGeometry& geometry, const FlatPoses& poses,
                                const Parameters& parameters);
 

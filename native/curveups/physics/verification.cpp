@@ -233,8 +233,7 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, parameters);
   const TileMesh& tiles = geometry.tiles;
   check_arrays(design, tiles);
-  const std::vector<Points3> tips =
-      bump_tips(tiles, plan_bumps(geometry, fit_poses(tiles, design.T), parameters));
+  const std::vector<Points3> tips = bump_tips(geometry, fit_poses(tiles, design.T), parameters);
   VerificationReport report;
   SolvedDesign solved;
   try {
