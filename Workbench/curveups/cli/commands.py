@@ -13,12 +13,12 @@ from ..native import native, translated
 from ..output import Folder, require_folder_name, safe_name
 from ..progress import Reporter
 from ..project import Project, Results
+from ..stages import STAGES, suggestions
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.stage import Job
 from ..stages.surface import find_source
 
-JUDGED = ("figures", "deviation", "verification", "recheck")
-PRINTED = ("solids", "check")
+PRINTED = ("bodies", "solids", "check")  # stages that --no-solids leaves out
 
 
 @dataclass
@@ -42,7 +42,8 @@ def design(options: Any, session: Session) -> int:
     job = session.job
     if cuts.suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
-    results = project.run((*JUDGED, *(() if options.no_solids else PRINTED), "suggestions"), job)
+    left_out = (suggestions.SEARCH.name, *(PRINTED if options.no_solids else ()))
+    results = project.run([stage.name for stage in STAGES if stage.name not in left_out], job)
     _, stopped = write_results(results, options.output, job)
     return _finish(results, options.output, session, stopped)
 
