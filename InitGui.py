@@ -15,11 +15,29 @@ class CurveUpsWorkbench(FreeCADGui.Workbench):
 
         import curveups
 
-        root = os.path.dirname(os.path.dirname(os.path.dirname(curveups.__file__)))
-        self.__class__.Icon = os.path.join(root, "resources", "icons", "CurveUpsWorkbench.svg")
+        resources = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(curveups.__file__))),
+                                 "resources")
+        self.__class__.Icon = os.path.join(resources, "icons", "CurveUpsWorkbench.svg")
+        FreeCADGui.addIconPath(os.path.join(resources, "icons"))
+        FreeCADGui.addLanguagePath(os.path.join(resources, "translations"))
+        FreeCADGui.updateLocale()
 
     def Initialize(self):
         """Called when the workbench is first activated."""
+        from curveups import commands
+        from curveups.qt import QT_TRANSLATE_NOOP
+
+        names = list(commands.register())
+        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "CurveUps"), names)
+        self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&CurveUps"), names)
+
+    def ContextMenu(self, recipient):
+        """recipient: "view" or "tree"."""
+        from curveups import commands
+
+        names = commands.for_context(recipient)
+        if names:
+            self.appendContextMenu("CurveUps", names)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

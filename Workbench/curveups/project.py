@@ -119,6 +119,19 @@ class Project:
         with self._reading:
             self._given[name] = Made(result)
 
+    def copy(self) -> "Project":
+        """Another project of the same inputs and results, which are values: whatever it runs, this one
+        stays as it is."""
+        with self._reading:
+            twin = Project(self.name, self._parameters, {}, self.where, self._made)
+            twin._given = dict(self._given)
+        return twin
+
+    def forget_stopped(self) -> None:
+        """Drops what was stopped before its end: asked for again, it is made anew."""
+        with self._reading:
+            self._made = {name: one for name, one in self._made.items() if not one.result.stopped}
+
     def made(self) -> dict[str, Made]:
         """All results there are, out of date or not: what is saved, and `known` elsewhere."""
         with self._reading:

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user can do: one file a command, listed here in the order of the toolbar."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+from typing import Any
+
+_FILES = ("new_design", "target", "cuts", "solve", "verify", "repair", "build_solids", "show_flat",
+          "show_actuated", "show_solids", "overlay", "worst_contacts", "export", "report", "examples",
+          "restore_objects", "solver_status")
+# What a right click on a design, or beside it, is likely to want.
+_CONTEXT = ("solve", "verify", "cuts", "show_flat", "show_actuated", "show_solids", "export", "report")
+
+
+def register() -> tuple[str, ...]:
+    """Makes all commands known to FreeCAD; their names in the order of the toolbar."""
+    import FreeCADGui
+
+    found = [command for command in map(_command, _FILES) if command]
+    for command in found:
+        FreeCADGui.addCommand(command.name, command)
+    return tuple(command.name for command in found)
+
+
+def for_context(recipient: str) -> list[str]:
+    """Names for the context menu of the tree or the view ("tree", "view") as things stand: what can't
+    run is left out."""
+    found = [_command(file) for file in _CONTEXT]
+    return [command.name for command in found if command and not command.reason()]
+
+
+def _command(file: str) -> Any:
+    if importlib.util.find_spec(f"{__name__}.{file}") is None:
+        return None
+    return importlib.import_module(f"{__name__}.{file}").COMMAND

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all commands share: how FreeCAD sees them, why one can't run, errors, transactions, macros."""
+
+from __future__ import annotations
+
+import importlib
+from contextlib import contextmanager
+from typing import Any, Iterator, Optional
+
+import FreeCAD
+import FreeCADGui
+
+from ..qt import translate
+from .notice import errors_shown
+
+
+class Command:
+    """One command. Texts are written as QT_TRANSLATE_NOOP(name, text), for FreeCAD to translate; the icon
+    is the file of the command's name in resources/icons."""
+
+    name = ""
+    text = ""
+    tooltip = ""
+    shortcut = ""
+
+    def run(self) -> None:
+        """The work. Raises CurveUpsError, which the user sees as one line."""
+        raise NotImplementedError
+
+    def reason(self) -> str:
+        """Why it can't run now, as a sentence without a full stop; empty where it can. Asked for several
+        times a second."""
+        return ""
+
+    def GetResources(self) -> dict[str, Any]:
+        return {"Pixmap": self.name, "MenuText": self.text, "ToolTip": self.tooltip,
+                "Accel": self.shortcut, "CmdType": "AlterDoc"}
+
+    def IsActive(self) -> bool:
+        try:
+            reason = self.reason()
+        except Exception as error:  # asked for by a timer: nothing may come out of it
+            reason = str(error)
+        self._say(reason)
+        return not reason
+
+    def Activated(self, index: int = 0) -> None:
+        with errors_shown(translate(self.name, self.text)):
+            self.run()
+
+    _said: Optional[str] = None
+
+    def _say(self, reason: str) -> None:
+        """Puts the reason into tooltip and status tip, since FreeCAD only greys a command out."""
+        if reason == self._said:
+            return
+        command = FreeCADGui.Command.get(self.name)
+        if command is None:
+            return
+        self._said = reason
+        tip = translate(self.name, self.tooltip)
+        for action in command.getAction():
+            action.setToolTip(f"<b>{translate(self.name, self.text)}</b><br>{tip}"
+                              + (f"<br><i>{reason}</i>" if reason else ""))
+            action.setStatusTip(reason or tip)
+
+
+class DesignCommand(Command):
+    """One that works on a design: that of the selection, or the document's only one."""
+
+    def reason(self) -> str:
+        return "" if chosen_design() else no_design()
+
+    def run(self) -> None:
+        self.work(chosen_design())
+
+    def work(self, design: Any) -> None:
+        """The work on a Design object."""
+        raise NotImplementedError
+
+
+def no_design() -> str:
+    """Says that there is no design to work on."""
+    document = FreeCAD.ActiveDocument
+    if document is None or not _designs(document):
+        return translate("CurveUps", "There is no design: make one with New Design or Examples")
+    return translate("CurveUps", "There are several designs: select one")
+
+
+def chosen_design() -> Any:
+    """The design that the selection belongs to, or else the only one of the active document; None
+    where there is no telling."""
+    document = FreeCAD.ActiveDocument
+    if document is None:
+        return None
+    selected = map(_document_api().design_of, FreeCADGui.Selection.getSelection(document.Name))
+    found = {design for design in selected if design is not None}
+    if not found:
+        found = set(_designs(document))
+    return found.pop() if len(found) == 1 else None
+
+
+def _designs(document: Any) -> list:
+    return list(_document_api().designs(document))
+
+
+def _document_api() -> Any:
+    return importlib.import_module("curveups.features.document")
+
+
+@contextmanager
+def transaction(document: Any, text: str) -> Iterator[None]:
+    """One step of undo; taken back where the work inside raises."""
+    document.openTransaction(text)
+    try:
+        yield
+    except BaseException:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+
+
+def call(function: str, *arguments: str) -> None:
+    """Calls a function of curveups.features with arguments as Python text, and records it: the line in the
+    macro does the same in a FreeCAD without a window. function: "document.new_design", say. Raises what
+    the function raises."""
+    module, name = function.split(".")
+    FreeCADGui.doCommand(f"from curveups.features import {module}")
+    FreeCADGui.doCommand(f"{function}({', '.join(arguments)})")
+
+
+def named(obj: Any) -> str:
+    """A document object as Python text."""
+    return f"FreeCAD.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
