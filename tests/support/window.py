@@ -51,7 +51,7 @@ def run_in_window(work, home, folder, **names):
     env = {**os.environ, "HOME": str(home), "QTWEBENGINE_DISABLE_SANDBOX": "1",
            "QTWEBENGINE_CHROMIUM_FLAGS": "--no-sandbox", "LIBGL_ALWAYS_SOFTWARE": "1"}
     env.pop("PYTHONPATH", None)
-    ran = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1440x900x24", "freecad", str(script)],
+    ran = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1440x900x24 -dpi 96", "freecad", str(script)],
                          env=env, stdin=subprocess.DEVNULL, capture_output=True, text=True,
                          timeout=300)
     if ran.returncode != 0:

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Renews resources/translations from the texts of the Workbench: CurveUps_LANGUAGE.ts for translators (Qt
+Linguist, or by hand: what is new is marked "unfinished"), and the .qm that FreeCAD reads.
+
+    tools/translations [LANGUAGE...]      LANGUAGE (fr, pt-BR) is begun; those that are there are renewed
+
+Qt's own lupdate of Debian 12 passes over calls with keyword arguments, so texts are found here.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+from pathlib import Path
+from typing import Iterator, Optional
+
+ROOT = Path(__file__).resolve().parents[1]
+FOLDER = ROOT / "resources" / "translations"
+MARKERS = ("translate", "QT_TRANSLATE_NOOP")
+Text = tuple[str, str]  # context and text
+
+
+def texts() -> set[Text]:
+    """Every text that the window shows."""
+    found: set[Text] = set()
+    for path in [ROOT / "InitGui.py", *(ROOT / "Workbench").rglob("*.py")]:
+        found.update(texts_of_python(path.read_text(encoding="utf-8")))
+    for path in (ROOT / "resources" / "ui").glob("*.ui"):
+        found.update(texts_of_form(path.read_text(encoding="utf-8")))
+    return found
+
+
+def texts_of_python(source: str) -> Iterator[Text]:
+    """What calls of a marker name literally; a call with names instead hands on what is marked elsewhere."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call):
+            marker = getattr(node.func, "id", getattr(node.func, "attr", ""))
+            values = [argument.value for argument in node.args[:2] if isinstance(argument, ast.Constant)]
+            if marker in MARKERS and len(values) == 2:
+                yield str(values[0]), str(values[1])
+
+
+def texts_of_form(source: str) -> Iterator[Text]:
+    """Texts of a form, in the context of its class."""
+    root = xml.fromstring(source)
+    for text in root.iter("string"):
+        if text.text and text.get("notr") != "true":
+            yield root.findtext("class", ""), text.text
+
+
+def translations(path: Path) -> dict[Text, Optional[str]]:
+    """What a .ts file has for each text; None where it is not finished."""
+    return {(context.findtext("name", ""), message.findtext("source", "")):
+            None if message.find("translation[@type]") is not None else message.findtext("translation")
+            for context in xml.parse(path).getroot().iter("context")
+            for message in context.iter("message")}
+
+
+def renew(path: Path) -> int:
+    """Writes a language's .ts with the texts of today and what is known of them, and its .qm. Returns how
+    many lack a translation."""
+    known = translations(path) if path.exists() else {}
+    # A text that has moved to another context keeps its translation.
+    by_text = {text: translated for (_, text), translated in known.items() if translated}
+    root = xml.Element("TS", version="2.1", language=path.stem.split("_", 1)[1].replace("-", "_"))
+    contexts: dict[str, xml.Element] = {}
+    missing = 0
+    for name, text in sorted(texts()):
+        if name not in contexts:
+            contexts[name] = xml.SubElement(root, "context")
+            xml.SubElement(contexts[name], "name").text = name
+        message = xml.SubElement(contexts[name], "message")
+        xml.SubElement(message, "source").text = text
+        translated = known.get((name, text)) or by_text.get(text)
+        if translated:
+            xml.SubElement(message, "translation").text = translated
+        else:
+            xml.SubElement(message, "translation", type="unfinished")
+            missing += 1
+    xml.indent(root, "  ")
+    path.write_text('<?xml version="1.0" encoding="utf-8"?>\n<!DOCTYPE TS>\n'
+                    + xml.tostring(root, encoding="unicode") + "\n", encoding="utf-8")
+    subprocess.run([_lrelease(), "-silent", path, "-qm", path.with_suffix(".qm")], check=True)
+    return missing
+
+
+def _lrelease() -> str:
+    found = shutil.which("lrelease", path=os.pathsep.join([os.environ.get("PATH", ""), "/usr/lib/qt6/bin"]))
+    if not found:
+        sys.exit("curveups: error: Qt's lrelease is missing: install qt6-l10n-tools")
+    return found
+
+
+def main(languages: list[str]) -> None:
+    """Renews all languages, and begins those that are named."""
+    if any(language.startswith("-") for language in languages):
+        sys.exit(__doc__)
+    FOLDER.mkdir(exist_ok=True)
+    paths = {*FOLDER.glob("CurveUps_*.ts"), *(FOLDER / f"CurveUps_{language}.ts" for language in languages)}
+    for path in sorted(paths):
+        print(f"{path.name}: {renew(path)} texts without a translation")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
