@@ -6,9 +6,6 @@
 #include "curveups/design/design_file.hpp"
 
 namespace curveups::bindings {
-namespace {
-
-using ArrayNd = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 Array6 from_blocks(const ArrayNd& array, const char* name, int a, int b) {
   if (array.ndim() != 3 || array.shape(1) != a || array.shape(2) != b) {
@@ -18,16 +15,6 @@ Array6 from_blocks(const ArrayNd& array, const char* name, int a, int b) {
   }
   return Eigen::Map<const Array6>(array.data(), array.shape(0), 6);
 }
-
-void require_rows(const Design& design, Eigen::Index rows, const char* name) {
-  if (rows != design.mesh.F.rows()) {
-    throw InvalidInput(std::string(name) + " has " + std::to_string(rows) + " rows, F has " +
-                           std::to_string(design.mesh.F.rows()),
-                       "pass one row per tile");
-  }
-}
-
-}  // namespace
 
 py::array_t<double> to_blocks(const Array6& m, int a, int b) {
   return py::array_t<double>({static_cast<py::ssize_t>(m.rows()), static_cast<py::ssize_t>(a),
@@ -46,8 +33,9 @@ void bind_design(py::module_& module) {
              Design design{
                  name, parameters, {V, F}, from_blocks(T, "T", 3, 2), from_blocks(q, "q", 2, 3),
                  cuts, {}};
-             require_rows(design, design.T.rows(), "T");
-             require_rows(design, design.q.rows(), "q");
+             const auto tiles = static_cast<int>(F.rows());
+             require_row_per_tile(design.T, tiles, "T");
+             require_row_per_tile(design.q, tiles, "q");
              if (target) design.target = TriangleMesh{target->first, target->second};
              return design;
            }),

@@ -68,6 +68,10 @@ class PythonListener {
 // An M x 6 matrix as an M x a x b array, a b = 6.
 py::array_t<double> to_blocks(const Array6& m, int a, int b);
 
+// The other way round; throws InvalidInput, naming `name`, for any other shape.
+using ArrayNd = py::array_t<double, py::array::c_style | py::array::forcecast>;
+Array6 from_blocks(const ArrayNd& array, const char* name, int a, int b);
+
 void bind_errors(py::module_& module);
 void bind_threads(py::module_& module);
 void bind_geometry(py::module_& module);
@@ -78,8 +82,10 @@ void bind_parameters(py::module_& module);
 void bind_design(py::module_& module);
 void bind_design_figures(py::module_& module);
 void bind_target_checks(py::module_& module);
+void bind_tile_shapes(py::module_& module);
 void bind_layout(py::module_& module);
 void bind_layout_figures(py::module_& module);
+void bind_fields(py::module_& module);
 void bind_cut_suggestions(py::module_& module);
 void bind_remedies(py::module_& module);
 void bind_solution_store(py::module_& module);

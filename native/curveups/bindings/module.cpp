@@ -15,8 +15,10 @@ PYBIND11_MODULE(_native, module) {
   bind_design(module);
   bind_design_figures(module);
   bind_target_checks(module);
+  bind_tile_shapes(module);
   bind_layout(module);
   bind_layout_figures(module);
+  bind_fields(module);
   bind_cut_suggestions(module);
   bind_remedies(module);
   bind_solution_store(module);

@@ -36,6 +36,25 @@ double separation_along(const Faces& tile, int t, const Faces& other) {
   return least;
 }
 
+Eigen::VectorXd contact_gaps(const TileMesh& tiles, const std::vector<Faces>& placed) {
+  Eigen::VectorXd gaps(static_cast<Eigen::Index>(tiles.contacts.size()));
+  for (std::size_t k = 0; k < tiles.contacts.size(); ++k) {
+    const Contact& contact = tiles.contacts[k];
+    double least = std::numeric_limits<double>::infinity();
+    for (int d = 0; d < 2; ++d) {
+      const int i = contact.tile[d], t = contact.side[d], j = contact.tile[1 - d],
+                u = contact.side[1 - d];
+      for (int s = 0; s < 2; ++s) {
+        for (int end : {u, next3(u)}) {
+          least = std::min(least, outside(placed[i][s], t, placed[j][s][end]));
+        }
+      }
+    }
+    gaps[static_cast<Eigen::Index>(k)] = least;
+  }
+  return gaps;
+}
+
 // Two tips that face one another are separated by less along an edge normal than they are apart:
 // candidates are all pairs whose circles come within this many times the clearance. Circles,
 // because the answer must not depend on how the layout is turned.
@@ -80,6 +99,10 @@ std::vector<Separation> find_close_pairs(const TileMesh& tiles, const FlatPoses&
   return close_pairs(place_all(tiles, poses), clearance);
 }
 
+Eigen::VectorXd contact_gaps(const TileMesh& tiles, const FlatPoses& poses) {
+  return contact_gaps(tiles, place_all(tiles, poses));
+}
+
 ConstraintReport check_constraints(const DesignGeometry& geometry, const FlatCorners& corners,
                                    const Array6& q, const Parameters& p) {
   const TileMesh& tiles = geometry.tiles;
@@ -94,17 +117,8 @@ ConstraintReport check_constraints(const DesignGeometry& geometry, const FlatCor
   }
   const std::vector<Faces> placed = place_all(tiles, fit_poses(tiles, corners));
   double least_gap = p.d_gap_min;
-  for (const Contact& contact : tiles.contacts) {
-    for (int d = 0; d < 2; ++d) {
-      const int i = contact.tile[d], t = contact.side[d], j = contact.tile[1 - d],
-                u = contact.side[1 - d];
-      for (int s = 0; s < 2; ++s) {
-        for (int end : {u, next3(u)}) {
-          least_gap = std::min(least_gap, outside(placed[i][s], t, placed[j][s][end]));
-        }
-      }
-    }
-  }
+  const Eigen::VectorXd gaps = contact_gaps(tiles, placed);
+  if (gaps.size()) least_gap = std::min(least_gap, gaps.minCoeff());
   for (const Separation& pair : close_pairs(placed, p.d_gap_min)) {
     least_gap = std::min(least_gap, pair.distance);
     if (pair.distance < p.d_gap_min - tolerance::constraint) {

@@ -23,6 +23,10 @@ struct ConstraintReport {
 ConstraintReport check_constraints(const DesignGeometry& geometry, const FlatCorners& corners,
                                    const Array6& q, const Parameters& parameters);
 
+// Per contact what Eq. 7 bounds, mm: the least distance of the ends of one tile's edge from the
+// line of the other's, both ways, on both faces.
+Eigen::VectorXd contact_gaps(const TileMesh& tiles, const FlatPoses& poses);
+
 // A pair of tiles and the edge of `tile` whose normal separates it best from `other` on both faces.
 struct Separation {
   int tile, side_edge, other;

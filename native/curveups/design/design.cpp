@@ -19,13 +19,7 @@ DesignGeometry make_geometry(const TriangleMesh& mesh, const Edges& cuts,
                            std::to_string(geometry.tiles.tile_count()) + " tiles",
                        "name tiles of this design");
   }
-  std::vector<int> without = tiles_without_back(geometry.tiles);
-  if (!without.empty()) {
-    const std::string count = std::to_string(without.size());
-    throw InfeasibleDesign(
-        "folds are too sharp for tiles of this thickness: " + count + " back faces vanish",
-        "lower H_body, raise L or smooth the target there", std::move(without));
-  }
+  require_back_faces(geometry.tiles);
   geometry.truncation = truncate_at_vertices(geometry.tiles);
   geometry.patches = compute_contact_patches(geometry.tiles, geometry.truncation);
   separate_remote_tiles(geometry.tiles, geometry.patches, geometry.truncation);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "curveups/core/errors.hpp"
+
 namespace curveups {
 
 PlaneRotation::PlaneRotation(double angle) : c(std::cos(angle)), s(std::sin(angle)) {}
@@ -11,6 +13,18 @@ std::array<Vec2, 3> place(const FlatPoses& poses, int tile, const std::array<Vec
   const PlaneRotation turn(poses(tile, 2));
   const Vec2 origin(poses(tile, 0), poses(tile, 1));
   return {origin + turn * local[0], origin + turn * local[1], origin + turn * local[2]};
+}
+
+void require_row_per_tile(const Array6& values, int tile_count, const std::string& name) {
+  if (values.rows() != tile_count) {
+    throw InvalidInput(name + " has " + std::to_string(values.rows()) + " rows, there are " +
+                           std::to_string(tile_count) + " tiles",
+                       "pass one row per tile");
+  }
+  for (int i = 0; i < tile_count; ++i) {
+    if (values.row(i).allFinite()) continue;
+    throw InvalidInput(name + " holds a number that is not finite", "pass finite numbers", {i});
+  }
 }
 
 FlatCorners flat_corners(const TileMesh& tiles, const FlatPoses& poses) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
@@ -146,6 +147,15 @@ std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale) {
     if (!(scale > least_scale)) out.push_back(i);
   }
   return out;
+}
+
+void require_back_faces(const TileMesh& tiles) {
+  std::vector<int> without = tiles_without_back(tiles);
+  if (without.empty()) return;
+  const std::string count = std::to_string(without.size());
+  throw InfeasibleDesign(
+      "folds are too sharp for tiles of this thickness: " + count + " back faces vanish",
+      "lower H_body, raise L or smooth the target there", std::move(without));
 }
 
 std::string tile_name(int tile) {

@@ -74,6 +74,9 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
 // over: their folds are sharper than a tile of this thickness can have.
 std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale = 1e-3);
 
+// Throws InfeasibleDesign with the tiles where there are any.
+void require_back_faces(const TileMesh& tiles);
+
 // What tile i is called in files and messages: "T00001" for tile 0; a list is separated by commas.
 std::string tile_name(int tile);
 // The first `most`, and how many more there are.

@@ -14,6 +14,15 @@ double inradius(double area, double perimeter) { return 2 * area / perimeter; }
 
 }  // namespace
 
+double tile_inradius(const TileMesh& tiles, int tile) {
+  return inradius(tiles.area(tile), tiles.length.row(tile).sum());
+}
+
+double room_with_gap(const TileMesh& tiles, int tile, double d_gap_min) {
+  const double outside = std::max(0.0, -tiles.back_shift.row(tile).mean());
+  return tile_inradius(tiles, tile) + outside + 0.5 * d_gap_min;
+}
+
 std::vector<std::vector<int>> pieces_of(const TileMesh& tiles) {
   std::vector<char> joined(tiles.cut.size());
   for (std::size_t e = 0; e < joined.size(); ++e) joined[e] = !tiles.cut[e];
@@ -42,9 +51,7 @@ LayoutState initial_layout(const LayoutModel& model) {
           inradius(0.5 * std::abs(wedge(corner[1] - corner[0], corner[2] - corner[0])),
                    (corner[1] - corner[0]).norm() + (corner[2] - corner[1]).norm() +
                        (corner[0] - corner[2]).norm());
-      const double outside = std::max(0.0, -tiles.back_shift.row(i).mean());
-      const double tile = inradius(tiles.area(i), tiles.length.row(i).sum());
-      if (room > 0) needed.push_back((tile + outside + 0.5 * model.parameters.d_gap_min) / room);
+      if (room > 0) needed.push_back(room_with_gap(tiles, i, model.parameters.d_gap_min) / room);
     }
     if (!needed.empty()) {
       std::nth_element(needed.begin(), needed.begin() + static_cast<long>(needed.size() / 2),

@@ -9,6 +9,7 @@
 
 #include "curveups/layout/layout_terms.hpp"
 #include "curveups/layout/placed_point.hpp"
+#include "curveups/layout/spring_length.hpp"
 
 namespace curveups {
 namespace {
@@ -53,15 +54,12 @@ class SpringEnergy : public LayoutTerm {
     const PinMiddle p(model_.tiles[i], placed_i, side, t), q(model_.tiles[j], placed_j, side, u);
     const double fold = model_.geometry->tiles.fold(i, t);
     const double half = side == Side::front ? 0.5 * fold : -0.5 * fold;
-    const double c = std::cos(half), s = std::sin(half);
-    const double q1 = x[0][inset_unknown(side, t)], q2 = x[1][inset_unknown(side, u)];
-    const double wide = (q1 + q2) * c + 2 * model_.parameters.H_pin * s, high = (q1 - q2) * s;
-    const double distance = std::sqrt(wide * wide + high * high);
+    const auto [distance, by_q1, by_q2] = spring_length(
+        x[0][inset_unknown(side, t)], x[1][inset_unknown(side, u)], half, model_.parameters.H_pin);
     const Vec2 a = q.position - p.position;
     const double factor = weight_ / distance;
     out.value.head<2>() = factor * a;
     if (!derivatives) return;
-    const double by_q1 = (wide * c + high * s) / distance, by_q2 = (wide * c - high * s) / distance;
     out.jacobian[0].setZero();
     out.jacobian[1].setZero();
     out.jacobian[0].block<2, 2>(0, 0) = -factor * Eigen::Matrix2d::Identity();

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Figures per tile and per contact by name.
+#include "curveups/bindings/bindings.hpp"
+#include "curveups/layout/design_fields.hpp"
+#include "curveups/layout/target_fields.hpp"
+
+namespace curveups::bindings {
+
+void bind_fields(py::module_& module) {
+  module.def(
+      "target_fields",
+      [](const Points3& V, const Triangles& F, const Edges& cuts, const Parameters& parameters) {
+        const TargetFields fields = [&] {
+          const py::gil_scoped_release release;
+          return target_fields({V, F}, cuts, parameters);
+        }();
+        py::dict out;
+        out["contact_tiles"] = fields.contacts;
+        out["fold_angle"] = fields.fold;
+        out["pin_room"] = fields.pin_room;
+        out["conformal_stretch"] = fields.stretch;
+        out["least_stretch"] = fields.least_stretch;
+        out["most_stretch"] = fields.most_stretch;
+        return out;
+      },
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      "What can be said before a layout. Per contact: contact_tiles (N x 2), fold_angle (degrees, "
+      "convex positive). Per tile: pin_room (M x 2, front and back, mm2: the largest pin's area "
+      "less A_pin_min), conformal_stretch (by how much the layout's start scales the tile's place; "
+      "NaN where there is no flat map), least_stretch (below it the tile does not fit), "
+      "most_stretch (above it a membrane next to it is slack).");
+  module.def(
+      "design_fields",
+      [](const Design& design) {
+        const DesignFields fields = [&] {
+          const py::gil_scoped_release release;
+          return design_fields(design);
+        }();
+        py::dict out;
+        out["contact_tiles"] = fields.contacts;
+        out["gap"] = fields.gap;
+        out["membrane_slack"] = fields.membrane_slack;
+        out["pin_area"] = fields.pin_area;
+        return out;
+      },
+      py::arg("design"),
+      "What can be said of a layout without its membranes. Per contact: contact_tiles (N x 2), gap "
+      "(mm, flat), membrane_slack (N x 2, front and back: rest over actuated length; slack above "
+      "1). Per tile: pin_area (M x 2, front and back, mm2).");
+}
+
+}  // namespace curveups::bindings

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What can be said of a target tile by tile before anything is solved: where it will not work.
+#pragma once
+
+#include "curveups/design/design.hpp"
+
+namespace curveups {
+
+// Per tile: front, back.
+using PerSide = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
+struct TargetFields {
+  Edges contacts;           // N x 2 tiles
+  Eigen::VectorXd fold;     // N, degrees: convex (ridge) positive
+  PerSide pin_room;         // M, mm2: area of the largest pin less A_pin_min
+  Eigen::VectorXd stretch;  // M: by how much the layout's start scales the tile's place; a map that
+                            // turns the tile over counts as 0; NaN where a piece has no flat map (a
+                            // closed one, say)
+  Eigen::VectorXd least_stretch;  // M: below this the tile does not fit with its gaps
+  Eigen::VectorXd
+      most_stretch;  // M: above this a membrane next to it is slack, even with the smallest pins
+                     // that A_pin_min allows; infinite for a tile without contacts
+};
+
+// least and most are estimates from the mean gap: a tile of inradius r in a place scaled by s has
+// gaps of 2 r (s - 1). Throws what make_tile_mesh throws; folds too sharp for the thickness and
+// targets that can't be laid flat are no errors here.
+TargetFields target_fields(const TriangleMesh& mesh, const Edges& cuts,
+                           const Parameters& parameters);
+
+}  // namespace curveups

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Arrays for what draws a design: shapes, what is refused, and nothing that a caller could spoil."""
+
+import time
+
+import numpy as np
+import pytest
+from running import dome
+
+from curveups.native import native
+
+
+@pytest.fixture(scope="module")
+def target():
+    lines = [line.split() for line in dome(4).splitlines()]
+    V = np.array([line[1:] for line in lines if line[0] == "v"], float)
+    return V, np.array([line[1:] for line in lines if line[0] == "f"], np.int32) - 1
+
+
+@pytest.fixture(scope="module")
+def design(target):
+    V, F = target
+    parameters, cuts = native.Parameters(), np.zeros((0, 2), np.int32)
+    found = native.solve_soft_layout(V, F, cuts, parameters, max_iterations=3)
+    return native.Design("dome", parameters, V, F, found.T, found.q, cuts)
+
+
+def test_shapes_of_a_design_have_a_row_per_tile_and_contact(design):
+    shapes, tiles = native.tile_shapes(design), len(design.F)
+    assert shapes.flat.shape == shapes.actuated.shape == (tiles, 6, 3)
+    assert shapes.flat_pins.shape == shapes.actuated_pins.shape == (tiles, 2, 6, 3)
+    np.testing.assert_allclose(shapes.actuated[:, :3], design.V[design.F], atol=1e-9)
+    np.testing.assert_allclose(shapes.flat[:, :3, :2], design.T, atol=1e-9)
+    contacts = len(shapes.contacts)
+    assert shapes.contact_edges.shape == (contacts, 2, 3) and contacts > tiles / 2
+    first, side = shapes.contacts[:, 0], shapes.contact_sides[:, 0]
+    np.testing.assert_allclose(shapes.contact_edges[:, 0], shapes.actuated[first, side], atol=1e-9)
+
+
+def test_arrays_outlive_what_they_came_from_and_cannot_be_written(design):
+    flat = native.tile_shapes(design).flat
+    again = native.tile_shapes(design).flat
+    assert (flat == again).all()
+    with pytest.raises(ValueError):
+        flat[0, 0, 0] = 1.0
+
+
+def test_a_target_without_layout_has_actuated_tiles_alone(target):
+    V, F = target
+    shapes = native.tile_shapes_at(V, F, np.zeros((0, 2), np.int32), native.Parameters())
+    assert len(shapes.actuated) == len(F)
+    assert len(shapes.flat) == len(shapes.actuated_pins) == len(shapes.flat_pins) == 0
+
+
+@pytest.mark.parametrize("spoil", ["T shape", "T rows", "T nan", "q inf", "F index", "F negative", "V nan",
+                                   "cuts"])
+def test_arrays_that_do_not_fit_are_refused(design, spoil):
+    V, F, T, q = np.array(design.V), np.array(design.F), np.array(design.T), np.array(design.q)
+    cuts = np.zeros((0, 2), np.int32)
+    if spoil == "T shape":
+        T = T.reshape(len(T), 6)
+    elif spoil == "T rows":
+        T = T[:-1]
+    elif spoil == "T nan":
+        T[3, 1, 0] = np.nan
+    elif spoil == "q inf":
+        q[0, 1, 2] = np.inf
+    elif spoil == "F index":
+        F[0, 0] = len(V)
+    elif spoil == "F negative":
+        F[0, 0] = -1
+    elif spoil == "V nan":
+        V[int(F[0, 0]), 2] = np.nan
+    else:
+        cuts = np.array([[-5, 10**6]], np.int32)
+    with pytest.raises((native.InvalidInput, native.TopologyError)) as caught:
+        native.tile_shapes_at(V, F, cuts, design.parameters, T, q)
+    assert caught.value.remedy
+    if spoil[0] != "F":
+        with pytest.raises((native.InvalidInput, native.TopologyError)):
+            native.design_fields(native.Design("x", design.parameters, V, F, T, q, cuts))
+
+
+def test_fields_have_a_value_per_tile_or_contact(design):
+    tiles, contacts = len(design.F), len(native.tile_shapes(design).contacts)
+    before = native.target_fields(design.V, design.F, design.cuts, design.parameters)
+    after = native.design_fields(design)
+    assert {name: len(values) for name, values in before.items()} == {
+        "contact_tiles": contacts, "fold_angle": contacts, "pin_room": tiles, "conformal_stretch": tiles,
+        "least_stretch": tiles, "most_stretch": tiles}
+    assert {name: len(values) for name, values in after.items()} == {
+        "contact_tiles": contacts, "gap": contacts, "membrane_slack": contacts, "pin_area": tiles}
+    assert (before["fold_angle"] > 0).all()  # a dome is convex everywhere
+    assert (after["pin_area"] > 0).all()
+
+
+def test_a_new_thickness_is_drawn_fast(design):
+    """The window shows it while a value is typed; 2493 tiles have 50 ms."""
+    start = time.perf_counter()
+    native.tile_shapes(design)
+    assert time.perf_counter() - start < 0.2
