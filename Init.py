@@ -11,3 +11,7 @@ for _folder in list(sys.path):
     _package = os.path.normpath(os.path.join(_folder, "Workbench"))
     if os.path.isfile(os.path.join(_package, "curveups", "native.py")) and _package not in sys.path:
         sys.path.append(_package)
+
+from curveups.features import observer as _observer  # noqa: E402  found through the loop above
+
+_observer.install()

@@ -20,11 +20,6 @@ from .native import native
 if TYPE_CHECKING:
     from .project import Results
 
-# Objects of the document, and the native module's kinds of bodies.
-BODIES = {"Tiles": "tiles", "Support": "support", "Anchors": "anchors"}
-# As in STEP and 3MF, the target in the colour of its tiles.
-COLOURS = {**{name: native.COLOURS[kind] for name, kind in BODIES.items()},
-           "Target": native.COLOURS["tiles"]}
 # Showing the solids of more tiles takes OpenCASCADE's meshing several seconds: the target is shown
 # instead of them until they are asked for.
 MOST_SHOWN = 800
@@ -37,19 +32,8 @@ def read_target(path: Path, deflection: float) -> Mesh:
 
     `deflection` is the largest distance of the triangles from a CAD surface, mm.
     """
-    try:
-        there, file = path.exists(), path.is_file()
-    except OSError as error:
-        raise _unreadable(path, error) from error
-    if not there:
-        raise CurveUpsError("no such target", str(path),
-                            "give a file, or a built-in name from 'curveups targets'")
-    if not file:
-        raise CurveUpsError("the target is no file", str(path), f"give {FORMATS} file")
-    reader = _READERS.get(path.suffix.lower())
-    if reader is None:
-        raise CurveUpsError(f"unknown format '{path.suffix or path.name}'", str(path),
-                            f"give {FORMATS} file")
+    require_readable(path)
+    reader = _READERS[path.suffix.lower()]
     try:
         if path.stat().st_size == 0:
             raise CurveUpsError("the file is empty", str(path), "export it again")
@@ -67,8 +51,24 @@ def read_target(path: Path, deflection: float) -> Mesh:
     return V, F
 
 
-def _unreadable(path: Path, error: OSError) -> CurveUpsError:
-    return CurveUpsError(f"the file can't be read: {error.strerror or error}", str(path),
+def require_readable(path: Path) -> None:
+    """Raises CurveUpsError where a target can't be in this file, before anything of it is read."""
+    try:
+        there, file = path.exists(), path.is_file()
+    except (OSError, ValueError) as error:
+        raise _unreadable(path, error) from error
+    if not there:
+        raise CurveUpsError("no such target", str(path),
+                            "give a file, or a built-in name from 'curveups targets'")
+    if not file:
+        raise CurveUpsError("the target is no file", str(path), f"give {FORMATS} file")
+    if path.suffix.lower() not in _READERS:
+        raise CurveUpsError(f"unknown format '{path.suffix or path.name}'", str(path),
+                            f"give {FORMATS} file")
+
+
+def _unreadable(path: Path, error: Exception) -> CurveUpsError:
+    return CurveUpsError(f"the file can't be read: {getattr(error, 'strerror', None) or error}", str(path),
                          "check its name and permissions")
 
 
@@ -123,6 +123,11 @@ def _through_mesh(path: Path) -> Mesh:
         mesh.read(str(path))
     except Exception as error:  # FreeCAD raises its own types, and bare RuntimeError
         raise CurveUpsError("FreeCAD can't read the file", str(path), "export it again") from error
+    return triangles_of_mesh(mesh)
+
+
+def triangles_of_mesh(mesh: Any) -> Mesh:
+    """V and F of a Mesh of FreeCAD."""
     points, faces = mesh.Topology
     V = np.array([tuple(point) for point in points], float).reshape(-1, 3)
     return V, np.array(faces, np.int32).reshape(-1, 3)
@@ -130,7 +135,7 @@ def _through_mesh(path: Path) -> Mesh:
 
 def _read_cad(path: Path, deflection: float) -> Mesh:
     """STEP, IGES and BREP through Part: the Import module crashes on coloured STEP files (0.20.2)."""
-    _, part, mesh_part = freecad_session.load("Part", "MeshPart")
+    _, part = freecad_session.load("Part")
     try:
         shape = part.read(str(path))
         faces = [] if shape.isNull() else shape.Faces
@@ -138,16 +143,20 @@ def _read_cad(path: Path, deflection: float) -> Mesh:
         raise CurveUpsError("FreeCAD can't read the file", str(path), "export it again") from error
     if not faces:
         raise CurveUpsError("the file holds no surface", str(path), "export the surface itself")
+    return triangles_of_shape(shape, deflection, str(path))
+
+
+def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
+    """V and F of a Shape of FreeCAD; `where` names it in messages."""
+    _, mesh_part = freecad_session.load("MeshPart")
     try:
         size = shape.BoundBox.DiagonalLength
         mesh = mesh_part.meshFromShape(Shape=shape, LinearDeflection=max(deflection, 1e-5 * size),
                                        AngularDeflection=0.2)
-        points, triangles = mesh.Topology
+        return triangles_of_mesh(mesh)
     except Exception as error:
-        raise CurveUpsError("FreeCAD can't make triangles of the surface", str(path),
+        raise CurveUpsError("FreeCAD can't make triangles of the surface", where,
                             "mend the surface, or export it as a mesh") from error
-    V = np.array([tuple(point) for point in points], float).reshape(-1, 3)
-    return V, np.array(triangles, np.int32).reshape(-1, 3)
 
 
 _READERS = {
@@ -168,41 +177,31 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
     Shapes are kept in the file (2500 tiles: 3 s, 16 MB), so that a FreeCAD without this workbench
     shows them too.
     """
-    freecad, part, mesh = freecad_session.load("Part", "Mesh")
-    from .features.bodies import BodiesProxy
-    from .features.design import DesignProxy
+    freecad, part, _ = freecad_session.load("Part", "Mesh")
+    from .features import document as documents
+    from .features.bodies import KINDS
 
     # A name that FreeCAD would take for another document's file is no harm: it is never shown.
     document = freecad.newDocument("CurveUps", hidden=True, temp=True)
     try:
-        design = document.addObject("App::FeaturePython", "Design")
-        DesignProxy(design, results)
-        V, F = results.design.V, results.design.F
-        surface = document.addObject("Mesh::Feature", "Target")
-        surface.Mesh = mesh.Mesh([[tuple(map(float, V[v])) for v in face] for face in F])
-        for name, kind in BODIES.items():
-            # A view without Python: those with it are shown on opening, hidden or not.
-            body = document.addObject("Part::FeaturePython", name, None, None, False,
-                                      "PartGui::ViewProviderPartExt")
-            BodiesProxy(body, design, kind)
-        document.recompute()
+        design = documents.design_with_results(document, results)
         broken = [obj.Name for obj in document.Objects if "Invalid" in obj.State]
         if broken:
             raise CurveUpsError(f"the document's {broken[0]} can't be computed", results.name,
                                 "see FreeCAD's report view")
-        solids = len(F) <= MOST_SHOWN
-        shown = {"Design": True, "Target": not solids, "Tiles": solids, "Support": False,
-                 "Anchors": solids}
+        shown = documents.visibility(design, solids=len(results.design.F) <= MOST_SHOWN)
         for name, value in shown.items():
             document.getObject(name).Visibility = value
         with _binary_shapes(freecad):
             document.saveAs(str(path))
     finally:
         freecad.closeDocument(document.Name)
-    views = [View(name, value, COLOURS.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
+    # As in STEP and 3MF, the target in the colour of its tiles.
+    colours = {name: native.COLOURS[kind] for name, kind in {**KINDS, "Target": "tiles"}.items()}
+    views = [View(name, value, colours.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
              for name, value in shown.items()]
     finish_document(path, results.name, views,
-                    _print_box(results["solids"].model) if solids else _box(V))
+                    _print_box(results["solids"].model) if shown["Tiles"] else _box(results.design.V))
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
 
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Loads the native module, and says plainly what is wrong where that fails.
 
-`from curveups.native import native` gives the module; every other file imports it from here.
+`from curveups.native import native` gives the module; every other file imports it from here. It is
+loaded when something of it is first used: documents open, show and say what is wrong without it.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import sys
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Iterator
+from typing import TYPE_CHECKING, Any, Iterator, Optional
 
 from . import __version__
 from .errors import CurveUpsError, Stopped, tile_list
@@ -45,10 +46,33 @@ def _load() -> ModuleType:
     return module
 
 
+class _Native:
+    """The module, loaded at its first use. A failure is raised each time: it may have been mended."""
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):  # who merely looks at this object does not need the module
+            raise AttributeError(name)
+        return getattr(self._module(), name)
+
+    def _module(self) -> ModuleType:
+        if "loaded" not in self.__dict__:
+            self.__dict__["loaded"] = _load()
+        return self.__dict__["loaded"]
+
+
 if TYPE_CHECKING:
     from . import _native as native
 else:
-    native = _load()
+    native = _Native()
+
+
+def problem() -> Optional[CurveUpsError]:
+    """Why the native module can't be used; None where it can."""
+    try:
+        native.thread_count
+    except CurveUpsError as error:
+        return error
+    return None
 
 
 @contextmanager
@@ -57,6 +81,8 @@ def translated(where: str = "") -> Iterator[None]:
     reaches users. `where` names the input they came from."""
     try:
         yield
+    except (CurveUpsError, Stopped):
+        raise  # the module itself is missing, or this was translated before
     except native.Cancelled:
         raise Stopped from None
     except native.Error as error:

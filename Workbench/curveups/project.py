@@ -132,6 +132,11 @@ class Project:
         with self._reading:
             self._made = {name: one for name, one in self._made.items() if not one.result.stopped}
 
+    def given(self) -> dict[str, Made]:
+        """What is not made but given."""
+        with self._reading:
+            return dict(self._given)
+
     def made(self) -> dict[str, Made]:
         """All results there are, out of date or not: what is saved, and `known` elsewhere."""
         with self._reading:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results of a project as text, and back, bit for bit: with their keys, so that what is out of date
-when they are read again is known to be."""
+when they are read again is known to be. What several results share is written once."""
 
 from __future__ import annotations
 
@@ -8,23 +8,25 @@ import base64
 import binascii
 import dataclasses
 import json
-from typing import Any, Mapping
+from typing import Any, Callable, Collection, Hashable, Mapping, Sequence
 
 import numpy as np
 
 from .errors import CurveUpsError
 from .native import native, translated
 from .project import Made
-from .stages.stage import Value
+from .stages.stage import Value, digest
 
 FORMAT, VERSION = "curveups-results", 1
 
 
-def to_text(made: Mapping[str, Made]) -> str:
-    """Those results that consist of numbers, texts, arrays and designs; others are made anew."""
-    results = {name: {"key": dict(one.key), "seconds": one.seconds, "result": _encode(one.result)}
+def to_text(made: Mapping[str, Made], without: Collection[str] = ()) -> str:
+    """Those results that consist of numbers, texts, arrays and designs; others are made anew. `without`:
+    fields that are left at their defaults (pictures of membranes are most of a verification)."""
+    writer = _Writer(without)
+    results = {name: {"key": dict(one.key), "seconds": one.seconds, "result": writer.encode(one.result)}
                for name, one in made.items() if one.result.lasting}
-    return json.dumps({"format": FORMAT, "version": VERSION, "results": results})
+    return json.dumps({"format": FORMAT, "version": VERSION, "shared": writer.shared, "results": results})
 
 
 def from_text(text: str, where: str = "") -> dict[str, Made]:
@@ -34,40 +36,63 @@ def from_text(text: str, where: str = "") -> dict[str, Made]:
         if data["format"] != FORMAT or data["version"] != VERSION:
             raise ValueError(f"version {data['version']} of {data['format']}")
         with translated(where):
-            return {name: Made(_decode(one["result"]), one["key"], float(one["seconds"]))
+            shared: list[Any] = []
+            for value in data.get("shared", []):  # what one refers to stands before it
+                shared.append(_decode(value, shared))
+            return {name: Made(_decode(one["result"], shared), one["key"], float(one["seconds"]))
                     for name, one in data["results"].items()}
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError, binascii.Error) as error:
+    except (ValueError, TypeError, LookupError, AttributeError, RecursionError, binascii.Error) as error:
         raise CurveUpsError(f"the saved results can't be read: {error}", where,
                             "solve the design again") from None
 
 
-def _encode(value: Any) -> Any:
-    if isinstance(value, Value):
-        fields = {field.name: _encode(getattr(value, field.name)) for field in dataclasses.fields(value)}
-        return {"value": type(value).__name__, "fields": fields}
-    if isinstance(value, native.Design):
-        return {"design": native.write_design(value)}
-    if isinstance(value, np.ndarray):
-        return {"array": base64.b64encode(np.ascontiguousarray(value).tobytes()).decode("ascii"),
-                "type": value.dtype.str, "shape": value.shape}
-    if isinstance(value, Mapping):
-        return {"map": {str(key): _encode(item) for key, item in value.items()}}
-    if isinstance(value, (list, tuple)):
-        return [_encode(item) for item in value]
-    return value.item() if isinstance(value, np.generic) else value
+class _Writer:
+    """Collects arrays, designs and values in `shared`, each once; others refer to their places there."""
+
+    def __init__(self, without: Collection[str]):
+        self.shared: list[Any] = []
+        self._without = frozenset(without)
+        self._places: dict[Hashable, int] = {}
+
+    def encode(self, value: Any) -> Any:
+        if isinstance(value, Value):
+            return self._share(id(value), lambda: {"value": type(value).__name__, "fields": {
+                field.name: self.encode(getattr(value, field.name)) for field in dataclasses.fields(value)
+                if field.name not in self._without and not field.metadata.get("transient")}})
+        if isinstance(value, native.Design):
+            text = native.write_design(value)
+            return self._share(text, lambda: {"design": text})
+        if isinstance(value, np.ndarray):
+            data = np.ascontiguousarray(value).tobytes()
+            return self._share(digest(value), lambda: {
+                "array": base64.b64encode(data).decode("ascii"), "type": value.dtype.str,
+                "shape": value.shape})
+        if isinstance(value, Mapping):
+            return {"map": {str(key): self.encode(item) for key, item in value.items()}}
+        if isinstance(value, (list, tuple)):
+            return [self.encode(item) for item in value]
+        return value.item() if isinstance(value, np.generic) else value
+
+    def _share(self, key: Hashable, encoded: Callable[[], Any]) -> dict[str, int]:
+        if key not in self._places:
+            self.shared.append(encoded())
+            self._places[key] = len(self.shared) - 1
+        return {"shared": self._places[key]}
 
 
-def _decode(value: Any) -> Any:
+def _decode(value: Any, shared: Sequence[Any]) -> Any:
     if isinstance(value, list):
-        return tuple(_decode(item) for item in value)
+        return tuple(_decode(item, shared) for item in value)
     if not isinstance(value, dict):
         return value
+    if "shared" in value:
+        return shared[value["shared"]]
     if "value" in value:
         kind = Value.known[value["value"]]
-        return kind(**{name: _decode(item) for name, item in value["fields"].items()})
+        return kind(**{name: _decode(item, shared) for name, item in value["fields"].items()})
     if "design" in value:
         return native.read_design(value["design"])
     if "array" in value:
         found = np.frombuffer(base64.b64decode(value["array"], validate=True), np.dtype(value["type"]))
         return found.reshape(value["shape"]).copy()
-    return {name: _decode(item) for name, item in value["map"].items()}
+    return {name: _decode(item, shared) for name, item in value["map"].items()}

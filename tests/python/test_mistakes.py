@@ -161,8 +161,10 @@ def test_a_surface_that_freecad_cannot_mesh(tmp_path, monkeypatch):
     def refuse(**_):
         raise RuntimeError("Meshing failed")
 
-    monkeypatch.setattr(freecad_io.freecad_session, "load", lambda *_: (
-        None, SimpleNamespace(read=lambda _: Shape()), SimpleNamespace(meshFromShape=refuse)))
+    modules = {"Part": SimpleNamespace(read=lambda _: Shape()),
+               "MeshPart": SimpleNamespace(meshFromShape=refuse)}
+    monkeypatch.setattr(freecad_io.freecad_session, "load",
+                        lambda *names: (None, *(modules[name] for name in names)))
     (tmp_path / "a.step").write_text("ISO")
     with pytest.raises(CurveUpsError, match="triangles.*a.step"):
         freecad_io.read_target(tmp_path / "a.step", 0.1)

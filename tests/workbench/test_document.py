@@ -30,41 +30,53 @@ done()
 def test_every_parameter_is_a_property_with_unit_group_and_tooltip(freecad, document):
     freecad(OPEN + """
 from curveups.features import properties
+from curveups.features.document import settings_of
 from curveups.native import native
-kept = native.read_design(design.Layout).parameters
-for row in native.parameter_table():
-    if row.group in ('Files', 'Stages'):
-        continue
-    assert design.getGroupOfProperty(row.name) == row.group
-    assert design.getDocumentationOfProperty(row.name).startswith(row.meaning)
-    kind = design.getTypeIdOfProperty(row.name)
+kept = native.read_design(open(json_path, encoding='utf-8').read()).parameters
+assert {row.group for row in native.parameter_table()} - {row.group for row in properties.rows()} == {
+    'Files', 'Stages'}
+for row in properties.rows():
+    name = properties.property_name(row.name)
+    assert name[0].isupper() and '_' not in name
+    assert design.getGroupOfProperty(name).endswith(' ' + row.group)
+    tip = design.getDocumentationOfProperty(name)
+    assert tip.startswith(row.meaning)
+    assert {'rebuild': 'at once', 'verify': 'Verify', 'layout': 'Solve'}[row.tier] in tip, tip
+    assert properties.tier_of(design, name) == row.tier, row.name
+    kind = design.getTypeIdOfProperty(name)
     assert (kind == 'App::PropertyLength') == (row.unit == 'mm'), row.name
     assert (kind == 'App::PropertyPressure') == (row.unit == 'MPa'), row.name
-    value = properties.value_of(design, row)
+    value = properties.value_of(design, name)
     expected = kept.get(row.name)
     assert value == expected or abs(value - expected) < 1e-12 * abs(expected), row.name
-    read_only = 'ReadOnly' in design.getEditorMode(row.name)
-    assert read_only == (row.tier != 'rebuild'), row.name
-assert design.shear_modulus_front.getValueAs('kPa').Value == 1000 * kept.get('shear_modulus_front')
+    assert 'ReadOnly' not in design.getEditorMode(name), row.name
+    assert settings_of(design).get(row.name) == expected, row.name  # to the last bit
+assert design.ShearModulusFront.getValueAs('kPa').Value == 1000 * kept.get('shear_modulus_front')
+groups = sorted({design.getGroupOfProperty(properties.property_name(row.name)) for row in properties.rows()})
+assert [group[2:] for group in groups] == ['Target', 'Tiles', 'Layout', 'Physics', 'Repair', 'Bumps',
+                                           'Support', 'Anchors']
 assert design.CurveUpsVersion
 done()
-""", path=document)
+""", path=document, json_path=document.parent / "design.json")
 
 
 def test_the_layout_is_kept_bit_for_bit(freecad, document):
     freecad(OPEN + """
-assert design.Layout == open(json_path, encoding='utf-8').read()
+from curveups.features.document import design_project_of
+from curveups.native import native
+kept = native.write_design(design_project_of(design).latest('design').design)
+assert kept == open(json_path, encoding='utf-8').read()
 done()
 """, path=document, json_path=document.parent / "design.json")
 
 
 def test_save_and_reopen(freecad, document, tmp_path):
     freecad(OPEN + """
-layout, volume = design.Layout, tiles.Shape.Volume
+layout, volume = design.Layout.Poses, tiles.Shape.Volume
 document.saveAs(copy)
 FreeCAD.closeDocument(document.Name)
 again = FreeCAD.openDocument(copy)
-assert again.Design.Layout == layout
+assert again.Design.Layout.Poses == layout and len(layout) == 54 * 6
 assert abs(again.Tiles.Shape.Volume / volume - 1) < 1e-12
 assert type(again.Design.Proxy).__name__ == 'DesignProxy'
 again.Design.touch()
@@ -76,22 +88,22 @@ done()
 
 def test_geometry_follows_its_properties_without_solving(freecad, document):
     freecad(OPEN + """
-before, layout = tiles.Shape.Volume, design.Layout
-design.H_pin = 0.8
+before, layout = tiles.Shape.Volume, design.Results
+design.HPin = 0.8
 document.recompute()
-assert design.Layout == layout
+assert design.Results == layout
 box = tiles.Shape.BoundBox
 assert abs(box.ZMax - 4.6) < 1e-6, box
 assert tiles.Shape.Volume < before
 assert abs(anchors.Shape.BoundBox.ZMax - 4.6) < 1e-6
 assert len(tiles.Shape.Solids) == 54 and tiles.Shape.isValid()
-assert design.Verdict == 'not judged', design.Reasons
-assert design.Reasons == ['geometry changed since verification (H_pin)']
-design.H_pin = 1.0
+assert design.Verdict == 'out of date', design.Reasons
+assert design.Reasons == ['HPin changed since the design was judged: Verify brings it up to date']
+design.HPin = 1.0
 document.recompute()
 assert abs(tiles.Shape.Volume / before - 1) < 1e-12
-design.anchors = False
-design.support = 'breakaway'
+design.WithAnchors = False
+design.SupportKind = 'breakaway'
 document.recompute()
 assert all('Up-to-date' in obj.State for obj in document.Objects), [o.State for o in document.Objects]
 assert len(anchors.Shape.Solids) == 0
@@ -102,12 +114,12 @@ done()
 def test_constraints_that_no_longer_hold_are_said(freecad, bowl):
     """The back faces of a bowl's thicker tiles are larger: gaps on the back close."""
     freecad(OPEN + """
-layout = design.Layout
-design.H_body = 4.0
+layout = design.Results
+design.HBody = 4.0
 document.recompute()
 assert design.Verdict == 'not valid', (design.Verdict, design.Reasons)
-assert any('nearer than d_gap_min' in reason for reason in design.Reasons), design.Reasons
-assert design.Layout == layout
+assert any('nearer than DGapMin' in reason for reason in design.Reasons), design.Reasons
+assert design.Results == layout
 done()
 """, path=bowl)
 
@@ -115,13 +127,14 @@ done()
 def test_a_value_that_can_not_be_built_keeps_the_old_shapes(freecad, document):
     out = freecad(OPEN + """
 volume = tiles.Shape.Volume
-design.H_body = 45.0     # deeper than the dome's radius: back faces turn over
+design.HBody = 45.0     # deeper than the dome's radius: back faces turn over
 document.recompute()
-assert 'Invalid' in design.State, design.State
+assert (design.Status, design.Verdict) == ('invalid', 'not valid')
+assert tiles.Status == 'out of date' and 'HBody' in tiles.Reason
 assert abs(tiles.Shape.Volume / volume - 1) < 1e-12
-design.H_body = 3.0
+design.HBody = 3.0
 document.recompute()
-assert 'Up-to-date' in design.State
+assert (design.Status, design.Verdict, tiles.Status) == ('current', 'valid', 'current')
 assert abs(tiles.Shape.Volume / volume - 1) < 1e-12
 done()
 """, path=document)
@@ -130,9 +143,9 @@ done()
 
 def test_interfaces_that_lose_their_bumps_are_said(freecad, document):
     out = freecad(OPEN + """
-design.bump_diameter = 9.9
+design.BumpDiameter = 9.9
 document.recompute()
-assert 'Up-to-date' in design.State
+assert design.Status == 'out of date'
 done()
 """, path=document)
     assert re.search(r"Design: [1-9]\d* interfaces carry no bumps", out), out
@@ -140,12 +153,12 @@ done()
 
 def test_out_of_range_value_is_an_error_with_the_range(freecad, document):
     out = freecad(OPEN + """
-design.H_pin = 999
+design.HPin = 999
 document.recompute()
-assert 'Invalid' in design.State
+assert design.Status == 'invalid' and 'HPin' in design.Reasons[0]
 done()
 """, path=document)
-    assert "H_pin" in out and "50 mm" in out, out
+    assert "HPin" in out and "50.00 mm" in out and "Traceback" not in out, out
 
 
 def test_shapes_survive_without_the_workbench(freecad, document, tmp_path):
@@ -162,6 +175,6 @@ done()
 """, with_workbench=False, path=document, copy=tmp_path / "foreign.FCStd")
     # ... and nothing is lost when it was saved there.
     freecad(OPEN + """
-assert len(tiles.Shape.Solids) == 54 and design.Layout
+assert len(tiles.Shape.Solids) == 54 and design.Results and design.Layout is document.Layout
 done()
 """, path=tmp_path / "foreign.FCStd")

@@ -1,34 +1,31 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tiles, Support and Anchors: solids that follow a Design object."""
+"""Tiles, Support and Anchors: solids below a Design."""
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
-from .properties import READ_ONLY
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, PartProxy, add
+
+KINDS = {"Tiles": "tiles", "Support": "support", "Anchors": "anchors"}  # by slot
 
 
-class BodiesProxy:
+class BodiesProxy(PartProxy):
     """Behaviour of an object that holds one kind of body of a design."""
 
     TYPE = "CurveUps::Bodies"
 
-    def __init__(self, obj: Any, design: Any, kind: str):
-        obj.addProperty("App::PropertyLink", "Design", "Design", "The design this is built from.",
-                        READ_ONLY)
-        obj.addProperty("App::PropertyString", "Kind", "Design", "Which of its bodies.", READ_ONLY)
-        obj.Design, obj.Kind = design, kind
-        obj.Proxy = self
+    def add_properties(self, obj: Any) -> None:
+        super().add_properties(obj)
+        add(obj, "App::PropertyString", "Kind", "Base", "Which of the design's bodies.", READ_ONLY)
+        add(obj, "App::PropertyString", "BuiltFrom", "Base", "The design and values this was built from.",
+            READ_ONLY | HIDDEN | OUTPUT)
 
-    def execute(self, obj: Any) -> None:
-        """Takes the shape over; an error of the design has kept this from being called."""
-        obj.Shape = obj.Design.Proxy.shape(obj.Design, obj.Kind)
 
-    def dumps(self) -> dict:
-        return {"type": self.TYPE}
-
-    def loads(self, state: Any) -> None:
-        pass
-
-    __getstate__ = dumps
-    __setstate__ = loads
+def write_body(obj: Any, shape: Any, origin: dict[str, Any], placement: Any) -> None:
+    """origin: digest of the design and parameters by property."""
+    obj.Shape = shape
+    obj.Placement = placement
+    obj.BuiltFrom = json.dumps(origin)
+    obj.purgeTouched()

@@ -1,105 +1,118 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The Design object: parameters, the solved layout and the verdict on it.
+"""The Design object: parameters, the results made from them, and whether these still belong together.
 
-The layout is kept as the text of design.json, so that reopening a document needs no solving and
-changes no bit. Recomputing follows geometry parameters alone.
+Results are kept as text, so that reopening a document needs no solving and changes no bit.
 """
 
 from __future__ import annotations
 
-import json
-from typing import Any
+from typing import Any, Optional
 
 from .. import __version__
 from ..errors import CurveUpsError
-from ..native import native, translated
-from ..project import Project, Results
-from ..verdict import Verdict
-from . import properties
-from .properties import HIDDEN, OUTPUT, READ_ONLY
+from ..native import native, problem
+from ..project import Project
+from . import figures, properties, rebuild, status, target
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, write
 
 
-class DesignProxy:
+class DesignProxy(Proxy):
     """Behaviour of a Design object."""
 
     TYPE = "CurveUps::Design"
+    # The live projects (live.py), and whether a command works on this design. A class's own defaults:
+    # FreeCAD makes proxies of a document without calling __init__.
+    project: Optional[Project] = None
+    standing: Optional[Project] = None
+    running = False
+    _refreshing = False
+    _told: tuple[str, ...] = ()  # reasons that the report view has already
 
-    def __init__(self, obj: Any, results: Results):
-        self.project: Project | None = None
-        obj.addProperty("App::PropertyString", "Layout", "Design",
-                        "The solved layout, as the text of design.json.", READ_ONLY | HIDDEN)
-        obj.addProperty("App::PropertyString", "Verdict", "Design",
-                        "Whether the design is valid as it stands.", READ_ONLY | OUTPUT)
-        obj.addProperty("App::PropertyStringList", "Reasons", "Design",
-                        "Why it is not, or was not judged.", READ_ONLY | OUTPUT)
-        obj.addProperty("App::PropertyString", "SolvedVerdict", "Design",
-                        "The verdict at the geometry parameters the layout was solved with.",
-                        READ_ONLY | HIDDEN)
-        obj.addProperty("App::PropertyString", "CurveUpsVersion", "Design",
-                        "The version that made this object.", READ_ONLY)
-        design, verdict = results.design, results.verdict
-        obj.Layout = native.write_design(design)
-        obj.SolvedVerdict = json.dumps({"valid": verdict.valid, "reasons": verdict.reasons})
-        obj.CurveUpsVersion = __version__
-        properties.add_parameters(obj, design.parameters)
-        obj.Proxy = self
-        self.project = Project.of_design(design, obj.Label, results.made)
+    def add_properties(self, obj: Any) -> None:
+        for slot in SLOTS:
+            add(obj, "App::PropertyLink", slot, "Base", f"{slot} of this design.", READ_ONLY | HIDDEN)
+        add(obj, "App::PropertyPlacement", "Placement", "Base", "Where the design stands.")
+        result = properties.RESULT
+        add(obj, "App::PropertyString", "Verdict", result,
+            "valid, not valid, not judged, or out of date.", READ_ONLY | OUTPUT)
+        add(obj, "App::PropertyStringList", "Reasons", result, "Why.", READ_ONLY | OUTPUT)
+        add(obj, "App::PropertyString", "Status", result,
+            "empty, current, out of date, invalid or running.", READ_ONLY | OUTPUT)
+        figures.add_figures(obj)
+        hidden = READ_ONLY | HIDDEN | OUTPUT
+        add(obj, "App::PropertyString", "Results", "Base", "Everything that was computed.", hidden)
+        add(obj, "App::PropertyString", "Solved", "Base", "What the layout was made from.", hidden)
+        add(obj, "App::PropertyString", "Judged", "Base", "The verdict and what it was made from.", hidden)
+        add(obj, "App::PropertyString", "Rebuilt", "Base", "What holds for values that are not judged yet.",
+            hidden)
+        add(obj, "App::PropertyString", "CurveUpsVersion", "Base", "The version that made this object.",
+            READ_ONLY)
+        if not obj.CurveUpsVersion:
+            obj.CurveUpsVersion = __version__
+        if problem() is None:
+            properties.add_parameters(obj, native.Parameters())
 
     def execute(self, obj: Any) -> None:
-        """Makes the bodies for the current geometry parameters, unless they stand already. Where they
-        can't be, raises and leaves what depends on this object as it was."""
-        project = self._project(obj)
-        parameters = project.latest("design").design.parameters
-        with translated(obj.Label):
-            changed = properties.apply_to(obj, parameters)
-        project.parameters = parameters
-        results = project.run(("figures", "bodies"), strict=True,
-                              note=f"geometry changed since verification ({', '.join(changed)})")
-        saved = json.loads(obj.SolvedVerdict)
-        verdict = results.verdict if changed else Verdict(saved["valid"], tuple(saved["reasons"]))
-        obj.Verdict, obj.Reasons = verdict.word, list(verdict.reasons)
-        if changed:
-            import FreeCAD
+        """Without a window, makes the solids for the values as they are; with one they follow after the
+        edit (viewproviders/following.py), so that undo holds no solids and nobody waits."""
+        import FreeCAD
 
-            found = [warning["what"] for warning in results["bodies"].warnings()]
-            for text in (*(verdict.reasons if verdict.valid is False else ()), *found):
-                FreeCAD.Console.PrintWarning(f"{obj.Label}: {text}\n")
+        if target.is_target(obj.Target):
+            target.notice(obj.Target)
+        if not FreeCAD.GuiUp:
+            rebuild.follow(obj)
+        self.refresh(obj)
+        wrong = tuple(obj.Reasons) if obj.Status == status.INVALID else ()
+        for reason in wrong if wrong != self._told else ():
+            FreeCAD.Console.PrintError(f"{obj.Label}: {reason}\n")
+        self._told = wrong
 
-    def shape(self, obj: Any, kind: str) -> Any:
-        """The compound of one kind of body, from the last recompute."""
-        with translated(obj.Label):
-            return self._project(obj).run(("bodies",), strict=True)["bodies"].model.shape(kind)
+    def onChanged(self, obj: Any, name: str) -> None:
+        if self._refreshing or not self.ready:
+            return
+        if name == "Results":
+            self.project = self.standing = None
+        if name == "Placement":
+            for slot in SLOTS:
+                part = getattr(obj, slot)
+                if part is not None and "Placement" in part.PropertiesList:
+                    part.Placement = obj.Placement
+                    part.purgeTouched()
+        elif name in _WATCHED or properties.tier_of(obj, name):
+            self.refresh(obj)
 
-    def _project(self, obj: Any) -> Project:
-        if self.project is None:
-            with translated(obj.Label):
-                self.project = Project.of_design(native.read_design(obj.Layout), obj.Label)
-        return self.project
+    def refresh(self, obj: Any) -> None:
+        """Verdict, reasons and states, from what the document holds now."""
+        if self._refreshing:
+            return
+        self._refreshing = True
+        try:
+            found = status.status_of(obj, self.refused(obj), self.running)
+            write(obj, "Verdict", found.verdict)
+            write(obj, "Reasons", [properties.as_properties(obj, line) for line in found.reasons])
+            write(obj, "Status", found.state)
+            for slot, (state, reason) in found.parts.items():
+                part = getattr(obj, slot)
+                if part is not None and "Reason" in part.PropertiesList:
+                    write(part, "Status", state)
+                    write(part, "Reason", reason)
+        finally:
+            self._refreshing = False
+
+    def refused(self, obj: Any) -> str:
+        """Why the properties' values can't be used; empty where they can, or nobody can tell."""
+        if problem() is not None:
+            return ""
+        try:
+            properties.read_parameters(obj, native.Parameters())
+        except CurveUpsError as error:
+            return str(error)
+        return ""
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """Documents of older versions lack the parameters that came later."""
-        self.project = None
-        try:
-            properties.add_parameters(obj, native.read_design(obj.Layout).parameters)
-        except native.Error as error:
-            raise CurveUpsError(f"the layout can't be read: {error}", obj.Label,
-                                "open an older copy of the document") from None
-        _attach_view(obj)
-
-    def dumps(self) -> dict:
-        return {"type": self.TYPE}
-
-    def loads(self, state: Any) -> None:
-        self.project = None
-
-    __getstate__ = dumps
-    __setstate__ = loads
+        super().onDocumentRestored(obj)
+        self.refresh(obj)
 
 
-def _attach_view(obj: Any) -> None:
-    import FreeCAD
-
-    if FreeCAD.GuiUp:
-        from ..viewproviders.design import DesignView
-
-        DesignView(obj.ViewObject)
+# A change of these is a change of state, whoever makes it.
+_WATCHED = (*SLOTS, "Verdict", "Reasons", "Status", "Results", "Solved", "Judged", "Rebuilt")

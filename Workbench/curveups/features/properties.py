@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parameters as properties of a document object: types, units, groups, tooltips from one table."""
+"""Parameters as properties of a Design: names, types, units, groups, tooltips from one table."""
 
 from __future__ import annotations
 
-from typing import Any
+import re
+from typing import Any, Collection, Iterator
 
-from ..native import native
+from ..errors import CurveUpsError
+from ..native import native, translated
 
-READ_ONLY, TRANSIENT, HIDDEN, OUTPUT = 1, 2, 4, 8
+# Two names belong to objects below a Design.
+_NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}
 
 _TYPES = {"integer": "App::PropertyInteger", "switch": "App::PropertyBool",
           "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString"}
@@ -17,38 +20,141 @@ _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
                "MPa": "App::PropertyPressure", "g/cm3": "App::PropertyDensity"}
 _UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
 
+# In order of work: the property editor sorts groups by name. With what has to follow a change.
+_TIERS = {"Target": "layout", "Tiles": "rebuild", "Layout": "layout", "Physics": "verify",
+          "Repair": "layout", "Bumps": "rebuild", "Support": "rebuild", "Anchors": "rebuild"}
+GROUPS = {name: f"{number} {name}" for number, name in enumerate(_TIERS, 1)}
+RESULT, FIGURES = "0 Result", "9 Figures"
+
+WHEN = {"rebuild": "Takes effect at once.", "verify": "Takes effect with Verify.",
+        "layout": "Takes effect with Solve."}
+
+
+def property_name(parameter: str) -> str:
+    """H_body is HBody, d_gap_min is DGapMin."""
+    return _NAMES.get(parameter) or "".join(word[:1].upper() + word[1:] for word in parameter.split("_"))
+
+
+def rows() -> Iterator[Any]:
+    """Of the parameter table: those that a Design has as properties."""
+    return (row for row in native.parameter_table() if row.group in _TIERS)
+
+
+def tier_of(obj: Any, name: str) -> str:
+    """What has to follow a change of property `name`: rebuild, verify or layout; empty for one that is
+    no parameter. Known without the native module."""
+    if name not in obj.PropertiesList:
+        return ""
+    return _TIERS.get(obj.getGroupOfProperty(name)[2:], "")
+
+
+def parameters_of(obj: Any) -> dict[str, Any]:
+    """All parameters by their property's name, in the parameter's unit; without the native module."""
+    return {name: value_of(obj, name) for name in obj.PropertiesList if tier_of(obj, name)}
+
 
 def add_parameters(obj: Any, parameters: Any) -> None:
-    """One property for each parameter that `obj` lacks, with the value of `parameters`.
-
-    Those that need the layout solved again are read-only: recomputing never solves.
-    """
+    """One property for each parameter that `obj` lacks, with the value of `parameters`."""
     supported = obj.supportedProperties()
-    for row in native.parameter_table():
-        if row.name in obj.PropertiesList or row.group in ("Files", "Stages"):
+    for row in rows():
+        name = property_name(row.name)
+        if name in obj.PropertiesList:
             continue
         kind = _TYPES.get(row.type) or _UNIT_TYPES.get(row.unit)
         if kind not in supported:
             kind = "App::PropertyFloat"
-        free = row.tier == "rebuild"
-        tip = row.meaning + _range(row)
-        if not free:
-            tip += " Read-only: it needs a new layout."
-        obj.addProperty(kind, row.name, row.group, tip, 0 if free else READ_ONLY)
+        tip = f"{row.meaning}{_range(row)} {WHEN[_TIERS[row.group]]}"
+        obj.addProperty(kind, name, GROUPS[row.group], tip)
         if row.choices:
-            setattr(obj, row.name, list(row.choices))
-        value = parameters.get(row.name)
-        if hasattr(getattr(obj, row.name), "getValueAs"):
-            value = f"{value!r} {_UNITS.get(row.unit, row.unit)}"  # FreeCAD's own unit may be another
-        setattr(obj, row.name, value)
+            setattr(obj, name, list(row.choices))
+        _set(obj, row, parameters.get(row.name))
 
 
-def value_of(obj: Any, row: Any) -> Any:
+def write_parameters(obj: Any, parameters: Any) -> None:
+    """Sets the properties that differ from `parameters`; expressions on them stay and win."""
+    for row in rows():
+        write_parameter(obj, row.name, parameters.get(row.name))
+
+
+def write_parameter(obj: Any, name: str, value: Any) -> None:
+    """Sets the property of one parameter, where that changes it."""
+    row = next(row for row in rows() if row.name == name)
+    if not same(value_of(obj, property_name(name)), value):
+        _set(obj, row, value)
+
+
+def read_parameters(obj: Any, base: Any, tiers: Collection[str] = ("rebuild", "verify", "layout")) -> Any:
+    """The parameters that the properties say, with `base` for what is no property or of another tier; a
+    property that is equal up to the digits which a document keeps leaves the parameter its bits. Raises
+    CurveUpsError."""
+    found = native.Parameters(base)
+    for row in rows():
+        if _TIERS[row.group] not in tiers:
+            continue
+        name = property_name(row.name)
+        value = value_of(obj, name)
+        if not same(value, found.get(row.name)):
+            _refuse_wrong(obj, row, name, value)
+            with translated(f"{obj.Label}.{name}"):
+                found.set(row.name, value)
+    with translated(obj.Label):
+        found.check()
+    return found
+
+
+def value_of(obj: Any, name: str) -> Any:
     """What the property of a parameter says, in the parameter's unit."""
-    value = getattr(obj, row.name)
+    value = getattr(obj, name)
     if hasattr(value, "getValueAs"):
-        return value.getValueAs(_UNITS.get(row.unit, row.unit)).Value
+        kind = obj.getTypeIdOfProperty(name)
+        unit = next(unit for unit, known in _UNIT_TYPES.items() if known == kind)
+        return value.getValueAs(_UNITS.get(unit, unit)).Value
     return value
+
+
+def named(parameters: Any) -> dict[str, Any]:
+    """Native parameters by their property's name."""
+    return {property_name(row.name): parameters.get(row.name) for row in rows()}
+
+
+def as_properties(obj: Any, text: str) -> str:
+    """A message with parameters called as the property editor calls them."""
+    def name(match: re.Match) -> str:
+        found = property_name(match[0])
+        return found if found in obj.PropertiesList else match[0]
+
+    return re.sub(r"\b[A-Za-z]+(?:_[A-Za-z]+)+\b", name, text)
+
+
+def same(a: Any, b: Any) -> bool:
+    """Equal up to the digits that a document keeps."""
+    if isinstance(a, float) and isinstance(b, (int, float)) and not isinstance(b, bool):
+        return abs(a - b) <= 1e-12 * max(abs(a), abs(b))
+    return a == b
+
+
+def _set(obj: Any, row: Any, value: Any) -> None:
+    name = property_name(row.name)
+    if hasattr(getattr(obj, name), "getValueAs"):
+        value = f"{value!r} {_UNITS.get(row.unit, row.unit)}"  # FreeCAD's own unit may be another
+    setattr(obj, name, value)
+
+
+def _refuse_wrong(obj: Any, row: Any, name: str, value: Any) -> None:
+    """Out of range, in the words and the unit schema of the property editor."""
+    if row.type not in ("number", "integer") or row.minimum <= value <= row.maximum:
+        return
+    raise CurveUpsError(f"{name} can't be {shown(row, value)}", obj.Label,
+                        f"give {shown(row, row.minimum)} to {shown(row, row.maximum)}")
+
+
+def shown(row: Any, value: float) -> str:
+    """A parameter's value as the user's unit schema writes it."""
+    if row.unit in _UNIT_TYPES:
+        import FreeCAD
+
+        return str(FreeCAD.Units.Quantity(f"{value!r} {_UNITS.get(row.unit, row.unit)}").UserString)
+    return f"{value:g}"
 
 
 def _range(row: Any) -> str:
@@ -56,24 +162,3 @@ def _range(row: Any) -> str:
         return ""
     unit = f" {row.unit}" if row.unit else ""
     return f" From {row.minimum:g} to {row.maximum:g}{unit}."
-
-
-def apply_to(obj: Any, parameters: Any) -> list[str]:
-    """Takes the free parameters over from the properties; the names of those that changed.
-
-    A property that is equal up to the digits which a document keeps leaves the parameter its bits.
-    """
-    changed = []
-    for row in native.parameter_table():
-        if row.tier != "rebuild" or row.name not in obj.PropertiesList:
-            continue
-        value = value_of(obj, row)
-        before = parameters.get(row.name)
-        if isinstance(before, float):
-            same = abs(value - before) <= 1e-12 * max(abs(value), abs(before))
-        else:
-            same = value == before
-        if not same:
-            parameters.set(row.name, value)
-            changed.append(row.name)
-    return changed

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-import os
-from dataclasses import dataclass
+import hashlib
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Callable, Optional
 
 import numpy as np
 
@@ -17,22 +17,24 @@ from .stage import Inputs, Job, Result, Stage, digest
 
 @dataclass(frozen=True)
 class Source(Result):
-    """Given by the user: a built-in target or a file. `remesh`: otherwise the mesh is taken as it is.
-    `will_be_cut`: whether a closed surface makes sense."""
+    """Given by the user: a built-in target, a file, or an object of a document, which `read` makes
+    triangles of (largest deviation in the object's own unit -> V, F). `stamp` tells states of a file or an
+    object apart. `remesh`: otherwise the mesh is taken as it is. `will_be_cut`: whether a closed surface
+    makes sense."""
 
     name: str           # safe for file names
     built_in: str = ""
     path: str = ""
     remesh: bool = True
     will_be_cut: bool = False
+    stamp: str = ""
+    read: Optional[Callable[[float], tuple[np.ndarray, np.ndarray]]] = field(
+        default=None, compare=False, metadata={"transient": True})
 
     @property
     def content(self) -> str:
-        stamp = ""
-        if self.path and os.path.exists(self.path):
-            found = os.stat(self.path)
-            stamp = f"{found.st_size} {found.st_mtime_ns}"
-        return digest(self.name, self.built_in, self.path, stamp, self.remesh, self.will_be_cut)
+        # Neither what it is called nor where it lies: a document is copied together with its target.
+        return digest(self.built_in, self.stamp, self.remesh, self.will_be_cut)
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,10 @@ def _run(inputs: Inputs, job: Job) -> Surface:
     # A tenth of what remeshing may move a vertex, in the target's own coordinates: they are scaled
     # afterwards.
     deflection = 0.0005 * get("L") / get("scale")
-    if source.built_in:
+    if source.read:
+        job("reading the target")
+        V, F = source.read(deflection)
+    elif source.built_in:
         V, F = native.builtin_target(source.built_in, min(max(deflection, 1e-4), 1.0))
     else:
         from .. import freecad_io  # only where FreeCAD is needed
@@ -71,4 +76,18 @@ def find_source(target: str, **options: Any) -> Source:
     """The source that a TARGET of the command line names; built-in names come first."""
     if target in dict(native.builtin_targets()):
         return Source(safe_name(target), built_in=target, **options)
-    return Source(safe_name(Path(target).stem), path=target, **options)
+    return Source(safe_name(Path(target).stem), path=target, stamp=file_stamp(target), **options)
+
+
+def file_stamp(path: str) -> str:
+    """A digest of a file's content; empty where there is no such file or it can't be read."""
+    try:
+        if not Path(path).is_file():
+            return ""
+        found = hashlib.sha256()
+        with open(path, "rb") as file:
+            while piece := file.read(1 << 20):
+                found.update(piece)
+        return found.hexdigest()
+    except (OSError, ValueError):  # ValueError: a null character in the name
+        return ""

@@ -90,7 +90,8 @@ class Verification(Result):
 def verify(design: Any, job: Job, store: Any = None) -> Verification:
     """Runs the model on a native Design."""
     found = native.verify_design(design, store, job)
-    names = ("contact_tiles", "contact_friction_ratio", "tile_normal_force")
+    names = ("contact_tiles", "contact_normal_min", "contact_normal_mean", "contact_friction_ratio",
+             "tile_normal_force")
     sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS}
                   for side in found.membranes)
     return Verification(valid=found.valid, blocks=found.blocks, found=tuple(found.reasons),

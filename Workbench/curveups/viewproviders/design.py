@@ -3,33 +3,33 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+import importlib
+import importlib.util
 from typing import Any
 
-ICON = Path(__file__).parents[3] / "resources" / "icons" / "CurveUpsWorkbench.svg"
+from ..features.proxy import SLOTS
+from .view import View
 
 
-class DesignView:
-    """Icon of a Design, and its bodies below it."""
+class DesignView(View):
+    """Icon of a Design, and what is below it; the overlay, its display, hangs on it."""
 
-    def __init__(self, view: Any):
-        self.object = view.Object
-        view.Proxy = self
+    COMMAND = "CurveUps_Solve"
+    MENU = ("CurveUps_Verify", "CurveUps_Repair", "CurveUps_BuildSolids", "CurveUps_ShowFlat",
+            "CurveUps_ShowActuated", "CurveUps_ShowSolids", "CurveUps_Export", "CurveUps_Report")
 
     def attach(self, view: Any) -> None:
-        self.object = view.Object
-
-    def getIcon(self) -> str:
-        return str(ICON)
+        super().attach(view)
+        if importlib.util.find_spec("curveups.overlay") is not None:
+            importlib.import_module("curveups.overlay").attach(view)
 
     def claimChildren(self) -> list:
-        return [other for other in self.object.InList if getattr(other, "Design", None) == self.object]
+        return [part for slot in SLOTS if (part := getattr(self.object, slot, None)) is not None]
 
-    def dumps(self) -> None:
-        return None
-
-    def loads(self, state: Any) -> None:
-        self.object = None
-
-    __getstate__ = dumps
-    __setstate__ = loads
+    def onDelete(self, view: Any, names: Any) -> bool:
+        """Takes along what is below it, unless another design uses that."""
+        obj = view.Object
+        for part in self.claimChildren():
+            if all(other == obj for other in part.InList):
+                obj.Document.removeObject(part.Name)
+        return True

@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What commands, panels and scripts do with designs in a document: works with and without a window.
+
+Lengths are in mm. Everything raises CurveUpsError, with the document as it was, where it can't be done.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, Optional
+
+import numpy as np
+
+from .. import saved_results
+from ..errors import CurveUpsError
+from ..native import translated
+from ..project import Made, Results
+from ..stages.design import design_digest
+from ..stages.stage import Job
+from . import live, properties, rebuild, status, target
+from .bodies import KINDS, BodiesProxy
+from .cuts import CutsProxy, edges_of, write_cuts
+from .design import DesignProxy
+from .figures import write_figures
+from .layout import LayoutProxy, write_layout
+from .proxy import SLOTS, design_of, designs, show, write
+from .verification import VerificationProxy, write_verification
+
+__all__ = ["build_bodies", "design_of", "design_project_of", "designs", "new_design", "project_of",
+           "set_cuts", "set_running", "set_source", "settings_of", "state_of", "take", "visibility"]
+
+# Pictures of membranes are most of a verification and are made anew where they are asked for.
+_NOT_STORED = ("membranes",)
+
+project_of = live.project_of
+design_project_of = live.design_project_of
+settings_of = live.settings_of
+
+
+def new_design(document: Any, source: Any, label: str = "") -> Any:
+    """A Design with nothing solved. `source`: a Part or Mesh object of the document, a file's path or a
+    built-in target's name."""
+    if not isinstance(source, (str, Path)):
+        target.require_surface(source)
+    elif not target.is_built_in(str(source)):
+        target.require_file(Path(source))
+    obj = _add_objects(document)
+    target.set_source(obj.Target, source)
+    obj.Label = label or target.name_of(source)
+    obj.Proxy.refresh(obj)
+    return obj
+
+
+def design_with_results(document: Any, results: Results) -> Any:
+    """A Design that holds a run's results, with its solids."""
+    obj = _add_objects(document)
+    properties.write_parameters(obj, results.parameters)
+    source = results.get("source")
+    if source is not None:
+        obj.Target.KeepMesh = not source.remesh
+        obj.Target.File, obj.Target.BuiltIn, obj.Target.Stamp = (
+            source.path, source.built_in, target.stamp_for(source))
+    take(obj, results)
+    if "solids" in results:
+        rebuild.take(obj, results)
+    document.recompute()
+    return obj
+
+
+def take(obj: Any, results: Results) -> None:
+    """A run's results become those of the Design and what is below it. To be called inside of the
+    caller's transaction; solids follow (build_bodies)."""
+    before = live.stored(obj)
+    finished = before.latest("design")
+    made = {**before.given(), **before.made(), **_worth_keeping(results, finished)}
+    solved = "design" in results and (finished is None or "layout" in results)
+    with translated(obj.Label):
+        text = saved_results.to_text(made, _NOT_STORED)
+    if "target" in results:
+        for name, value in results["target"].settles().items():  # L, where the mesh is taken as it is
+            properties.write_parameter(obj, name, value)
+    if "design" in results:
+        _take_design(obj, results, solved)
+    elif "target" in results:
+        _write_mesh(obj.Target, results["target"].V, results["target"].F)
+    write(obj, "Results", text)
+    obj.Proxy.project = obj.Proxy.standing = None
+    obj.Proxy.refresh(obj)
+    obj.touch()
+
+
+def set_source(obj: Any, source: Any) -> None:
+    """Another target for a Design: a Part or Mesh object, a file's path or a built-in's name. The results
+    stay, out of date."""
+    if not target.is_target(obj.Target):
+        if not isinstance(source, (str, Path)):
+            target.require_surface(source)
+        obj.Target = _add_target(obj.Document)
+    target.set_source(obj.Target, source)
+    obj.Proxy.refresh(obj)
+
+
+def set_cuts(obj: Any, edges: Any) -> None:
+    """Other cuts for a Design, C x 2 vertices of its Target's mesh; the layout stays, out of date."""
+    found = live.stored(obj).latest("target")
+    if found is None:
+        raise CurveUpsError("there are no tiles to cut between yet", obj.Label, "run Solve, or Cuts")
+    edges = np.asarray(edges, int).reshape(-1, 2)
+    if len(edges) and not (0 <= edges.min() and edges.max() < len(found.V)):
+        raise CurveUpsError("a cut runs along no edge of the target", obj.Label, "pick the edges again")
+    write_cuts(obj.Cuts, edges, found.V)
+    obj.Proxy.refresh(obj)
+
+
+def cuts_of(obj: Any) -> np.ndarray:
+    """C x 2 vertices of the Target's mesh, as they are asked for."""
+    return edges_of(obj.Cuts)
+
+
+def state_of(obj: Any, part: str = "") -> tuple[str, str]:
+    """State (empty, current, out of date, invalid, running) and reason of a Design, or of what is below
+    it by the name of its slot."""
+    found = status.status_of(obj, obj.Proxy.refused(obj), obj.Proxy.running)
+    return found.parts[part] if part else (found.state, "; ".join(found.reasons))
+
+
+def set_running(obj: Any, running: bool) -> None:
+    """Says whether a command works on a Design just now; nothing else sets a state."""
+    obj.Proxy.running = running
+    obj.Proxy.refresh(obj)
+
+
+def build_bodies(obj: Any, job: Optional[Job] = None) -> None:
+    """Solids of the layout for the parameters as they are, into Tiles, Support and Anchors. Not inside
+    of a transaction, which would copy them. Raises Stopped where the job was stopped."""
+    project = live.design_project_of(obj)
+    try:
+        results = project.run(rebuild.GOALS, job, strict=True)
+    except CurveUpsError as error:
+        rebuild.fail(obj, error)
+        raise
+    take_bodies(obj, results)
+
+
+def take_bodies(obj: Any, results: Results) -> None:
+    """Solids that were built elsewhere, by a run of design_project_of for rebuild.GOALS."""
+    rebuild.take(obj, results)
+
+
+def visibility(obj: Any, solids: bool) -> dict[str, bool]:
+    """What is shown of a design without an overlay, by object: its solids or its target."""
+    shown = {"Target": not solids, "Tiles": solids, "Anchors": solids}
+    return {obj.Name: True, **{part.Name: shown.get(slot, False) for slot in SLOTS
+                               if (part := getattr(obj, slot)) is not None}}
+
+
+def _worth_keeping(results: Results, finished: Any) -> dict[str, Made]:
+    """A design that a run was given is the one that is stored already, with what it was made from."""
+    made = dict(results.made)
+    if finished is not None and "layout" not in made:
+        made.pop("design", None)
+    return {name: one for name, one in made.items() if one.result.lasting}
+
+
+def _take_design(obj: Any, results: Results, solved: bool) -> None:
+    design, values = results.design, properties.named(results.parameters)
+    if solved:
+        source = results.get("source")
+        cuts = results["cuts"].edges if "cuts" in results else design.cuts
+        places = results["target"] if "target" in results else design
+        write_cuts(obj.Cuts, cuts, places.V)
+        write(obj, "Solved", json.dumps({
+            "design": design_digest(design),
+            "parameters": {name: value for name, value in values.items()
+                           if properties.tier_of(obj, name) == "layout"},
+            "cuts": status.digest_of_edges(obj.Cuts.Edges),
+            **({"source": {"stamp": obj.Target.Stamp, "object": obj.Target.Source is not None}}
+               if source is not None else {})}))
+        write_layout(obj.Layout, results, design)
+        _write_mesh(obj.Target, places.V, places.F)
+    if "verification" in results or solved:
+        found = results.get("verification")
+        write_verification(obj.Verification, found)
+        verdict = results.verdict
+        judging = ("figures", "verification", "recheck", *(_SOLIDS if "check" in results else ()))
+        read = {properties.property_name(name) for stage in judging if stage in results
+                for name in results.made[stage].key}
+        write(obj, "Judged", json.dumps({
+            "valid": verdict.valid, "reasons": list(verdict.reasons),
+            "parameters": {name: value for name, value in values.items()
+                           if name in read and properties.tier_of(obj, name) in ("rebuild", "verify")}}))
+    write_figures(obj, results)
+
+
+# Stages that have a say in the verdict where solids were checked.
+_SOLIDS = ("bodies", "solids", "check")
+
+
+def _write_mesh(obj: Any, V: np.ndarray, F: np.ndarray) -> None:
+    import Mesh
+
+    if obj is not None:
+        placement = obj.Placement
+        obj.Mesh = Mesh.Mesh([[tuple(map(float, V[v])) for v in face] for face in F])
+        obj.Placement = placement
+        obj.purgeTouched()
+
+
+def _add_objects(document: Any) -> Any:
+    import Mesh  # noqa: F401  their types are unknown before
+    import Part  # noqa: F401
+
+    obj = document.addObject("App::FeaturePython", "Design")
+    DesignProxy(obj)
+    children = {"Target": _add_target(document),
+                "Cuts": _add(document, "App::FeaturePython", "Cuts", CutsProxy),
+                "Layout": _add(document, "App::FeaturePython", "Layout", LayoutProxy),
+                "Verification": _add(document, "App::FeaturePython", "Verification", VerificationProxy)}
+    for slot, kind in KINDS.items():
+        body = document.addObject("Part::FeaturePython", slot, None, None, False,
+                                  "PartGui::ViewProviderPartExt")
+        BodiesProxy(body)
+        body.Kind = kind
+        children[slot] = body
+    for slot, child in children.items():
+        child.Visibility = False
+        setattr(obj, slot, child)
+    show(obj)
+    return obj
+
+
+# What has a shape has a view without Python: those with it are shown on opening, hidden or not.
+def _add_target(document: Any) -> Any:
+    obj = document.addObject("Mesh::Feature", "Target")
+    target.make_target(obj)
+    return obj
+
+
+def _add(document: Any, kind: str, name: str, proxy: type) -> Any:
+    obj = document.addObject(kind, name)
+    proxy(obj)
+    show(obj)
+    return obj

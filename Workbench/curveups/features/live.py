@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The live projects behind a Design: made from what the document stores, kept by its proxy."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, cast
+
+from .. import saved_results
+from ..errors import CurveUpsError
+from ..native import native
+from ..project import Project
+from ..stages.design import FinishedDesign
+from ..stages.surface import Source
+from . import properties
+from .cuts import request_of
+from .target import is_target, source_of
+
+
+def project_of(obj: Any) -> Project:
+    """From target to verdict under the properties as they are: what Solve runs. Raises CurveUpsError
+    where a property can't be used."""
+    project = stored(obj)
+    project.parameters = _as_asked(project, settings_of(obj))
+    if _has_source(obj):
+        given = project.given()
+        source = given.get("source")
+        found = source_of(obj.Target, cast(Optional[Source], source.result if source else None))
+        if source is None or found is not source.result:
+            project.give("source", found)
+        by_number = project.out_of_date("target") == ()
+        request = request_of(obj.Cuts, by_number)
+        known = given.get("cut request")
+        if known is None or known.content != request.content:
+            project.give("cut request", request)
+    return project
+
+
+def design_project_of(obj: Any) -> Project:
+    """The layout as it stands under the geometry and physics that the properties say: what Verify and
+    the solids are made from. Raises CurveUpsError where there is no layout or a property can't be used."""
+    finished = stored(obj).latest("design")
+    if finished is None:
+        raise CurveUpsError("there is no layout yet", obj.Label, "run Solve")
+    parameters = properties.read_parameters(obj, _base(finished), ("rebuild", "verify"))
+    proxy = obj.Proxy
+    if proxy.standing is None or proxy.standing.latest("design").content != finished.content:
+        # Not the verification that came with it: that is known by what it was made from.
+        given = FinishedDesign(finished.design, None, finished.unsettled)
+        known = {name: made for name, made in stored(obj).made().items() if name != "design"}
+        proxy.standing = Project(finished.design.name, parameters, {"design": given}, obj.Label, known)
+    proxy.standing.parameters = parameters
+    return proxy.standing
+
+
+def settings_of(obj: Any) -> Any:
+    """The native Parameters that the properties say. Raises CurveUpsError that names property, range
+    and remedy."""
+    return properties.read_parameters(obj, _base(stored(obj).latest("design")))
+
+
+def _as_asked(project: Project, parameters: Any) -> Any:
+    """Where the mesh is taken as it is, the property L has the mesh's own length: for the target it counts
+    what was asked for, which it did not read."""
+    target = project.latest("target")
+    own = getattr(target, "own_length", None)
+    if own is not None and properties.same(parameters.get("L"), own):
+        parameters.set("L", float(project.made()["target"].key["L"]))
+    return parameters
+
+
+def _base(finished: Any) -> Any:
+    """What is no property: as the design was made, but for stages, which commands choose."""
+    if finished is None:
+        return native.Parameters()
+    found, defaults = native.Parameters(finished.design.parameters), native.Parameters()
+    for row in native.parameter_table():
+        if row.group == "Stages":
+            found.set(row.name, defaults.get(row.name))
+    return found
+
+
+def stored(obj: Any) -> Project:
+    """What the document holds, under whatever parameters; see project_of and design_project_of."""
+    proxy = obj.Proxy
+    if proxy.project is None:
+        made = saved_results.from_text(obj.Results, obj.Label) if obj.Results else {}
+        given = {name: made[name].result for name in ("source", "cut request") if name in made}
+        if "source" not in given and "design" in made:
+            given = {"design": made["design"].result}
+        known = {name: one for name, one in made.items() if name not in given}
+        parameters = _base(made["design"].result if "design" in made else None)
+        proxy.project = Project(obj.Label, parameters, given, obj.Label, known)
+        proxy.standing = None
+    return proxy.project
+
+
+def _has_source(obj: Any) -> bool:
+    target = obj.Target
+    return is_target(target) and bool(
+        target.Source or target.File or target.BuiltIn)

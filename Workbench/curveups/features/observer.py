@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Watches documents from FreeCAD's start: what was opened is made whole (registry.py).
+
+Loads nothing heavy: documents of others cost a look at their objects' types.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+_OF_TARGETS = ("Source", "File", "BuiltIn", "KeepMesh")
+
+
+class Restorer:
+    """A document observer. FreeCAD tells Python of the end of opening a document only by making that
+    document the active one."""
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:
+        if name in _OF_TARGETS and getattr(obj, "CurveUpsType", "") == "CurveUps::Target":
+            from . import target
+
+            if "Stamp" in obj.PropertiesList and not obj.Document.Restoring:
+                target.notice(obj)
+
+    def slotUndoDocument(self, document: Any) -> None:
+        # Shapes are in no transaction, and what was undone may be a state that is none any more.
+        from .proxy import designs
+
+        for design in designs(document):
+            if design.Proxy is not None:
+                design.Proxy.refresh(design)
+
+    slotRedoDocument = slotUndoDocument
+    slotAbortTransaction = slotUndoDocument
+
+    def slotActivateDocument(self, document: Any) -> None:
+        if any(_is_ours(obj) for obj in document.Objects):
+            from . import registry
+
+            registry.restore(document)
+
+
+def _is_ours(obj: Any) -> bool:
+    # Designs of the first version have no type of ours; every one says which version made it.
+    return "CurveUpsType" in obj.PropertiesList or "CurveUpsVersion" in obj.PropertiesList
+
+
+def install() -> None:
+    """Once for each FreeCAD."""
+    import FreeCAD
+
+    if getattr(FreeCAD, "curveups_restorer", None) is None:
+        FreeCAD.curveups_restorer = Restorer()
+        FreeCAD.addDocumentObserver(FreeCAD.curveups_restorer)

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all document objects of ours share: a stored type, and a proxy that can be attached anew.
+
+A FreeCAD without this workbench drops proxies when it saves. The text in `CurveUpsType` stays, and
+registry.py makes the proxy from it again.
+"""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar, Optional
+
+READ_ONLY, TRANSIENT, HIDDEN, OUTPUT = 1, 2, 4, 8  # as addProperty takes them
+
+# Slots of a Design, in the order of the tree.
+SLOTS = ("Target", "Cuts", "Layout", "Verification", "Tiles", "Support", "Anchors")
+
+
+class Proxy:
+    """Behaviour of a document object. `obj` keeps all data: a proxy can be lost and made again."""
+
+    TYPE: ClassVar[str] = ""
+    # FreeCAD makes the proxies of a document without __init__, and sets properties one after another:
+    # until all are there, changes are none.
+    ready = False
+
+    def __init__(self, obj: Any):
+        add_type(obj, self.TYPE)
+        self.add_properties(obj)
+        obj.Proxy = self
+        self.ready = True
+
+    def add_properties(self, obj: Any) -> None:
+        """Those that `obj` lacks: all of a new object, later ones of an older document."""
+
+    def execute(self, obj: Any) -> None:
+        """Results are kept, not computed: commands make them."""
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        self.add_properties(obj)
+        self.ready = True
+        show(obj)
+
+    def dumps(self) -> dict:
+        return {"type": self.TYPE}
+
+    def loads(self, state: Any) -> None:
+        pass
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+class PartProxy(Proxy):
+    """An object below a Design: it says itself whether it is up to date, for the tree and for scripts."""
+
+    def add_properties(self, obj: Any) -> None:
+        add_part_properties(obj, self.TYPE)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        if self.ready and name in ("Status", "Reason"):
+            refresh(obj)  # whoever wrote it: it is derived
+
+
+def add_type(obj: Any, kind: str) -> None:
+    """Stores what `obj` is to CurveUps."""
+    add(obj, "App::PropertyString", "CurveUpsType", "Base", "What this object is to CurveUps.",
+        READ_ONLY | HIDDEN)
+    write(obj, "CurveUpsType", kind)
+
+
+def add_part_properties(obj: Any, kind: str) -> None:
+    """Those of every object below a Design."""
+    add_type(obj, kind)
+    add(obj, "App::PropertyString", "Status", "Base",
+        "empty, current, out of date, invalid or running.", READ_ONLY | OUTPUT)
+    add(obj, "App::PropertyString", "Reason", "Base", "Why it is in this state.", READ_ONLY | OUTPUT)
+
+
+def add(obj: Any, kind: str, name: str, group: str, tip: str, status: int = 0) -> None:
+    """A property that `obj` lacks; its status is restored where it is there already."""
+    if name not in obj.PropertiesList:
+        obj.addProperty(kind, name, group, tip, status)
+
+
+def write(obj: Any, name: str, value: Any) -> None:
+    """Sets a property where that changes it: an equal value would still count as an edit."""
+    if getattr(obj, name) != value:
+        setattr(obj, name, value)
+
+
+def type_of(obj: Any) -> str:
+    """What `obj` is to CurveUps; empty for objects of others."""
+    return getattr(obj, "CurveUpsType", "") if "CurveUpsType" in obj.PropertiesList else ""
+
+
+def designs(document: Any) -> list[Any]:
+    """The Design objects of a document, in the order of their making."""
+    return [obj for obj in document.Objects if type_of(obj) == "CurveUps::Design"]
+
+
+def design_of(obj: Any) -> Optional[Any]:
+    """The Design that an object is, or is a part of; None for others."""
+    if obj is None or type_of(obj) == "CurveUps::Design":
+        return obj
+    for other in obj.InList:
+        if type_of(other) == "CurveUps::Design" and any(getattr(other, slot) == obj for slot in SLOTS):
+            return other
+    return None
+
+
+def refresh(obj: Any) -> None:
+    """Brings the states of the Design that `obj` belongs to up to date, where that is whole already."""
+    design = design_of(obj)
+    proxy = getattr(design, "Proxy", None)
+    if proxy is not None and proxy.ready:
+        proxy.refresh(design)
+
+
+def show(obj: Any) -> None:
+    """Gives an object its icon and menu, where there is a window."""
+    import FreeCAD
+
+    if FreeCAD.GuiUp:
+        from .. import viewproviders
+
+        viewproviders.attach(obj)

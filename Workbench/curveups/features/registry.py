@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which proxy belongs to which stored type; attaches those that a document has lost.
+
+A FreeCAD without this workbench drops all proxies when it saves, and some refuse to load proxies of
+modules that they do not know. What an object is stays in its property CurveUpsType.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import migration
+from .bodies import BodiesProxy
+from .cuts import CutsProxy
+from .design import DesignProxy
+from .layout import LayoutProxy
+from .proxy import Proxy, designs, show, type_of
+from .target import TYPE as TARGET, make_target, notice
+from .verification import VerificationProxy
+
+TYPES: dict[str, type[Proxy]] = {proxy.TYPE: proxy for proxy in (
+    DesignProxy, CutsProxy, LayoutProxy, VerificationProxy, BodiesProxy)}
+
+
+def restore(document: Any) -> list[Any]:
+    """Attaches lost proxies and brings older documents up to date; the objects that were mended."""
+    mended = migration.migrate(document)
+    for obj in document.Objects:
+        if type_of(obj) == TARGET:
+            make_target(obj)
+            notice(obj)
+        proxy = TYPES.get(type_of(obj))
+        if proxy is not None and not isinstance(getattr(obj, "Proxy", None), proxy):
+            proxy(obj)
+            mended.append(obj)
+        if proxy is not None:
+            show(obj)
+    for design in designs(document) if mended else ():
+        design.Proxy.refresh(design)
+    return mended

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The target surface below a Design: where it comes from, and its division into tiles."""
+
+from __future__ import annotations
+
+import os
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Callable
+
+import numpy as np
+
+from ..errors import CurveUpsError
+from ..output import safe_name
+from ..stages.stage import digest
+from ..stages.surface import Source, file_stamp
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, add, add_part_properties, refresh, type_of, write
+
+
+TYPE = "CurveUps::Target"
+
+
+def make_target(obj: Any) -> None:
+    """Makes a plain mesh object a Target, or gives one of an older document what came later. Its mesh is
+    the division into tiles. It has no proxy: FreeCAD shows meshes with a Python view on opening, hidden or
+    not; observer.py notices changes."""
+    add_part_properties(obj, TYPE)
+    add(obj, "App::PropertyLink", "Source", "Target",
+        "The Part or Mesh object that gives the surface. Takes effect with Solve.")
+    add(obj, "App::PropertyFile", "File", "Target",
+        "The file that gives the surface. Takes effect with Solve.")
+    add(obj, "App::PropertyString", "BuiltIn", "Target", "The built-in target that this is.", READ_ONLY)
+    add(obj, "App::PropertyBool", "KeepMesh", "Target",
+        "Takes the source's triangles as tiles, as they are. Takes effect with Solve.")
+    add(obj, "App::PropertyString", "Stamp", "Target", "Tells states of the source apart.",
+        READ_ONLY | HIDDEN | OUTPUT)
+
+
+def is_target(obj: Any) -> bool:
+    """Whether this is a Target that knows its source: those of the first version do not."""
+    return obj is not None and type_of(obj) == TYPE
+
+
+def notice(obj: Any) -> None:
+    """Compares the source with what it was; the Design says so where it changed."""
+    stamp = stamp_of(obj)
+    if stamp:
+        write(obj, "Stamp", stamp)
+    refresh(obj)
+
+
+def stamp_of(obj: Any) -> str:
+    """A text that is the same as long as the source is; empty where there is none to look at (a file
+    that is not on this machine has not changed)."""
+    if obj.Source is not None:
+        found = _stamp_of_object(obj.Source)
+    else:
+        found = obj.BuiltIn or _stamp_of_file(obj.File)
+    return f"{found} as it is" if found and obj.KeepMesh else found
+
+
+def set_source(obj: Any, source: Any) -> None:
+    """Makes `source` (a Part or Mesh object, a file's path or a built-in's name) the one source of a
+    Target. Raises CurveUpsError, and changes nothing then."""
+    link, file, built_in = None, "", ""
+    if not isinstance(source, (str, Path)):
+        link = require_surface(source)
+    elif is_built_in(str(source)):
+        built_in = str(source)
+    else:
+        file = str(require_file(Path(source)))
+    write(obj, "Source", link)
+    write(obj, "File", file)
+    write(obj, "BuiltIn", built_in)
+
+
+def name_of(source: Any) -> str:
+    """What a design of this source is called."""
+    return Path(source).stem if isinstance(source, (str, Path)) else source.Label
+
+
+def source_of(obj: Any, known: Source | None) -> Source:
+    """What the project starts from; `known` where it is still that, so that nothing is made anew."""
+    # Whether a closed surface makes sense is for the cuts to say: they can be made later.
+    options: dict[str, Any] = {"remesh": not obj.KeepMesh, "will_be_cut": True}
+    if known is not None and obj.Stamp == stamp_for(known):
+        if known.read is not None or obj.Source is None:
+            return known
+        options["will_be_cut"] = known.will_be_cut  # of a reopened document: it lacks the reader alone
+    if obj.Source is not None:
+        return Source(safe_name(obj.Source.Label), stamp=_stamp_of_object(obj.Source),
+                      read=_reader(obj.Source), **options)
+    if obj.BuiltIn:
+        return Source(safe_name(obj.BuiltIn), built_in=obj.BuiltIn, **options)
+    if obj.File:
+        return Source(safe_name(Path(obj.File).stem), path=obj.File, stamp=_stamp_of_file(obj.File),
+                      **options)
+    raise CurveUpsError("there is no target", obj.Label, "choose a surface with the Target command")
+
+
+def stamp_for(source: Source) -> str:
+    """What `stamp_of` says of a Target that has this source."""
+    found = source.stamp or source.built_in
+    return found if source.remesh or not found else f"{found} as it is"
+
+
+def is_built_in(name: str) -> bool:
+    from ..native import native
+
+    return name in dict(native.builtin_targets())
+
+
+def require_file(path: Path) -> Path:
+    """Raises CurveUpsError where that is no file a target could be read from."""
+    from .. import freecad_io
+
+    freecad_io.require_readable(path)
+    return path.absolute()
+
+
+def require_surface(obj: Any) -> Any:
+    """Raises CurveUpsError where `obj` has no surface."""
+    if not (hasattr(obj, "Mesh") and obj.Mesh.CountFacets or hasattr(obj, "Shape") and obj.Shape.Faces):
+        raise CurveUpsError("this has no surface", getattr(obj, "Label", str(obj)),
+                            "choose a Mesh or Part object with faces, or a file")
+    return obj
+
+
+def _stamp_of_file(path: str) -> str:
+    try:
+        found = os.stat(path)
+    except (OSError, ValueError):
+        return ""
+    return _digest_of_file(path, found.st_size, found.st_mtime_ns)
+
+
+@lru_cache(maxsize=16)
+def _digest_of_file(path: str, size: int, changed: int) -> str:
+    """A recompute asks each time: what has neither another size nor another date was not changed."""
+    return file_stamp(path)
+
+
+def _stamp_of_object(obj: Any) -> str:
+    """By what any edit changes: triangulations and digits of files do not count."""
+    if hasattr(obj, "Mesh"):
+        mesh = obj.Mesh
+        box = mesh.BoundBox
+        figures = [mesh.CountPoints, mesh.CountFacets, mesh.Area, mesh.Volume, box.XMin, box.YMin, box.ZMin,
+                   box.XMax, box.YMax, box.ZMax]
+    elif hasattr(obj, "Shape") and not obj.Shape.isNull():
+        shape = obj.Shape
+        figures = [len(shape.Faces), len(shape.Edges), shape.Area, shape.Length]
+        figures += [x for face in shape.Faces for x in (face.Area, *face.CenterOfMass)]
+        figures += [x for vertex in shape.Vertexes for x in (vertex.X, vertex.Y, vertex.Z)]
+    else:
+        return ""
+    # Eight digits, and nothing below a millionth of the whole: the last ones differ after reopening.
+    size = max(1.0, *(abs(x) for x in figures))
+    return digest(*(f"{0.0 if abs(x) < 1e-9 * size else x:.8g}" for x in figures))
+
+
+def _reader(obj: Any) -> Callable[[float], tuple[np.ndarray, np.ndarray]]:
+    """Makes triangles of the object as it is now, on whatever thread: it holds a copy."""
+    from .. import freecad_io
+
+    label = obj.Label
+    if hasattr(obj, "Mesh"):
+        mesh = obj.Mesh.copy()
+        return lambda deflection: freecad_io.triangles_of_mesh(mesh)
+    shape = obj.Shape.copy()
+    return lambda deflection: freecad_io.triangles_of_shape(shape, deflection, label)
