@@ -7,6 +7,8 @@ FreeCAD runs this text without a file name, after putting this folder on sys.pat
 import os
 import sys
 
+import FreeCAD
+
 for _folder in list(sys.path):
     _package = os.path.normpath(os.path.join(_folder, "Workbench"))
     if os.path.isfile(os.path.join(_package, "curveups", "native.py")) and _package not in sys.path:
@@ -15,3 +17,6 @@ for _folder in list(sys.path):
 from curveups.features import observer as _observer  # noqa: E402  found through the loop above
 
 _observer.install()
+
+# freecad -t lists them, freecad -t TestCurveUps runs them.
+FreeCAD.__unit_test__ += ["TestCurveUps"]

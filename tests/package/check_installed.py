@@ -26,6 +26,13 @@ def work():
     settle()
     assert document.Design.Verdict == 'valid', (document.Design.Verdict, document.Design.Reasons)
     assert document.Tiles.Shape.Solids
+
+    from curveups.features.document import new_design, project_of, take
+    design = new_design(FreeCAD.newDocument(), 'half-sphere')
+    design.L = 15
+    design.Document.recompute()
+    take(design, project_of(design).run(('figures', 'verification')))
+    assert design.TileCount > 50 and design.Verdict == 'valid', (design.TileCount, design.Verdict)
 """
 
 

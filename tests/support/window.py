@@ -42,7 +42,7 @@ def freecad_home(folder, with_workbench):
     return folder
 
 
-def run_in_window(work, home, folder, **names):
+def run_in_window(work, home, folder, timeout=300, **names):
     """Runs the text `work`, which defines work(), with `names` as its globals. Raises on failure."""
     folder = Path(folder)
     script, log = folder / "script.py", folder / "log"
@@ -53,7 +53,7 @@ def run_in_window(work, home, folder, **names):
     env.pop("PYTHONPATH", None)
     ran = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1440x900x24 -dpi 96", "freecad", str(script)],
                          env=env, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                         timeout=300)
+                         timeout=timeout)
     if ran.returncode != 0:
         raise AssertionError((log.read_text() if log.exists() else "") + ran.stderr[-2000:])
     return ran.stdout + ran.stderr

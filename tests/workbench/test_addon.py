@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The checkout as an addon: what FreeCAD reads of package.xml, and the tests that it lists."""
 
+import os
+import subprocess
+
 from running import ROOT
 
 
@@ -23,3 +26,18 @@ for address in (url['location'] for url in package.Urls if url['type'] in ('read
     assert os.path.isfile(os.path.join(root, address.split('.invalid/')[1])), address
 done()
 """, root=ROOT)
+
+
+def run_freecad(homes, *arguments):
+    env = {**os.environ, "HOME": str(homes[True])}
+    env.pop("PYTHONPATH", None)
+    ran = subprocess.run(["freecadcmd", *arguments], env=env, stdin=subprocess.DEVNULL,
+                         capture_output=True, text=True, timeout=300)
+    return ran.stdout + ran.stderr
+
+
+def test_freecad_lists_and_runs_its_tests(homes):
+    assert "TestCurveUps" in run_freecad(homes, "-t").split()
+    out = run_freecad(homes, "-t", "TestCurveUps")
+    assert "test_stale_results_say_so" in out and "\nOK" in out, out
+    assert "Ran 3 tests" in out, out
