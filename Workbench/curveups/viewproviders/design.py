@@ -3,15 +3,14 @@
 
 from __future__ import annotations
 
-import importlib
-import importlib.util
 from typing import Any
 
 from ..features.proxy import SLOTS
+from ..overlay.view import OverlayView
 from .view import View
 
 
-class DesignView(View):
+class DesignView(OverlayView, View):
     """Icon of a Design, and what is below it; the overlay, its display, hangs on it."""
 
     COMMAND = "CurveUps_Solve"
@@ -19,9 +18,12 @@ class DesignView(View):
             "CurveUps_ShowActuated", "CurveUps_ShowSolids", "CurveUps_Export", "CurveUps_Report")
 
     def attach(self, view: Any) -> None:
-        super().attach(view)
-        if importlib.util.find_spec("curveups.overlay") is not None:
-            importlib.import_module("curveups.overlay").attach(view)
+        View.attach(self, view)
+        OverlayView.attach(self, view)
+
+    def updateData(self, obj: Any, name: str) -> None:
+        View.updateData(self, obj, name)
+        OverlayView.updateData(self, obj, name)
 
     def claimChildren(self) -> list:
         return [part for slot in SLOTS if (part := getattr(self.object, slot, None)) is not None]

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The overlay: how a Design is drawn in the 3D view, as light as it can be, with figures as colours.
+
+`overlay_of(design)` is what commands, panels and solvers talk to; a Design's view provider is an
+`OverlayView`. What is drawn is a Scene (values, no Coin), drawn by a Figure (Coin, no document).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+_OVERLAYS: dict[tuple[str, str], Any] = {}  # by names of document and object
+
+
+def attach(view: Any) -> Any:
+    """The Overlay of a Design's view provider, made and put in as its display mode."""
+    from . import watching
+    from .overlay import Overlay
+
+    watching.start()
+    obj = view.Object
+    found = _OVERLAYS[obj.Document.Name, obj.Name] = Overlay(view)
+    view.addDisplayMode(found.node, "Tiles")
+    found.refresh()
+    return found
+
+
+def overlay_of(design: Any) -> Any:
+    """The Overlay of a Design object. Raises KeyError where it has none: without a window, or a design
+    that never got its view."""
+    return _OVERLAYS[design.Document.Name, design.Name]
+
+
+def overlays(document: str = "") -> list:
+    """All there are, or those of a document by its name."""
+    return [one for (name, _), one in _OVERLAYS.items() if document in ("", name)]
+
+
+def forget(document: str, name: str = "") -> None:
+    """Lets go of a document's overlays, or of one by the name of its object."""
+    for key in [key for key in _OVERLAYS if key[0] == document and name in ("", key[1])]:
+        _OVERLAYS.pop(key).close()

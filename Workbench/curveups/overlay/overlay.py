@@ -1,0 +1,451 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The overlay of one Design: what its view shows, and how that follows document, user and solver.
+
+What the user chose is kept in properties of the view provider, so that it outlives selection and
+reopening; `view_changed` follows them, whoever sets them.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Iterable, Optional, Sequence
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from pivy import coin
+
+from ..errors import CurveUpsError, tile_name
+from ..native import translated
+from ..qt import QtCore, translate
+from . import colours
+from .fields import MEMBRANE, Field
+from .figure import Figure
+from .legend import Content, Dragging, Legend
+from .nodes import fill
+from .scene import NO_FIELD, Scene, scene_of
+from .units import text_of
+
+AUTOMATIC = "Automatic"
+_GROUP = "Overlay"
+_PROPERTIES = (
+    ("App::PropertyString", "Field", "What tiles are coloured by; empty: the first that there is."),
+    ("App::PropertyEnumeration", "ColourMap", "Colours of the field; Automatic: by whether it has a sign."),
+    ("App::PropertyMap", "Ranges", "Ranges of fields that were chosen: least and largest value."),
+    ("App::PropertyBool", "Pins", "Shows the pins."),
+    ("App::PropertyBool", "Membranes", "Shows both membranes, once they have been computed."),
+    ("App::PropertyBool", "Both", "Shows the tiles flat and actuated side by side."),
+    ("App::PropertyFloatConstraint", "Morph", "From 0, flat as printed, to 1, the target shape."),
+)
+
+
+class Overlay:
+    """Drawn by `node`, which is a display mode of the view provider."""
+
+    def __init__(self, view: Any):
+        self.object = view.Object
+        self._view = view
+        self.scene: Optional[Scene] = None
+        self.note = ""                      # why it can't be drawn as the design is now
+        self.selected: list[int] = []       # tiles
+        self._hovered: list[int] = []
+        self._shown: Optional[_State] = None  # what the scene was made from
+        self._iterating = False
+        self._drawn_at = 0.0
+        self._dragging: list[Dragging] = []
+        self._waiting = False
+        self._build_nodes()
+        self._add_properties()
+
+    def _build_nodes(self) -> None:
+        self.node, self._placement = coin.SoSeparator(), coin.SoTransform()
+        self._tile_colours = coin.SoPackedColor()
+        self._sheet_colours = [coin.SoPackedColor(), coin.SoPackedColor()]
+        self._figure, self._beside = (Figure(self._tile_colours, self._sheet_colours) for _ in range(2))
+        self._beside_shown, self.legend = coin.SoSwitch(), Legend()
+        self._beside_shown.addChild(self._beside.node)
+        matt = coin.SoMaterial()
+        matt.specularColor = (0, 0, 0)
+        for part in (self._placement, matt, self._figure.node, self._beside_shown, self.legend.node):
+            self.node.addChild(part)
+
+    def _add_properties(self) -> None:
+        view = self._view
+        for kind, name, meaning in _PROPERTIES:
+            if name in view.PropertiesList:
+                continue
+            view.addProperty(kind, name, _GROUP, meaning)
+            if name == "ColourMap":
+                view.ColourMap = [AUTOMATIC, *colours.NAMES]
+            elif name == "Morph":
+                view.Morph = (0.0, 0.0, 1.0, 0.05)
+        if "SelectionStyle" in view.PropertiesList:
+            view.SelectionStyle = "BoundBox"  # otherwise a selected design loses all its colours
+
+    def close(self) -> None:
+        """The design is gone."""
+        self.scene = None
+        self.legend.show(None)
+
+    # What follows the document.
+
+    def show_design(self) -> None:
+        """Draws the design as it is now. Where it can't be drawn the last picture stays, and the legend
+        says why."""
+        from ..features.document import design_project_of, project_of
+
+        self._waiting = self._iterating = False
+        try:
+            project = project_of(self.object)
+            if project.latest("design") is not None:
+                project = design_project_of(self.object)
+            shown = _State(project)
+            if shown.same(self._shown) and not self.note:
+                return
+            with translated(self.object.Label):
+                scene = scene_of(project)
+        except CurveUpsError as error:
+            self.note = error.what + (f" ({error.remedy})" if error.remedy else "")
+            self._explain()
+            return
+        self.note, self._shown = "", shown
+        self._take(scene)
+
+    def set_iterate(self, T: np.ndarray, q: np.ndarray) -> None:
+        """Draws a layout that a solver has at hand (M x 3 x 2 and M x 2 x 3, mm) until `show_design`.
+        One of other tiles than those shown is left out."""
+        if self.scene is None or len(T) != len(self.scene.F):
+            return
+        with translated(self.object.Label):
+            scene = self.scene.moved(np.asarray(T, float), np.asarray(q, float))
+        self._shown, self._iterating = None, True
+        self._take(scene)
+
+    def show_scene(self, scene: Optional[Scene]) -> None:
+        """Draws any scene, until `show_design`."""
+        self._shown = None
+        self._take(scene)
+
+    def data_changed(self, name: str) -> None:
+        """A property of the Design has changed."""
+        if name == "Placement":
+            self._place()
+        elif name not in ("Label", "Label2", "Visibility", "ExpressionEngine", "Proxy"):
+            # A run ends with results, or with a state that is no longer "running".
+            if name == "Results" or name == "Status" and self.object.Status != "running":
+                self._iterating = False
+            self.refresh()
+
+    def refresh(self) -> None:
+        """Draws the design once those who are at work on the document are through."""
+        if not self._waiting:
+            self._waiting = True
+            QtCore.QTimer.singleShot(0, self._refresh)
+
+    def _refresh(self) -> None:
+        self._waiting = False
+        try:
+            if not self._iterating and self._view.Visibility:
+                self.show_design()
+        except ReferenceError:  # deleted meanwhile
+            pass
+        except Exception as error:  # of a timer: FreeCAD would print it as a traceback
+            self.note = str(error)
+            self._explain()
+
+    def view_changed(self, name: str) -> None:
+        """A property of the view provider has changed."""
+        if name == "Visibility" and self._view.Visibility:
+            self.refresh()
+        if self.scene is None:
+            return
+        if name in ("Morph", "Pins", "Membranes", "Both"):
+            self._draw()
+        if name in ("Field", "ColourMap", "Ranges", "Membranes"):
+            self._colour()
+
+    # What the user chooses.
+
+    def fields(self) -> list[str]:
+        """Names of what tiles can be coloured by as things stand."""
+        return list(self.scene.fields) if self.scene else []
+
+    def field(self) -> Optional[Field]:
+        """What tiles are coloured by."""
+        if self.scene is None or self._view.Field == NO_FIELD:
+            return None
+        return self.scene.fields.get(self._view.Field) or next(iter(self.scene.fields.values()), None)
+
+    def set_field(self, name: str) -> None:
+        """Colours by a field; "None": tiles are plain. A field that there is not yet shows once there is."""
+        self._view.Field = name
+
+    def range(self) -> tuple[float, float]:
+        """Of the field that is shown, in its unit."""
+        one = self.field()
+        if one is None:
+            return 0.0, 1.0
+        try:
+            low, high = (float(text) for text in self._view.Ranges[one.name].split())
+            if low < high:
+                return low, high
+        except (KeyError, ValueError):
+            pass
+        return one.automatic_range()
+
+    def set_range(self, ends: Optional[tuple[float, float]]) -> None:
+        """Of the field that is shown; None for the automatic one."""
+        one = self.field()
+        if one is None:
+            return
+        ranges = dict(self._view.Ranges)
+        ranges.pop(one.name, None)
+        if ends is not None:
+            ranges[one.name] = f"{ends[0]!r} {ends[1]!r}"
+        self._view.Ranges = ranges
+
+    def set_morph(self, t: float) -> None:
+        """Folds: 0 is flat, 1 actuated. Cameras go along, so that the tiles stay in sight."""
+        before = self._drawn_at
+        self._view.Morph = min(1.0, max(0.0, float(t)))
+        if self.scene is not None and self.scene.motion is not None:
+            step = self.scene.motion.middle(self._drawn_at) - self.scene.motion.middle(before)
+            self._follow(FreeCAD.Vector(*step))
+
+    def select_tiles(self, tiles: Iterable[int]) -> None:
+        """Selects tiles by number (0 is T00001) in FreeCAD, and no others of the design."""
+        document = self.object.Document.Name
+        FreeCADGui.Selection.clearSelection(document)
+        for tile in tiles:
+            FreeCADGui.Selection.addSelection(document, self.object.Name, tile_name(tile))
+
+    def look_at(self, tiles: Sequence[int]) -> None:
+        """Turns the camera to tiles, head on."""
+        view = self._active_view()
+        if view is None or not len(tiles):
+            return
+        corners = self._figure.corners[list(tiles)]
+        front = corners[:, :3]
+        normal = np.cross(front[:, 1] - front[:, 0], front[:, 2] - front[:, 0]).sum(0)
+        place = self._placement_of()
+        middle = place.multVec(FreeCAD.Vector(*front.mean((0, 1))))
+        towards = place.Rotation.multVec(FreeCAD.Vector(*normal)).normalize()
+        camera = view.getCameraNode()
+        turn = FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), towards)
+        camera.orientation.setValue(*turn.Q)
+        size = 12 * float(np.linalg.norm(front[0, 1] - front[0, 0]))
+        if camera.getTypeId() == coin.SoOrthographicCamera.getClassTypeId():
+            camera = coin.cast(camera, "SoOrthographicCamera")
+            camera.height = size
+        camera.focalDistance = 2 * size
+        camera.position = tuple(middle + towards * 2 * size)
+
+    # What FreeCAD's selection says.
+
+    def tile_of(self, picked: Any) -> int:
+        """The tile that a SoPickedPoint is on; -1 where it is none."""
+        tile = self._figure.tile_of(picked)
+        return tile if tile >= 0 else self._beside.tile_of(picked)
+
+    def mark_selected(self, tiles: Sequence[int], hovered: Sequence[int]) -> None:
+        """Lights tiles up, in every figure."""
+        count = len(self.scene.F) if self.scene else 0
+        changed = [tile for tile in tiles if tile < count] != self.selected
+        self.selected = [tile for tile in tiles if tile < count]
+        self._hovered = [tile for tile in hovered if tile < count]
+        if changed:
+            self._colour_tiles()
+        self._outline()
+
+    def values_of(self, tile: int) -> list[tuple[str, str]]:
+        """Names of fields with a tile's values as the user reads them."""
+        if self.scene is None:
+            return []
+        found = []
+        for one in self.scene.fields.values():
+            if one.on != MEMBRANE:
+                values = ", ".join(text_of(x, one.unit) for x in self.scene.tile_values(one, tile))
+                found.append((one.name, values))
+        return found
+
+    def figures(self) -> list[tuple[np.ndarray, np.ndarray]]:
+        """Corners of what is drawn (M x 6 x 3, mm) and its place beside the design's, for picking."""
+        if self.scene is None:
+            return []
+        found = [(self._figure.corners, np.zeros(3))]
+        if self._beside_shown.whichChild.getValue() != coin.SO_SWITCH_NONE:
+            shift = np.array(self._beside.shift.translation.getValue().getValue())
+            found.append((self._beside.corners, shift))
+        return found
+
+    def placement(self) -> Any:
+        """Where the Design stands."""
+        return self._placement_of()
+
+    # Drawing.
+
+    def _take(self, scene: Optional[Scene]) -> None:
+        other = self.scene is None or scene is None or len(self.scene.F) != len(scene.F)
+        self.scene = scene
+        if other:
+            self.selected, self._hovered = [], []
+        if scene is None:
+            self.legend.show(None)
+            return
+        self._colour_tiles()  # first: faces would point beyond the colours
+        self._draw()
+        self._colour()
+        self._watch_views()
+
+    def _draw(self) -> None:
+        scene, view = self.scene, self._view
+        assert scene is not None
+        both = view.Both and scene.flat is not None
+        self._drawn_at = 1.0 if scene.flat is None else 0.0 if both else view.Morph
+        self._figure.draw(scene, self._drawn_at, view.Pins, view.Membranes)
+        self._beside_shown.whichChild = coin.SO_SWITCH_ALL if both else coin.SO_SWITCH_NONE
+        if both:
+            self._beside.draw(scene, 1.0, view.Pins, view.Membranes)
+            self._beside.shift.translation = tuple(_beside(self._figure.corners, self._beside.corners))
+        self._place()
+        self._mark()
+        self._outline()
+
+    def _colour(self) -> None:
+        self._colour_tiles()
+        self._colour_sheets()
+        self._mark()
+        self._explain()
+
+    def _colour_map(self, one: Field) -> str:
+        name = self._view.ColourMap
+        return (colours.SIGNED if one.signed else colours.NAMES[0]) if name == AUTOMATIC else name
+
+    def _colour_tiles(self) -> None:
+        scene, one = self.scene, self.field()
+        if scene is None:
+            return
+        if one is None or one.on == MEMBRANE:
+            rgb = np.broadcast_to(np.array(colours.PLAIN), (len(scene.F), 6, 3))
+        else:
+            rgb = colours.sample(self._colour_map(one), colours.shares(scene.slots(one), *self.range()))
+        found = colours.packed(rgb)
+        found[self.selected] = colours.packed(np.array(_preferred("SelectionColor", (0.11, 0.68, 0.11))))
+        fill(self._tile_colours.orderedRGBA, found.ravel())
+
+    def _colour_sheets(self) -> None:
+        scene, one, start = self.scene, self.field(), 0
+        if scene is None:
+            return
+        for node, membrane in zip(self._sheet_colours, scene.membranes):
+            count = len(membrane.triangles)
+            if one is not None and one.on == MEMBRANE:
+                shares = colours.shares(one.values[start : start + count], *self.range())
+                found = colours.packed(colours.sample(self._colour_map(one), shares))
+            else:
+                found = np.full(count, colours.packed(np.array(colours.MEMBRANE)), np.uint32)
+            start += count
+            fill(node.orderedRGBA, found)
+
+    def _problems(self) -> list[Field]:
+        fields = self.scene.fields.values() if self.scene else ()
+        return [one for one in fields if one.mark and len(one.problems)]
+
+    def _mark(self) -> None:
+        scene = self.scene
+        if scene is None:
+            return
+        for figure in (self._figure, self._beside):
+            if len(figure.corners):
+                figure.mark({one.mark: scene.places(one, one.problems, figure.corners)
+                             for one in self._problems()})
+
+    def _outline(self) -> None:
+        selection = _preferred("SelectionColor", (0.11, 0.68, 0.11))
+        highlight = _preferred("HighlightColor", (0.88, 0.88, 0.08))
+        for figure in (self._figure, self._beside):
+            if len(figure.corners):
+                figure.outline(self.selected, self._hovered, selection, highlight)
+
+    def _explain(self) -> None:
+        """The legend."""
+        one, notes = self.field(), []
+        if self._iterating:
+            notes.append(translate("CurveUps_Overlay", "as the solver has it"))
+        if one is not None and one.note:
+            notes.append(one.note)
+        if self.note:
+            notes.append(translate("CurveUps_Overlay", "not as it is now: {why}", why=self.note))
+        marks = tuple((field.mark, f"{len(field.problems)} {field.problem}") for field in self._problems())
+        if one is None:
+            title = self.object.Label
+            self.legend.show(Content(title, has_bar=False, notes=tuple(notes), marks=marks)
+                             if notes or marks else None)
+            return
+        low, high = self.range()
+        self.legend.show(Content(translate("CurveUps_Fields", one.name), one.unit, self._colour_map(one), low,
+                                 high, True, tuple(notes), marks))
+
+    def _place(self) -> None:
+        placement = self._placement_of()
+        self._placement.translation = tuple(placement.Base)
+        self._placement.rotation = coin.SbRotation(*placement.Rotation.Q)
+
+    def _placement_of(self) -> Any:
+        return getattr(self.object, "Placement", None) or FreeCAD.Placement()
+
+    # Views of the document.
+
+    def _views(self) -> list:
+        gui = FreeCADGui.getDocument(self.object.Document.Name)
+        return list(gui.mdiViewsOfType("Gui::View3DInventor")) if gui else []
+
+    def _active_view(self) -> Any:
+        gui = FreeCADGui.getDocument(self.object.Document.Name)
+        view = gui.ActiveView if gui else None
+        return view if hasattr(view, "getCameraNode") else next(iter(self._views()), None)
+
+    def _watch_views(self) -> None:
+        """Lets the mouse drag the legend in views that have come since."""
+        self._dragging = [one for one in self._dragging if one.alive()]
+        for view in self._views():
+            if not any(one.is_of(view) for one in self._dragging):
+                self._dragging.append(Dragging(view, self.legend, lambda: self._view.Visibility,
+                                               self.set_range))
+
+    def _follow(self, step: Any) -> None:
+        step = self._placement_of().Rotation.multVec(step)
+        if step.Length > 0:
+            for view in self._views():
+                camera = view.getCameraNode()
+                camera.position = tuple(FreeCAD.Vector(*camera.position.getValue().getValue()) + step)
+
+
+class _State:
+    """What a scene is made from: equal for projects that are drawn alike."""
+
+    STAGES = ("target", "relief", "cuts", "layout", "design", "verification of the layout", "verification")
+
+    def __init__(self, project: Any):
+        self._made = [project.latest(name) for name in self.STAGES]
+        self._values = project.parameters.to_dict(), project.out_of_date("verification")
+
+    def same(self, other: Optional["_State"]) -> bool:
+        return other is not None and self._values == other._values and all(
+            mine is theirs for mine, theirs in zip(self._made, other._made))
+
+
+def _beside(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """Where to put the second of two figures so that it stands beside the first and as high."""
+    low, high = first.reshape(-1, 3).min(0), first.reshape(-1, 3).max(0)
+    other_low, other_high = second.reshape(-1, 3).min(0), second.reshape(-1, 3).max(0)
+    shift = (low + high) / 2 - (other_low + other_high) / 2
+    shift[0] = high[0] + 0.1 * (high[0] - low[0]) - other_low[0]
+    shift[2] = low[2] - other_low[2]
+    return shift
+
+
+def _preferred(name: str, default: tuple[float, float, float]) -> tuple[float, float, float]:
+    """A colour of the user's preferences."""
+    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    number = group.GetUnsigned(name, int(colours.packed(np.array(default))))
+    return tuple((number >> shift & 255) / 255 for shift in (24, 16, 8))  # type: ignore[return-value]

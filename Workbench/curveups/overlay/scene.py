@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What there is to draw of a project, however far it has come: a value, without a word of Coin."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any, Optional
+
+import numpy as np
+
+from ..native import native
+from .fields import SIDE, TILE, Field, design_fields, force_fields, target_fields
+from .motion import Motion
+from .prisms import SLOTS
+
+NO_FIELD = "None"  # the name for plain tiles
+
+
+@dataclass(frozen=True)
+class Membrane:
+    """One sheet between its pins: places of its points (P x 3, mm; actuated: where they are known) and
+    triangles (K x 3)."""
+
+    flat: np.ndarray
+    actuated: Optional[np.ndarray]
+    triangles: np.ndarray
+
+
+@dataclass(frozen=True)
+class Scene:
+    """M tiles (M x 6 x 3, mm; see native.TileShapes) with their contacts: N x 2 tiles, and which edge of
+    each. `flat` is None before there is a layout: the tiles then only have their place on the target.
+    The flat layout lies as it is printed: its lowest pins end at z = 0."""
+
+    V: np.ndarray
+    F: np.ndarray
+    cuts: np.ndarray
+    parameters: Any
+    actuated: np.ndarray
+    flat: Optional[np.ndarray]
+    actuated_pins: np.ndarray          # M x 2 x 6 x 3, or empty
+    flat_pins: np.ndarray
+    contacts: np.ndarray
+    sides: np.ndarray
+    membranes: tuple[Membrane, ...] = ()
+    fields: dict[str, Field] = field(default_factory=dict)
+
+    @cached_property
+    def motion(self) -> Optional[Motion]:
+        return None if self.flat is None else Motion(self.flat[:, :3], self.actuated[:, :3])
+
+    def tiles_at(self, t: float) -> np.ndarray:
+        """All tiles from the flat layout (t = 0) to the target shape (1), M x 6 x 3."""
+        if self.flat is None or self.motion is None or t >= 1:
+            return self.actuated
+        return self.flat if t <= 0 else self.motion.move(self.flat, t)
+
+    def pins_at(self, t: float) -> np.ndarray:
+        """All pins, M x 2 x 6 x 3."""
+        if self.motion is None or t >= 1:
+            return self.actuated_pins
+        if t <= 0:
+            return self.flat_pins
+        return self.motion.move(self.flat_pins.reshape(-1, 12, 3), t).reshape(-1, 2, 6, 3)
+
+    def membrane_at(self, membrane: Membrane, t: float) -> Optional[np.ndarray]:
+        """Points of a membrane, P x 3; None where they are not known."""
+        if t <= 0:
+            return membrane.flat
+        if membrane.actuated is None or self.motion is None:
+            return None
+        return membrane.actuated if t >= 1 else self.motion.blend(membrane.flat, membrane.actuated, t)
+
+    def slots(self, one: Field) -> np.ndarray:
+        """A field's values where they are drawn (M x 6, see prisms); NaN where there is none."""
+        count = len(self.F)
+        if one.on == TILE:
+            return np.repeat(one.values[:, None], SLOTS, axis=1)
+        if one.on == SIDE:
+            return np.repeat(one.values, 3, axis=1)
+        thirds = np.full((count, 3), np.nan)
+        for k in (0, 1):
+            thirds[self.contacts[:, k], self.sides[:, k]] = one.values
+        return np.hstack([thirds, thirds])
+
+    def tile_values(self, one: Field, tile: int) -> list[float]:
+        """A field's values at one tile: its own, those of its two sides, or one a contact."""
+        if one.on == TILE:
+            return [float(one.values[tile])]
+        if one.on == SIDE:
+            return [float(x) for x in one.values[tile]]
+        return [float(x) for x in one.values[(self.contacts == tile).any(axis=1)]]
+
+    def places(self, one: Field, numbers: np.ndarray, corners: np.ndarray) -> np.ndarray:
+        """K x 3 points for tiles or contacts by number, a little above the front faces; corners: of all
+        tiles, M x 6 x 3."""
+        if one.on in (TILE, SIDE):
+            return self._above(corners[numbers], corners[numbers, :3].mean(1))
+        middles = []
+        for k in (0, 1):
+            tiles, edges = self.contacts[numbers, k], self.sides[numbers, k]
+            middle = (corners[tiles, edges] + corners[tiles, (edges + 1) % 3]) / 2
+            middles.append(self._above(corners[tiles], middle))
+        return (middles[0] + middles[1]) / 2
+
+    def tiles_of(self, one: Field, number: int) -> list[int]:
+        """The tiles that a value belongs to."""
+        return [number] if one.on in (TILE, SIDE) else [int(tile) for tile in self.contacts[number]]
+
+    @staticmethod
+    def _above(corners: np.ndarray, points: np.ndarray) -> np.ndarray:
+        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        length = np.linalg.norm(normal, axis=1, keepdims=True)
+        return points + 0.1 * normal / np.sqrt(np.where(length > 0, length, 1))
+
+    def moved(self, T: np.ndarray, q: np.ndarray) -> "Scene":
+        """The same tiles elsewhere in the layout, as a solver has them (M x 3 x 2 and M x 2 x 3, mm).
+        What was computed of the layout before is gone."""
+        shapes = native.tile_shapes_at(self.V, self.F, self.cuts, self.parameters, T, q)
+        known = {name: one for name, one in self.fields.items() if name in _OF_TARGET}
+        return replace(self, **_shapes(shapes, self.parameters), membranes=(), fields=known)
+
+
+_OF_TARGET = ("Fold angle", "Pin room", "Conformal stretch")
+
+
+def scene_of(project: Any) -> Optional[Scene]:
+    """Of a Project; None where there is no target yet. Raises what the native module raises where the
+    shapes can't be had under the parameters as they are."""
+    parameters = project.parameters
+    for name in ("design", "layout"):
+        made = project.latest(name)
+        if made is not None:
+            return _of_design(project, made.design.with_parameters(parameters))
+    target, relief = project.latest("target"), project.latest("relief")
+    if target is None:
+        return None
+    V = target.V if relief is None else relief.V
+    cuts = project.latest("cuts")
+    edges = np.empty((0, 2), np.int32) if cuts is None else cuts.edges
+    shapes = native.tile_shapes_at(V, target.F, edges, parameters)
+    found = target_fields(V, target.F, edges, parameters, shapes.contacts, True)
+    return Scene(V, target.F, edges, parameters, **_shapes(shapes, parameters),
+                 fields={one.name: one for one in found})
+
+
+def _of_design(project: Any, design: Any) -> Scene:
+    shapes, parameters = native.tile_shapes(design), design.parameters
+    fields, membranes = [], ()  # type: list[Field], tuple[Membrane, ...]
+    for name in ("verification", "verification of the layout"):
+        made = project.latest(name)
+        made = getattr(made, "verification", made)
+        if made is not None and made.judged and len(made.design.F) == len(design.F):
+            note = _note(project.out_of_date(name))
+            fields += force_fields(made, shapes.contacts, parameters, note)
+            membranes = _membranes(made, parameters)
+            break
+    fields += design_fields(design, shapes.contacts)
+    fields += target_fields(design.V, design.F, design.cuts, parameters, shapes.contacts, False)
+    return Scene(design.V, design.F, design.cuts, parameters, **_shapes(shapes, parameters),
+                 membranes=membranes, fields={one.name: one for one in fields})
+
+
+def _note(changed: Any) -> str:
+    return f"out of date ({', '.join(changed)})" if changed else ""
+
+
+def _height(parameters: Any) -> float:
+    """Of the front faces in the print, mm."""
+    return parameters.get("H_body") + parameters.get("H_pin")
+
+
+def _shapes(shapes: Any, parameters: Any) -> dict[str, Any]:
+    """The arrays of native.TileShapes as members of a Scene."""
+    up = np.array([0, 0, _height(parameters)])
+    known = bool(len(shapes.flat))
+    return {"actuated": shapes.actuated, "flat": shapes.flat + up if known else None,
+            "actuated_pins": shapes.actuated_pins, "flat_pins": shapes.flat_pins + up,
+            "contacts": np.asarray(shapes.contacts), "sides": np.asarray(shapes.contact_sides)}
+
+
+def _membranes(verification: Any, parameters: Any) -> tuple[Membrane, ...]:
+    """On the ends of the pins."""
+    found = []
+    pin, height = parameters.get("H_pin"), _height(parameters)
+    for side, z in zip(verification.membranes, (height + pin, 0.0)):
+        flat = np.column_stack([side["flat"], np.full(len(side["flat"]), z)])
+        found.append(Membrane(flat, side.get("actuated"), side["triangles"]))
+    return tuple(one for one in found if len(one.triangles))
