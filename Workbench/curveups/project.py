@@ -137,6 +137,12 @@ class Project:
         with self._reading:
             return dict(self._given)
 
+    def forget_out_of_date(self) -> None:
+        """Drops results that were made from something else than there is now."""
+        kept = {name: one for name, one in self.made().items() if self.out_of_date(name) == ()}
+        with self._reading:
+            self._made = kept
+
     def made(self) -> dict[str, Made]:
         """All results there are, out of date or not: what is saved, and `known` elsewhere."""
         with self._reading:

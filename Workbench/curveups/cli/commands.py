@@ -13,13 +13,10 @@ from ..native import native, translated
 from ..output import Folder, require_folder_name, safe_name
 from ..progress import Reporter
 from ..project import Project, Results
-from ..stages import STAGES, suggestions
+from ..stages import DESIGNED, PRINTED
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.stage import Job
 from ..stages.surface import find_source
-
-PRINTED = ("bodies", "solids", "check")  # stages that --no-solids leaves out
-
 
 @dataclass
 class Session:
@@ -42,8 +39,7 @@ def design(options: Any, session: Session) -> int:
     job = session.job
     if cuts.suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
-    left_out = (suggestions.SEARCH.name, *(PRINTED if options.no_solids else ()))
-    results = project.run([stage.name for stage in STAGES if stage.name not in left_out], job)
+    results = project.run((*DESIGNED, *(() if options.no_solids else PRINTED)), job)
     _, stopped = write_results(results, options.output, job)
     return _finish(results, options.output, session, stopped)
 

@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-import importlib
-from contextlib import contextmanager
-from typing import Any, Iterator, Optional
+from typing import Any, Optional
 
 import FreeCAD
 import FreeCADGui
 
+from ..features.document import design_of, designs
 from ..qt import translate
 from .notice import errors_shown
 
@@ -82,7 +81,7 @@ class DesignCommand(Command):
 def no_design() -> str:
     """Says that there is no design to work on."""
     document = FreeCAD.ActiveDocument
-    if document is None or not _designs(document):
+    if document is None or not designs(document):
         return translate("CurveUps", "There is no design: make one with New Design or Examples")
     return translate("CurveUps", "There are several designs: select one")
 
@@ -93,39 +92,18 @@ def chosen_design() -> Any:
     document = FreeCAD.ActiveDocument
     if document is None:
         return None
-    selected = map(_document_api().design_of, FreeCADGui.Selection.getSelection(document.Name))
-    found = {design for design in selected if design is not None}
+    selected = map(design_of, FreeCADGui.Selection.getSelection(document.Name))
+    found = {design.Name: design for design in selected if design is not None}
     if not found:
-        found = set(_designs(document))
-    return found.pop() if len(found) == 1 else None
-
-
-def _designs(document: Any) -> list:
-    return list(_document_api().designs(document))
-
-
-def _document_api() -> Any:
-    return importlib.import_module("curveups.features.document")
-
-
-@contextmanager
-def transaction(document: Any, text: str) -> Iterator[None]:
-    """One step of undo; taken back where the work inside raises."""
-    document.openTransaction(text)
-    try:
-        yield
-    except BaseException:
-        document.abortTransaction()
-        raise
-    document.commitTransaction()
+        found = {design.Name: design for design in designs(document)}
+    return next(iter(found.values())) if len(found) == 1 else None
 
 
 def call(function: str, *arguments: str) -> None:
     """Calls a function of curveups.features with arguments as Python text, and records it: the line in the
     macro does the same in a FreeCAD without a window. function: "document.new_design", say. Raises what
     the function raises."""
-    module, name = function.split(".")
-    FreeCADGui.doCommand(f"from curveups.features import {module}")
+    FreeCADGui.doCommand(f"from curveups.features import {function.split('.')[0]}")
     FreeCADGui.doCommand(f"{function}({', '.join(arguments)})")
 
 

@@ -8,3 +8,7 @@ STAGES = (surface.STAGE, target.STAGE, cuts.STAGE, suggestions.SEARCH, relief.ST
           verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, deviation.STAGE,
           verification.STAGE, verification.RECHECK, solids.BODIES, solids.STAGE, solids.CHECK,
           suggestions.STAGE)
+
+# What prints are made of; all that is known of a design without them, but for cuts that nobody asked for.
+PRINTED = (solids.BODIES.name, solids.STAGE.name, solids.CHECK.name)
+DESIGNED = tuple(stage.name for stage in STAGES if stage.name not in (suggestions.SEARCH.name, *PRINTED))

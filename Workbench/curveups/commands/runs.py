@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs of a design from the window: what Solve, Verify, Repair and Build Solids share."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..errors import CurveUpsError
+from ..features import actions
+from ..features.document import state_of
+from ..native import problem
+from ..qt import translate
+from .command import DesignCommand, call, chosen_design, named
+
+
+def reason(which: str, design: Any) -> str:
+    """Why a run of a design can't start now; empty where it can."""
+    from ..panels.live import LIVE
+
+    wrong = problem()
+    if wrong is not None:
+        return str(wrong)
+    if LIVE.busy:
+        return translate("CurveUps", "CurveUps is at work: stop or cancel that first")
+    if which != "solve" and state_of(design, "Layout")[0] == "empty":
+        return translate("CurveUps", "There is no layout yet: Solve makes it")
+    return ""
+
+
+def start(which: str, design: Any) -> None:
+    """Starts a run on the worker; its results become the document's when it ends. Raises CurveUpsError
+    where it can't start."""
+    from ..panels.live import LIVE, Task
+
+    wrong = reason(which, design)
+    if wrong:
+        raise CurveUpsError(wrong)
+    title = translate("CurveUps_" + _camel(which), actions.RUNS[which].title)
+    project, work = actions.prepare(which, design)
+    LIVE.start(design, Task(title, work, _finisher(which), project))
+
+
+def _finisher(which: str) -> Any:
+    def finish(design: Any, results: Any) -> None:
+        actions.hand_over(which, design, results)
+        call(f"actions.{which}", named(design))
+
+    return finish
+
+
+def _camel(which: str) -> str:
+    return "".join(word.capitalize() for word in which.split("_"))
+
+
+class RunCommand(DesignCommand):
+    """A command that opens the design's panel and starts a run."""
+
+    which = ""
+
+    def reason(self) -> str:
+        design = chosen_design()
+        return super().reason() or reason(self.which, design)
+
+    def work(self, design: Any) -> None:
+        from ..panels.solve import open_panel
+
+        open_panel(design).run(self.which)

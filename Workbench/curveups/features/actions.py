@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What commands do to a design, as functions that work without a window too: what macros record.
+
+A run has two halves, so that a window can put a thread between them: `prepare` says what is to be done, on
+a copy of the design's project, and `finish` takes what it made into the document.
+"""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Callable, Iterator, Optional, Sequence
+
+from ..exports import Choice, File, choices, write_export, write_step
+from ..exports import report as write_report
+from ..output import safe_name
+from ..project import Project, Results
+from ..stages import DESIGNED
+from ..stages.layout import Layout
+from ..stages.stage import Job
+from . import live, rebuild, status
+from .document import state_of, take, take_bodies
+
+Work = Callable[[Job], Results]
+VERIFIED = ("figures", "verification", "recheck")
+
+
+@dataclass(frozen=True)
+class Run:
+    """`project`: the project to run, of a Design object. `anew`: what was stopped before is not enough."""
+
+    title: str
+    goals: tuple[str, ...]
+    project: Callable[[Any], Project]
+    anew: bool = False
+    strict: bool = False
+
+
+def _repaired(design: Any) -> Project:
+    """Starts from the layout as it stands, which may have been repaired or stopped before."""
+    standing, stored = live.design_project_of(design), live.stored(design)
+    finished = standing.latest("design")
+    layout = stored.latest("layout") or Layout(finished.design, True, False, 0, 0, 0, 0.0, {}, 0.0)
+    given = {name: result for name in ("source", "target", "cuts") if (result := stored.latest(name))}
+    given["layout"] = replace(layout, design=finished.design)
+    return Project(standing.name, standing.parameters, given, standing.where)
+
+
+RUNS = {
+    "solve": Run("Solve", DESIGNED, live.project_of, anew=True),
+    "verify": Run("Verify", VERIFIED, live.design_project_of),
+    "repair": Run("Repair", ("design", *VERIFIED), _repaired),
+    "build_solids": Run("Build Solids", rebuild.GOALS, live.design_project_of, strict=True),
+}
+_made: dict[tuple[str, str, str], Any] = {}  # by a thread, for the function that is called next
+
+
+def prepare(which: str, design: Any) -> tuple[Project, Work]:
+    """The work of a run, for any thread: it touches no document; and the project that it is done on, whose
+    target is there as soon as it is made. Raises CurveUpsError where there is nothing to start from or a
+    property can't be used."""
+    run = RUNS[which]
+    project = run.project(design).copy()
+    if run.anew:
+        project.forget_stopped()
+
+    def work(job: Job) -> Results:
+        if run.anew:
+            project.run(("relief",), job)
+            project.forget_out_of_date()  # a picture shows what is there
+        return project.run(run.goals, job, strict=run.strict)
+
+    return project, work
+
+
+def hand_over(which: str, design: Any, made: Any) -> None:
+    """What a thread has made, for the function of its name, which then does not work again."""
+    _made[which, design.Document.Name, design.Name] = made
+
+
+def solve(design: Any) -> Results:
+    """From the target to a verified and, where it is weak, repaired layout."""
+    return _run("solve", design)
+
+
+def verify(design: Any) -> Results:
+    """The verdict on the layout as it stands, under the geometry and physics as they are set."""
+    return _run("verify", design)
+
+
+def repair(design: Any) -> Results:
+    """Moves tiles and pins of the layout as it stands until weak contacts hold."""
+    return _run("repair", design)
+
+
+def build_solids(design: Any) -> Results:
+    """Tiles, support and anchors as solids; no step of undo: that would copy them all."""
+    return _run("build_solids", design)
+
+
+def _run(which: str, design: Any) -> Results:
+    results = _made.pop((which, design.Document.Name, design.Name), None)
+    if results is None:
+        results = prepare(which, design)[1](Job())
+    if which == "build_solids":
+        take_bodies(design, results)
+    else:
+        with transaction(design.Document, RUNS[which].title):
+            take(design, results)
+    return results
+
+
+def export(design: Any, folder: str, files: Sequence[File] = (), mask: str = Choice.mask,
+           deviation: Optional[float] = None, reports: bool = True, insist: bool = False) -> list[str]:
+    """Writes files of a design: pairs of body and ending ("print", "step"), all where none are given;
+    their names. Raises CurveUpsError for a design that is not as it should be printed, unless one
+    insists on it: the files say so then."""
+    written = _made.pop(("export", design.Document.Name, design.Name), None)
+    if written is not None:
+        return written
+    choice = Choice(tuple(files) or tuple(choices()), mask, deviation, reports, doubts(design), insist)
+    return export_work(design, folder, choice)(Job())
+
+
+def export_work(design: Any, folder: str, choice: Choice) -> Callable[[Job], list[str]]:
+    """The same for any thread."""
+    project = live.design_project_of(design).copy()
+    project.name = file_name(design)
+    return lambda job: list(write_export(project, Path(folder), choice, job).files)
+
+
+def write_print(design: Any, path: str) -> None:
+    """The whole print as one STEP file, whatever its verdict; its title says where that is no good."""
+    write_step(live.design_project_of(design).copy(), path, doubts(design))
+
+
+def report(design: Any, folder: str) -> str:
+    """Writes report.html and report.json into a folder; the page's path."""
+    return report_work(design, folder)(Job())
+
+
+def report_work(design: Any, folder: str) -> Callable[[Job], str]:
+    """The same for any thread."""
+    project, found = live.project_of(design).copy(), doubts(design)
+    if project.out_of_date("design") != ():
+        project = live.design_project_of(design).copy()
+    project.name = file_name(design)
+    return lambda job: str(write_report(project, Path(folder), found, job))
+
+
+def doubts(design: Any) -> tuple[str, ...]:
+    """Why the design should not be printed as it is; none for one that nobody has judged."""
+    state, reason = state_of(design)
+    return (f"the design is {state}: {reason}",) if state in (status.OUT_OF_DATE, status.INVALID) else ()
+
+
+def file_name(design: Any) -> str:
+    """What files of a design are called."""
+    return safe_name(design.Label)
+
+
+@contextmanager
+def transaction(document: Any, text: str) -> Iterator[None]:
+    """One step of undo; taken back where the work inside raises."""
+    document.openTransaction(text)
+    try:
+        yield
+    except BaseException:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rows of a form for parameters of a design: one table's names, units, ranges and tooltips, FreeCAD's own
+fields with expressions and the user's units. Edits reach the document when the user pauses."""
+
+from __future__ import annotations
+
+from typing import Any, Callable
+
+import FreeCADGui
+
+from ..commands.notice import errors_shown
+from ..qt import QtCore, QtWidgets
+
+PAUSE = 400  # ms without typing after which an edit counts
+
+Changed = Callable[[], object]
+
+
+class ParameterRows:
+    """Fields for some properties of one object. changed: called after properties were set."""
+
+    def __init__(self, form: Any, obj: Any, names: list[str], changed: Changed):
+        self._object, self._changed = obj, changed
+        self._pending: dict[str, Any] = {}
+        self._fields: dict[str, Any] = {}
+        self._bindings: list[Any] = []
+        self._filling = False
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(lambda: self.flush())
+        for name in names:
+            field = self._make(name)
+            field.setObjectName(name)
+            field.setToolTip(obj.getDocumentationOfProperty(name))
+            label = QtWidgets.QLabel(_spaced(name))
+            label.setToolTip(field.toolTip())
+            form.addRow(label, field)
+            self._fields[name] = field
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Shows what the properties hold, but for edits that wait."""
+        self._filling = True
+        try:
+            for name, field in self._fields.items():
+                if name not in self._pending:
+                    _show(field, getattr(self._object, name))
+        finally:
+            self._filling = False
+
+    def flush(self) -> None:
+        """Sets the properties that were edited; all at once."""
+        self._timer.stop()
+        pending, self._pending = self._pending, {}
+        if not pending:
+            return
+        with errors_shown(""):
+            for name, value in pending.items():
+                setattr(self._object, name, value)
+            self._changed()
+        self.refresh()
+
+    def close(self) -> None:
+        """No edit comes any more."""
+        self._timer.stop()
+        self._pending = {}
+
+    def _edit(self, name: str, value: Any) -> None:
+        if self._filling:
+            return
+        self._pending[name] = value
+        self._timer.start(PAUSE)
+
+    def _make(self, name: str) -> Any:
+        kind = self._object.getTypeIdOfProperty(name)
+        if kind == "App::PropertyBool":
+            field = QtWidgets.QCheckBox()
+            field.toggled.connect(lambda value: self._edit(name, bool(value)))
+        elif kind == "App::PropertyEnumeration":
+            field = QtWidgets.QComboBox()
+            field.addItems(self._object.getEnumerationsOfProperty(name))
+            field.currentTextChanged.connect(lambda value: self._edit(name, str(value)))
+        elif kind == "App::PropertyString":
+            field = QtWidgets.QLineEdit()
+            field.textEdited.connect(lambda value: self._edit(name, str(value)))
+        else:
+            field = self._number(name, whole=kind == "App::PropertyInteger")
+        return field
+
+    def _number(self, name: str, whole: bool) -> Any:
+        """FreeCAD's field, which reads units and expressions."""
+        field = FreeCADGui.UiLoader().createWidget("Gui::IntSpinBox" if whole else "Gui::QuantitySpinBox")
+        if whole:
+            field.setRange(-2**31, 2**31 - 1)  # the design says the range, with the remedy
+        value = getattr(self._object, name)
+        if hasattr(value, "Unit"):
+            field.setProperty("unit", value.getUserPreferred()[2])
+        binding = FreeCADGui.ExpressionBinding(field)
+        binding.bind(self._object, name)
+        self._bindings.append(binding)  # lives as long as the field
+        which = _value_of(field)
+        field.valueChanged.connect(lambda *_: self._edit(name, field.property(which)))
+        return field
+
+
+def _value_of(field: Any) -> str:
+    """The property of a number field that holds the number, in FreeCAD's own units."""
+    return "value" if isinstance(field, QtWidgets.QSpinBox) else "rawValue"
+
+
+def _show(field: Any, value: Any) -> None:
+    if isinstance(field, QtWidgets.QCheckBox):
+        field.setChecked(value)
+    elif isinstance(field, QtWidgets.QComboBox):
+        field.setCurrentText(value)
+    elif isinstance(field, QtWidgets.QLineEdit):
+        field.setText(value)
+    else:
+        number = value.Value if hasattr(value, "Unit") else value
+        if field.property(_value_of(field)) != number:
+            field.setProperty(_value_of(field), number)
+
+
+def _spaced(name: str) -> str:
+    """DGapMin as D Gap Min, as the property editor writes it."""
+    return "".join(f" {letter}" if letter.isupper() and number and not name[number - 1].isupper() else letter
+                   for number, letter in enumerate(name))

@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of a design: its parameters, and its runs as they go. It opens by a double click and by the
+commands that run something; a run goes on when it is closed."""
+
+from __future__ import annotations
+
+import time
+from html import escape
+from typing import Any, Callable, Optional
+
+import FreeCAD
+import FreeCADGui
+
+from ..commands import runs
+from ..commands.notice import errors_shown, select_tiles, show_in, with_links
+from ..errors import CurveUpsError
+from ..features import properties
+from ..features.document import state_of
+from ..qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, load_ui, translate
+from ..worker import Status
+from . import preferences
+from .curves import Curves
+from .live import LIVE
+from .parameter_rows import ParameterRows
+
+# What users read for the stages that take time; others are shown by their own name.
+_STAGES = {
+    "surface": QT_TRANSLATE_NOOP("CurveUpsSolve", "Reading the surface"),
+    "target": QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"),
+    "cuts": QT_TRANSLATE_NOOP("CurveUpsSolve", "Cuts"),
+    "relief": QT_TRANSLATE_NOOP("CurveUpsSolve", "Room for pins"),
+    "layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"),
+    "verification of the layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification of the layout"),
+    "repair": QT_TRANSLATE_NOOP("CurveUpsSolve", "Repair"),
+    "design": QT_TRANSLATE_NOOP("CurveUpsSolve", "Design"),
+    "figures": QT_TRANSLATE_NOOP("CurveUpsSolve", "Constraints"),
+    "deviation": QT_TRANSLATE_NOOP("CurveUpsSolve", "Deviation"),
+    "verification": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification"),
+    "recheck": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification on a finer mesh"),
+    "bodies": QT_TRANSLATE_NOOP("CurveUpsSolve", "Bodies"),
+    "solids": QT_TRANSLATE_NOOP("CurveUpsSolve", "Solids"),
+    "check": QT_TRANSLATE_NOOP("CurveUpsSolve", "Check of the solids"),
+    "suggestions": QT_TRANSLATE_NOOP("CurveUpsSolve", "Suggestions"),
+}
+DONE, RUNNING, WAITING = "✓", "▶", "·"
+
+_open: Optional["SolvePanel"] = None
+
+
+def open_panel(design: Any) -> "SolvePanel":
+    """Shows the panel of a design, by way of FreeCAD's edit mode. Raises CurveUpsError where another
+    panel is open."""
+    if _open is not None and _open.design == design:
+        return _open
+    if FreeCADGui.Control.activeDialog():
+        raise CurveUpsError(translate("CurveUpsSolve", "another task panel is open"), "",
+                            translate("CurveUpsSolve", "close it first"))
+    FreeCADGui.getDocument(design.Document.Name).setEdit(design.Name)
+    if _open is None:
+        raise CurveUpsError(translate("CurveUpsSolve", "the panel can't be opened"), design.Label,
+                            translate("CurveUpsSolve", "leave the edit mode of another object first"))
+    return _open
+
+
+def enter(design: Any) -> bool:
+    """For the view provider's setEdit: the transaction of edits begins here, not in the double click,
+    whose own would be taken for it."""
+    global _open
+    if FreeCADGui.Control.activeDialog():
+        return False
+    _open = SolvePanel(design)
+    FreeCADGui.Control.showDialog(_open)
+    return True
+
+
+def leave() -> None:
+    """For the view provider's unsetEdit."""
+    if _open is not None:
+        _open.close()
+        FreeCADGui.Control.closeDialog()
+
+
+class SolvePanel:
+    """FreeCAD's task dialog. Edits of parameters while it is open are one step of undo, up to a run."""
+
+    def __init__(self, design: Any):
+        self.design = design
+        self.form = load_ui("solve")
+        self.form.setWindowTitle(f"CurveUps: {design.Label}")
+        self.curves = Curves()
+        place = QtWidgets.QVBoxLayout(self.form.curves_place)
+        place.setContentsMargins(0, 0, 0, 0)
+        place.addWidget(self.curves)
+        self._rows: Optional[ParameterRows] = None
+        self._began: dict[str, float] = {}
+        self._prepare_buttons()
+        self._prepare_parameters()
+        self._open_transaction()
+        show_in(self._say)
+        LIVE.observe(self._show_run)
+        self._show_verdict()
+        self._show_running(LIVE.runs_on(design))
+
+    def getStandardButtons(self) -> int:
+        return int(QtWidgets.QDialogButtonBox.Close)
+
+    def isAllowedAlterDocument(self) -> bool:
+        """Commands stay active: views and exports do no harm to edits."""
+        return True
+
+    isAllowedAlterView = isAllowedAlterSelection = isAllowedAlterDocument
+
+    def reject(self) -> bool:
+        """Close, and the escape key. A run goes on."""
+        FreeCADGui.getDocument(self.design.Document.Name).resetEdit()
+        return True
+
+    def close(self) -> None:
+        """Ends edits; the panel's widgets may be gone at any time after."""
+        global _open
+        if self._rows:
+            self._rows.flush()
+            self._rows.close()
+        LIVE.forget(self._show_run)
+        show_in(None)
+        _open = None
+        self.design.Document.commitTransaction()
+
+    def run(self, which: str) -> None:
+        """Starts a run: "solve", "verify", "repair", "build_solids"."""
+        if self._rows:
+            self._rows.flush()
+        self._say("")
+        self.design.Document.commitTransaction()
+        self.form.stages.clear()
+        self._began = {}
+        with errors_shown(which):
+            runs.start(which, self.design)
+
+    def _prepare_buttons(self) -> None:
+        form = self.form
+        for which in ("solve", "verify", "repair"):
+            getattr(form, which).clicked.connect(self._runner(which))
+        form.stop.clicked.connect(lambda: LIVE.stop())
+        form.cancel.clicked.connect(lambda: LIVE.cancel())
+        form.live.setChecked(preferences.draws_live())
+        form.live.toggled.connect(lambda value: preferences.set_draws_live(bool(value)))
+        form.line.linkActivated.connect(lambda link: select_tiles(link))
+        form.verdict.linkActivated.connect(lambda link: select_tiles(link))
+        header = form.stages.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
+        form.stages.setFixedHeight(9 * form.stages.fontMetrics().height())
+
+    def _runner(self, which: str) -> Callable[..., None]:
+        return lambda *_: self.run(which)
+
+    def _prepare_parameters(self) -> None:
+        form = self.form
+        self._groups: dict[str, list[str]] = {}
+        for name in self.design.PropertiesList:
+            if properties.tier_of(self.design, name):
+                group = self.design.getGroupOfProperty(name)
+                self._groups.setdefault(group, []).append(name)
+        for group in sorted(self._groups):
+            form.group.addItem(group.split(" ", 1)[-1], group)
+        form.group.currentIndexChanged.connect(lambda *_: self._show_group())
+        form.remember.clicked.connect(lambda: preferences.remember(
+            self.design, [name for names in self._groups.values() for name in names]))
+        self._show_group()
+
+    def _show_group(self) -> None:
+        if self._rows:
+            self._rows.flush()
+            self._rows.close()
+        rows = self.form.rows
+        while rows.rowCount():
+            rows.removeRow(0)
+        names = self._groups.get(self.form.group.currentData(), [])
+        self._rows = ParameterRows(rows, self.design, names, self._edited)
+
+    def _edited(self) -> None:
+        self.design.Document.recompute()
+        self._show_verdict()
+
+    def _open_transaction(self) -> None:
+        self.design.Document.openTransaction(translate("CurveUpsSolve", "Edit the design"))
+
+    def _say(self, text: str) -> None:
+        """A line of rich text at the top."""
+        self.form.line.setText(text)
+        self.form.line.setVisible(bool(text))
+
+    def _show_verdict(self) -> None:
+        state, reason = state_of(self.design)
+        head = self.design.Verdict if state in ("current", "") else state
+        reasons = ([reason] if reason else []) + [text for text in self.design.Reasons if text != reason]
+        lines = "<br>".join(with_links(text) for text in reasons[:6])
+        self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"
+                                  + (f"<br>{lines}" if lines else ""))
+
+    def _show_running(self, running: bool) -> None:
+        form = self.form
+        for which in ("solve", "verify", "repair"):
+            button = getattr(form, which)
+            reason = "" if running else runs.reason(which, self.design)
+            button.setEnabled(not running and not reason)
+            button.setStatusTip(reason)
+        form.stop.setEnabled(running)
+        form.cancel.setEnabled(running)
+        form.parameters.setEnabled(not running)
+        if not running:
+            form.progress.setValue(0)
+            form.doing.setText("")
+
+    def _show_run(self, status: Status, goes_on: bool) -> None:
+        if goes_on and not LIVE.runs_on(self.design):
+            return
+        self._show_stage(status, goes_on)
+        self.curves.show_status(status)
+        self._show_running(goes_on)
+        if goes_on:
+            what = translate("CurveUpsSolve", "stopping") if status.stopping else status.what
+            self.form.doing.setText(f"{what}, {status.seconds:.1f} s")
+            self.form.progress.setMaximum(1000 if status.fraction >= 0 else 0)
+            self.form.progress.setValue(int(1000 * min(max(status.fraction, 0.0), 1.0)))
+            return
+        self.form.progress.setMaximum(1000)
+        if self.design.Document.Name in FreeCAD.listDocuments():
+            if self._rows:
+                self._rows.refresh()
+            self._show_verdict()
+            self._open_transaction()
+
+    def _show_stage(self, status: Status, goes_on: bool) -> None:
+        """A line for each stage that has begun."""
+        tree, now = self.form.stages, time.perf_counter()
+        count = tree.topLevelItemCount()
+        last = tree.topLevelItem(count - 1) if count else None
+        stage = status.stage
+        if last is not None and (not goes_on or last.data(0, QtCore.Qt.UserRole) != stage):
+            last.setText(0, f"{DONE} {last.text(0)[2:]}")
+        if not goes_on or not stage:
+            return
+        if stage not in self._began:
+            self._began[stage] = now
+            shown = translate("CurveUpsSolve", _STAGES[stage]) if stage in _STAGES else stage
+            last = QtWidgets.QTreeWidgetItem([f"{RUNNING} {shown}", ""])
+            last.setData(0, QtCore.Qt.UserRole, stage)
+            last.setTextAlignment(1, QtCore.Qt.AlignRight)
+            tree.addTopLevelItem(last)
+            tree.scrollToItem(last)
+        if last is not None and last.data(0, QtCore.Qt.UserRole) == stage:
+            last.setText(1, f"{now - self._began[stage]:.1f} s")

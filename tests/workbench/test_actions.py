@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What macros record, in a FreeCAD without a window: from a surface to files."""
+
+import json
+
+NEW = """
+import FreeCAD, Part, json, os
+from curveups.errors import CurveUpsError
+from curveups.features import actions, document
+made = FreeCAD.newDocument('Made')
+made.UndoMode = 1
+
+def refused(function, *arguments, **more):
+    try:
+        function(*arguments, **more)
+    except CurveUpsError as error:
+        return str(error)
+    raise AssertionError('nothing was refused')
+
+def dome():
+    sphere = made.addObject('Part::Sphere', 'Sphere')
+    sphere.Radius, sphere.Angle1 = 40, 35
+    made.recompute()
+    cap = made.addObject('Part::Feature', 'Cap')
+    cap.Shape = max(sphere.Shape.Faces, key=lambda face: face.Area)
+    return cap
+"""
+
+
+def test_from_a_part_to_files(freecad, tmp_path):
+    freecad(NEW + """
+design = document.new_design(made, dome(), 'My Cap')
+design.L = 11
+assert 'no layout' in refused(actions.verify, design)
+results = actions.solve(design)
+assert design.Verdict == 'valid', (design.Verdict, design.Reasons)
+assert design.TileCount == len(results.design.F) > 20
+assert made.UndoNames[0] == 'Solve', made.UndoNames
+made.recompute()
+files = actions.export(design, folder, mask='{name}_{body}')
+expected = {f'My-Cap_{body}.{ending}' for body, ending in (
+    ('tiles', 'step'), ('support', 'step'), ('anchors', 'step'), ('print', 'step'), ('actuated', 'step'),
+    ('tiles', 'stl'), ('support', 'stl'), ('anchors', 'stl'), ('print', '3mf'))}
+expected |= {'My-Cap-design.json', 'report.html', 'report.json'}
+assert set(files) == expected == set(os.listdir(folder)), set(files) ^ expected
+page = actions.report(design, folder + '-report')
+assert 'Valid' in open(page, encoding='utf-8').read()
+done()
+""", folder=tmp_path / "out")
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert report["valid"] is True and report["name"] == "My-Cap" and report["contact_forces"]
+    full = json.loads((tmp_path / "out-report" / "report.json").read_text())
+    assert full["valid"] is True and full["deviation"]["mean_mm"] < 0.5 and full["layout"]["converged"]
+    step = (tmp_path / "out" / "My-Cap_print.step").read_text()
+    assert "'T00001'" in step and "COLOUR_RGB" in step and "NOT VALID" not in step
+
+
+def test_verify_and_repair_start_from_the_layout_as_it_stands(freecad):
+    freecad(NEW + """
+design = document.new_design(made, 'half-sphere')
+design.L = 12
+actions.solve(design)
+poses, verdict = list(design.Layout.Poses), design.Verdict
+assert verdict == 'valid', design.Reasons
+design.FMinRatio = 0.2                       # contacts have to be held more firmly
+made.recompute()
+assert design.Verdict == 'out of date', design.Verdict
+actions.verify(design)
+assert design.Verdict == 'not valid' and list(design.Layout.Poses) == poses
+assert made.UndoNames[0] == 'Verify'
+weak = design.MinNormalForce
+actions.repair(design)
+assert list(design.Layout.Poses) != poses and len(design.Layout.Poses) == len(poses)
+assert design.MinNormalForce > weak, (design.MinNormalForce, weak)
+made.undo()
+assert list(design.Layout.Poses) == poses and design.Verdict == 'not valid'
+done()
+""")
+
+
+def test_what_should_not_be_printed_is_refused_or_says_so(freecad, tmp_path):
+    freecad(NEW + """
+design = document.new_design(made, 'half-sphere')
+design.L = 12
+actions.solve(design)
+design.Tau = 2.5
+made.recompute()
+text = refused(actions.export, design, folder)
+assert 'out of date' in text and 'Tau' in text and 'insist' in text, text
+assert not os.path.exists(folder)
+actions.export(design, folder, insist=True, files=(('print', 'step'), ('tiles', 'stl'), ('print', '3mf')))
+import curveups.step_export
+curveups.step_export.export([design.Tiles], folder + '/by-freecad.step')
+done()
+""", folder=tmp_path / "out")
+    out = tmp_path / "out"
+    report = json.loads((out / "report.json").read_text())
+    assert report["valid"] is False and "Tau" in report["reasons"][0]
+    assert "Not valid" in (out / "report.html").read_text()
+    for name in ("half-sphere-print.step", "by-freecad.step"):
+        step = (out / name).read_text()
+        assert "PRODUCT('NOT VALID half-sphere" in step and "'T00001'" in step and "COLOUR_RGB" in step
+    assert b"NOT VALID" in (out / "half-sphere-tiles.stl").read_bytes()[:80]
+
+
+def test_exports_that_can_not_be(freecad, tmp_path):
+    freecad(NEW + """
+from curveups.exports import Choice
+design = document.new_design(made, 'half-sphere')
+assert 'no layout' in refused(actions.export, design, folder)
+design.L = 12
+actions.solve(design)
+for mask, words in (('{nam}', 'nam'), ('{name', '{name}'), ('x', '{body}'), ('a/b-{body}', 'name for a file')):
+    text = refused(actions.export, design, folder, mask=mask)
+    assert words in text, text
+assert 'mesh_deviation' in refused(actions.export, design, folder, deviation=99.0)
+import curveups.step_export
+other = made.addObject('Part::Box', 'Box')
+assert 'one design' in refused(curveups.step_export.export, [other], folder + '.step')
+assert not os.path.exists(folder) and not os.path.exists(folder + '.step')
+done()
+""", folder=tmp_path / "out")
