@@ -7,7 +7,7 @@ from typing import Any
 
 from .exports import Choice
 
-# Bytes a tile, measured on Half-Sphere and the saddle: of plain walls and, at three bumps in two rows, of bumps.
+# Bytes a tile, measured on Half-Sphere and the saddle: of plain walls, and of bumps in two rows of three.
 _STEP = {"tiles": (16_300, 5_700), "support": (17_000, 5_700), "anchors": (350, 0), "print": (34_000, 11_400),
          "actuated": (17_700, 0)}
 # Of triangles the bumps' part grows as their number: inversely to the deviation, here 1 mm.

@@ -26,4 +26,5 @@ def export(objects: Sequence[Any], filename: str) -> None:
     path = Path(filename)
     Folder(path.parent).write(path.name, lambda place: actions.write_print(design, str(place)))
     if doubts:
-        FreeCAD.Console.PrintWarning(f"CurveUps: {path.name} says that it should not be printed: {doubts[0]}\n")
+        FreeCAD.Console.PrintWarning(f"CurveUps: {path.name} says that it should not be printed, since "
+                                     f"{doubts[0]}\n")

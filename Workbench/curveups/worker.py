@@ -131,8 +131,7 @@ class Worker:
             raise CurveUpsError("CurveUps is at work already", "", "stop or cancel that first")
         before = self._last if self._last is not None and self._last.is_alive() else None
         if before is None:
-            # One core is the window's; not to be set while a loop runs.
-            native.set_thread_count(max(1, (os.cpu_count() or 2) - 1))
+            _leave_a_core()
         self._current = self._last = _Run(work, on_done, before)
         self._current.start()
 
@@ -172,4 +171,11 @@ class Worker:
         return True
 
 
-WORKER = Worker()  # of the window
+def _leave_a_core() -> None:
+    """To the window. Once: the number must not change while a loop of another worker runs."""
+    count = max(1, min(native.thread_count(), (os.cpu_count() or 2) - 1))
+    if native.thread_count() != count:
+        native.set_thread_count(count)
+
+
+WORKER = Worker()  # of the window's commands

@@ -110,7 +110,7 @@ design = document.new_design(made, 'half-sphere')
 assert 'no layout' in refused(actions.export, design, folder)
 design.L = 12
 actions.solve(design)
-for mask, words in (('{nam}', 'nam'), ('{name', '{name}'), ('x', '{body}'), ('a/b-{body}', 'name for a file')):
+for mask, words in (('{nam}', 'nam'), ('{name', '{name}'), ('x', '{body}'), ('a/b-{body}', 'for a file')):
     text = refused(actions.export, design, folder, mask=mask)
     assert words in text, text
 assert 'mesh_deviation' in refused(actions.export, design, folder, deviation=99.0)

@@ -18,6 +18,7 @@ from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.stage import Job
 from ..stages.surface import find_source
 
+
 @dataclass
 class Session:
     """What commands share: where progress goes and what may stop them, where answers are printed."""

@@ -16,7 +16,8 @@ class Export(DesignCommand):
     name = "CurveUps_Export"
     text = QT_TRANSLATE_NOOP("CurveUps_Export", "Export Print Files")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Export",
-                                "Write 3MF, STEP and STL files of the bodies, and the report for the print shop")
+                                "Write 3MF, STEP and STL files of the bodies, and the report for the print "
+                                "shop")
     shortcut = "C, E"
 
     def reason(self) -> str:

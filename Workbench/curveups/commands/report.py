@@ -32,7 +32,8 @@ class Report(DesignCommand):
         def opened(design: Any, page: str) -> None:
             QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(page))
 
-        LIVE.start(design, Task(translate(self.name, self.text), actions.report_work(design, folder), opened))
+        work = actions.report_work(design, str(folder))
+        LIVE.start(design, Task(translate(self.name, self.text), work, opened))
 
 
 def folder_of(design: Any) -> Path:

@@ -44,6 +44,7 @@ def _finisher(which: str) -> Any:
     def finish(design: Any, results: Any) -> None:
         actions.hand_over(which, design, results)
         call(f"actions.{which}", named(design))
+        design.Document.recompute()
 
     return finish
 

@@ -13,7 +13,8 @@ class Solve(RunCommand):
     name = "CurveUps_Solve"
     text = QT_TRANSLATE_NOOP("CurveUps_Solve", "Solve")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Solve",
-                                "Lay the tiles out flat, verify that the membranes hold the shape, repair weak contacts")
+                                "Lay the tiles out flat, verify that the membranes hold the shape, and "
+                                "repair weak contacts")
     shortcut = "C, S"
     which = "solve"
 

@@ -18,7 +18,8 @@ class Target(DesignCommand):
     name = "CurveUps_Target"
     text = QT_TRANSLATE_NOOP("CurveUps_Target", "Change Target")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Target",
-                                "Give the design another surface: the selected Part or Mesh object, or a file")
+                                "Give the design another surface: the selected Part or Mesh object, or a "
+                                "file")
 
     def reason(self) -> str:
         return super().reason() or str(problem() or "")

@@ -4,6 +4,8 @@ when it ends. Panels come and go meanwhile; so may the document, and FreeCAD its
 
 from __future__ import annotations
 
+import importlib
+import importlib.util
 import time
 from dataclasses import dataclass
 from typing import Any, Callable, Optional
@@ -13,8 +15,6 @@ import FreeCADGui
 
 from ..commands.notice import errors_shown, show_error, show_line
 from ..features.document import set_running
-from ..overlay import overlay_of
-from ..overlay.scene import scene_of
 from ..project import Project
 from ..qt import QtCore, QtWidgets, translate
 from ..stages.stage import Job
@@ -44,7 +44,7 @@ class Live:
 
     def __init__(self) -> None:
         self._observers: list[Observer] = []
-        self._timer: Optional[Any] = None
+        self._timer: Any = None
         self._task: Optional[Task] = None
         self._place = ("", "")  # document and object that the run is for
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
@@ -124,9 +124,11 @@ class Live:
         self._drawn = status.count
         _, T, q, _ = status.iterate
         with errors_shown(""):
-            overlay = overlay_of(design)
+            overlay = _overlay_of(design)
+            if overlay is None:
+                return
             if not self._scene_drawn and self._task is not None and self._task.project is not None:
-                overlay.show_scene(scene_of(self._task.project))
+                overlay.show_scene(_overlays("scene").scene_of(self._task.project))
                 self._scene_drawn = True
             overlay.set_iterate(T, q)
         self._rest_until = time.perf_counter() + 2 * (time.perf_counter() - start)
@@ -149,7 +151,9 @@ class Live:
         else:
             show_line(translate("CurveUps", "{task} was cancelled: the design is as it was",
                                 task=task.title))
-        overlay_of(design).show_design()
+        overlay = _overlay_of(design)
+        if overlay is not None:
+            overlay.show_design()
 
     def _design(self) -> Any:
         document, name = self._place
@@ -164,6 +168,14 @@ class Live:
             FreeCADGui.getMainWindow().statusBar().showMessage(f"CurveUps: {status.what}")
         for observer in list(self._observers):
             observer(status, goes_on)
+
+
+def _overlay_of(design: Any) -> Any:
+    return _overlays().overlay_of(design) if importlib.util.find_spec("curveups.overlay") else None
+
+
+def _overlays(module: str = "") -> Any:
+    return importlib.import_module(f"curveups.overlay.{module}".rstrip("."))
 
 
 class _Watcher:

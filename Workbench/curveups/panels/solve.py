@@ -16,7 +16,7 @@ from ..commands.notice import errors_shown, select_tiles, show_in, with_links
 from ..errors import CurveUpsError
 from ..features import properties
 from ..features.document import state_of
-from ..qt import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, load_ui, translate
+from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, load_ui, translate
 from ..worker import Status
 from . import preferences
 from .curves import Curves
@@ -81,7 +81,7 @@ def leave() -> None:
 
 
 class SolvePanel:
-    """FreeCAD's task dialog. Edits of parameters while it is open are one step of undo, up to a run."""
+    """FreeCAD's task dialog. Each pause in editing parameters ends a step of undo."""
 
     def __init__(self, design: Any):
         self.design = design
@@ -181,6 +181,8 @@ class SolvePanel:
 
     def _edited(self) -> None:
         self.design.Document.recompute()
+        self.design.Document.commitTransaction()
+        self._open_transaction()
         self._show_verdict()
 
     def _open_transaction(self) -> None:

@@ -25,6 +25,22 @@ class DesignView(OverlayView, View):
         View.updateData(self, obj, name)
         OverlayView.updateData(self, obj, name)
 
+    def doubleClicked(self, view: Any) -> bool:
+        """Opens the panel, by way of edit mode."""
+        view.Document.setEdit(view.Object.Name)
+        return True
+
+    def setEdit(self, view: Any, mode: int = 0) -> bool:
+        from ..panels import solve
+
+        return solve.enter(view.Object)
+
+    def unsetEdit(self, view: Any, mode: int = 0) -> bool:
+        from ..panels import solve
+
+        solve.leave()
+        return True
+
     def claimChildren(self) -> list:
         return [part for slot in SLOTS if (part := getattr(self.object, slot, None)) is not None]
 
