@@ -69,6 +69,12 @@ class Field:
                 return np.fmin.reduce(self.values, axis=1)
             return np.fmax.reduce(self.values, axis=1)
 
+    @property
+    def size(self) -> float:
+        """About how large the values are."""
+        low, high = self.automatic_range()
+        return max(abs(low), abs(high))
+
     def automatic_range(self) -> tuple[float, float]:
         """All but the hundredth of values at either end; about 0 where signed."""
         values = self.values[np.isfinite(self.values)]
@@ -119,9 +125,6 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any, note:
         fields.append(Field("Normal force", "N", CONTACT,
                             lambda: aligned(arrays, "contact_normal_min", contacts), "low", f_min, "cross",
                             "contacts below f_min", note=note))
-    elif "tile_normal_force" in arrays:
-        fields.append(Field("Normal force", "N", TILE, lambda: arrays["tile_normal_force"], "low", f_min,
-                            "cross", "tiles below f_min", note=note))
     if "contact_friction_ratio" in arrays:
         fields.append(Field("Friction ratio", "", CONTACT,
                             lambda: aligned(arrays, "contact_friction_ratio", contacts), "high",

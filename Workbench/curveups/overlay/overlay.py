@@ -7,7 +7,7 @@ reopening; `view_changed` follows them, whoever sets them.
 
 from __future__ import annotations
 
-from typing import Any, Iterable, Optional, Sequence
+from typing import Any, Callable, Iterable, Optional, Sequence
 
 import FreeCAD
 import FreeCADGui
@@ -53,6 +53,9 @@ class Overlay:
         self._drawn_at = 0.0
         self._dragging: list[Dragging] = []
         self._waiting = False
+        self.observers: list[Callable[[], None]] = []  # called when what is shown has changed
+        self.folding: Any = None                       # what moves the tiles just now
+        self.closed = False
         self._build_nodes()
         self._add_properties()
 
@@ -83,8 +86,9 @@ class Overlay:
 
     def close(self) -> None:
         """The design is gone."""
-        self.scene = None
+        self.scene, self.closed = None, True
         self.legend.show(None)
+        self._tell()
 
     # What follows the document.
 
@@ -203,6 +207,10 @@ class Overlay:
             ranges[one.name] = f"{ends[0]!r} {ends[1]!r}"
         self._view.Ranges = ranges
 
+    def morph(self) -> float:
+        """Where the tiles are drawn, from 0, flat, to 1, actuated."""
+        return self._drawn_at
+
     def set_morph(self, t: float) -> None:
         """Folds: 0 is flat, 1 actuated. Cameras go along, so that the tiles stay in sight."""
         before = self._drawn_at
@@ -254,6 +262,7 @@ class Overlay:
         self._hovered = [tile for tile in hovered if tile < count]
         if changed:
             self._colour_tiles()
+            self._tell()
         self._outline()
 
     def values_of(self, tile: int) -> list[tuple[str, str]]:
@@ -263,7 +272,8 @@ class Overlay:
         found = []
         for one in self.scene.fields.values():
             if one.on != MEMBRANE:
-                values = ", ".join(text_of(x, one.unit) for x in self.scene.tile_values(one, tile))
+                values = ", ".join(text_of(x, one.unit, one.size)
+                                   for x in self.scene.tile_values(one, tile))
                 found.append((one.name, values))
         return found
 
@@ -309,6 +319,7 @@ class Overlay:
         self._place()
         self._mark()
         self._outline()
+        self._tell()
 
     def _colour(self) -> None:
         self._colour_tiles()
@@ -346,6 +357,10 @@ class Overlay:
             start += count
             fill(node.orderedRGBA, found)
 
+    def _tell(self) -> None:
+        for observer in list(self.observers):
+            observer()
+
     def _problems(self) -> list[Field]:
         fields = self.scene.fields.values() if self.scene else ()
         return [one for one in fields if one.mark and len(one.problems)]
@@ -368,6 +383,7 @@ class Overlay:
 
     def _explain(self) -> None:
         """The legend."""
+        self._tell()
         one, notes = self.field(), []
         if self._iterating:
             notes.append(translate("CurveUps_Overlay", "as the solver has it"))

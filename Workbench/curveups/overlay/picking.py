@@ -53,13 +53,13 @@ def pick(view: Any, position: Sequence[float], design: Any = None) -> Optional[P
 
 def ray(view: Any, position: Sequence[float]) -> tuple[np.ndarray, np.ndarray]:
     """Start (mm) and direction (unit) of the line of sight through a pixel."""
-    width, height = view.getSize()
+    region = view.getViewer().getSoRenderManager().getViewportRegion()
+    width, height = region.getViewportSizePixels().getValue()
     aspect = width / height
     volume = view.getCameraNode().getViewVolume(aspect)
     if aspect < 1:  # as the viewer does it for tall windows
         volume.scale(1 / aspect)
-    near, far = coin.SbVec3f(), coin.SbVec3f()
-    volume.projectPointToLine(coin.SbVec2f(position[0] / width, position[1] / height), near, far)
+    near, far = volume.projectPointToLine(coin.SbVec2f(position[0] / width, position[1] / height))
     start, end = np.array(near.getValue()), np.array(far.getValue())
     return start, (end - start) / np.linalg.norm(end - start)
 

@@ -28,9 +28,9 @@ def short(value: float) -> str:
     return f"{value:.{max(0, 2 - math.floor(math.log10(abs(value))))}f}"
 
 
-def text_of(value: float, unit: str) -> str:
-    """A value with its unit."""
+def text_of(value: float, unit: str, size: float) -> str:
+    """A value with its unit, which is that for values of about `size`."""
     if not math.isfinite(value):
         return "–"
-    factor, name = user_unit(unit, abs(value))
+    factor, name = user_unit(unit, size)
     return f"{short(value * factor)} {name}".rstrip()

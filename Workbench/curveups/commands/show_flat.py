@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tiles as they are printed."""
+
+from __future__ import annotations
+
+from ..qt import QT_TRANSLATE_NOOP
+from .showing import ShowCommand
+
+
+class ShowFlat(ShowCommand):
+    """CurveUps_ShowFlat"""
+
+    name = "CurveUps_ShowFlat"
+    text = QT_TRANSLATE_NOOP("CurveUps_ShowFlat", "Show Flat")
+    tooltip = QT_TRANSLATE_NOOP("CurveUps_ShowFlat", "Show the tiles as they are printed")
+    function = "show_flat"
+    needs_layout = True
+
+
+COMMAND = ShowFlat()
