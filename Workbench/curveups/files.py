@@ -19,29 +19,70 @@ from .report.html import build_html
 from .stages.solids import Solids
 from .stages.stage import Job, Row
 
+REPORTS = ("report.json", "report.html")
 
-def write_results(results: Results, path: Path, job: Job) -> tuple[Folder, bool]:
+
+def write_results(results: Results, path: Path, job: Job) -> bool:
     """design.json, the solids' files and the document, then the reports. A stop between files leaves
-    those already complete and the reports, which say so. Returns the folder and whether all was
-    written or, at any time, the run was stopped."""
-    folder = Folder(path)
-    start = time.perf_counter()
-    folder.write_text("design.json", native.write_design(results.design))
-    suggested = results.get("suggestions")
-    if suggested is not None and suggested.proposed:
-        folder.write_text(f"{results.name}-cuts.json", cuts_text(results))
-    software: dict[str, str] = {}
-    rows, stopped = results.rows(), results.stopped
-    solids = results.get("solids")
-    if solids is not None and solids.model is not None:
-        try:
-            _write_solids(solids, results.name, folder, job)
-            _write_document(results, folder, job, software)
-        except (Stopped, native.Cancelled):
-            stopped = True
-        rows.append(Row("export", time.perf_counter() - start))
-    write_reports(results, folder, rows, stopped, software)
-    return folder, stopped
+    those already complete and the reports, which say so. Returns whether the run was stopped at any time.
+
+    The folder never claims what it doesn't hold: the reports of an earlier run go first, its files under
+    this name next, and report.json comes last."""
+    with Folder(path) as folder:
+        start = time.perf_counter()
+        folder.remove(*REPORTS, *_earlier(results, path))
+        folder.write_text("design.json", native.write_design(results.design))
+        suggested = results.get("suggestions")
+        if suggested is not None and suggested.proposed:
+            folder.write_text(_cuts_name(results.name), cuts_text(results))
+        software: dict[str, str] = {}
+        rows, stopped = results.rows(), results.stopped
+        solids = results.get("solids")
+        if solids is not None and solids.model is not None:
+            try:
+                _write_solids(solids, results.name, folder, job)
+                _write_document(results, folder, job, software)
+            except (Stopped, native.Cancelled):
+                stopped = True
+            rows.append(Row("export", time.perf_counter() - start))
+        write_reports(results, folder, rows, stopped, software)
+    return stopped
+
+
+def write_verification(results: Results, design: Any, path: Path) -> None:
+    """The reports on a design as it was given, beside it. Print files in the folder stay where they are
+    of this design, and go with the reports where they are of another."""
+    with Folder(path) as folder:
+        folder.remove(*REPORTS)
+        text = native.write_design(design)
+        if not folder.holds("design.json", text):
+            folder.remove(*_earlier(results, path))
+            folder.write_text("design.json", text)
+        write_reports(results, folder)
+
+
+def _earlier(results: Results, path: Path) -> list[str]:
+    """The files that a run under this name may have left, but for the cuts that this one was given."""
+    name = results.name
+    made = [_print_name(name, kind, ending) for ending, kinds in native.print_formats() for kind in kinds]
+    request = results.get("cut request")
+    given = Path(request.where) if request is not None and request.where else None
+    cuts = path / _cuts_name(name)
+    if not (given and cuts.exists() and given.exists() and cuts.samefile(given)):
+        made.append(cuts.name)
+    return [*made, _document_name(name)]
+
+
+def _print_name(name: str, kind: str, ending: str) -> str:
+    return f"{name}-{kind}.{ending}"
+
+
+def _document_name(name: str) -> str:
+    return f"{name}.FCStd"
+
+
+def _cuts_name(name: str) -> str:
+    return f"{name}-cuts.json"
 
 
 def _write_solids(solids: Solids, name: str, folder: Folder, job: Job) -> None:
@@ -50,7 +91,7 @@ def _write_solids(solids: Solids, name: str, folder: Folder, job: Job) -> None:
     for ending, kinds in native.print_formats():
         for kind in kinds:
             if kind in (*solids.kinds, "print", "actuated"):
-                _write(folder, f"{name}-{kind}.{ending}", job,
+                _write(folder, _print_name(name, kind, ending), job,
                        lambda path: model.write(ending, kind, path, job))
 
 
@@ -60,7 +101,7 @@ def _write_document(results: Results, folder: Folder, job: Job, software: dict[s
     def write(path: str) -> None:
         software.update(freecad_io.write_document(results, Path(path)))
 
-    _write(folder, f"{results.name}.FCStd", job, write)
+    _write(folder, _document_name(results.name), job, write)
 
 
 def _write(folder: Folder, name: str, job: Job, writer: Callable[[str], None]) -> None:

@@ -7,11 +7,12 @@ import re
 import struct
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Iterator
+from typing import TYPE_CHECKING, Any, Callable, Iterator
 
 import numpy as np
 
 from . import freecad_session, mesh_files
+from .cad_files import ENDINGS, read_cad, triangles_of_mesh
 from .errors import CurveUpsError
 from .gui_document import MESH_FLAT_LINES, SHADED, Box, View, finish_document
 from .mesh_files import Mesh
@@ -27,17 +28,18 @@ MOST_SHOWN = 800
 FORMATS = "an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP"
 
 
-def read_target(path: Path, deflection: float) -> Mesh:
+def read_target(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: True) -> Mesh:
     """The surface in a file as (V, F), lengths in the file's own unit (CAD formats: mm).
 
-    `deflection` is the largest distance of the triangles from a CAD surface, mm.
+    `deflection` is the largest distance of the triangles from a CAD surface, mm; `go_on` may stop the
+    reading of CAD files.
     """
     require_readable(path)
     reader = _READERS[path.suffix.lower()]
     try:
         if path.stat().st_size == 0:
             raise CurveUpsError("the file is empty", str(path), "export it again")
-        V, F = reader(path, deflection)
+        V, F = reader(path, deflection, go_on)
     except OSError as error:
         raise _unreadable(path, error) from error
     except MemoryError:
@@ -72,7 +74,7 @@ def _unreadable(path: Path, error: Exception) -> CurveUpsError:
                          "check its name and permissions")
 
 
-def _read_stl(path: Path, _: float) -> Mesh:
+def _read_stl(path: Path) -> Mesh:
     data = path.read_bytes()
     if not _is_ascii_stl(data):
         if len(data) < 84:
@@ -93,7 +95,7 @@ def _is_ascii_stl(data: bytes) -> bool:
     return data.lstrip()[:5] == b"solid" and b"facet" in data[:2000]
 
 
-def _read_ply(path: Path, _: float) -> Mesh:
+def _read_ply(path: Path) -> Mesh:
     data = path.read_bytes()
     end = data.find(b"end_header")
     header = data[: max(end, 0)].decode("ascii", "replace")
@@ -126,48 +128,13 @@ def _through_mesh(path: Path) -> Mesh:
     return triangles_of_mesh(mesh)
 
 
-def triangles_of_mesh(mesh: Any) -> Mesh:
-    """V and F of a Mesh of FreeCAD."""
-    points, faces = mesh.Topology
-    V = np.array([tuple(point) for point in points], float).reshape(-1, 3)
-    return V, np.array(faces, np.int32).reshape(-1, 3)
-
-
-def _read_cad(path: Path, deflection: float) -> Mesh:
-    """STEP, IGES and BREP through Part: the Import module crashes on coloured STEP files (0.20.2)."""
-    _, part = freecad_session.load("Part")
-    try:
-        shape = part.read(str(path))
-        faces = [] if shape.isNull() else shape.Faces
-    except Exception as error:
-        raise CurveUpsError("FreeCAD can't read the file", str(path), "export it again") from error
-    if not faces:
-        raise CurveUpsError("the file holds no surface", str(path), "export the surface itself")
-    return triangles_of_shape(shape, deflection, str(path))
-
-
-def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
-    """V and F of a Shape of FreeCAD; `where` names it in messages."""
-    _, mesh_part = freecad_session.load("MeshPart")
-    try:
-        size = shape.BoundBox.DiagonalLength
-        mesh = mesh_part.meshFromShape(Shape=shape, LinearDeflection=max(deflection, 1e-5 * size),
-                                       AngularDeflection=0.2)
-        return triangles_of_mesh(mesh)
-    except Exception as error:
-        raise CurveUpsError("FreeCAD can't make triangles of the surface", where,
-                            "mend the surface, or export it as a mesh") from error
-
-
-_READERS = {
-    ".obj": lambda path, _: mesh_files.read_obj(path),
-    ".off": lambda path, _: mesh_files.read_off(path),
-    ".3mf": lambda path, _: mesh_files.read_3mf(path),
-    ".stl": _read_stl,
-    ".ply": _read_ply,
-    ".step": _read_cad, ".stp": _read_cad,
-    ".iges": _read_cad, ".igs": _read_cad,
-    ".brep": _read_cad, ".brp": _read_cad,
+_READERS: dict[str, Callable[..., Mesh]] = {
+    ".obj": lambda path, *_: mesh_files.read_obj(path),
+    ".off": lambda path, *_: mesh_files.read_off(path),
+    ".3mf": lambda path, *_: mesh_files.read_3mf(path),
+    ".stl": lambda path, *_: _read_stl(path),
+    ".ply": lambda path, *_: _read_ply(path),
+    **{ending: read_cad for ending in ENDINGS},
 }
 
 

@@ -8,6 +8,7 @@ import signal
 import sys
 import threading
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any, Iterator
 
 from .errors import CurveUpsError
@@ -52,3 +53,29 @@ def version(freecad: Any) -> str:
     """FreeCAD's version, as 0.20.2."""
     parts = freecad.Version()
     return ".".join(str(part) for part in parts[:3] if str(part).isdigit())
+
+
+def python() -> str:
+    """The interpreter to start a process with: inside FreeCAD sys.executable is FreeCAD itself."""
+    own = Path(sys.executable)
+    if own.stem.startswith("python"):
+        return str(own)
+    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    folder = Path(sys.prefix)
+    for place in (folder / "bin" / version, folder / "bin" / "python3", folder / "bin" / "python",
+                  folder / "bin" / "python.exe", folder / "python.exe"):
+        if place.is_file():
+            return str(place)
+    raise CurveUpsError("FreeCAD's Python was not found", sys.prefix, "install FreeCAD whole")
+
+
+def environment() -> dict[str, str]:
+    """The environment of a process that imports this package and FreeCAD as this one does."""
+    paths = [str(Path(__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
+    found = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths)), "PYTHONSAFEPATH": "1"}
+    loaded = sys.modules.get("FreeCAD")
+    file = getattr(loaded, "__file__", None)
+    folder = os.path.dirname(file) if file else loaded and os.path.join(loaded.getHomePath(), "lib")
+    if folder:
+        found.setdefault("CURVEUPS_FREECAD_LIB", folder)
+    return found

@@ -7,10 +7,9 @@ import glob
 import os
 import re
 from pathlib import Path
-from typing import Callable
+from typing import Any, Callable, Optional
 
 from .errors import NOT_WRITTEN, CurveUpsError, Stopped
-
 
 LONGEST_NAME = 120  # characters, so that endings fit into the 255 of a file name
 
@@ -43,7 +42,8 @@ def _unusable(path: Path, error: OSError) -> CurveUpsError:
 class Folder:
     """Writes files into a folder: under a temporary name first, which a rename makes the real one.
 
-    A file that could not be written leaves nothing behind; those before it stay.
+    A file that could not be written leaves nothing behind; those before it stay. As a context it answers
+    for whatever unexpected happens between the files: status 4, and what is complete.
     """
 
     def __init__(self, path: Path):
@@ -68,6 +68,30 @@ class Folder:
                 place.rmdir()
             except OSError:
                 return
+
+    def __enter__(self) -> "Folder":
+        return self
+
+    def __exit__(self, kind: Any, error: Optional[BaseException], trace: Any) -> None:
+        if isinstance(error, Exception) and not isinstance(error, (CurveUpsError, Stopped)):
+            self._fail("what follows", error)
+
+    def remove(self, *names: str) -> None:
+        """Takes files of an earlier run away, in this order."""
+        for name in names:
+            try:
+                (self.path / name).unlink(missing_ok=True)
+            except OSError as error:
+                raise CurveUpsError(f"a file of an earlier run can't be removed: {error.strerror}",
+                                    str(self.path / name), "remove it, or choose another folder",
+                                    NOT_WRITTEN) from error
+
+    def holds(self, name: str, text: str) -> bool:
+        """Whether a file is there with just this content."""
+        try:
+            return (self.path / name).read_bytes() == text.encode("utf-8")
+        except OSError:
+            return False
 
     def write(self, name: str, writer: Callable[[Path], object]) -> None:
         """Calls `writer` with a temporary path of the same ending, then gives the file its name.

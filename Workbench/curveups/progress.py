@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Progress on standard error, and stopping by SIGINT.
+"""Progress on standard error, and stopping by signals.
 
 A `Progress` is what jobs and native calls take: called with what is being done and how much of
 it (0 to 1, negative where unknown), it answers whether to go on.
@@ -10,29 +10,47 @@ from __future__ import annotations
 import signal
 import sys
 import time
-from typing import Any, Callable, Optional, TextIO
+from contextlib import contextmanager
+from typing import Any, Callable, Iterator, Optional, TextIO
 
 Progress = Callable[[str, float], bool]
 
 
+STOPPING = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+
+
 class Interrupt:
-    """Turns SIGINT into a flag while it is entered; a second SIGINT ends the program at once."""
+    """Turns SIGINT, SIGTERM and SIGHUP into a flag while it is entered. A second one ends the program at
+    once, but not while files are being written (`shielded`)."""
 
     def __init__(self) -> None:
         self.requested = False
-        self._before: Any = None
+        self._shields = 0
+        self._before: dict[int, Any] = {}
 
     def __enter__(self) -> "Interrupt":
-        self._before = signal.signal(signal.SIGINT, self._handle)
+        for number in STOPPING:
+            if number == signal.SIGINT or signal.getsignal(number) is not signal.SIG_IGN:  # nohup ignores
+                self._before[number] = signal.signal(number, self._handle)
         return self
 
     def _handle(self, *_: Any) -> None:
-        if self.requested:
+        if self.requested and not self._shields:
             raise KeyboardInterrupt
         self.requested = True
 
+    @contextmanager
+    def shielded(self) -> Iterator[None]:
+        """What stops in good time by itself, and must not be cut off."""
+        self._shields += 1
+        try:
+            yield
+        finally:
+            self._shields -= 1
+
     def __exit__(self, *_: Any) -> None:
-        signal.signal(signal.SIGINT, self._before or signal.SIG_DFL)
+        for number, before in self._before.items():
+            signal.signal(number, before or signal.SIG_DFL)
 
 
 class Reporter:
@@ -45,7 +63,7 @@ class Reporter:
         self._interrupt = interrupt
         self._stream = stream or sys.stderr
         self._quiet = quiet
-        self._terminal = self._stream.isatty()
+        self._terminal = not quiet and self._stream.isatty()
         self._what = ""
         self._said: set[str] = set()
         self._drawn = 0.0
@@ -60,13 +78,12 @@ class Reporter:
         """A line of its own."""
         if not self._quiet:
             self.close()
-            print(text, file=self._stream, flush=True)
+            self._write(f"{text}\n")
 
     def close(self) -> None:
         """Takes the bar away."""
         if self._open:
-            self._stream.write("\r\033[K")
-            self._stream.flush()
+            self._write("\r\033[K")
             self._open = False
         self._what = ""
 
@@ -75,7 +92,7 @@ class Reporter:
         # Parallel work takes turns in reporting, so a name that was said is not said again.
         kind = what.split(":")[0]
         if kind not in self._said:
-            print(f"curveups: {kind}", file=self._stream, flush=True)
+            self._write(f"curveups: {kind}\n")
             self._said.add(kind)
 
     def _bar(self, what: str, fraction: float) -> None:
@@ -88,5 +105,11 @@ class Reporter:
             bar = f"[{'#' * full}{'.' * (self.WIDTH - full)}] {100 * min(fraction, 1.0):3.0f} %"
         else:
             bar = f"[{'-' * self.WIDTH}]"
-        self._stream.write(f"\r\033[K{bar} {what}"[:110])
-        self._stream.flush()
+        self._write(f"\r\033[K{bar} {what}"[:110])
+
+    def _write(self, text: str) -> None:
+        try:
+            self._stream.write(text)
+            self._stream.flush()
+        except (OSError, ValueError):  # closed or full: work goes on in silence
+            self._quiet, self._open = True, False

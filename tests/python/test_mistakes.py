@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import pytest
 from running import dome
 
-from curveups import cli, files, freecad_io
+from curveups import cad_files, cli, files, freecad_io
 from curveups.cli import main
 from curveups.errors import NOT_WRITTEN, CurveUpsError
 from curveups.native import native
@@ -150,24 +150,16 @@ def test_odd_3mf(capsys, tmp_path, encoding, index):
     assert "odd.3mf" in one_line(capsys)
 
 
-def test_a_surface_that_freecad_cannot_mesh(tmp_path, monkeypatch):
-    class Shape:
-        Faces = [1]
-        BoundBox = SimpleNamespace(DiagonalLength=9.0)
-
-        def isNull(self):
-            return False
+def test_a_surface_that_freecad_cannot_mesh(monkeypatch):
+    shape = SimpleNamespace(Faces=[1], BoundBox=SimpleNamespace(DiagonalLength=9.0))
 
     def refuse(**_):
         raise RuntimeError("Meshing failed")
 
-    modules = {"Part": SimpleNamespace(read=lambda _: Shape()),
-               "MeshPart": SimpleNamespace(meshFromShape=refuse)}
-    monkeypatch.setattr(freecad_io.freecad_session, "load",
-                        lambda *names: (None, *(modules[name] for name in names)))
-    (tmp_path / "a.step").write_text("ISO")
+    monkeypatch.setattr(cad_files.freecad_session, "load",
+                        lambda _: (None, SimpleNamespace(meshFromShape=refuse)))
     with pytest.raises(CurveUpsError, match="triangles.*a.step"):
-        freecad_io.read_target(tmp_path / "a.step", 0.1)
+        cad_files.triangles_of_shape(shape, 0.1, "a.step")
 
 
 def test_what_nobody_thought_of_is_not_called_invalid(capsys, monkeypatch):
@@ -296,7 +288,7 @@ def test_scaled_targets_are_divided_as_finely_as_their_tiles_ask(monkeypatch, tm
     """0.0005 L in the print, whatever the file's unit."""
     given = []
     (tmp_path / "a.step").write_text("ISO")
-    monkeypatch.setattr(freecad_io, "read_target", lambda path, deflection: given.append(deflection)
+    monkeypatch.setattr(freecad_io, "read_target", lambda path, deflection, _: given.append(deflection)
                         or native.builtin_target("half-sphere", 1.0))
 
     def read(target, scale):

@@ -4,11 +4,14 @@
 from __future__ import annotations
 
 import argparse
+import errno
+import io
 import os
+import re
 import sys
 import traceback
 from pathlib import Path
-from typing import Any, Callable, NoReturn, Optional, TextIO
+from typing import Any, Callable, NoReturn, Optional, Sequence, TextIO
 
 from .. import __version__
 from ..errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
@@ -16,8 +19,7 @@ from ..progress import Interrupt, Reporter
 
 _EPILOG = """exit status: 0 valid, or not judged because verification was off; 1 finished, not valid;
 2 bad input or usage, nothing written; 3 stopped, best so far written; 4 a file could not be written"""
-
-
+_NO_MEMORY = "there is not enough memory (this machine): use larger tiles or a smaller target"
 MOST_CUTS = 100
 
 
@@ -55,8 +57,8 @@ def make_parser() -> argparse.ArgumentParser:
 
     verify = _command(commands, "verify", "the exact physical model on a design file")
     verify.add_argument("design", type=Path, metavar="DESIGN.json")
-    verify.add_argument("-o", dest="output", type=Path, metavar="DIR",
-                        help="write report.json and report.html there")
+    verify.add_argument("-o", dest="output", type=_folder, metavar="DIR",
+                        help="write design.json, report.json and report.html there")
 
     export = _command(commands, "export", "print files from a design file")
     export.add_argument("design", type=Path, metavar="DESIGN.json")
@@ -70,6 +72,17 @@ def _count(text: str) -> int:
     if not text.isdecimal() or not text.isascii() or int(text) > MOST_CUTS:
         raise argparse.ArgumentTypeError(f"'{text}' is no number of cuts from 0 to {MOST_CUTS}")
     return int(text)
+
+
+def _folder(text: str) -> Path:
+    """A path that libraries can be told, too."""
+    if not text:
+        raise argparse.ArgumentTypeError("the folder has no name")
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        raise argparse.ArgumentTypeError(f"the folder's name {text!a} is no UTF-8 text") from None
+    return Path(text)
 
 
 def _command(commands: Any, name: str, text: str, quiet: bool = True) -> argparse.ArgumentParser:
@@ -91,13 +104,29 @@ def _target_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _output_argument(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("-o", dest="output", type=Path, required=True, metavar="DIR",
+    parser.add_argument("-o", dest="output", type=_folder, required=True, metavar="DIR",
                         help="folder for the files")
 
 
 def _set_argument(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--set", dest="settings", action="append", default=[],
-                        metavar="name=value", help="a parameter; see 'curveups parameters'")
+                        metavar="name=value",
+                        help="a parameter, or several; see 'curveups parameters'")
+
+
+def _one_setting_each(arguments: Sequence[str]) -> list[str]:
+    """`--set a=1 b=2` as `--set a=1 --set b=2`. What follows is a setting as long as it looks like one,
+    so that TARGET may stand behind settings."""
+    found: list[str] = []
+    setting = False
+    for argument in arguments:
+        if setting and re.match(r"[A-Za-z_]\w*=", argument):
+            if found[-1] != "--set":
+                found.append("--set")
+        elif not (setting and found[-1] == "--set"):
+            setting = argument == "--set"
+        found.append(argument)
+    return found
 
 
 class _CleanOutput:
@@ -105,21 +134,28 @@ class _CleanOutput:
     C) write to nothing while it is entered."""
 
     def __enter__(self) -> TextIO:
-        sys.stdout.flush()
-        self._kept = os.dup(1)
-        nothing = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nothing, 1)
-        os.close(nothing)
-        return os.fdopen(os.dup(self._kept), "w", encoding="utf-8")
+        self._open = sys.stdout is not None
+        if self._open:
+            sys.stdout.flush()
+            self._kept = os.dup(1)
+            nothing = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(nothing, 1)
+            os.close(nothing)
+        else:  # whoever closed it gets an error for writing to it, as on a full disk
+            self._kept = os.open(os.devnull, os.O_RDONLY)
+        # Unbuffered, so that what can't be written is known at once and only once.
+        return io.TextIOWrapper(os.fdopen(os.dup(self._kept), "wb", 0), encoding="utf-8",
+                                write_through=True)
 
     def __exit__(self, *_: Any) -> None:
-        os.dup2(self._kept, 1)
+        if self._open:
+            os.dup2(self._kept, 1)
         os.close(self._kept)
 
 
 def run(arguments: Optional[list[str]], reporter_of: Callable[..., Reporter] = Reporter) -> int:
     """Runs one command and returns its exit status; raises CurveUpsError."""
-    options = make_parser().parse_args(arguments)
+    options = make_parser().parse_args(_one_setting_each(sys.argv[1:] if arguments is None else arguments))
     with Interrupt() as interrupt, _CleanOutput() as output:
         reporter = reporter_of(interrupt, getattr(options, "quiet", False))
         try:
@@ -127,7 +163,8 @@ def run(arguments: Optional[list[str]], reporter_of: Callable[..., Reporter] = R
             from . import commands
 
             with output:
-                return commands.COMMANDS[options.command](options, commands.Session(reporter, output))
+                session = commands.Session(reporter, output, interrupt)
+                return commands.COMMANDS[options.command](options, session)
         finally:
             reporter.close()
 
@@ -140,22 +177,32 @@ def main(arguments: Optional[list[str]] = None) -> int:
         _tell(str(error))
         return error.status
     except (Stopped, KeyboardInterrupt):
-        print("curveups: stopped", file=sys.stderr)
+        _print("curveups: stopped")
         return STOPPED
     except BrokenPipeError:
         return NOT_WRITTEN
     except MemoryError:
-        _tell("there is not enough memory: use larger tiles or a smaller target")
+        _tell(_NO_MEMORY)
         return BAD_INPUT
     except Exception as error:  # otherwise Python would end with status 1, which means "not valid"
+        if getattr(error, "errno", None) == errno.ENOMEM:
+            _tell(_NO_MEMORY)
+            return BAD_INPUT
         text = " ".join(str(error).split())
         _tell(f"unexpected {type(error).__name__}{f' ({text})' if text else ''}: please report it, with "
               "what CURVEUPS_DEBUG=1 shows")
-        return BAD_INPUT
+        return BAD_INPUT  # nothing is there: Folder answers for what happens once files are being written
 
 
 def _tell(text: str) -> None:
     """An error's one line; behind its traceback where CURVEUPS_DEBUG=1 asks for that."""
     if os.environ.get("CURVEUPS_DEBUG") == "1":
-        traceback.print_exc()
-    print(f"curveups: error: {text}", file=sys.stderr)
+        _print(traceback.format_exc())
+    _print(f"curveups: error: {text}")
+
+
+def _print(text: str) -> None:
+    try:
+        print(text, file=sys.stderr, flush=True)
+    except (OSError, ValueError):  # closed or full: the exit status tells
+        pass

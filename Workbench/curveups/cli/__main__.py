@@ -4,9 +4,26 @@
 import os
 import sys
 
-from . import main
+# A standard stream that is closed would leave its number to the next file that is opened, and what
+# libraries print there would go into that.
+for _number in range(3):
+    try:
+        os.fstat(_number)
+    except OSError:
+        os.open(os.devnull, os.O_RDWR)
+sys.stderr = sys.stderr or open(os.devnull, "w")
 
-code = main()
-sys.stderr.flush()
+from ..errors import NOT_WRITTEN  # noqa: E402
+from . import main  # noqa: E402
+
+try:
+    code = main()
+except SystemExit as ended:  # --help and --version
+    code = int(ended.code or 0)
+for stream in filter(None, (sys.stdout, sys.stderr)):
+    try:
+        stream.flush()
+    except OSError:
+        code = code if stream is sys.stderr else NOT_WRITTEN
 # FreeCAD, loaded as a module, may crash while the interpreter takes itself apart.
 os._exit(code)

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Iterator, TextIO
 
-from ..errors import NOT_VALID, STOPPED, VALID, CurveUpsError
-from ..files import write_obj, write_reports, write_results
+from ..errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
+from ..files import write_obj, write_results, write_verification
 from ..native import native, translated
 from ..output import Folder, require_folder_name, safe_name
-from ..progress import Reporter
+from ..progress import Interrupt, Reporter
 from ..project import Project, Results
 from ..stages import DESIGNED, PRINTED
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
@@ -25,10 +25,21 @@ class Session:
 
     reporter: Reporter
     output: TextIO
+    interrupt: Interrupt
 
     @property
     def job(self) -> Job:
         return Job(self.reporter)
+
+    def answer(self, line: str) -> None:
+        """A line on standard output."""
+        try:
+            print(line, file=self.output, flush=True)
+        except BrokenPipeError:  # whoever reads has seen enough
+            raise
+        except OSError as error:
+            raise CurveUpsError(f"the answer can't be written: {error.strerror}", "standard output",
+                                "send it elsewhere", NOT_WRITTEN) from None
 
 
 def design(options: Any, session: Session) -> int:
@@ -41,7 +52,8 @@ def design(options: Any, session: Session) -> int:
     if cuts.suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
     results = project.run((*DESIGNED, *(() if options.no_solids else PRINTED)), job)
-    _, stopped = write_results(results, options.output, job)
+    with session.interrupt.shielded():
+        stopped = write_results(results, options.output, job)
     return _finish(results, options.output, session, stopped)
 
 
@@ -59,7 +71,7 @@ def remesh(options: Any, session: Session) -> int:
 def targets(options: Any, session: Session) -> int:
     """curveups targets"""
     for name, _ in native.builtin_targets():
-        print(name, file=session.output)
+        session.answer(name)
     return VALID
 
 
@@ -68,10 +80,9 @@ def parameters(options: Any, session: Session) -> int:
     group = None
     for row in native.parameter_table():
         if row.group != group:
-            print(f"{'' if group is None else chr(10)}{row.group}", file=session.output)
+            session.answer(f"{'' if group is None else chr(10)}{row.group}")
             group = row.group
-        print(f"  {row.name:<22}{_default(row):<22}{_range(row):<29}{row.meaning}",
-              file=session.output)
+        session.answer(f"  {row.name:<22}{_default(row):<22}{_range(row):<29}{row.meaning}")
     return VALID
 
 
@@ -79,13 +90,15 @@ def verify(options: Any, session: Session) -> int:
     """curveups verify"""
     if options.output:
         require_folder_name(options.output)
-    project = Project.of_design(_read_design(options.design), str(options.design))
+    design = _read_design(options.design)
+    project = Project.of_design(design, str(options.design))
     parameters = project.parameters
     parameters.set("verify", True)
     project.parameters = parameters
     results = project.run(("figures", "verification", "recheck"), session.job, strict=True)
     if options.output:
-        write_reports(results, Folder(options.output))
+        with session.interrupt.shielded():
+            write_verification(results, design, options.output)
     return _finish(results, options.output, session, results.stopped)
 
 
@@ -107,7 +120,8 @@ def export(options: Any, session: Session) -> int:
     results = project.run(
         ("figures", *PRINTED), job, strict=True,
         note="geometry changed since verification" if rebuilt else "an export does not verify")
-    _, stopped = write_results(results, options.output, job)
+    with session.interrupt.shielded():
+        stopped = write_results(results, options.output, job)
     return _finish(results, options.output, session, stopped)
 
 

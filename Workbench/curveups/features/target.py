@@ -161,11 +161,11 @@ def _stamp_of_object(obj: Any) -> str:
 
 def _reader(obj: Any) -> Callable[[float], tuple[np.ndarray, np.ndarray]]:
     """Makes triangles of the object as it is now, on whatever thread: it holds a copy."""
-    from .. import freecad_io
+    from .. import cad_files
 
     label = obj.Label
     if hasattr(obj, "Mesh"):
         mesh = obj.Mesh.copy()
-        return lambda deflection: freecad_io.triangles_of_mesh(mesh)
+        return lambda deflection: cad_files.triangles_of_mesh(mesh)
     shape = obj.Shape.copy()
-    return lambda deflection: freecad_io.triangles_of_shape(shape, deflection, label)
+    return lambda deflection: cad_files.triangles_of_shape(shape, deflection, label)

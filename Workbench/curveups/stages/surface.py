@@ -63,7 +63,7 @@ def _run(inputs: Inputs, job: Job) -> Surface:
         from .. import freecad_io  # only where FreeCAD is needed
 
         job("reading the target")
-        V, F = freecad_io.read_target(Path(source.path), deflection)
+        V, F = freecad_io.read_target(Path(source.path), deflection, lambda: job("reading the target"))
     V = np.ascontiguousarray(V, float) * get("scale")
     F = np.ascontiguousarray(F[:, ::-1] if get("flip") else F, np.int32)
     return Surface(V, F)

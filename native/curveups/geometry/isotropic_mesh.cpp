@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <exception>
+#include <new>
 
 #include "curveups/core/errors.hpp"
 
@@ -42,6 +43,8 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
                              CGAL::parameters::number_of_iterations(iterations)
                                  .number_of_relaxation_steps(3)
                                  .vertex_is_constrained_map(fixed));
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw SolverFailure("remeshing failed: " + std::string(error.what()),
                         "repair the surface, or give a remeshed one and switch remeshing off");

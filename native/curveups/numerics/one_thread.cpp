@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <mutex>
+#include <new>
 
 extern "C" int openblas_get_num_threads();
 extern "C" void openblas_set_num_threads(int);
@@ -12,12 +13,17 @@ namespace curveups {
 namespace {
 
 std::mutex mutex;
+// OpenBLAS tries for ever where there is no memory for its buffer (128 MB a thread, taken at the
+// first use): asking for as much first makes that an error.
+constexpr std::size_t buffer_bytes = std::size_t{130} << 20;
+
 int guards = 0, threads_before = 1;  // of BLAS, under the mutex
 
 }  // namespace
 
 // No active levels means teams of one.
 OneThread::OneThread() : levels_(omp_get_max_active_levels()) {
+  ::operator delete(::operator new(buffer_bytes));
   omp_set_max_active_levels(0);
   const std::lock_guard<std::mutex> lock(mutex);
   if (guards++ > 0) return;

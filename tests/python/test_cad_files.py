@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CAD files that are damaged: a line and status 2, never a crash, never a surface with holes."""
+
+import random
+import re
+import subprocess
+import time
+
+import numpy as np
+import pytest
+from running import environment
+
+from curveups import cad_files, freecad_session
+from curveups.errors import CurveUpsError, Stopped
+
+MOST_MUTATIONS = 12  # a file, of some 130 to 370 lines
+
+
+@pytest.fixture(scope="module")
+def open_box(tmp_path_factory):
+    """A box without a lid, 40 x 30 x 20 mm, in the three formats: 5 faces, 10 triangles."""
+    folder = tmp_path_factory.mktemp("cad")
+    script = f"""
+from curveups import freecad_session
+_, part = freecad_session.load("Part")
+shell = part.Shell(part.makeBox(40, 30, 20).Faces[:5])
+shell.exportStep({str(folder / "box.step")!r})
+shell.exportIges({str(folder / "box.iges")!r})
+shell.exportBrep({str(folder / "box.brep")!r})
+"""
+    subprocess.run([freecad_session.python(), "-c", script], env=environment(), check=True,
+                   capture_output=True)
+    return folder
+
+
+@pytest.mark.parametrize("ending", ["step", "iges", "brep"])
+def test_whole_files(open_box, ending):
+    V, F = cad_files.read_cad(open_box / f"box.{ending}", 0.1)
+    assert len(F) == 10
+    sides = V[F][:, 1:] - V[F][:, :1]
+    area = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1).sum() / 2
+    assert abs(area - (2 * 40 * 20 + 2 * 30 * 20 + 40 * 30)) < 1e-6
+
+
+@pytest.mark.parametrize("ending", ["step", "iges", "brep"])
+def test_no_deletion_of_a_line_loses_a_face(open_box, tmp_path, ending):
+    lines = (open_box / f"box.{ending}").read_bytes().split(b"\n")
+    path, refused = tmp_path / f"box.{ending}", 0
+    for place in random.Random(1).sample(range(len(lines) - 1), MOST_MUTATIONS):
+        path.write_bytes(b"\n".join(lines[:place] + lines[place + 1:]))
+        try:
+            _, F = cad_files.read_cad(path, 0.1, time_limit=20)
+        except CurveUpsError as error:
+            refused += 1
+            assert error.where == str(path) and error.remedy
+        else:
+            assert len(F) == 10, lines[place]
+    assert refused > 0
+
+
+def test_a_face_that_is_gone_is_missed(open_box, tmp_path):
+    text = (open_box / "box.step").read_text()
+    (tmp_path / "box.step").write_text(re.sub(r"#\d+ = ADVANCED_FACE.*\n", "", text, count=1))
+    with pytest.raises(CurveUpsError, match="4 of the file's 5 faces|damaged"):
+        cad_files.read_cad(tmp_path / "box.step", 0.1)
+    text = (open_box / "box.iges").read_text()
+    (tmp_path / "box.iges").write_text(text.replace(text.splitlines()[10] + "\n", ""))
+    with pytest.raises(CurveUpsError, match="lines of it are missing"):
+        cad_files.read_cad(tmp_path / "box.iges", 0.1)
+
+
+@pytest.fixture
+def sleeper(monkeypatch):
+    """A reader that never returns."""
+    real = subprocess.Popen
+    monkeypatch.setattr(cad_files.subprocess, "Popen", lambda command, **more: real(["sleep", "60"], **more))
+
+
+def test_a_reader_that_does_not_return_is_ended(open_box, sleeper):
+    start = time.monotonic()
+    with pytest.raises(CurveUpsError, match="within 1 s"):
+        cad_files.read_cad(open_box / "box.brep", 0.1, time_limit=1.0)
+    with pytest.raises(Stopped):
+        cad_files.read_cad(open_box / "box.brep", 0.1, go_on=lambda: time.monotonic() < start + 2)
+    assert time.monotonic() < start + 20
+
+
+def test_damaged_file_on_the_command_line(curveups, open_box, tmp_path):
+    text = (open_box / "box.step").read_text()
+    (tmp_path / "box.step").write_text(re.sub(r"#\d+ = ADVANCED_FACE.*\n", "", text, count=1))
+    ran = curveups("design", tmp_path / "box.step", "-o", tmp_path / "out")
+    assert ran.status == 2 and len(ran.error_lines) == 1 and "box.step" in ran.error_lines[0]
+    assert not (tmp_path / "out").exists()
