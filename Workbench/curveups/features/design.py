@@ -12,7 +12,8 @@ from .. import __version__
 from ..errors import CurveUpsError
 from ..native import native, problem
 from ..project import Project
-from . import figures, properties, rebuild, status, target
+from . import figures, migration, properties, rebuild, status, target
+from .copies import own_parts
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, write
 
 
@@ -93,7 +94,7 @@ class DesignProxy(Proxy):
             write(obj, "Status", found.state)
             for slot, (state, reason) in found.parts.items():
                 part = getattr(obj, slot)
-                if part is not None and "Reason" in part.PropertiesList:
+                if part is not None and "Status" in part.PropertiesList:
                     write(part, "Status", state)
                     write(part, "Reason", reason)
         finally:
@@ -110,7 +111,11 @@ class DesignProxy(Proxy):
         return ""
 
     def onDocumentRestored(self, obj: Any) -> None:
+        if migration.is_old(obj):
+            return  # until the whole document is there
         super().onDocumentRestored(obj)
+        if obj.Document.Importing:  # a copy
+            own_parts(obj)
         self.refresh(obj)
 
 

@@ -7,8 +7,9 @@ Lengths are in mm. Everything raises CurveUpsError, with the document as it was,
 from __future__ import annotations
 
 import json
+from functools import partial
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
 
@@ -207,26 +208,22 @@ def _write_mesh(obj: Any, V: np.ndarray, F: np.ndarray) -> None:
         obj.purgeTouched()
 
 
-def _add_objects(document: Any) -> Any:
+def make_design(obj: Any, parts: Mapping[str, Any]) -> None:
+    """Makes `obj` a Design over `parts`, by slot; those that are missing are added."""
     import Mesh  # noqa: F401  their types are unknown before
     import Part  # noqa: F401
 
-    obj = document.addObject("App::FeaturePython", "Design")
     DesignProxy(obj)
-    children = {"Target": _add_target(document),
-                "Cuts": _add(document, "App::FeaturePython", "Cuts", CutsProxy),
-                "Layout": _add(document, "App::FeaturePython", "Layout", LayoutProxy),
-                "Verification": _add(document, "App::FeaturePython", "Verification", VerificationProxy)}
-    for slot, kind in KINDS.items():
-        body = document.addObject("Part::FeaturePython", slot, None, None, False,
-                                  "PartGui::ViewProviderPartExt")
-        BodiesProxy(body)
-        body.Kind = kind
-        children[slot] = body
-    for slot, child in children.items():
-        child.Visibility = False
-        setattr(obj, slot, child)
+    for slot in SLOTS:
+        part = parts.get(slot) or _MAKERS[slot](obj.Document)
+        part.Visibility = part.Visibility and slot in parts
+        setattr(obj, slot, part)
     show(obj)
+
+
+def _add_objects(document: Any) -> Any:
+    obj = document.addObject("App::FeaturePython", "Design")
+    make_design(obj, {})
     return obj
 
 
@@ -237,8 +234,23 @@ def _add_target(document: Any) -> Any:
     return obj
 
 
-def _add(document: Any, kind: str, name: str, proxy: type) -> Any:
-    obj = document.addObject(kind, name)
+def _add_body(document: Any, slot: str) -> Any:
+    obj = document.addObject("Part::FeaturePython", slot, None, None, False, "PartGui::ViewProviderPartExt")
+    BodiesProxy(obj)
+    obj.Kind = KINDS[slot]
+    return obj
+
+
+def _add(document: Any, name: str, proxy: type) -> Any:
+    obj = document.addObject("App::FeaturePython", name)
     proxy(obj)
     show(obj)
     return obj
+
+
+_MAKERS: dict[str, Callable[[Any], Any]] = {
+    "Target": _add_target,
+    "Cuts": lambda document: _add(document, "Cuts", CutsProxy),
+    "Layout": lambda document: _add(document, "Layout", LayoutProxy),
+    "Verification": lambda document: _add(document, "Verification", VerificationProxy),
+    **{slot: partial(_add_body, slot=slot) for slot in KINDS}}

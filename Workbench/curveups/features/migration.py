@@ -1,11 +1,126 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Documents of older versions, brought into the shape of today's."""
+"""Documents of the first version, brought into today's shape when they are opened.
+
+They kept the layout as the text of design.json in a property of that name, called parameters as the
+command line does (H_body), and their bodies pointed at the design instead of the other way round.
+"""
 
 from __future__ import annotations
 
-from typing import Any
+import json
+import re
+from typing import Any, Callable, Iterator
+
+import FreeCAD
+
+from ..errors import CurveUpsError
+from ..native import native, problem, translated
+from ..project import Project
+from . import properties, target
+from .bodies import KINDS, BodiesProxy
+from .proxy import write
+
+
+def is_old(obj: Any) -> bool:
+    """Whether this is a Design of the first version."""
+    return "SolvedVerdict" in obj.PropertiesList and "Solved" not in obj.PropertiesList
 
 
 def migrate(document: Any) -> list[Any]:
-    """The objects that were changed."""
-    return []
+    """The designs that were changed. Those that can't be read stay as they are, and the report view says
+    why."""
+    found = [obj for obj in document.Objects if is_old(obj)]
+    for obj in found:
+        reason = problem()
+        try:
+            if reason is not None:
+                raise reason
+            with translated(obj.Label):
+                design = native.read_design(obj.Layout)
+        except CurveUpsError as error:
+            FreeCAD.Console.PrintError(f"{obj.Label} is of an older version and stays as it is: {error}\n")
+            continue
+        _migrate(obj, design)
+    return [obj for obj in found if not is_old(obj)]
+
+
+def _migrate(obj: Any, design: Any) -> None:
+    from . import document as documents
+
+    touched = "Touched" in obj.State
+    verdict = json.loads(obj.SolvedVerdict or "{}")
+    names = {row.name: properties.property_name(row.name) for row in properties.rows()}
+    old = {name: _value(obj, row) for row in properties.rows() if (name := row.name) in obj.PropertiesList}
+    own = [(path, text) for path, text in obj.ExpressionEngine]
+    for path, _ in own:
+        obj.setExpression(path, None)
+    bodies = {body.Kind: body for body in obj.InList if getattr(body, "Design", None) == obj}
+    for body in bodies.values():
+        body.removeProperty("Design")
+    for name in (*old, "Layout", "SolvedVerdict", "Verdict", "Reasons"):
+        obj.removeProperty(name)
+    parts = {slot: bodies[kind] for slot, kind in KINDS.items() if kind in bodies}
+    surface = obj.Document.getObject("Target")
+    if surface is not None and surface.TypeId == "Mesh::Feature" and not target.is_target(surface):
+        target.make_target(surface)
+        parts["Target"] = surface
+    for body in bodies.values():
+        BodiesProxy(body)
+    documents.make_design(obj, parts)
+    properties.write_parameters(obj, design.parameters)
+    documents.take(obj, Project.of_design(design, obj.Label).run(("figures",)))
+    solved = properties.named(design.parameters)
+    kept = {name: value for name, value in solved.items()
+            if properties.tier_of(obj, name) in ("rebuild", "verify")}
+    write(obj, "Judged", json.dumps({"valid": verdict.get("valid"), "reasons": verdict.get("reasons", []),
+                                     "parameters": kept}))
+    for name, value in old.items():
+        if not properties.same(value, design.parameters.get(name)):
+            properties.write_parameter(obj, name, value)
+    if not touched:
+        values = properties.parameters_of(obj)
+        origin = {"design": json.loads(obj.Solved)["design"], "parameters": {
+            name: value for name, value in values.items() if properties.tier_of(obj, name) == "rebuild"}}
+        for body in bodies.values():
+            write(body, "BuiltFrom", json.dumps(origin))
+    _rename_expressions(obj, names, own)
+
+
+def _value(obj: Any, row: Any) -> Any:
+    """Of a property that is called as its parameter."""
+    value = getattr(obj, row.name)
+    return value.getValueAs(properties.UNITS.get(row.unit, row.unit)).Value if hasattr(
+        value, "getValueAs") else value
+
+
+def _rename_expressions(obj: Any, names: dict[str, str], own: list[tuple[str, str]]) -> None:
+    """Expressions on the design's properties, and those of other objects and sheets that read them."""
+    words = "|".join(map(re.escape, names))
+    here = re.compile(rf"(?<![\w.#>])(\.?)({words})\b")
+    there = re.compile(rf"((?<![\w.])(?:{re.escape(obj.Name)}|<<{re.escape(obj.Label)}>>)\.)({words})\b")
+
+    def rename(match: re.Match) -> str:
+        return match[1] + names[match[2]]
+
+    for path, text in own:
+        _try(obj, lambda: obj.setExpression(names.get(path, path), here.sub(rename, there.sub(rename, text))))
+    for other in obj.Document.Objects:
+        for path, text in getattr(other, "ExpressionEngine", ()) if other != obj else ():
+            if there.search(text):
+                _try(other, lambda: other.setExpression(path, there.sub(rename, text)))
+        for cell in _cells(other):
+            text = other.getContents(cell)
+            if text.startswith("=") and there.search(text):
+                _try(other, lambda: other.set(cell, there.sub(rename, text)))
+
+
+def _cells(obj: Any) -> Iterator[str]:
+    if obj.TypeId == "Spreadsheet::Sheet":
+        yield from re.findall(r'address="([A-Z]+[0-9]+)"', obj.cells.Content)
+
+
+def _try(obj: Any, change: Callable[[], Any]) -> None:
+    try:
+        change()
+    except Exception as error:  # FreeCAD's own types: one expression must not cost the document
+        FreeCAD.Console.PrintError(f"{obj.Label}: an expression could not be renamed: {error}\n")

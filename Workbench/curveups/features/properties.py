@@ -18,7 +18,7 @@ _TYPES = {"integer": "App::PropertyInteger", "switch": "App::PropertyBool",
 # plain and its tooltip names the unit.
 _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
                "MPa": "App::PropertyPressure", "g/cm3": "App::PropertyDensity"}
-_UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
+UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
 
 # In order of work: the property editor sorts groups by name. With what has to follow a change.
 _TIERS = {"Target": "layout", "Tiles": "rebuild", "Layout": "layout", "Physics": "verify",
@@ -108,7 +108,7 @@ def value_of(obj: Any, name: str) -> Any:
     if hasattr(value, "getValueAs"):
         kind = obj.getTypeIdOfProperty(name)
         unit = next(unit for unit, known in _UNIT_TYPES.items() if known == kind)
-        return value.getValueAs(_UNITS.get(unit, unit)).Value
+        return value.getValueAs(UNITS.get(unit, unit)).Value
     return value
 
 
@@ -136,7 +136,7 @@ def same(a: Any, b: Any) -> bool:
 def _set(obj: Any, row: Any, value: Any) -> None:
     name = property_name(row.name)
     if hasattr(getattr(obj, name), "getValueAs"):
-        value = f"{value!r} {_UNITS.get(row.unit, row.unit)}"  # FreeCAD's own unit may be another
+        value = f"{value!r} {UNITS.get(row.unit, row.unit)}"  # FreeCAD's own unit may be another
     setattr(obj, name, value)
 
 
@@ -153,7 +153,7 @@ def shown(row: Any, value: float) -> str:
     if row.unit in _UNIT_TYPES:
         import FreeCAD
 
-        return str(FreeCAD.Units.Quantity(f"{value!r} {_UNITS.get(row.unit, row.unit)}").UserString)
+        return str(FreeCAD.Units.Quantity(f"{value!r} {UNITS.get(row.unit, row.unit)}").UserString)
     return f"{value:g}"
 
 
