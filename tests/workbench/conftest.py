@@ -10,21 +10,41 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 
-from running import dome, environment  # noqa: E402
+from running import ROOT, dome, environment  # noqa: E402
 from window import freecad_home  # noqa: E402
 
 
 @pytest.fixture(scope="session")
 def homes(tmp_path_factory):
-    return {known: freecad_home(tmp_path_factory.mktemp("home"), known) for known in (True, False)}
+    """Home folders by what FreeCAD knows of the workbench: all, nothing, all but the native module, and
+    all with a native module that can't be loaded."""
+    known = {known: freecad_home(tmp_path_factory.mktemp("home"), known) for known in (True, False)}
+    for name, module in (("no native", None), ("broken native", b"no library")):
+        known[name] = freecad_home(tmp_path_factory.mktemp("home"), False)
+        for mods in known[name].glob(".local/share/FreeCAD/**/Mod"):
+            checkout_with(mods / "CurveUps", module)
+    return known
+
+
+def checkout_with(folder, module):
+    """This checkout by links, with another native module: its bytes, or None."""
+    package = folder / "Workbench" / "curveups"
+    package.mkdir(parents=True)
+    for place, names in ((ROOT, ("Init.py", "InitGui.py", "package.xml", "resources")),
+                         (ROOT / "Workbench" / "curveups", None)):
+        for path in place.iterdir():
+            if path.name in names if names else not path.name.startswith(("_native", "__pycache__")):
+                (folder / path.relative_to(ROOT)).symlink_to(path)
+            elif not names and path.suffix == ".so" and module is not None:
+                (package / path.name).write_bytes(module)
 
 
 @pytest.fixture(scope="session")
 def freecad(homes):
-    """Runs Python text in freecadcmd; the text has to call `done()` at its end."""
+    """Runs Python text in freecadcmd; the text has to call `done()` at its end. home: a key of `homes`."""
 
-    def run(text, with_workbench=True, **names):
-        folder = homes[with_workbench]
+    def run(text, home=True, **names):
+        folder = homes[home]
         script = folder / "script.py"
         head = "".join(f"{name} = {str(value)!r}\n" for name, value in names.items())
         script.write_text(head + "def done():\n    print('script-is-done', flush=True)\n" + text)

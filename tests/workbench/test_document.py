@@ -172,7 +172,7 @@ document.recompute()
 assert abs(tiles.Shape.Volume / volume - 1) < 1e-12
 document.saveAs(copy)
 done()
-""", with_workbench=False, path=document, copy=tmp_path / "foreign.FCStd")
+""", home=False, path=document, copy=tmp_path / "foreign.FCStd")
     # ... and nothing is lost when it was saved there.
     freecad(OPEN + """
 assert len(tiles.Shape.Solids) == 54 and design.Results and design.Layout is document.Layout

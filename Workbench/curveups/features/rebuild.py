@@ -60,8 +60,9 @@ def take(obj: Any, results: Results) -> None:
     values = properties.named(results.parameters)
     read = {properties.property_name(name) for stage in ("bodies", "solids")
             for name in results.made[stage].key}
-    origin = {"design": status.record(obj, "Solved").get("design", ""),
-              "parameters": {name: value for name, value in values.items() if name in read}}
+    origin = {"design": status.record(obj, "Solved").get("design", ""), "parameters": {
+        name: value for name, value in values.items()
+        if name in read and properties.tier_of(obj, name) == "rebuild"}}
     for slot, kind in KINDS.items():
         body = getattr(obj, slot)
         if body is not None:

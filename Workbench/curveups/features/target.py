@@ -76,7 +76,7 @@ def set_source(obj: Any, source: Any) -> None:
 
 def name_of(source: Any) -> str:
     """What a design of this source is called."""
-    return Path(source).stem if isinstance(source, (str, Path)) else source.Label
+    return Path(source).stem if isinstance(source, (str, Path)) else f"{source.Label} design"
 
 
 def source_of(obj: Any, known: Source | None) -> Source:
