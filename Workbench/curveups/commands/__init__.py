@@ -20,7 +20,8 @@ def register() -> tuple[str, ...]:
 
     found = [command for command in map(_command, _FILES) if command]
     for command in found:
-        FreeCADGui.addCommand(command.name, command)
+        for one in (*command.menu(), command):
+            FreeCADGui.addCommand(one.name, one)
     return tuple(command.name for command in found)
 
 

@@ -31,6 +31,10 @@ class Command:
         times a second."""
         return ""
 
+    def menu(self) -> "list[Command]":
+        """The commands that this one is a menu of."""
+        return []
+
     def GetResources(self) -> dict[str, Any]:
         return {"Pixmap": self.name, "MenuText": self.text, "ToolTip": self.tooltip,
                 "Accel": self.shortcut, "CmdType": "AlterDoc"}

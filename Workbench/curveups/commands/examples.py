@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
+import FreeCADGui
 
 from ..errors import CurveUpsError
 from ..native import native, problem
@@ -30,12 +31,11 @@ class Examples(Command):
     def reason(self) -> str:
         return str(problem() or "")
 
-    def commands(self) -> list[Command]:
-        """One for each target."""
+    def menu(self) -> list[Command]:
         return [_Example(name, meaning) for name, meaning in self._targets]
 
     def GetCommands(self) -> tuple[str, ...]:
-        return tuple(command.name for command in self.commands())
+        return tuple(command.name for command in self.menu())
 
     def GetDefaultCommand(self) -> int:
         return 0
@@ -67,8 +67,10 @@ class _Example(Command):
     def run(self) -> None:
         from ..panels.solve import open_panel
 
-        document = FreeCAD.newDocument(self.text)
+        document = FreeCAD.newDocument(self._target.replace("-", "_"))
+        document.Label = self.text
         design = make_design(document, repr(self._target))
+        FreeCADGui.getDocument(document.Name).ActiveView.viewIsometric()
         with errors_shown(self.text):
             open_panel(design).run("solve")
 

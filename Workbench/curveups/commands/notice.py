@@ -4,7 +4,6 @@ window that waits for nobody; and the report view. Names of tiles in it select t
 
 from __future__ import annotations
 
-import importlib
 import os
 import re
 import traceback
@@ -68,12 +67,12 @@ def with_links(line: str) -> str:
 
 def select_tiles(link: str) -> None:
     """Selects the tiles that a link names in the overlay of the design at hand."""
+    from ..overlay import overlay_of
     from .command import chosen_design
 
-    overlay: Any = importlib.import_module("curveups.overlay")
     design = chosen_design()
     if design is not None:
-        overlay.overlay_of(design).select_tiles([int(name[1:]) - 1 for name in link.split(",")])
+        overlay_of(design).select_tiles([int(name[1:]) - 1 for name in link.split(",")])
 
 
 class Notice(QtWidgets.QFrame):

@@ -4,8 +4,6 @@ when it ends. Panels come and go meanwhile; so may the document, and FreeCAD its
 
 from __future__ import annotations
 
-import importlib
-import importlib.util
 import time
 from dataclasses import dataclass
 from typing import Any, Callable, Optional
@@ -14,7 +12,9 @@ import FreeCAD
 import FreeCADGui
 
 from ..commands.notice import errors_shown, show_error, show_line
-from ..features.document import set_running
+from ..features.document import set_running, state_of
+from ..overlay import overlay_of
+from ..overlay.scene import scene_of
 from ..project import Project
 from ..qt import QtCore, QtWidgets, translate
 from ..stages.stage import Job
@@ -48,6 +48,7 @@ class Live:
         self._task: Optional[Task] = None
         self._place = ("", "")  # document and object that the run is for
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
+        self._first = False  # whether the design had no layout before
 
     @property
     def busy(self) -> bool:
@@ -70,6 +71,7 @@ class Live:
         WORKER.start_work(task.work, self._ended)
         self._task, self._place = task, (design.Document.Name, design.Name)
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
+        self._first = state_of(design, "Layout")[0] == "empty"
         set_running(design, True)
         self._timer.start(INTERVAL)
         self._tell(True)
@@ -124,14 +126,20 @@ class Live:
         self._drawn = status.count
         _, T, q, _ = status.iterate
         with errors_shown(""):
-            overlay = _overlay_of(design)
-            if overlay is None:
-                return
+            overlay = overlay_of(design)
             if not self._scene_drawn and self._task is not None and self._task.project is not None:
-                overlay.show_scene(_overlays("scene").scene_of(self._task.project))
+                overlay.show_scene(scene_of(self._task.project))
                 self._scene_drawn = True
+                self._fit(design)
             overlay.set_iterate(T, q)
         self._rest_until = time.perf_counter() + 2 * (time.perf_counter() - start)
+
+    def _fit(self, design: Any) -> None:
+        """Brings the whole picture into view, where there was none before."""
+        if self._first:
+            gui = FreeCADGui.getDocument(design.Document.Name)
+            if hasattr(gui.ActiveView, "fitAll"):
+                gui.ActiveView.fitAll()
 
     def _ended(self, outcome: Outcome) -> None:
         self._timer.stop()
@@ -151,9 +159,8 @@ class Live:
         else:
             show_line(translate("CurveUps", "{task} was cancelled: the design is as it was",
                                 task=task.title))
-        overlay = _overlay_of(design)
-        if overlay is not None:
-            overlay.show_design()
+        overlay_of(design).show_design()
+        self._fit(design)
 
     def _design(self) -> Any:
         document, name = self._place
@@ -168,14 +175,6 @@ class Live:
             FreeCADGui.getMainWindow().statusBar().showMessage(f"CurveUps: {status.what}")
         for observer in list(self._observers):
             observer(status, goes_on)
-
-
-def _overlay_of(design: Any) -> Any:
-    return _overlays().overlay_of(design) if importlib.util.find_spec("curveups.overlay") else None
-
-
-def _overlays(module: str = "") -> Any:
-    return importlib.import_module(f"curveups.overlay.{module}".rstrip("."))
 
 
 class _Watcher:
