@@ -34,6 +34,12 @@ def click_at(point, button=1, times=1):
     display('click', '--repeat', times, '--delay', 60, button)
 
 def click(widget, times=1, button=1):
+    above = widget.parentWidget()
+    while above is not None:  # as a user scrolls
+        if isinstance(above, QtGui.QScrollArea):
+            above.ensureWidgetVisible(widget)
+            settle(100)
+        above = above.parentWidget()
     assert widget.isVisible() and widget.isEnabled(), (widget.objectName(), widget.isVisible())
     click_at(widget.mapToGlobal(widget.rect().center()), button, times)
 
@@ -55,8 +61,9 @@ def fill(box, text):
 def widget(name, seconds=10):
     # The visible widget of that object name, in the window or in a dialog.
     def find():
-        return next((w for w in QtGui.QApplication.allWidgets()
-                     if w.objectName() == name and w.isVisible()), None)
+        found = [w for top in QtGui.QApplication.topLevelWidgets() if top.isVisible()
+                 for w in top.findChildren(QtGui.QWidget, name)]
+        return next((w for w in found if w.isVisible()), None)
     return until(find, seconds, f'a widget {name}')
 
 def in_dialog(start, work):
@@ -128,8 +135,12 @@ def tidy():
     window.move(0, 0)
     window.resize(*size)
     for dock in window.findChildren(QtGui.QDockWidget):
-        dock.setVisible(dock.objectName() in ('Combo View', 'Tasks', 'Model', 'Tree view', 'Property view',
-                                              'Report view'))
+        name = dock.objectName()
+        dock.setVisible(name in ('Combo View', 'Tasks', 'Model', 'Tree view', 'Property view', 'Report view'))
+        if name == 'Report view':
+            window.resizeDocks([dock], [90], QtCore.Qt.Vertical)
+        elif dock.isVisible():
+            window.resizeDocks([dock], [340], QtCore.Qt.Horizontal)
     settle(300)
 
 size = (1440, 900)

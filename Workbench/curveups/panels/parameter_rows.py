@@ -9,7 +9,8 @@ from typing import Any, Callable
 import FreeCADGui
 
 from ..commands.notice import errors_shown
-from ..qt import QtCore, QtWidgets
+from ..features.actions import transaction
+from ..qt import QtCore, QtWidgets, translate
 
 PAUSE = 400  # ms without typing after which an edit counts
 
@@ -17,10 +18,14 @@ Changed = Callable[[], object]
 
 
 class ParameterRows:
-    """Fields for some properties of one object. changed: called after properties were set."""
+    """Fields for some properties of one object, put into the layout `place`. changed: called after
+    properties were set."""
 
-    def __init__(self, form: Any, obj: Any, names: list[str], changed: Changed):
+    def __init__(self, place: Any, obj: Any, names: list[str], changed: Changed):
         self._object, self._changed = obj, changed
+        self._page = QtWidgets.QWidget()
+        form = QtWidgets.QFormLayout(self._page)
+        form.setContentsMargins(0, 0, 0, 0)
         self._pending: dict[str, Any] = {}
         self._fields: dict[str, Any] = {}
         self._bindings: list[Any] = []
@@ -36,6 +41,7 @@ class ParameterRows:
             label.setToolTip(field.toolTip())
             form.addRow(label, field)
             self._fields[name] = field
+        place.addWidget(self._page)
         self.refresh()
 
     def refresh(self) -> None:
@@ -49,21 +55,30 @@ class ParameterRows:
             self._filling = False
 
     def flush(self) -> None:
-        """Sets the properties that were edited; all at once."""
+        """Sets the properties that were edited: all at once, as one step of undo. No transaction is left
+        open in between, since solids wait for its end."""
         self._timer.stop()
         pending, self._pending = self._pending, {}
         if not pending:
             return
+        document = self._object.Document
         with errors_shown(""):
-            for name, value in pending.items():
-                setattr(self._object, name, value)
+            with transaction(document, translate("CurveUpsSolve", "Edit the design")):
+                for name, value in pending.items():
+                    setattr(self._object, name, value)
+                document.recompute()
             self._changed()
         self.refresh()
 
     def close(self) -> None:
-        """No edit comes any more."""
+        """No edit comes any more, and the fields are gone. They are deleted together with what
+        PySide knows of them: it would take a later field at the address of one for the deleted one."""
         self._timer.stop()
         self._pending = {}
+        self._bindings.clear()
+        self._fields.clear()
+        self._page.setParent(None)
+        self._page.deleteLater()
 
     def _edit(self, name: str, value: Any) -> None:
         if self._filling:
@@ -99,8 +114,13 @@ class ParameterRows:
         binding.bind(self._object, name)
         self._bindings.append(binding)  # lives as long as the field
         which = _value_of(field)
-        field.valueChanged.connect(lambda *_: self._edit(name, field.property(which)))
+        field.valueChanged.connect(lambda *_: self._edit_number(name, which))
         return field
+
+    def _edit_number(self, name: str, which: str) -> None:
+        field = self._fields.get(name)
+        if field is not None:
+            self._edit(name, field.property(which))
 
 
 def _value_of(field: Any) -> str:

@@ -63,11 +63,12 @@ def open_panel(design: Any) -> "SolvePanel":
 
 
 def enter(design: Any) -> bool:
-    """For the view provider's setEdit: the transaction of edits begins here, not in the double click,
-    whose own would be taken for it."""
+    """For the view provider's setEdit. Ends the transaction that a double click opens: edits have their
+    own."""
     global _open
     if FreeCADGui.Control.activeDialog():
         return False
+    design.Document.commitTransaction()
     _open = SolvePanel(design)
     FreeCADGui.Control.showDialog(_open)
     return True
@@ -95,7 +96,6 @@ class SolvePanel:
         self._began: dict[str, float] = {}
         self._prepare_buttons()
         self._prepare_parameters()
-        self._open_transaction()
         show_in(self._say)
         LIVE.observe(self._show_run)
         self._show_verdict()
@@ -124,14 +124,12 @@ class SolvePanel:
         LIVE.forget(self._show_run)
         show_in(None)
         _open = None
-        self.design.Document.commitTransaction()
 
     def run(self, which: str) -> None:
         """Starts a run: "solve", "verify", "repair", "build_solids"."""
         if self._rows:
             self._rows.flush()
         self._say("")
-        self.design.Document.commitTransaction()
         self.form.stages.clear()
         self._began = {}
         with errors_shown(which):
@@ -173,20 +171,11 @@ class SolvePanel:
         if self._rows:
             self._rows.flush()
             self._rows.close()
-        rows = self.form.rows
-        while rows.rowCount():
-            rows.removeRow(0)
         names = self._groups.get(self.form.group.currentData(), [])
-        self._rows = ParameterRows(rows, self.design, names, self._edited)
+        self._rows = ParameterRows(self.form.rows, self.design, names, self._edited)
 
     def _edited(self) -> None:
-        self.design.Document.recompute()
-        self.design.Document.commitTransaction()
-        self._open_transaction()
         self._show_verdict()
-
-    def _open_transaction(self) -> None:
-        self.design.Document.openTransaction(translate("CurveUpsSolve", "Edit the design"))
 
     def _say(self, text: str) -> None:
         """A line of rich text at the top."""
@@ -232,7 +221,6 @@ class SolvePanel:
             if self._rows:
                 self._rows.refresh()
             self._show_verdict()
-            self._open_transaction()
 
     def _show_stage(self, status: Status, goes_on: bool) -> None:
         """A line for each stage that has begun."""
