@@ -1,0 +1,312 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The overlay in FreeCAD's window: its pictures, what the mouse does on it, and what outlives a document."""
+
+import shutil
+
+import pytest
+from window import run_in_window
+
+pytestmark = pytest.mark.skipif(not shutil.which("xvfb-run"), reason="there is no xvfb-run")
+
+OPEN = """
+import numpy as np
+
+def opened(path):
+    from curveups.overlay import overlay_of, showing
+    FreeCADGui.activateWorkbench('CurveUpsWorkbench')
+    document = FreeCAD.openDocument(path)
+    window = FreeCADGui.getMainWindow()
+    window.resize(1400, 880)
+    area = window.findChild(QtGui.QMdiArea)
+    for child in area.subWindowList():
+        if document.Label not in child.windowTitle():
+            child.close()
+    area.activeSubWindow().showMaximized()
+    settle(600)
+    design = document.Design
+    showing.show_flat(design)
+    settle(800)
+    view = FreeCADGui.getDocument(document.Name).activeView()
+    view.setAnimationEnabled(False) if hasattr(view, 'setAnimationEnabled') else None
+    view.viewTop()
+    view.fitAll()
+    settle(300)
+    overlay = overlay_of(design)
+    assert overlay.scene is not None, overlay.note
+    return document, design, view, overlay
+
+def size(view):
+    region = view.getViewer().getSoRenderManager().getViewportRegion()
+    return region.getViewportSizePixels().getValue()
+
+def on_screen(view, point):
+    # Pixel of a point, from the lower left corner.
+    volume = view.getCameraNode().getViewVolume(size(view)[0] / size(view)[1])
+    from pivy import coin
+    x, y, _ = volume.projectToScreen(coin.SbVec3f(*map(float, point))).getValue()
+    return x * size(view)[0], y * size(view)[1]
+
+def picture(view, name):
+    # Of the view, in its own pixels.
+    path = os.path.join(pictures, name + '.png')
+    view.saveImage(path, *size(view), 'White')
+    image = QtGui.QImage(path)
+    assert image.width() == size(view)[0]
+    return image
+
+def colour(image, pixel):
+    x, y = pixel
+    return np.array(QtGui.QColor(image.pixel(int(x), int(image.height() - y))).getRgbF()[:3])
+
+def mouse(view, pixel, *kinds):
+    widget = view.graphicsView().viewport()
+    ratio = widget.devicePixelRatioF()
+    point = QtCore.QPointF(pixel[0] / ratio, widget.height() - pixel[1] / ratio)
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    for kind in kinds:
+        held = {'MouseButtonRelease': none, 'MouseMove': none, 'Drag': left}.get(kind, left)
+        button = none if kind in ('MouseMove', 'Drag') else left
+        event = QtGui.QMouseEvent(getattr(QtCore.QEvent, 'MouseMove' if kind == 'Drag' else kind), point,
+                                  widget.mapToGlobal(point.toPoint()), button, held, QtCore.Qt.NoModifier)
+        QtCore.QCoreApplication.sendEvent(widget, event)
+        settle(60)
+
+def click(view, pixel):
+    mouse(view, pixel, 'MouseMove', 'MouseButtonPress', 'MouseButtonRelease')
+
+def third(corners, tile, edge):
+    # The middle of the third of a tile's front that belongs to an edge.
+    front = corners[tile, :3]
+    return (front[edge] + front[(edge + 1) % 3] + front.mean(0)) / 3
+"""
+
+COLOURS = OPEN + """
+def work():
+    from curveups.overlay import colours
+    document, design, view, overlay = opened(path)
+    design.ViewObject.ColourMap = 'Viridis'
+    assert overlay.fields()[:2] == ['Normal force', 'Friction ratio'], overlay.fields()
+    overlay.set_field('Normal force')
+    one, scene = overlay.field(), overlay.scene
+    image = picture(view, 'flat')
+    for number, share in ((one.order[0], 0), (one.order[-1], 1)):
+        expected = colours.sample('Viridis', np.array(share))
+        for k in (0, 1):
+            point = third(overlay.figures()[0][0], scene.contacts[number, k], scene.sides[number, k])
+            found = colour(image, on_screen(view, point))
+            assert np.abs(found - expected).max() < 0.13, (number, found, expected)
+    # A contact is drawn beside its edge and nowhere else: at the boundary there is none.
+    sides = {(int(t), int(e)) for t, e in zip(scene.contacts.ravel(), scene.sides.ravel())}
+    free = next((t, e) for t in range(len(scene.F)) for e in range(3) if (t, e) not in sides)
+    found = colour(image, on_screen(view, third(overlay.figures()[0][0], *free)))
+    assert np.ptp(found) < 0.05, found
+    # Another range, another colour; another field, another picture; none, a plain one.
+    overlay.set_range((one.values.max() * 2, one.values.max() * 3))
+    assert picture(view, 'range') != image
+    overlay.set_field('Gap')
+    gap = picture(view, 'gap')
+    overlay.set_field('None')
+    assert gap != image and picture(view, 'plain') != gap and overlay.legend.content is None
+    # The target shape; both; pins.
+    from curveups.overlay import showing
+    showing.show_actuated(design)
+    settle(1000)
+    assert overlay.morph() == 1
+    assert np.array_equal(overlay.figures()[0][0], scene.actuated)
+    actuated = picture(view, 'actuated')
+    design.ViewObject.Pins = True
+    assert picture(view, 'pins') != actuated
+    design.ViewObject.Both = True
+    (flat, _), (other, shift) = overlay.figures()
+    assert np.array_equal(flat, scene.flat) and np.array_equal(other, scene.actuated)
+    assert (other + shift)[..., 0].min() > flat[..., 0].max()
+    # Half-way every tile is as it was.
+    design.ViewObject.Both = False
+    overlay.set_morph(0.5)
+    half = overlay.figures()[0][0]
+    def edges(corners):
+        return np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+    assert np.abs(edges(half) - edges(scene.flat)).max() < 1e-9
+"""
+
+
+def test_colours_are_those_of_the_values(document, homes, tmp_path):
+    out = run_in_window(COLOURS, homes[True], tmp_path, path=document, pictures=tmp_path)
+    assert "Traceback" not in out, out
+
+
+PICKING = OPEN + """
+def selected():
+    return [(one.ObjectName, *one.SubElementNames) for one in FreeCADGui.Selection.getSelectionEx()]
+
+def work():
+    from curveups.overlay.picking import pick
+    document, design, view, overlay = opened(path)
+    scene = overlay.scene
+    for tile, edge in ((0, 0), (17, 1), (53, 2)):
+        pixel = on_screen(view, third(overlay.figures()[0][0], tile, edge))
+        click(view, pixel)
+        assert selected() == [('Design', f'T{tile + 1:05d}')], (tile, selected())
+        assert overlay.selected == [tile]
+        assert 'Normal force' in FreeCADGui.getMainWindow().statusBar().currentMessage()
+        found = pick(view, pixel)
+        assert (found.tile, found.edge) == (tile, edge), (tile, edge, found)
+        assert found.vertices == (scene.F[tile, edge], scene.F[tile, (edge + 1) % 3])
+        assert np.abs(found.point - third(overlay.figures()[0][0], tile, edge)).max() < 0.2, found.point
+    width, height = size(view)
+    assert pick(view, (width - 3, 3)) is None
+    # The same tile lights up wherever it is drawn, and is picked there.
+    design.ViewObject.Both = True
+    view.fitAll()
+    settle(200)
+    before = picture(view, 'before')
+    overlay.select_tiles([20])
+    settle(200)
+    after = picture(view, 'after')
+    for corners, shift in overlay.figures():
+        pixel = on_screen(view, third(corners, 20, 0) + shift)
+        lit, was = colour(after, pixel), colour(before, pixel)
+        assert np.abs(lit - was).max() > 0.1 and lit[1] > lit[0] + 0.1 and lit[1] > lit[2] + 0.1, (lit, was)
+        assert pick(view, pixel).tile == 20
+        FreeCADGui.Selection.clearSelection()  # a second click takes the whole design, as FreeCAD does
+        click(view, pixel)
+        assert selected() == [('Design', 'T00021')], selected()
+    # A design that is selected as a whole keeps its colours; one that is moved is picked where it is.
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(design)
+    settle(200)
+    corners, shift = overlay.figures()[0]
+    pixel = on_screen(view, third(corners, 20, 0))
+    assert np.abs(colour(picture(view, 'whole'), pixel) - colour(before, pixel)).max() < 0.1
+    design.Placement.Base = FreeCAD.Vector(30, 20, 0)
+    settle(200)
+    pixel = on_screen(view, third(corners, 20, 0) + [30, 20, 0])
+    found = pick(view, pixel)
+    assert found.tile == 20 and np.abs(found.point - third(corners, 20, 0) - [30, 20, 0]).max() < 0.2
+"""
+
+
+def test_picking_gives_tiles_and_edges(document, homes, tmp_path):
+    out = run_in_window(PICKING, homes[True], tmp_path, path=document, pictures=tmp_path)
+    assert "Traceback" not in out, out
+
+
+KEPT = OPEN + """
+def work():
+    from curveups.overlay import legend as parts, overlay_of, overlays
+    document, design, view, overlay = opened(path)
+    overlay.set_field('Normal force')
+    low, high = overlay.range()
+    FreeCADGui.Selection.addSelection(document.Name, 'Design', 'T00003')
+    camera = view.getCamera()
+    x, bottom = parts.LEFT + 5, parts.bottom(size(view)[1])
+    mouse(view, (x, bottom + parts.height_of(0)), 'MouseButtonPress')
+    for share in (0.1, 0.3, 0.5):
+        mouse(view, (x, bottom + parts.height_of(share)), 'Drag')
+    mouse(view, (x, bottom + parts.height_of(0.5)), 'MouseButtonRelease')
+    dragged = overlay.range()
+    assert abs(dragged[0] - (low + high) / 2) < 0.02 * (high - low) and dragged[1] == high, (low, dragged)
+    assert view.getCamera() == camera and overlay.selected == [2], 'the view has had the mouse too'
+    assert overlay.legend.content.low == dragged[0]
+    # The upper end can't go below the lower one.
+    mouse(view, (x, bottom + parts.height_of(1)), 'MouseButtonPress')
+    mouse(view, (x, bottom + parts.height_of(-0.1)), 'Drag', 'MouseButtonRelease')
+    assert overlay.range()[0] < overlay.range()[1], overlay.range()
+    kept = overlay.range()
+    overlay.set_field('Gap')
+    assert overlay.range() != kept
+    view_provider = design.ViewObject
+    overlay.set_field('Normal force')
+    overlay.set_morph(0.25)
+    view_provider.Pins = True
+    view_provider.ColourMap = 'Cividis'
+    document.saveAs(copy)
+    FreeCAD.closeDocument(document.Name)
+    settle(200)
+    assert overlays() == [] and overlay.closed
+    again = FreeCAD.openDocument(copy)
+    settle(600)
+    overlay = overlay_of(again.Design)
+    view_provider = again.Design.ViewObject
+    assert overlay.scene is not None and overlay.field().name == 'Normal force', overlay.note
+    assert overlay.range() == kept and overlay.morph() == 0.25
+    assert view_provider.Pins and view_provider.ColourMap == 'Cividis'
+    # A double click takes the range back to the automatic one.
+    view = FreeCADGui.getDocument(again.Name).activeView()
+    settle(300)
+    mouse(view, (x, parts.bottom(size(view)[1]) + 50), 'MouseButtonDblClick')
+    assert overlay.range() == (low, high), overlay.range()
+"""
+
+
+def test_the_range_is_dragged_and_kept(document, homes, tmp_path):
+    out = run_in_window(KEPT, homes[True], tmp_path, path=document, pictures=tmp_path,
+                        copy=tmp_path / "copy.FCStd")
+    assert "Traceback" not in out, out
+
+
+FOLLOWED = OPEN + """
+def work():
+    from curveups.features import document as documents
+    document, design, view, overlay = opened(path)
+    before = overlay.scene
+    overlay.set_field('Normal force')
+    # Geometry: the picture at once, and what was computed for another one says so.
+    design.HBody = 2.0
+    document.recompute()
+    settle(300)
+    assert overlay.scene is not before and overlay.note == ''
+    assert np.allclose(overlay.scene.flat[:, 0, 2] - overlay.scene.flat[:, 3, 2], 2.0)
+    assert overlay.field().note == 'out of date (H_body)', overlay.field().note
+    assert 'out of date (H_body)' in overlay.legend.content.notes
+    # What can't be built leaves the last picture, with the reason.
+    shown = overlay.scene
+    design.HBody = 45.0
+    document.recompute()
+    settle(300)
+    assert overlay.scene is shown and 'back faces vanish' in overlay.note, overlay.note
+    assert any('back faces vanish' in note for note in overlay.legend.content.notes)
+    design.HBody = 3.0
+    document.recompute()
+    settle(300)
+    assert overlay.note == '' and overlay.field().note == ''
+    assert np.allclose(overlay.scene.flat, before.flat)
+    # What a solver has at hand, and the end of that.
+    native_design = documents.design_project_of(design).latest('design').design
+    T, q = np.asarray(native_design.T), np.asarray(native_design.q)
+    overlay.set_iterate(T + 5.0, q)
+    assert np.allclose(overlay.figures()[0][0][:, :3, :2], T + 5.0)
+    assert 'Gap' not in overlay.fields()
+    overlay.set_iterate(T[:5], q[:5])  # of other tiles: left out
+    assert len(overlay.scene.F) == len(T)
+    overlay.show_design()
+    assert np.allclose(overlay.scene.flat, before.flat) and 'Gap' in overlay.fields()
+    # Two panels.
+    FreeCADGui.runCommand('CurveUps_WorstContacts')
+    settle(300)
+    rows = FreeCADGui.getMainWindow().findChild(QtGui.QTableWidget, 'rows')
+    one = overlay.field()
+    assert rows.rowCount() == len(one.order)
+    rows.selectRow(0)
+    settle(300)
+    assert sorted(overlay.selected) == sorted(overlay.scene.contacts[one.order[0]])
+    FreeCADGui.Control.closeDialog()
+    settle(100)
+    FreeCADGui.runCommand('CurveUps_Overlay')
+    settle(300)
+    slider = FreeCADGui.getMainWindow().findChild(QtGui.QSlider, 'morph')
+    slider.setValue(slider.maximum() // 2)
+    settle(100)
+    assert overlay.morph() == 0.5
+    # Nothing is left of a design that is deleted, and its panel goes.
+    document.openTransaction('delete')
+    document.removeObject('Design')
+    document.commitTransaction()
+    settle(300)
+    assert overlay.closed and not FreeCADGui.Control.activeDialog()
+"""
+
+
+def test_it_follows_document_solver_and_panels(document, homes, tmp_path):
+    out = run_in_window(FOLLOWED, homes[True], tmp_path, path=document, pictures=tmp_path)
+    assert "Traceback" not in out, out
