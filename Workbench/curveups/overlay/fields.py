@@ -129,11 +129,6 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any, note:
         fields.append(Field("Friction ratio", "", CONTACT,
                             lambda: aligned(arrays, "contact_friction_ratio", contacts), "high",
                             slipping, "triangle", "contacts above friction_coefficient", note=note))
-    sides = [side["stretch"] for side in verification.membranes if len(side["triangles"])]
-    if sides:
-        fields.append(Field("Membrane stretch", "", MEMBRANE,
-                            lambda: np.concatenate([np.max(stretch, axis=1) for stretch in sides]), "high",
-                            note=note))
     return fields
 
 

@@ -44,10 +44,9 @@ class Figure:
         if pins and len(scene.actuated_pins):
             self._pins.set_corners(prisms.pin_prisms(scene.pins_at(t)))
         known = [scene.membrane_at(sheet, t) for sheet in scene.membranes] if membranes else []
-        self._show(self._sheets_shown, bool(known) and all(points is not None for points in known))
+        self._show(self._sheets_shown, bool(known))
         for sheet, membrane, points in zip(self._sheets, scene.membranes, known):
-            if points is not None:
-                sheet.set_shape(points, membrane.triangles)
+            sheet.set_shape(points, membrane.triangles)
 
     def mark(self, places: Mapping[str, np.ndarray]) -> None:
         """Marks by their shape at points (K x 3, mm)."""

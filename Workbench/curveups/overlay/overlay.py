@@ -22,7 +22,7 @@ from .fields import MEMBRANE, Field
 from .figure import Figure
 from .legend import Content, Dragging, Legend
 from .nodes import fill
-from .scene import NO_FIELD, Scene, scene_of
+from .scene import NO_FIELD, Membrane, Scene, scene_of
 from .units import text_of
 
 AUTOMATIC = "Automatic"
@@ -123,6 +123,18 @@ class Overlay:
             scene = self.scene.moved(np.asarray(T, float), np.asarray(q, float))
         self._shown, self._iterating = None, True
         self._take(scene)
+
+    def design(self) -> Any:
+        """The native Design as it is drawn. Raises CurveUpsError where there is none."""
+        from ..features.document import design_project_of
+
+        project = design_project_of(self.object)
+        return project.latest("design").design.with_parameters(project.parameters)
+
+    def show_membranes(self, membranes: tuple[Membrane, ...]) -> None:
+        """Draws membranes that were computed for `design()` (see scene.membranes_of), until it changes."""
+        if self.scene is not None and membranes and not self._iterating:
+            self._take(self.scene.with_membranes(membranes))
 
     def show_scene(self, scene: Optional[Scene]) -> None:
         """Draws any scene, until `show_design`."""

@@ -10,7 +10,7 @@ from typing import Any, Optional
 import numpy as np
 
 from ..native import native
-from .fields import SIDE, TILE, Field, design_fields, force_fields, target_fields
+from .fields import MEMBRANE, SIDE, TILE, Field, design_fields, force_fields, target_fields
 from .motion import Motion
 from .prisms import SLOTS
 
@@ -19,12 +19,13 @@ NO_FIELD = "None"  # the name for plain tiles
 
 @dataclass(frozen=True)
 class Membrane:
-    """One sheet between its pins: places of its points (P x 3, mm; actuated: where they are known) and
-    triangles (K x 3)."""
+    """One sheet between its pins: places of its points (P x 3, mm), triangles (K x 3) and the larger
+    principal stretch of each when actuated (K)."""
 
     flat: np.ndarray
-    actuated: Optional[np.ndarray]
+    actuated: np.ndarray
     triangles: np.ndarray
+    stretch: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -64,13 +65,11 @@ class Scene:
             return self.flat_pins
         return self.motion.move(self.flat_pins.reshape(-1, 12, 3), t).reshape(-1, 2, 6, 3)
 
-    def membrane_at(self, membrane: Membrane, t: float) -> Optional[np.ndarray]:
-        """Points of a membrane, P x 3; None where they are not known."""
-        if t <= 0:
-            return membrane.flat
-        if membrane.actuated is None or self.motion is None:
-            return None
-        return membrane.actuated if t >= 1 else self.motion.blend(membrane.flat, membrane.actuated, t)
+    def membrane_at(self, membrane: Membrane, t: float) -> np.ndarray:
+        """Points of a membrane, P x 3."""
+        if self.motion is None or t >= 1:
+            return membrane.actuated
+        return membrane.flat if t <= 0 else self.motion.blend(membrane.flat, membrane.actuated, t)
 
     def slots(self, one: Field) -> np.ndarray:
         """A field's values where they are drawn (M x 6, see prisms); NaN where there is none."""
@@ -114,6 +113,12 @@ class Scene:
         length = np.linalg.norm(normal, axis=1, keepdims=True)
         return points + 0.1 * normal / np.sqrt(np.where(length > 0, length, 1))
 
+    def with_membranes(self, membranes: tuple[Membrane, ...]) -> "Scene":
+        """The same with membranes, and what can be said of them."""
+        stretch = Field("Membrane stretch", "", MEMBRANE,
+                        lambda: np.concatenate([sheet.stretch for sheet in membranes]), "high")
+        return replace(self, membranes=membranes, fields={**self.fields, stretch.name: stretch})
+
     def moved(self, T: np.ndarray, q: np.ndarray) -> "Scene":
         """The same tiles elsewhere in the layout, as a solver has them (M x 3 x 2 and M x 2 x 3, mm).
         What was computed of the layout before is gone."""
@@ -147,19 +152,18 @@ def scene_of(project: Any) -> Optional[Scene]:
 
 def _of_design(project: Any, design: Any) -> Scene:
     shapes, parameters = native.tile_shapes(design), design.parameters
-    fields, membranes = [], ()  # type: list[Field], tuple[Membrane, ...]
+    fields: list[Field] = []
     for name in ("verification", "verification of the layout"):
         made = project.latest(name)
         made = getattr(made, "verification", made)
         if made is not None and made.judged and len(made.design.F) == len(design.F):
             note = _note(project.out_of_date(name))
             fields += force_fields(made, shapes.contacts, parameters, note)
-            membranes = _membranes(made, parameters)
             break
     fields += design_fields(design, shapes.contacts)
     fields += target_fields(design.V, design.F, design.cuts, parameters, shapes.contacts, False)
     return Scene(design.V, design.F, design.cuts, parameters, **_shapes(shapes, parameters),
-                 membranes=membranes, fields={one.name: one for one in fields})
+                 fields={one.name: one for one in fields})
 
 
 def _note(changed: Any) -> str:
@@ -180,11 +184,13 @@ def _shapes(shapes: Any, parameters: Any) -> dict[str, Any]:
             "contacts": np.asarray(shapes.contacts), "sides": np.asarray(shapes.contact_sides)}
 
 
-def _membranes(verification: Any, parameters: Any) -> tuple[Membrane, ...]:
-    """On the ends of the pins."""
-    found = []
-    pin, height = parameters.get("H_pin"), _height(parameters)
-    for side, z in zip(verification.membranes, (height + pin, 0.0)):
-        flat = np.column_stack([side["flat"], np.full(len(side["flat"]), z)])
-        found.append(Membrane(flat, side.get("actuated"), side["triangles"]))
-    return tuple(one for one in found if len(one.triangles))
+def membranes_of(design: Any, job: Any) -> tuple[Membrane, ...]:
+    """Both membranes of a native Design in equilibrium: seconds of work, for a worker's thread. None where
+    nothing is between the pins."""
+    found, get = [], design.parameters.get
+    top = _height(design.parameters) + get("H_pin")
+    for side, z in zip(native.verify_design(design, native.SolutionStore(), job).membranes, (top, 0.0)):
+        if len(side.triangles):
+            flat = np.column_stack([side.flat, np.full(len(side.flat), z)])
+            found.append(Membrane(flat, side.actuated, side.triangles, np.max(side.stretch, axis=1)))
+    return tuple(found)

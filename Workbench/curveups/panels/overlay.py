@@ -5,13 +5,15 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..commands.notice import errors_shown
 from ..errors import tile_name
-from ..overlay import colours
+from ..overlay import colours, overlay_of
 from ..overlay.overlay import AUTOMATIC
-from ..overlay.scene import NO_FIELD
+from ..overlay.scene import NO_FIELD, membranes_of
 from ..overlay.units import user_unit
 from ..qt import QtWidgets, load_ui, translate
 from .following import Following
+from .live import LIVE, Task
 
 _STEPS = 200  # of the slider
 _MOST_TILES = 50
@@ -37,6 +39,7 @@ class OverlayPanel(Following):
         form.map.currentIndexChanged.connect(lambda *_: self._set("ColourMap", form.map.currentData()))
         for box, name in ((form.pins, "Pins"), (form.membranes, "Membranes"), (form.both, "Both")):
             box.toggled.connect(lambda on, name=name: self._set(name, on))
+        form.membranes.toggled.connect(lambda on: self._compute_membranes(on))
         form.low.valueChanged.connect(lambda *_: self._set_range())
         form.high.valueChanged.connect(lambda *_: self._set_range())
         form.automatic.clicked.connect(lambda *_: self._overlay.set_range(None))
@@ -104,6 +107,17 @@ class OverlayPanel(Following):
         if not self._filling:
             self._overlay.folding = None
             self._overlay.set_morph(step / _STEPS)
+
+    def _compute_membranes(self, wanted: bool) -> None:
+        """They are stored nowhere: most of a verification, and seldom looked at."""
+        scene = self._overlay.scene
+        if self._filling or not wanted or scene is None or scene.membranes:
+            return
+        with errors_shown(translate("CurveUps_Overlay", "Membranes")):
+            design = self._overlay.design()
+            LIVE.start(self._overlay.object, Task(
+                translate("CurveUps_Overlay", "Membranes"), lambda job: membranes_of(design, job),
+                lambda obj, membranes: overlay_of(obj).show_membranes(membranes)))
 
     def getStandardButtons(self) -> int:
         return int(QtWidgets.QDialogButtonBox.Close)
