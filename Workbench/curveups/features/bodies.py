@@ -25,7 +25,9 @@ class BodiesProxy(PartProxy):
 
 def write_body(obj: Any, shape: Any, origin: dict[str, Any], placement: Any) -> None:
     """origin: digest of the design and parameters by property."""
+    # In the shape: an object that is moved goes through all its solids once more.
+    if not placement.isIdentity():
+        shape.Placement = placement
     obj.Shape = shape
-    obj.Placement = placement
     obj.BuiltFrom = json.dumps(origin)
     obj.purgeTouched()

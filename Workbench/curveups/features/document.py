@@ -151,8 +151,8 @@ def take_bodies(obj: Any, results: Results) -> None:
 
 def visibility(obj: Any, solids: bool) -> dict[str, bool]:
     """What is shown of a design without an overlay, by object: its solids or its target."""
-    shown = {"Target": not solids, "Tiles": solids, "Anchors": solids}
-    return {obj.Name: True, **{part.Name: shown.get(slot, False) for slot in SLOTS
+    shown = {"Target": not solids, "Tiles": solids, "Support": False, "Anchors": solids}
+    return {obj.Name: True, **{part.Name: shown.get(slot, True) for slot in SLOTS
                                if (part := getattr(obj, slot)) is not None}}
 
 
@@ -216,7 +216,8 @@ def make_design(obj: Any, parts: Mapping[str, Any]) -> None:
     DesignProxy(obj)
     for slot in SLOTS:
         part = parts.get(slot) or _MAKERS[slot](obj.Document)
-        part.Visibility = part.Visibility and slot in parts
+        if slot not in parts and hasattr(part, "Placement"):
+            part.Visibility = False  # what has no shape would only be grey in the tree
         setattr(obj, slot, part)
     show(obj)
 

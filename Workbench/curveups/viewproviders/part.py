@@ -3,16 +3,34 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from pivy import coin
+
 from .view import View
 
 
-class CutsView(View):
+class PartView(View):
+    """Of an object without a shape: an empty display mode keeps it from being grey in the tree."""
+
+    def attach(self, view: Any) -> None:
+        super().attach(view)
+        view.addDisplayMode(coin.SoGroup(), "Nothing")
+
+    def getDisplayModes(self, view: Any) -> list[str]:
+        return ["Nothing"]
+
+    def getDefaultDisplayMode(self) -> str:
+        return "Nothing"
+
+
+class CutsView(PartView):
     """Of Cuts."""
 
     ICON = COMMAND = "CurveUps_Cuts"
 
 
-class LayoutView(View):
+class LayoutView(PartView):
     """Of a Layout."""
 
     ICON = "CurveUps_ShowFlat"
@@ -20,7 +38,7 @@ class LayoutView(View):
     MENU = ("CurveUps_Repair", "CurveUps_ShowFlat", "CurveUps_ShowActuated")
 
 
-class VerificationView(View):
+class VerificationView(PartView):
     """Of a Verification."""
 
     ICON = COMMAND = "CurveUps_Verify"
