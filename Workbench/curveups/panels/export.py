@@ -49,7 +49,7 @@ class ExportPanel:
         form.deviation.setProperty("unit", "mm")
         form.deviation.setProperty("minimum", 0.0001)
         form.deviation.setProperty("rawValue", self._parameters.get("mesh_deviation"))
-        form.mask.setText(preferences.export_mask())
+        form.names.setText(preferences.export_mask())
         form.folder.setText(self._folder())
         form.browse.clicked.connect(lambda *_: self._browse())
         form.write.clicked.connect(lambda *_: self.write())
@@ -57,7 +57,7 @@ class ExportPanel:
         form.files.itemChanged.connect(lambda *_: self._estimate())
         form.deviation.valueChanged.connect(lambda *_: self._estimate())
         form.reports.toggled.connect(lambda *_: self._estimate())
-        form.mask.textChanged.connect(lambda *_: self._estimate())
+        form.names.textChanged.connect(lambda *_: self._estimate())
         form.insist.toggled.connect(lambda *_: self._show_running(LIVE.runs_on(design)))
         for label in (form.line, form.doubts):
             label.linkActivated.connect(lambda link: select_tiles(link))
@@ -88,7 +88,7 @@ class ExportPanel:
         form = self.form
         files = tuple(item.data(0, QtCore.Qt.UserRole).split(".") for item in self._items()
                       if item.checkState(0) == QtCore.Qt.Checked)
-        return Choice(tuple((kind, ending) for kind, ending in files), form.mask.text(),
+        return Choice(tuple((kind, ending) for kind, ending in files), form.names.text(),
                       float(form.deviation.property("rawValue")), form.reports.isChecked(),
                       actions.doubts(self.design), form.insist.isChecked())
 
