@@ -28,7 +28,16 @@ def attach(view: Any) -> Any:
 def overlay_of(design: Any) -> Any:
     """The Overlay of a Design object. Raises KeyError where it has none: without a window, or a design
     that never got its view."""
-    return _OVERLAYS[design.Document.Name, design.Name]
+    key = (design.Document.Name, design.Name)
+    if key not in _OVERLAYS:
+        # Undone deletions bring a view provider back without attaching it anew.
+        kept = getattr(getattr(design.ViewObject, "Proxy", None), "overlay", None)
+        if kept is None:
+            raise KeyError(key)
+        _OVERLAYS[key] = kept
+        kept.closed = False
+        kept.refresh()
+    return _OVERLAYS[key]
 
 
 def overlays(document: str = "") -> list:

@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from typing import Any, Optional
 
 import FreeCAD
 import FreeCADGui
 
-from . import forget, overlays
+from . import forget, overlay_of, overlays
+from ..features.document import designs
 
 _TILE = re.compile(r"(?:^|\.)T(\d{5,})$")
 _started: Optional[tuple] = None
@@ -85,3 +87,10 @@ class _Documents:
 
     def slotDeletedObject(self, obj: Any) -> None:
         forget(obj.Document.Name, obj.Name)
+
+    def slotUndoDocument(self, document: Any) -> None:
+        for design in designs(document):
+            with suppress(KeyError):  # it never had one
+                overlay_of(design)
+
+    slotRedoDocument = slotUndoDocument

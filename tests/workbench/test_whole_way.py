@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The whole way of a user, by mouse and keys in a real window: from a mesh file to print files, with what
+goes wrong on the way. The pictures of it are kept in build/whole-way, to be looked at."""
+
+import shutil
+import subprocess
+
+import pytest
+from robot import ROBOT
+from running import ROOT, dome
+from window import run_in_window
+
+pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("xdotool")),
+                                reason="there is no virtual display, or no xdotool")
+
+STEPS = ROBOT + """
+from curveups.panels.live import LIVE
+
+def design():
+    return next(obj for obj in FreeCAD.ActiveDocument.Objects
+                if getattr(obj, 'CurveUpsType', '').endswith('Design'))
+
+def idle(seconds=120):
+    until(lambda: not LIVE.busy, seconds, 'the run to end')
+    settle(300)
+
+def close_panel():
+    if FreeCADGui.Control.activeDialog():
+        click(next(button for box in window.findChildren(QtGui.QDialogButtonBox) if box.isVisible()
+                   for button in [box.button(QtGui.QDialogButtonBox.Close)] if button))
+        until(lambda: not FreeCADGui.Control.activeDialog(), 10, 'the panel to close')
+
+def select(obj):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(obj)
+    settle(200)
+
+def drawn(at_least=1):
+    # Iterates that were shown while it is solved.
+    until(lambda: not LIVE.busy or LIVE._drawn >= at_least, 60, 'a picture of the run')
+    assert LIVE.busy, 'the run ended before it could be seen'
+
+def again_until(combination, condition, what):
+    # Typing that pauses on a busy machine is several edits, each a step of undo.
+    for _ in range(4):
+        if condition():
+            return
+        keys(combination)
+        settle(800)
+    assert condition(), what
+
+def example(name):
+    FreeCADGui.runCommand(f'CurveUps_Example_{name}')
+    until(lambda: LIVE.busy, 30, 'the run to begin')
+
+def open_a_mesh():
+    in_dialog(lambda: keys('ctrl+o'), lambda: choose_file(mesh))
+    until(lambda: FreeCAD.ActiveDocument and FreeCAD.ActiveDocument.Objects, 30, 'the mesh')
+    surface, = FreeCAD.ActiveDocument.Objects
+    assert surface.isDerivedFrom('Mesh::Feature')
+    assert picture('01-mesh') > 5
+
+def new_design():
+    surface = FreeCAD.ActiveDocument.Objects[0]
+    view = FreeCADGui.ActiveDocument.ActiveView
+    view.viewTop()
+    view.fitAll()
+    settle(300)
+    click_at(on_screen(surface.Mesh.BoundBox.Center))
+    assert FreeCADGui.Selection.getSelection() == [surface]
+    press('CurveUps_NewDesign')
+    until(lambda: len(FreeCAD.ActiveDocument.Objects) > 1, 20, 'the design')
+    settle(300)
+    assert design().Target.Source == surface, design().Target.Source
+    assert design().Status == 'empty', (design().Status, list(design().Reasons))
+    surface.ViewObject.Visibility = False
+    picture('02-new-design')
+
+def solve_live():
+    select(design())
+    press('CurveUps_Solve')
+    idle()
+    assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
+    assert design().TileCount > 50
+    assert picture('03-solved') > 12
+    assert not widget('stop').isEnabled()
+    close_panel()
+
+def change_thickness():
+    # In the panel, by the keys; then undo and redo.
+    before = design().HBody.Value
+    FreeCADGui.ActiveDocument.setEdit(design().Name)
+    group = widget('group')
+    group.setCurrentText('Tiles')
+    settle(200)
+    fill(widget('HBody'), '2.8')
+    until(lambda: abs(design().HBody.Value - 2.8) < 1e-9, 10, 'the thickness')
+    assert design().Verdict != 'valid', 'a stale verdict'
+    picture('04-thicker')
+    close_panel()
+    settle(500)
+    again_until('ctrl+z', lambda: design().HBody.Value == before, 'undo')
+    assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
+    again_until('ctrl+shift+z', lambda: abs(design().HBody.Value - 2.8) < 1e-9, 'redo')
+    picture('05-redone')
+
+def verify():
+    select(design())
+    press('CurveUps_Verify')
+    idle()
+    assert design().Verdict in ('valid', 'not valid'), design().Verdict
+    assert design().Status in ('current', 'invalid'), design().Status
+    picture('06-verified')
+    close_panel()
+
+def repair():
+    select(design())
+    press('CurveUps_Repair')
+    idle()
+    assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
+    picture('07-repaired')
+    close_panel()
+
+def refused_value():
+    FreeCADGui.ActiveDocument.setEdit(design().Name)
+    widget('group').setCurrentText('Tiles')
+    settle(200)
+    fill(widget('HBody'), '45')
+    until(lambda: design().Status == 'invalid', 10, 'the refusal')
+    assert design().Verdict != 'valid' and 'HBody' in ' '.join(design().Reasons), list(design().Reasons)
+    picture('08-refused')
+    close_panel()
+    again_until('ctrl+z', lambda: design().HBody.Value == 2.8, 'undo')
+    assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
+
+def delete_and_back():
+    count = len(FreeCAD.ActiveDocument.Objects)
+    select(design())
+    keys('Delete')
+    until(lambda: len(FreeCAD.ActiveDocument.Objects) == 1, 20, 'all of the design to go')
+    picture('09-deleted')
+    keys('ctrl+z')
+    until(lambda: len(FreeCAD.ActiveDocument.Objects) == count, 20, 'undo')
+    assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
+    assert picture('10-back') > 12
+
+def export():
+    select(design())
+    press('CurveUps_Export')
+    fill(widget('folder'), files)
+    picture('11-export')
+    click(widget('write'))
+    until(lambda: LIVE.busy or os.path.isdir(files), 20, 'the export to begin')
+    idle()
+    names = sorted(os.listdir(files))
+    assert any(name.endswith('-print.3mf') for name in names), names
+    assert any(name.endswith('-print.step') for name in names) and 'report.json' in names, names
+    picture('12-exported')
+    close_panel()
+
+def save_close_reopen():
+    verdict, tiles, name = design().Verdict, design().TileCount, design().Name
+    in_dialog(lambda: keys('ctrl+s'), lambda: choose_file(saved))
+    until(lambda: os.path.exists(saved), 20, 'the file')
+    FreeCAD.closeDocument(FreeCAD.ActiveDocument.Name)
+    until(lambda: not FreeCAD.listDocuments(), 20, 'the document to close')
+    in_dialog(lambda: keys('ctrl+o'), lambda: choose_file(saved))
+    until(lambda: FreeCAD.ActiveDocument and FreeCAD.ActiveDocument.getObject(name), 30, 'the document')
+    settle(1000)
+    assert (design().Verdict, design().TileCount, design().Status) == (verdict, tiles, 'current')
+    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    assert picture('13-reopened') > 12
+
+def cancel_a_run():
+    example('tower')
+    drawn()
+    picture('14-running')
+    start = time.monotonic()
+    click(widget('cancel'))
+    until(lambda: not LIVE.busy, 10, 'cancel')
+    assert time.monotonic() - start < 3  # two of them are the mouse's
+    assert design().Status == 'empty' and design().TileCount == 0, (design().Status, design().TileCount)
+    picture('15-cancelled')
+
+def stop_a_run():
+    click(widget('solve'))
+    until(lambda: LIVE.busy, 10, 'the run')
+    drawn(2)
+    click(widget('stop'))
+    idle(20)
+    assert design().TileCount > 100 and design().Status != 'running', (design().Status, design().TileCount)
+    picture('16-stopped')
+
+def close_in_mid_run():
+    click(widget('solve'))
+    until(lambda: LIVE.busy, 10, 'the run')
+    drawn()
+    name = FreeCAD.ActiveDocument.Name
+    FreeCAD.closeDocument(name)
+    until(lambda: not LIVE.busy, 20, 'the run to end')
+    settle(1000)
+    assert name not in FreeCAD.listDocuments()
+    assert not FreeCADGui.Control.activeDialog()
+    picture('17-closed')
+
+WAY = (open_a_mesh, new_design, solve_live, change_thickness, verify, repair, refused_value,
+       delete_and_back, export, save_close_reopen, cancel_a_run, stop_a_run, close_in_mid_run)
+
+def work():
+    FreeCADGui.activateWorkbench('CurveUpsWorkbench')
+    tidy()
+    for step in WAY:
+        start = time.monotonic()
+        try:
+            step()
+        except BaseException:
+            picture('failed')
+            raise
+        print(f'{step.__name__}: {time.monotonic() - start:.1f} s', flush=True)
+        assert 'Traceback' not in report() and 'unexpected' not in report(), report()[-2000:]
+"""
+
+
+def test_the_whole_way(homes, tmp_path):
+    pictures = ROOT / "build" / "whole-way"
+    shutil.rmtree(pictures, ignore_errors=True)
+    (tmp_path / "dome.obj").write_text(dome(5))
+    mesh = tmp_path / "dome.stl"
+    subprocess.run(["freecadcmd", "-c",
+                    f"import Mesh; Mesh.Mesh({str(tmp_path / 'dome.obj')!r}).write({str(mesh)!r})"],
+                   stdin=subprocess.DEVNULL, capture_output=True, check=False, timeout=100)
+    out = run_in_window(STEPS, homes[True], tmp_path, timeout=600, mesh=mesh, pictures=pictures,
+                        files=tmp_path / "files", saved=tmp_path / "whole-way.FCStd")
+    assert "Traceback" not in out, out
+    assert len(list(pictures.glob("*.png"))) >= 17 and not (pictures / "failed.png").exists()
