@@ -36,7 +36,7 @@ class Prisms:
         """colours: a SoPackedColor, which several sets may share."""
         self._topology, self._count = topology, -1
         self.node = coin.SoSeparator()
-        self.node.renderCaching = coin.SoSeparator.ON
+        self.node.renderCaching = coin.SoSeparator.OFF  # what depends on the camera is never worth it
         self._corners, self._points = coin.SoCoordinate3(), coin.SoCoordinate3()
         self._normals, self._faces = coin.SoNormal(), coin.SoIndexedFaceSet()
         self._lines = coin.SoIndexedLineSet()
@@ -48,11 +48,11 @@ class Prisms:
         materials.value = coin.SoMaterialBinding.PER_FACE_INDEXED
         behind = coin.SoPolygonOffset()
         behind.factor = behind.units = 1.0
-        faces = coin.SoSeparator()
+        faces, lines = coin.SoSeparator(), coin.SoSeparator()
+        faces.renderCaching = lines.renderCaching = coin.SoSeparator.ON
         for part in (hints, colours, self._points, self._normals, normals, materials, behind, self._faces):
             faces.addChild(part)
         self._rims = coin.SoLevelOfDetail()
-        lines = coin.SoSeparator()
         for part in (_flat_colour((0.15, 0.15, 0.15)), _unpickable(), self._corners, self._lines):
             lines.addChild(part)
         self._rims.addChild(lines)

@@ -124,7 +124,7 @@ class Scene:
         What was computed of the layout before is gone."""
         shapes = native.tile_shapes_at(self.V, self.F, self.cuts, self.parameters, T, q)
         known = {name: one for name, one in self.fields.items() if name in _OF_TARGET}
-        return replace(self, **_shapes(shapes, self.parameters), membranes=(), fields=known)
+        return replace(self, **shapes_of(shapes, self.parameters), membranes=(), fields=known)
 
 
 _OF_TARGET = ("Fold angle", "Pin room", "Conformal stretch")
@@ -146,7 +146,7 @@ def scene_of(project: Any) -> Optional[Scene]:
     edges = np.empty((0, 2), np.int32) if cuts is None else cuts.edges
     shapes = native.tile_shapes_at(V, target.F, edges, parameters)
     found = target_fields(V, target.F, edges, parameters, shapes.contacts, True)
-    return Scene(V, target.F, edges, parameters, **_shapes(shapes, parameters),
+    return Scene(V, target.F, edges, parameters, **shapes_of(shapes, parameters),
                  fields={one.name: one for one in found})
 
 
@@ -162,7 +162,7 @@ def _of_design(project: Any, design: Any) -> Scene:
             break
     fields += design_fields(design, shapes.contacts)
     fields += target_fields(design.V, design.F, design.cuts, parameters, shapes.contacts, False)
-    return Scene(design.V, design.F, design.cuts, parameters, **_shapes(shapes, parameters),
+    return Scene(design.V, design.F, design.cuts, parameters, **shapes_of(shapes, parameters),
                  fields={one.name: one for one in fields})
 
 
@@ -175,7 +175,7 @@ def _height(parameters: Any) -> float:
     return parameters.get("H_body") + parameters.get("H_pin")
 
 
-def _shapes(shapes: Any, parameters: Any) -> dict[str, Any]:
+def shapes_of(shapes: Any, parameters: Any) -> dict[str, Any]:
     """The arrays of native.TileShapes as members of a Scene."""
     up = np.array([0, 0, _height(parameters)])
     known = bool(len(shapes.flat))
