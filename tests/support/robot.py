@@ -107,6 +107,13 @@ def press(command):
                 return click(button)
     raise AssertionError(f'{command} has no button')
 
+def close_panel():
+    # The task panel, by its own button.
+    if FreeCADGui.Control.activeDialog():
+        click(next(button for box in window.findChildren(QtGui.QDialogButtonBox) if box.isVisible()
+                   for button in [box.button(QtGui.QDialogButtonBox.Close)] if button))
+        until(lambda: not FreeCADGui.Control.activeDialog(), 10, 'the panel to close')
+
 def report():
     found = window.findChild(QtGui.QTextEdit, 'Report view')
     return found.toPlainText() if found else ''

@@ -24,12 +24,6 @@ def idle(seconds=120):
     until(lambda: not LIVE.busy, seconds, 'the run to end')
     settle(300)
 
-def close_panel():
-    if FreeCADGui.Control.activeDialog():
-        click(next(button for box in window.findChildren(QtGui.QDialogButtonBox) if box.isVisible()
-                   for button in [box.button(QtGui.QDialogButtonBox.Close)] if button))
-        until(lambda: not FreeCADGui.Control.activeDialog(), 10, 'the panel to close')
-
 def select(obj):
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(obj)

@@ -1,0 +1,766 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+  <context>
+    <name>CurveUps</name>
+    <message>
+      <source>Another task panel is open: close it first</source>
+      <translation>Ein anderer Aufgabenbereich ist offen: ihn zuerst schließen</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translation>Schließen</translation>
+    </message>
+    <message>
+      <source>CurveUps is at work: stop or cancel that first</source>
+      <translation>CurveUps arbeitet gerade: zuerst anhalten oder abbrechen</translation>
+    </message>
+    <message>
+      <source>CurveUps: building solids ({seconds:.0f} s); an edit ends it</source>
+      <translation>CurveUps: Volumenkörper werden gebaut ({seconds:.0f} s); eine Änderung beendet es</translation>
+    </message>
+    <message>
+      <source>There are no solids yet: run Build Solids</source>
+      <translation>Es gibt noch keine Volumenkörper: „Volumenkörper bauen“ macht sie</translation>
+    </message>
+    <message>
+      <source>There are no tiles yet: run Solve</source>
+      <translation>Es gibt noch keine Kacheln: „Lösen“ macht sie</translation>
+    </message>
+    <message>
+      <source>There are several designs: select one</source>
+      <translation>Es gibt mehrere Entwürfe: einen auswählen</translation>
+    </message>
+    <message>
+      <source>There is no design: make one with New Design or Examples</source>
+      <translation>Es gibt keinen Entwurf: „Neuer Entwurf“ oder „Beispiele“ legt einen an</translation>
+    </message>
+    <message>
+      <source>There is no document</source>
+      <translation>Es gibt kein Dokument</translation>
+    </message>
+    <message>
+      <source>There is no layout yet: Solve makes it</source>
+      <translation>Es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
+    </message>
+    <message>
+      <source>There is no layout yet: run Solve</source>
+      <translation>Es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
+    </message>
+    <message>
+      <source>unexpected {kind} ({said}): please report it, with what CURVEUPS_DEBUG=1 shows</source>
+      <translation>unerwarteter Fehler {kind} ({said}): bitte melden, mit dem, was CURVEUPS_DEBUG=1 zeigt</translation>
+    </message>
+    <message>
+      <source>{count} objects were restored</source>
+      <translation>{count} Objekte wurden wiederhergestellt</translation>
+    </message>
+    <message>
+      <source>{task} was cancelled: the design is as it was</source>
+      <translation>{task} wurde abgebrochen: der Entwurf ist wie zuvor</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUpsCurves</name>
+    <message>
+      <source>Energy</source>
+      <translation>Energie</translation>
+    </message>
+    <message>
+      <source>Energy and violation appear here</source>
+      <translation>Hier erscheinen Energie und Verletzung</translation>
+    </message>
+    <message>
+      <source>Violation, mm</source>
+      <translation>Verletzung, mm</translation>
+    </message>
+    <message>
+      <source>Weak points</source>
+      <translation>Schwache Punkte</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUpsExport</name>
+    <message>
+      <source>Anchors</source>
+      <translation>Anker</translation>
+    </message>
+    <message>
+      <source>Export</source>
+      <translation>Exportieren</translation>
+    </message>
+    <message>
+      <source>Export {name}</source>
+      <translation>{name} exportieren</translation>
+    </message>
+    <message>
+      <source>Folder for the files</source>
+      <translation>Ordner für die Dateien</translation>
+    </message>
+    <message>
+      <source>Support</source>
+      <translation>Stützkörper</translation>
+    </message>
+    <message>
+      <source>Tiles</source>
+      <translation>Kacheln</translation>
+    </message>
+    <message>
+      <source>Tiles in shape</source>
+      <translation>Kacheln in Form</translation>
+    </message>
+    <message>
+      <source>Whole print</source>
+      <translation>Ganzer Druck</translation>
+    </message>
+    <message>
+      <source>about {size} in {seconds:.0f} s</source>
+      <translation>etwa {size} in {seconds:.0f} s</translation>
+    </message>
+    <message>
+      <source>another task panel is open</source>
+      <translation>ein anderer Aufgabenbereich ist offen</translation>
+    </message>
+    <message>
+      <source>choose one</source>
+      <translation>einen auswählen</translation>
+    </message>
+    <message>
+      <source>close it first</source>
+      <translation>ihn zuerst schließen</translation>
+    </message>
+    <message>
+      <source>there is no folder</source>
+      <translation>es gibt keinen Ordner</translation>
+    </message>
+    <message>
+      <source>{count} files are in {folder}</source>
+      <translation>{count} Dateien liegen in {folder}</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUpsPreferences</name>
+    <message>
+      <source>All other parameters: "Use for New Designs" in a design's panel.</source>
+      <translation>Alle anderen Parameter: „Für neue Entwürfe“ im Aufgabenbereich eines Entwurfs.</translation>
+    </message>
+    <message>
+      <source>Draw the layout while it is solved</source>
+      <translation>Abwicklung während des Lösens zeichnen</translation>
+    </message>
+    <message>
+      <source>Edge of a tile</source>
+      <translation>Kante einer Kachel</translation>
+    </message>
+    <message>
+      <source>General</source>
+      <translation>Allgemein</translation>
+    </message>
+    <message>
+      <source>Height of a pin</source>
+      <translation>Höhe eines Zapfens</translation>
+    </message>
+    <message>
+      <source>New designs begin with</source>
+      <translation>Neue Entwürfe beginnen mit</translation>
+    </message>
+    <message>
+      <source>Thickness of a tile</source>
+      <translation>Dicke einer Kachel</translation>
+    </message>
+    <message>
+      <source>While solving</source>
+      <translation>Während des Lösens</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUpsSolve</name>
+    <message>
+      <source>Bodies</source>
+      <translation>Körper</translation>
+    </message>
+    <message>
+      <source>Check of the solids</source>
+      <translation>Prüfung der Volumenkörper</translation>
+    </message>
+    <message>
+      <source>Constraints</source>
+      <translation>Bedingungen</translation>
+    </message>
+    <message>
+      <source>Cuts</source>
+      <translation>Schnitte</translation>
+    </message>
+    <message>
+      <source>Design</source>
+      <translation>Entwurf</translation>
+    </message>
+    <message>
+      <source>Deviation</source>
+      <translation>Abweichung</translation>
+    </message>
+    <message>
+      <source>Edit the design</source>
+      <translation>Entwurf bearbeiten</translation>
+    </message>
+    <message>
+      <source>Layout</source>
+      <translation>Abwicklung</translation>
+    </message>
+    <message>
+      <source>Reading the surface</source>
+      <translation>Fläche lesen</translation>
+    </message>
+    <message>
+      <source>Repair</source>
+      <translation>Reparieren</translation>
+    </message>
+    <message>
+      <source>Room for pins</source>
+      <translation>Platz für Zapfen</translation>
+    </message>
+    <message>
+      <source>Solids</source>
+      <translation>Volumenkörper</translation>
+    </message>
+    <message>
+      <source>Suggestions</source>
+      <translation>Vorschläge</translation>
+    </message>
+    <message>
+      <source>Target</source>
+      <translation>Zielfläche</translation>
+    </message>
+    <message>
+      <source>Verification</source>
+      <translation>Prüfung</translation>
+    </message>
+    <message>
+      <source>Verification of the layout</source>
+      <translation>Prüfung der Abwicklung</translation>
+    </message>
+    <message>
+      <source>Verification on a finer mesh</source>
+      <translation>Prüfung auf feinerem Netz</translation>
+    </message>
+    <message>
+      <source>another task panel is open</source>
+      <translation>ein anderer Aufgabenbereich ist offen</translation>
+    </message>
+    <message>
+      <source>close it first</source>
+      <translation>ihn zuerst schließen</translation>
+    </message>
+    <message>
+      <source>leave the edit mode of another object first</source>
+      <translation>zuerst den Bearbeitungsmodus des anderen Objekts verlassen</translation>
+    </message>
+    <message>
+      <source>stopping</source>
+      <translation>wird angehalten</translation>
+    </message>
+    <message>
+      <source>the panel can't be opened</source>
+      <translation>der Aufgabenbereich lässt sich nicht öffnen</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_BuildSolids</name>
+    <message>
+      <source>Build Solids</source>
+      <translation>Volumenkörper bauen</translation>
+    </message>
+    <message>
+      <source>Make tiles, support and anchors as solids, for the parameters as they are</source>
+      <translation>Kacheln, Stützkörper und Anker als Volumenkörper bauen, mit den Parametern, wie sie sind</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Examples</name>
+    <message>
+      <source>A new document with a design of a built-in target, solved while you watch</source>
+      <translation>Ein neues Dokument mit dem Entwurf einer eingebauten Zielfläche, vor Ihren Augen gelöst</translation>
+    </message>
+    <message>
+      <source>Examples</source>
+      <translation>Beispiele</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Export</name>
+    <message>
+      <source>Export Print Files</source>
+      <translation>Druckdateien exportieren</translation>
+    </message>
+    <message>
+      <source>Write 3MF, STEP and STL files of the bodies, and the report for the print shop</source>
+      <translation>3MF-, STEP- und STL-Dateien der Körper und den Bericht für die Druckerei schreiben</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_NewDesign</name>
+    <message>
+      <source>A design of the selected Part or Mesh object; of a file where none is selected</source>
+      <translation>Ein Entwurf des ausgewählten Part- oder Mesh-Objekts; einer Datei, wo keines ausgewählt ist</translation>
+    </message>
+    <message>
+      <source>New Design</source>
+      <translation>Neuer Entwurf</translation>
+    </message>
+    <message>
+      <source>Surfaces</source>
+      <translation>Flächen</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Overlay</name>
+    <message>
+      <source>Choose what the tiles are coloured by, fold them, and read their values</source>
+      <translation>Wählen, wonach die Kacheln gefärbt sind, sie falten und ihre Werte ablesen</translation>
+    </message>
+    <message>
+      <source>Membranes</source>
+      <translation>Membranen</translation>
+    </message>
+    <message>
+      <source>Overlay</source>
+      <translation>Überlagerung</translation>
+    </message>
+    <message>
+      <source>Overlay of {name}</source>
+      <translation>Überlagerung von {name}</translation>
+    </message>
+    <message>
+      <source>Tile</source>
+      <translation>Kachel</translation>
+    </message>
+    <message>
+      <source>Value</source>
+      <translation>Wert</translation>
+    </message>
+    <message>
+      <source>as the solver has it</source>
+      <translation>wie der Löser sie hat</translation>
+    </message>
+    <message>
+      <source>not as it is now: {why}</source>
+      <translation>nicht der jetzige Stand: {why}</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Repair</name>
+    <message>
+      <source>Move tiles and pins of the layout until weak contacts hold</source>
+      <translation>Kacheln und Zapfen der Abwicklung verschieben, bis schwache Kontakte halten</translation>
+    </message>
+    <message>
+      <source>Repair</source>
+      <translation>Reparieren</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Report</name>
+    <message>
+      <source>Report</source>
+      <translation>Bericht</translation>
+    </message>
+    <message>
+      <source>Write report.html, with verdict, pictures and figures, and open it</source>
+      <translation>report.html mit Urteil, Bildern und Zahlen schreiben und öffnen</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_RestoreObjects</name>
+    <message>
+      <source>Makes designs whole again that were saved by a FreeCAD without CurveUps</source>
+      <translation>Stellt Entwürfe wieder her, die ein FreeCAD ohne CurveUps gespeichert hat</translation>
+    </message>
+    <message>
+      <source>Restore Objects</source>
+      <translation>Objekte wiederherstellen</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_ShowActuated</name>
+    <message>
+      <source>Show Actuated</source>
+      <translation>In Form zeigen</translation>
+    </message>
+    <message>
+      <source>Show the tiles in the target shape</source>
+      <translation>Die Kacheln in der Zielform zeigen</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_ShowFlat</name>
+    <message>
+      <source>Show Flat</source>
+      <translation>Flach zeigen</translation>
+    </message>
+    <message>
+      <source>Show the tiles as they are printed</source>
+      <translation>Die Kacheln zeigen, wie sie gedruckt werden</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_ShowSolids</name>
+    <message>
+      <source>Show Solids</source>
+      <translation>Volumenkörper zeigen</translation>
+    </message>
+    <message>
+      <source>Show tiles and anchors as the solids that are printed: exact, but slow for thousands of tiles</source>
+      <translation>Kacheln und Anker als die Volumenkörper zeigen, die gedruckt werden: genau, aber langsam bei Tausenden von Kacheln</translation>
+    </message>
+    <message>
+      <source>run Build Solids</source>
+      <translation>„Volumenkörper bauen“ ausführen</translation>
+    </message>
+    <message>
+      <source>there are no solids yet</source>
+      <translation>es gibt noch keine Volumenkörper</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Solve</name>
+    <message>
+      <source>Lay the tiles out flat, verify that the membranes hold the shape, and repair weak contacts</source>
+      <translation>Die Kacheln flach auslegen, prüfen, ob die Membranen die Form halten, und schwache Kontakte reparieren</translation>
+    </message>
+    <message>
+      <source>Solve</source>
+      <translation>Lösen</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_SolverStatus</name>
+    <message>
+      <source>Folder</source>
+      <translation>Ordner</translation>
+    </message>
+    <message>
+      <source>Meanwhile</source>
+      <translation>Einstweilen</translation>
+    </message>
+    <message>
+      <source>Remedy</source>
+      <translation>Abhilfe</translation>
+    </message>
+    <message>
+      <source>Solver</source>
+      <translation>Löser</translation>
+    </message>
+    <message>
+      <source>Solver Status</source>
+      <translation>Zustand des Lösers</translation>
+    </message>
+    <message>
+      <source>State</source>
+      <translation>Zustand</translation>
+    </message>
+    <message>
+      <source>Version and place of the solver; where it can't be loaded, why and what mends it</source>
+      <translation>Version und Ort des Lösers; wenn er sich nicht laden lässt, warum, und was hilft</translation>
+    </message>
+    <message>
+      <source>designs can be opened, shown and exported as they are stored</source>
+      <translation>Entwürfe lassen sich öffnen, zeigen und exportieren, wie sie gespeichert sind</translation>
+    </message>
+    <message>
+      <source>install the package for this FreeCAD's Python again</source>
+      <translation>das Paket für das Python dieses FreeCAD neu installieren</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translation>keiner</translation>
+    </message>
+    <message>
+      <source>ready, on {count} threads</source>
+      <translation>bereit, mit {count} Threads</translation>
+    </message>
+    <message>
+      <source>run {command}, then start FreeCAD again</source>
+      <translation>{command} ausführen, dann FreeCAD neu starten</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Target</name>
+    <message>
+      <source>Change Target</source>
+      <translation>Zielfläche ändern</translation>
+    </message>
+    <message>
+      <source>Give the design another surface: the selected Part or Mesh object, or a file</source>
+      <translation>Dem Entwurf eine andere Fläche geben: das ausgewählte Part- oder Mesh-Objekt oder eine Datei</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Verify</name>
+    <message>
+      <source>Judge the layout as it is, with tiles and membranes as they are set</source>
+      <translation>Die Abwicklung beurteilen, wie sie ist, mit Kacheln und Membranen, wie sie eingestellt sind</translation>
+    </message>
+    <message>
+      <source>Verify</source>
+      <translation>Prüfen</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_WorstContacts</name>
+    <message>
+      <source>; {left} better ones are not listed</source>
+      <translation>; {left} bessere sind nicht aufgeführt</translation>
+    </message>
+    <message>
+      <source>List contacts and tiles, the worst first; a click goes there</source>
+      <translation>Kontakte und Kacheln auflisten, die schlechtesten zuerst; ein Klick führt hin</translation>
+    </message>
+    <message>
+      <source>Worst Contacts</source>
+      <translation>Schlechteste Kontakte</translation>
+    </message>
+    <message>
+      <source>Worst of {name}</source>
+      <translation>Schlechteste von {name}</translation>
+    </message>
+    <message>
+      <source>{count} have problems</source>
+      <translation>{count} haben Probleme</translation>
+    </message>
+  </context>
+  <context>
+    <name>ExportPanel</name>
+    <message>
+      <source>About</source>
+      <translation>Umfang</translation>
+    </message>
+    <message>
+      <source>Bodies</source>
+      <translation>Körper</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translation>Abbrechen</translation>
+    </message>
+    <message>
+      <source>Deviation of bumps</source>
+      <translation>Abweichung der Noppen</translation>
+    </message>
+    <message>
+      <source>Export</source>
+      <translation>Exportieren</translation>
+    </message>
+    <message>
+      <source>Folder</source>
+      <translation>Ordner</translation>
+    </message>
+    <message>
+      <source>Format</source>
+      <translation>Format</translation>
+    </message>
+    <message>
+      <source>How far the triangles of STL and 3MF files may be from the bumps</source>
+      <translation>Wie weit die Dreiecke in STL- und 3MF-Dateien von den Noppen entfernt sein dürfen</translation>
+    </message>
+    <message>
+      <source>Names</source>
+      <translation>Namen</translation>
+    </message>
+    <message>
+      <source>The files and the report then say that the design should not be printed</source>
+      <translation>Die Dateien und der Bericht sagen dann, dass der Entwurf nicht gedruckt werden sollte</translation>
+    </message>
+    <message>
+      <source>With report.html and report.json</source>
+      <translation>Mit report.html und report.json</translation>
+    </message>
+    <message>
+      <source>Write them all the same</source>
+      <translation>Trotzdem schreiben</translation>
+    </message>
+    <message>
+      <source>{name} stands for the design, {body} for what the file holds</source>
+      <translation>{name} steht für den Entwurf, {body} für den Inhalt der Datei</translation>
+    </message>
+  </context>
+  <context>
+    <name>OverlayPanel</name>
+    <message>
+      <source>Actuated</source>
+      <translation>In Form</translation>
+    </message>
+    <message>
+      <source>All of them keep their order without red and green, and as grey</source>
+      <translation>Alle behalten ihre Ordnung ohne Rot und Grün und in Grau</translation>
+    </message>
+    <message>
+      <source>All values but the hundredth at either end; a double click on the legend does the same</source>
+      <translation>Alle Werte bis auf das Hundertstel an beiden Enden; ein Doppelklick auf die Legende tut dasselbe</translation>
+    </message>
+    <message>
+      <source>Automatic range</source>
+      <translation>Automatischer Bereich</translation>
+    </message>
+    <message>
+      <source>Click a tile to see its values</source>
+      <translation>Eine Kachel anklicken, um ihre Werte zu sehen</translation>
+    </message>
+    <message>
+      <source>Colour by</source>
+      <translation>Färben nach</translation>
+    </message>
+    <message>
+      <source>Colours</source>
+      <translation>Farben</translation>
+    </message>
+    <message>
+      <source>Flat</source>
+      <translation>Flach</translation>
+    </message>
+    <message>
+      <source>Folds the flat layout to the target shape; every tile stays as it is</source>
+      <translation>Faltet die Abwicklung zur Zielform; jede Kachel bleibt, wie sie ist</translation>
+    </message>
+    <message>
+      <source>From</source>
+      <translation>Von</translation>
+    </message>
+    <message>
+      <source>Membranes</source>
+      <translation>Membranen</translation>
+    </message>
+    <message>
+      <source>Overlay</source>
+      <translation>Überlagerung</translation>
+    </message>
+    <message>
+      <source>Pins</source>
+      <translation>Zapfen</translation>
+    </message>
+    <message>
+      <source>Shows both membranes as they are between the pins; they are computed when they are first asked for</source>
+      <translation>Zeigt beide Membranen, wie sie zwischen den Zapfen liegen; sie werden berechnet, wenn sie zum ersten Mal verlangt werden</translation>
+    </message>
+    <message>
+      <source>Shows the pins that the membranes are glued to</source>
+      <translation>Zeigt die Zapfen, auf die die Membranen geklebt werden</translation>
+    </message>
+    <message>
+      <source>Shows the tiles flat and actuated at once</source>
+      <translation>Zeigt die Kacheln zugleich flach und in Form</translation>
+    </message>
+    <message>
+      <source>Side by side</source>
+      <translation>Nebeneinander</translation>
+    </message>
+    <message>
+      <source>To</source>
+      <translation>Bis</translation>
+    </message>
+    <message>
+      <source>Values above have the last colour; the upper end of the legend can be dragged too</source>
+      <translation>Werte darüber haben die letzte Farbe; das obere Ende der Legende lässt sich auch ziehen</translation>
+    </message>
+    <message>
+      <source>Values below have the first colour; the lower end of the legend can be dragged too</source>
+      <translation>Werte darunter haben die erste Farbe; das untere Ende der Legende lässt sich auch ziehen</translation>
+    </message>
+    <message>
+      <source>What the tiles are coloured by; values of a contact colour the third of both tiles beside it</source>
+      <translation>Wonach die Kacheln gefärbt sind; der Wert eines Kontakts färbt das Drittel beider Kacheln daneben</translation>
+    </message>
+  </context>
+  <context>
+    <name>SolvePanel</name>
+    <message>
+      <source>Cancel</source>
+      <translation>Abbrechen</translation>
+    </message>
+    <message>
+      <source>Draw the layout while it is solved</source>
+      <translation>Abwicklung während des Lösens zeichnen</translation>
+    </message>
+    <message>
+      <source>End now and keep the best so far</source>
+      <translation>Jetzt aufhören und das bisher Beste behalten</translation>
+    </message>
+    <message>
+      <source>End now and leave the design as it was</source>
+      <translation>Jetzt aufhören und den Entwurf lassen, wie er war</translation>
+    </message>
+    <message>
+      <source>Judge the layout as it is with the membranes as they are set</source>
+      <translation>Die Abwicklung beurteilen, wie sie ist, mit den Membranen, wie sie eingestellt sind</translation>
+    </message>
+    <message>
+      <source>Lay the tiles out flat, verify that the membranes hold the shape, and repair weak contacts</source>
+      <translation>Die Kacheln flach auslegen, prüfen, ob die Membranen die Form halten, und schwache Kontakte reparieren</translation>
+    </message>
+    <message>
+      <source>Move tiles and pins until weak contacts hold</source>
+      <translation>Kacheln und Zapfen verschieben, bis schwache Kontakte halten</translation>
+    </message>
+    <message>
+      <source>New designs begin with these parameters</source>
+      <translation>Neue Entwürfe beginnen mit diesen Parametern</translation>
+    </message>
+    <message>
+      <source>Parameters</source>
+      <translation>Parameter</translation>
+    </message>
+    <message>
+      <source>Repair</source>
+      <translation>Reparieren</translation>
+    </message>
+    <message>
+      <source>Solve</source>
+      <translation>Lösen</translation>
+    </message>
+    <message>
+      <source>Stage</source>
+      <translation>Schritt</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translation>Anhalten</translation>
+    </message>
+    <message>
+      <source>Time</source>
+      <translation>Zeit</translation>
+    </message>
+    <message>
+      <source>Use for New Designs</source>
+      <translation>Für neue Entwürfe</translation>
+    </message>
+    <message>
+      <source>Verify</source>
+      <translation>Prüfen</translation>
+    </message>
+  </context>
+  <context>
+    <name>Workbench</name>
+    <message>
+      <source>&amp;CurveUps</source>
+      <translation>&amp;CurveUps</translation>
+    </message>
+    <message>
+      <source>CurveUps</source>
+      <translation>CurveUps</translation>
+    </message>
+  </context>
+  <context>
+    <name>WorstContactsPanel</name>
+    <message>
+      <source>By</source>
+      <translation>Nach</translation>
+    </message>
+    <message>
+      <source>What contacts and tiles are ordered by; the view is coloured by it too</source>
+      <translation>Wonach Kontakte und Kacheln geordnet sind; auch die Ansicht ist danach gefärbt</translation>
+    </message>
+    <message>
+      <source>Worst Contacts</source>
+      <translation>Schlechteste Kontakte</translation>
+    </message>
+  </context>
+</TS>
