@@ -89,7 +89,8 @@ def test_fields_have_a_value_per_tile_or_contact(design):
         "contact_tiles": contacts, "fold_angle": contacts, "pin_room": tiles, "conformal_stretch": tiles,
         "least_stretch": tiles, "most_stretch": tiles}
     assert {name: len(values) for name, values in after.items()} == {
-        "contact_tiles": contacts, "gap": contacts, "membrane_slack": contacts, "pin_area": tiles}
+        "contact_tiles": contacts, "gap": contacts, "membrane_slack": contacts, "spring_force": contacts,
+        "weak": len(after["weak"]), "pin_area": tiles}
     assert (before["fold_angle"] > 0).all()  # a dome is convex everywhere
     assert (after["pin_area"] > 0).all()
 

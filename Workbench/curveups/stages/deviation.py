@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Optional
 
 from ..native import native
-from .stage import Inputs, Result, Stage
+from .stage import Inputs, Job, Result, Stage
 
 
 @dataclass(frozen=True)
@@ -22,10 +22,10 @@ class Deviation(Result):
         return {"deviation": {"mean_mm": self.mean, "max_mm": self.largest, "hausdorff_mm": self.hausdorff}}
 
 
-def _run(inputs: Inputs) -> Deviation:
+def _run(inputs: Inputs, job: Optional[Job] = None) -> Deviation:
     target, design = inputs["target"], inputs["design"].design
-    return Deviation(*native.surface_deviation(design.V, design.F, target.source_V, target.source_F))
+    return Deviation(*native.surface_deviation(design.V, design.F, target.source_V, target.source_F, job))
 
 
-STAGE = Stage("deviation", ("target", "design"), frozenset(),
-              lambda inputs, job: _run(inputs), on_stop=lambda stage, inputs: _run(inputs))
+STAGE = Stage("deviation", ("target", "design"), frozenset(), _run,
+              on_stop=lambda stage, inputs: _run(inputs))

@@ -31,7 +31,7 @@ class Bodies(Result):
 
 
 def _make(inputs: Inputs, job: Job) -> Bodies:
-    model = native.make_print_model(inputs["design"].design.with_parameters(inputs.parameters))
+    model = native.make_print_model(inputs["design"].design.with_parameters(inputs.parameters), job)
     return Bodies(model, tuple(_lacks(model)))
 
 

@@ -41,12 +41,18 @@ void bind_fields(py::module_& module) {
         out["gap"] = fields.gap;
         out["membrane_slack"] = fields.membrane_slack;
         out["pin_area"] = fields.pin_area;
+        out["spring_force"] = fields.spring_force;
+        out["weak"] =
+            py::array_t<int>(static_cast<py::ssize_t>(fields.weak.size()), fields.weak.data());
         return out;
       },
       py::arg("design"),
       "What can be said of a layout without its membranes. Per contact: contact_tiles (N x 2), gap "
       "(mm, flat), membrane_slack (N x 2, front and back: rest over actuated length; slack above "
-      "1). Per tile: pin_area (M x 2, front and back, mm2).");
+      "1), spring_force (N, least normal force as the springs of Eq. 16 predict it), weak (numbers "
+      "of contacts whose spring_force is below f_min_ratio of the mean). Per tile: pin_area (M x "
+      "2, "
+      "front and back, mm2).");
 }
 
 }  // namespace curveups::bindings

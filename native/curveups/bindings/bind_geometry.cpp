@@ -34,12 +34,16 @@ void bind_geometry(py::module_& module) {
       py::arg("V"), py::arg("F"), "Mean length of the edges, mm.");
   module.def(
       "surface_deviation",
-      [](const Points3& V, const Triangles& F, const Points3& target_V, const Triangles& target_F) {
-        const py::gil_scoped_release release;
-        const Deviation d = surface_deviation({V, F}, {target_V, target_F});
+      [](const Points3& V, const Triangles& F, const Points3& target_V, const Triangles& target_F,
+         py::object progress) {
+        const Deviation d = without_gil(std::move(progress), [&](const Progress&) {
+          checkpoint("measuring deviation");
+          return surface_deviation({V, F}, {target_V, target_F});
+        });
         return std::array<double, 3>{d.mean, d.max, d.hausdorff};
       },
       py::arg("V"), py::arg("F"), py::arg("target_V"), py::arg("target_F"),
+      py::arg("progress") = py::none(),
       "Mean and largest distance from the target, and the Hausdorff distance, mm.");
   module.def(
       "shortest_edge_path",

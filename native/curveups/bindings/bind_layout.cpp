@@ -30,7 +30,7 @@ LayoutResult lay_out(const Points3& V, const Triangles& F, const Edges& cuts,
 
 LayoutResult lay_out_softly(const Points3& V, const Triangles& F, const Edges& cuts,
                             const Parameters& parameters, const std::optional<Design>& start,
-                            int max_iterations, py::object on_iterate) {
+                            int max_iterations, py::object progress, py::object on_iterate) {
   if (start && start->mesh.F.rows() != F.rows()) {
     throw InvalidInput("the start has " + std::to_string(start->mesh.F.rows()) + " tiles, F has " +
                            std::to_string(F.rows()),
@@ -38,15 +38,13 @@ LayoutResult lay_out_softly(const Points3& V, const Triangles& F, const Edges& c
   }
   PythonListener listener(std::move(on_iterate));
   const PythonListener::Function function = listener.function();
-  LayoutResult result;
-  {
-    const py::gil_scoped_release release;
+  LayoutResult result = without_gil(std::move(progress), [&](const Progress& sink) {
     const DesignGeometry geometry = make_geometry({V, F}, cuts, parameters);
     std::optional<SoftLayoutStart> from;
     if (start) from = SoftLayoutStart{fit_poses(geometry.tiles, start->T), start->q};
-    result = solve_soft_layout(geometry, parameters, from, max_iterations,
-                               by_corners(function, geometry.tiles));
-  }
+    return solve_soft_layout(geometry, parameters, from, max_iterations, sink,
+                             by_corners(function, geometry.tiles));
+  });
   listener.rethrow();
   return result;
 }
@@ -74,7 +72,7 @@ void bind_layout(py::module_& module) {
              "on_iterate(T, q, energy) gets every iterate and stops the work by returning False.");
   module.def("solve_soft_layout", &lay_out_softly, py::arg("V"), py::arg("F"), py::arg("cuts"),
              py::arg("parameters"), py::arg("start") = py::none(), py::arg("max_iterations") = 100,
-             py::arg("on_iterate") = py::none(),
+             py::arg("progress") = py::none(), py::arg("on_iterate") = py::none(),
              "Eq. 9 with soft terms only, for interaction; on_iterate as in solve_layout. start: a "
              "design of the same mesh.");
 }

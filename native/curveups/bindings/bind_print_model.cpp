@@ -13,6 +13,15 @@ namespace {
 
 constexpr const char* printed_kinds[] = {"tiles", "support", "anchors"};
 
+// Thousands of solids take their time to go: others run meanwhile.
+struct DeletedWithoutGil {
+  void operator()(PrintModel* model) const {
+    const py::gil_scoped_release release;
+    delete model;
+  }
+};
+using HeldModel = std::unique_ptr<PrintModel, DeletedWithoutGil>;
+
 py::list pairs(const std::vector<UnsoundSolid>& unsound) {
   py::list out;
   for (const UnsoundSolid& solid : unsound) out.append(py::make_tuple(solid.body, solid.reason));
@@ -22,7 +31,7 @@ py::list pairs(const std::vector<UnsoundSolid>& unsound) {
 }  // namespace
 
 void bind_print_model(py::module_& module) {
-  py::class_<PrintModel>(
+  py::class_<PrintModel, HeldModel>(
       module, "PrintModel",
       "All that is printed. Kinds: tiles, support, anchors, print (all) and actuated (the tiles in "
       "the target shape, without bumps). Lengths in mm, volumes in mm3.")
@@ -129,11 +138,14 @@ void bind_print_model(py::module_& module) {
       "Endings of a print's files, in their order, and the kinds of bodies that have one of each.");
   module.def(
       "make_print_model",
-      [](const Design& design) {
-        py::gil_scoped_release release;
-        return make_print_model(design, CURVEUPS_VERSION);
+      [](const Design& design, py::object progress) {
+        PrintModel model = without_gil(std::move(progress), [&](const Progress&) {
+          checkpoint("building bodies");
+          return make_print_model(design, CURVEUPS_VERSION);
+        });
+        return HeldModel(new PrintModel(std::move(model)));
       },
-      py::arg("design"),
+      py::arg("design"), py::arg("progress") = py::none(),
       "The print of a design; raises InfeasibleDesign, naming tiles, where it can't be made.");
   py::dict colours;
   for (int k = 0; k < 3; ++k) {

@@ -18,7 +18,8 @@
 #include <functional>
 #include <utility>
 
-#include "curveups/core/progress.hpp"
+#include "curveups/core/checkpoint.hpp"
+#include "curveups/core/errors.hpp"
 #include "curveups/core/types.hpp"
 
 namespace curveups::bindings {
@@ -39,16 +40,22 @@ class PythonProgress {
   std::exception_ptr error_;
 };
 
-// Runs work(progress) with the GIL released.
+// Runs work(progress) with the GIL released; checkpoints within it ask the callable as well.
 template <class Work>
 auto without_gil(py::object callable, Work work) {
   PythonProgress progress(std::move(callable));
-  auto result = [&] {
-    py::gil_scoped_release release;
-    return work(progress.function());
-  }();
-  progress.rethrow();
-  return result;
+  try {
+    auto result = [&] {
+      const py::gil_scoped_release release;
+      const ProgressScope scope(progress.function());
+      return work(scope.sink());
+    }();
+    progress.rethrow();
+    return result;
+  } catch (const Cancelled&) {
+    progress.rethrow();
+    throw;
+  }
 }
 
 // A Python callable (or None) that gets the iterates of long work as (T, q, figure), the same way;

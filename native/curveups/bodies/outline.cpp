@@ -6,6 +6,7 @@
 #include <map>
 #include <polyclipping/clipper.hpp>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
 
@@ -18,6 +19,7 @@ constexpr double unit = tolerance::snap;  // mm, of Clipper's whole numbers
 constexpr double first_step = 0.1;        // mm, of two in which shapes grow
 
 Paths united(const Paths& paths) {
+  checkpoint();
   ClipperLib::Clipper clipper;
   clipper.StrictlySimple(true);
   clipper.AddPaths(paths, ClipperLib::ptSubject, true);
@@ -39,6 +41,7 @@ bool closes(const ClipperLib::Path& path, double offset) {
 }
 
 Paths grown(const Paths& paths, ClipperLib::EndType ends, double offset, double deviation) {
+  checkpoint();
   // The last chord of an arc may be twice as long as asked for, and lie four times as far inside.
   ClipperLib::ClipperOffset offsetter(2, 0.25 * deviation / unit);
   offsetter.AddPaths(paths, ClipperLib::jtRound, ends);

@@ -15,6 +15,8 @@
 #include <mutex>
 #include <thread>
 
+#include "curveups/core/checkpoint.hpp"
+
 namespace curveups {
 namespace {
 
@@ -48,11 +50,12 @@ thread_local bool inside = false;
 
 class Inside {
  public:
-  Inside() : before_(inside) { inside = true; }
+  explicit Inside(Watch* watch) : before_(inside), watched_(watch) { inside = true; }
   ~Inside() { inside = before_; }
 
  private:
   bool before_;
+  WatchedBy watched_;
 };
 
 // A thread that waits for its loop takes no other work than this loop's: nothing of what it holds
@@ -72,16 +75,24 @@ void set_thread_count(int count) { threads() = allowed(std::max(1, count)); }
 
 void parallel_ranges(int count, const std::function<void(int, int)>& body) {
   if (count <= 0) return;
-  if (thread_count() == 1 || count == 1) return body(0, count);
   // Some ranges a thread even out what they cost; more would repeat what bodies set up.
   const int grain = std::max(1, count / (8 * thread_count()));
+  if (thread_count() == 1 || count == 1) {
+    for (int begin = 0; begin < count; begin += grain) {
+      checkpoint();
+      body(begin, std::min(count, begin + grain));
+    }
+    return;
+  }
   std::mutex mutex;
   int lowest = std::numeric_limits<int>::max();
   std::exception_ptr error;
+  Watch* const watch = current_watch();
   in_arena([&] {
     tbb::parallel_for(tbb::blocked_range<int>(0, count, grain), [&](const auto& range) {
-      const Inside guard;
+      const Inside guard(watch);
       try {
+        checkpoint();
         body(range.begin(), range.end());
       } catch (...) {
         const std::lock_guard<std::mutex> lock(mutex);
@@ -107,6 +118,7 @@ void parallel_gather(int count, const std::function<void(int, int, int)>& make,
   auto end_of = [&](int begin) { return std::min(count, begin + gathered_range); };
   if (thread_count() == 1 || count <= gathered_range) {
     for (int begin = 0; begin < count; begin += gathered_range) {
+      checkpoint();
       make(begin, end_of(begin), 0);
       take(begin, end_of(begin), 0);
     }
@@ -117,6 +129,7 @@ void parallel_gather(int count, const std::function<void(int, int, int)>& make,
   const int lanes = lane_count();
   auto lane_of = [&](int begin) { return begin / gathered_range % lanes; };
   int next = 0;
+  Watch* const watch = current_watch();
   in_arena([&] {
     tbb::parallel_pipeline(
         lanes, tbb::make_filter<void, int>(tbb::filter_mode::serial_in_order,
@@ -128,12 +141,13 @@ void parallel_gather(int count, const std::function<void(int, int, int)>& make,
                                            }) &
                    tbb::make_filter<int, int>(tbb::filter_mode::parallel,
                                               [&](int begin) {
-                                                const Inside guard;
+                                                const Inside guard(watch);
+                                                checkpoint();
                                                 make(begin, end_of(begin), lane_of(begin));
                                                 return begin;
                                               }) &
                    tbb::make_filter<int, void>(tbb::filter_mode::serial_in_order, [&](int begin) {
-                     const Inside guard;
+                     const Inside guard(watch);
                      take(begin, end_of(begin), lane_of(begin));
                    }));
   });

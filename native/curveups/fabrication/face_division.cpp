@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
@@ -90,6 +91,7 @@ void add_divided(PrintBody& body, const PlanarFace& face) {
   };
   add_loop(face.outer);
   for (const BodyLoop& loop : face.inner) {
+    checkpoint();  // rings look at all other loops
     add_loop(loop.circle < 0 ? loop : add_ring(body, face, loop, axes));
   }
   for (std::vector<int>& polygon : divide_region(points, loops, most_corners)) {

@@ -26,6 +26,7 @@
 #include <gp_Sphere.hxx>
 #include <unordered_map>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 
@@ -34,7 +35,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double volume_tolerance = 1e-9;  // relative
-constexpr int chunk = 128;                 // bodies between two calls of the progress sink
+constexpr int chunk = 32;                  // bodies between two calls of the progress sink
 
 gp_Pnt point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 gp_Dir direction(const Vec3& d) { return {d.x(), d.y(), d.z()}; }
@@ -49,7 +50,10 @@ class SolidBuilder {
     // Curved faces first: their circles go, reversed, into the planar faces.
     for (const SphericalCap& cap : body_.caps) add_cap(cap);
     for (const CylinderWall& wall : body_.cylinders) add_cylinder(wall);
-    for (const PlanarFace& face : body_.faces) add_planar(face);
+    for (const PlanarFace& face : body_.faces) {
+      checkpoint();  // a slab has tens of thousands
+      add_planar(face);
+    }
     shell_.Closed(true);
     TopoDS_Solid solid;
     builder_.MakeSolid(solid);
@@ -224,7 +228,9 @@ std::vector<CheckPart> check_parts(const std::vector<TopoDS_Shape>& solids) {
 std::string closed_and_of_volume(const TopoDS_Shape& solid, double exact) {
   for (TopExp_Explorer it(solid, TopAbs_SHELL); it.More(); it.Next()) {
     BRepCheck_Shell shell(TopoDS::Shell(it.Current()));
+    checkpoint();
     if (shell.Closed() != BRepCheck_NoError) return "open";
+    checkpoint();
     if (shell.Orientation() != BRepCheck_NoError) return "faces turned over";
   }
   if (!(exact > 0)) return "no volume";

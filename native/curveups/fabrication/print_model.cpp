@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "curveups/bodies/tile_print.hpp"
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/fabrication/anchors.hpp"
@@ -25,6 +26,7 @@ class Builder {
   }
 
   PrintModel run() {
+    checkpoint("building tiles", 0.1);
     const int count = tiles().tile_count();
     find_pieces();
     for (int i = 0; i < count; ++i) {
@@ -33,13 +35,17 @@ class Builder {
     model_.tiles = flat_tiles(model_, model_.bumps.body, model_.bumps.of_tile);
     footprints_.resize(model_.piece_count);
     for (int i = 0; i < count; ++i) {
+      checkpoint();
       std::vector<Vec2> seen;
       for (const Vec3& q : model_.tiles[i].points) seen.push_back(q.head<2>());
       footprints_[model_.piece_of_tile[i]].tiles.push_back(convex_hull(seen));
     }
     join_footprints();
+    checkpoint("placing anchors", 0.3);
     if (p().anchors) add_anchors();
+    checkpoint("building the support", 0.4);
     add_support(model_, footprints_);
+    checkpoint("measuring bodies", 0.9);
     list_features();
     centre();
     add_actuated();
@@ -95,6 +101,7 @@ class Builder {
 
   void list_features() {
     for (int i = 0; i < tiles().tile_count(); ++i) {
+      checkpoint();
       const TileFeatures f = tile_features(tiles(), model_.bumps.body[i], model_.bumps.of_tile[i],
                                            model_.q.row(i).data(), i);
       ThinFeature thin{model_.tiles[i].name, "front pin", f.front_pin};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/fabrication/face_division.hpp"
 
@@ -113,7 +114,10 @@ PrintBody make_slab(const std::vector<Polygon>& outline, const std::vector<Print
     (k == 0 ? lid.outer : lid.inner.emplace_back()) = std::move(above);
     (k == 0 ? bottom.outer : bottom.inner.emplace_back()) = std::move(below);
   }
-  for (const PrintBody& body : cavities) add_cavity(slab, bottom, lid, body, top);
+  for (const PrintBody& body : cavities) {
+    checkpoint();
+    add_cavity(slab, bottom, lid, body, top);
+  }
   for (const PrintBody* anchor : anchors) {
     const BodyCircle& foot = anchor->circles[0];
     BodyLoop below, above;
@@ -125,7 +129,9 @@ PrintBody make_slab(const std::vector<Polygon>& outline, const std::vector<Print
     bottom.inner.push_back(std::move(below));
     lid.inner.push_back(std::move(above));
   }
+  checkpoint("dividing the support's underside", 0.7);
   add_divided(slab, bottom);
+  checkpoint("dividing the support's lid", 0.8);
   add_divided(slab, lid);
   return slab;
 }

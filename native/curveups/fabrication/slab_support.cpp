@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "curveups/bodies/outline.hpp"
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/fabrication/print_parts.hpp"
@@ -141,6 +142,7 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
       throw SolverFailure("the support of piece " + std::to_string(piece + 1) + " falls apart",
                           "raise support_margin");
     }
+    checkpoint("building the support", 0.6);
     refuse_strangers(model, piece, loops[0], footprints, outer);
     outer.push_back(loops[0]);
     try {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/palette.hpp"
@@ -126,6 +127,7 @@ void write_step(const std::vector<const PrintBody*>& bodies, const std::string& 
       }
       assembly.add_part(*bodies[k]);
     }
+    checkpoint("writing STEP", 1);
     assembly.finish();
     step.finish();
   });

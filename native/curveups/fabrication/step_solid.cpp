@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "curveups/core/checkpoint.hpp"
+
 namespace curveups {
 namespace {
 
@@ -17,7 +19,10 @@ class SolidWriter {
     // Curved faces first: they decide which way round their circles run.
     for (const SphericalCap& cap : body_.caps) add_cap(cap);
     for (const CylinderWall& wall : body_.cylinders) add_cylinder(wall);
-    for (const PlanarFace& face : body_.faces) add_planar(face);
+    for (const PlanarFace& face : body_.faces) {
+      checkpoint();  // a slab has tens of thousands
+      add_planar(face);
+    }
     const StepId shell = step_.add("CLOSED_SHELL('',", in_connected_order(), ")");
     return step_.add("MANIFOLD_SOLID_BREP(", step_string(body_.name), ",", shell, ")");
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/mesh_files.hpp"
 
@@ -29,6 +30,7 @@ void write_stl(const std::vector<BodyMesh>& meshes, const std::string& title,
   bytes.reserve(84 + 50ull * count);
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(count >> shift));
   for (const BodyMesh& mesh : meshes) {
+    checkpoint();
     for (const auto& t : mesh.triangles) {
       const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
       const Vec3 normal = (b - a).cross(c - a);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "Model/COM/NMR_DLLInterfaces.h"
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/mesh_files.hpp"
@@ -58,6 +59,17 @@ struct Archive {
     return 0;
   }
 };
+
+// lib3mf's frames lie between this and who asked for the file: it is told to end, and has no more
+// to write to than it is used to.
+bool ask_to_go_on(int, NMR::ProgressIdentifier, void* cancelled) {
+  try {
+    checkpoint();
+  } catch (const Cancelled&) {
+    *static_cast<bool*>(cancelled) = true;
+  }
+  return !*static_cast<bool*>(cancelled);
+}
 
 // lib3mf would draw random ones; files must be the same every time.
 std::string uuid(unsigned kind, unsigned number) {
@@ -152,9 +164,14 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
   Held<NMR::PLib3MFModelWriter> writer;
   require(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), "make a writer");
   Archive archive;
-  require(NMR::lib3mf_writer_writetocallback(writer.get(), reinterpret_cast<void*>(&Archive::write),
-                                             reinterpret_cast<void*>(&Archive::seek), &archive),
-          "write the archive");
+  bool cancelled = false;
+  require(NMR::lib3mf_writer_setprogresscallback(writer.get(), &ask_to_go_on, &cancelled),
+          "watch the writer");
+  const long written =
+      NMR::lib3mf_writer_writetocallback(writer.get(), reinterpret_cast<void*>(&Archive::write),
+                                         reinterpret_cast<void*>(&Archive::seek), &archive);
+  if (cancelled) throw Cancelled();
+  require(written, "write the archive");
   strip_dates(archive.bytes);
   write_atomically(path,
                    [&](const std::string& temporary) { write_bytes(temporary, archive.bytes); });

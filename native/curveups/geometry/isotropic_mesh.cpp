@@ -9,6 +9,7 @@
 #include <exception>
 #include <new>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 
 namespace curveups {
@@ -17,6 +18,25 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace pmp = CGAL::Polygon_mesh_processing;
+
+// Which vertices stay; CGAL asks at every turn, and so lets itself be stopped.
+struct FixedVertices {
+  using key_type = Mesh::Vertex_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::read_write_property_map_tag;
+
+  friend bool get(const FixedVertices& map, key_type vertex) {
+    if (++map.asked % 1024 == 0) checkpoint();
+    return map.fixed[vertex];
+  }
+  friend void put(const FixedVertices& map, key_type vertex, bool value) {
+    map.fixed[vertex] = value;
+  }
+
+  Mesh::Property_map<Mesh::Vertex_index, bool> fixed;
+  mutable unsigned asked = 0;
+};
 
 }  // namespace
 
@@ -42,7 +62,9 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
     pmp::isotropic_remeshing(faces(mesh), length, mesh,
                              CGAL::parameters::number_of_iterations(iterations)
                                  .number_of_relaxation_steps(3)
-                                 .vertex_is_constrained_map(fixed));
+                                 .vertex_is_constrained_map(FixedVertices{fixed}));
+  } catch (const Cancelled&) {
+    throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/boundary_spacing.hpp"
 #include "curveups/geometry/even_edges.hpp"
@@ -38,8 +39,9 @@ std::size_t boundary_loop_count(const TriangleMesh& mesh) {
   return boundary_loops(build_topology(mesh.F, static_cast<int>(mesh.V.rows()))).size();
 }
 
-TriangleMesh remesh_component(const TriangleMesh& surface, const RemeshOptions& options) {
-  const ClosestPoints closest(surface);
+// closest: on this component.
+TriangleMesh remesh_component(const TriangleMesh& surface, const ClosestPoints& closest,
+                              const RemeshOptions& options) {
   const std::size_t loops = boundary_loop_count(surface);
   IsotropicMesh mesh = space_boundary(surface, options.L, corner_angle);
 
@@ -86,6 +88,7 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
                            " tiles of L = " + std::to_string(options.L) + " mm",
                        "check the unit of the file (scale), or choose a larger L");
   }
+  checkpoint("remeshing", 0);
   const MeshTopology topology = build_topology(surface.F, static_cast<int>(surface.V.rows()));
   const std::vector<int> component = face_components(topology, {});
   const int count = *std::max_element(component.begin(), component.end()) + 1;
@@ -113,7 +116,9 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
     }
     part.V.resize(original.size(), 3);
     for (std::size_t v = 0; v < original.size(); ++v) part.V.row(v) = surface.V.row(original[v]);
-    const TriangleMesh made = remesh_component(part, options);
+    checkpoint();
+    const TriangleMesh made = count == 1 ? remesh_component(part, closest, options)
+                                         : remesh_component(part, ClosestPoints(part), options);
     const int first_vertex = static_cast<int>(result.mesh.V.rows());
     const int first_face = static_cast<int>(result.mesh.F.rows());
     result.mesh.V.conservativeResize(first_vertex + made.V.rows(), 3);

@@ -3,6 +3,7 @@
 
 #include "curveups/design/constraints.hpp"
 #include "curveups/layout/layout_figures.hpp"
+#include "curveups/layout/spring_forces.hpp"
 
 namespace curveups {
 
@@ -28,6 +29,8 @@ DesignFields design_fields(const Design& design) {
   }
   const Eigen::VectorXd ratios = spring_ratios(geometry, design.parameters, poses, design.q);
   out.membrane_slack = Eigen::Map<const PerSide>(ratios.data(), out.contacts.rows(), 2);
+  out.spring_force = spring_forces(geometry, design.parameters, poses, design.q);
+  out.weak = weak_by_springs(out.spring_force, design.parameters.f_min_ratio);
   return out;
 }
 

@@ -8,9 +8,11 @@
 namespace curveups {
 
 struct DesignFields {
-  Edges contacts;       // N x 2 tiles
-  Eigen::VectorXd gap;  // N, mm: what Eq. 7 bounds, see contact_gaps
-  PerSide pin_area;     // M, mm2; negative where insets turn a pin over
+  Edges contacts;                // N x 2 tiles
+  Eigen::VectorXd gap;           // N, mm: what Eq. 7 bounds, see contact_gaps
+  Eigen::VectorXd spring_force;  // N, see spring_forces.hpp
+  std::vector<int> weak;         // contacts that the springs hold too weakly
+  PerSide pin_area;              // M, mm2; negative where insets turn a pin over
   PerSide
       membrane_slack;  // N, front and back: rest over actuated length (Eq. 16); above 1 it is slack
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/layout/initial_layout.hpp"
 #include "curveups/layout/layout_terms.hpp"
 #include "curveups/numerics/one_thread.hpp"
@@ -42,10 +43,17 @@ class BlockCost : public ceres::CostFunction {
 
 class Watcher : public ceres::IterationCallback {
  public:
-  Watcher(const LayoutModel& model, const LayoutState& state, const LayoutCallback& callback)
-      : model_(model), state_(state), callback_(callback) {}
+  Watcher(const LayoutModel& model, const LayoutState& state, int max_iterations,
+          const Progress& progress, const LayoutCallback& callback)
+      : model_(model),
+        state_(state),
+        max_iterations_(max_iterations),
+        progress_(progress),
+        callback_(callback) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    const double share = static_cast<double>(summary.iteration) / std::max(1, max_iterations_);
+    if (!keep_going(progress_, "soft layout", share)) return ceres::SOLVER_ABORT;
     if (!callback_ || !summary.step_is_successful) return ceres::SOLVER_CONTINUE;
     return callback_(poses_of(model_, state_), insets_of(state_), 2 * summary.cost)
                ? ceres::SOLVER_CONTINUE
@@ -55,6 +63,8 @@ class Watcher : public ceres::IterationCallback {
  private:
   const LayoutModel& model_;
   const LayoutState& state_;
+  int max_iterations_;
+  const Progress& progress_;
   const LayoutCallback& callback_;
 };
 
@@ -62,7 +72,7 @@ class Watcher : public ceres::IterationCallback {
 
 LayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters& parameters,
                                const std::optional<SoftLayoutStart>& start, int max_iterations,
-                               const LayoutCallback& callback) {
+                               const Progress& progress, const LayoutCallback& callback) {
   const LayoutModel model = make_layout_model(geometry, parameters);
   LayoutState state = start ? state_of(model, start->poses, start->q) : initial_layout(model);
   const PinBounds& bounds = geometry.pin_bounds;
@@ -97,13 +107,14 @@ LayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters&
   options.function_tolerance = 1e-5;
   options.logging_type = ceres::SILENT;
   options.update_state_every_iteration = true;
-  Watcher watcher(model, state, callback);
+  Watcher watcher(model, state, max_iterations, progress, callback);
   options.callbacks.push_back(&watcher);
   ceres::Solver::Summary summary;
   {
     const OneThread guard;
     ceres::Solve(options, &problem, &summary);
   }
+  const Finishing finishing;
   LayoutResult result;
   result.poses = poses_of(model, state);
   result.T = flat_corners(geometry.tiles, result.poses);

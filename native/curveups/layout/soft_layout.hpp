@@ -16,9 +16,10 @@ struct SoftLayoutStart {
 // The same energies as solve_layout with E_c and E_pa in place of hard constraints; insets keep
 // their bounds. A smooth least-squares problem with bounds: Ceres solves it. start: an earlier
 // layout of the same tiles (after a cut, say), by default the conformal one. Poses stay where they
-// are: nothing is turned or arranged. The energies have collision and pin area too.
+// are: nothing is turned or arranged. Stopped it returns what it has. The energies have collision
+// and pin area too.
 LayoutResult solve_soft_layout(const DesignGeometry& geometry, const Parameters& parameters,
                                const std::optional<SoftLayoutStart>& start, int max_iterations,
-                               const LayoutCallback& callback);
+                               const Progress& progress, const LayoutCallback& callback = {});
 
 }  // namespace curveups

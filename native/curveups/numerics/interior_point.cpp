@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "curveups/core/checkpoint.hpp"
+#include "curveups/core/errors.hpp"
+
 namespace curveups {
 namespace {
 
@@ -306,6 +309,20 @@ SolveReport InteriorPoint<Constraint>::run(Vector& z, double mu_start, double mu
                                            int max_iterations, const std::string& what,
                                            const Progress& progress) {
   SolveReport report;
+  try {
+    iterate(z, mu_start, mu_end, max_iterations, what, progress, report);
+  } catch (const Cancelled&) {
+    report.status = SolveStatus::stopped;
+  }
+  const Finishing finishing;
+  report.residual = largest_violation(constraints_, z);
+  return report;
+}
+
+template <class Constraint>
+void InteriorPoint<Constraint>::iterate(Vector& z, double mu_start, double mu_end,
+                                        int max_iterations, const std::string& what,
+                                        const Progress& progress, SolveReport& report) {
   double mu = mu_start, damping = 0, penalty = 1;
   const double span = std::log(mu_start / mu_end);
   prepare(z, mu);
@@ -342,8 +359,6 @@ SolveReport InteriorPoint<Constraint>::run(Vector& z, double mu_start, double mu
     lower_multiplier_ += step.dual_length * step.lower_multiplier;
     upper_multiplier_ += step.dual_length * step.upper_multiplier;
   }
-  report.residual = largest_violation(constraints_, z);
-  return report;
 }
 
 template class InteriorPoint<Residuals<9, 2, 8>>;  // the layout's

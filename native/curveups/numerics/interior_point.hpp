@@ -42,7 +42,8 @@ class InteriorPoint {
 
   // Improves z until complementarity mu_end is reached and the optimality conditions hold to like
   // accuracy, or max_iterations. progress gets `what` and the share of the way from mu_start to
-  // mu_end. The report has the largest violation of c(z) >= 0.
+  // mu_end; stopped in the middle of an iteration z is that of the one before. The report has the
+  // largest violation of c(z) >= 0.
   SolveReport run(Vector& z, double mu_start, double mu_end, int max_iterations,
                   const std::string& what, const Progress& progress);
 
@@ -54,6 +55,8 @@ class InteriorPoint {
   struct Linearization;
   struct Step;
 
+  void iterate(Vector& z, double mu_start, double mu_end, int max_iterations,
+               const std::string& what, const Progress& progress, SolveReport& report);
   void prepare(Vector& z, double mu);
   void linearize(const Vector& z, Linearization& at) const;
   void linearize_constraints(const Vector& z, Linearization& at) const;

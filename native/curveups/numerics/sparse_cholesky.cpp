@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/numerics/one_thread.hpp"
 
@@ -104,6 +105,7 @@ std::vector<int> SparseCholesky::order() const {
 }
 
 bool SparseCholesky::factorize(const SparseMatrix& lower) {
+  checkpoint();
   if (!impl_->factor) analyze(lower);
   const OneThread guard;
   if (!Eigen::Map<const Eigen::ArrayXd>(lower.valuePtr(), lower.nonZeros()).isFinite().all()) {
@@ -122,6 +124,7 @@ bool SparseCholesky::factorize(const SparseMatrix& lower) {
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {
+  checkpoint();
   const OneThread guard;
   cholmod_dense rhs{};
   rhs.nrow = b.rows();

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/refinement/draw_pins_out.hpp"
@@ -336,6 +337,7 @@ RepairResult Repair::run() {
     if (!best_) throw;
     breakdown = std::string("repair ended early: ") + error.what();
   }
+  const Finishing finishing;
   here_ = best_ ? best_->place : given_;
   if (result.solve.status == SolveStatus::unfinished) {
     result.blocked = explain_weak_contacts(here_.geometry().tiles, best_->points, best_->judgement,

@@ -155,7 +155,7 @@ TEST(SoftLayout, EveryIterateIsHandedOutAndTheEnergyFalls) {
   const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
   std::vector<double> values;
   const LayoutResult result = solve_soft_layout(
-      geometry, p, {}, 100, [&](const FlatPoses& poses, const Array6& q, double e) {
+      geometry, p, {}, 100, {}, [&](const FlatPoses& poses, const Array6& q, double e) {
         EXPECT_TRUE(poses.allFinite() && q.allFinite());
         values.push_back(e);
         return true;
@@ -176,16 +176,33 @@ TEST(SoftLayout, EveryIterateIsHandedOutAndTheEnergyFalls) {
   EXPECT_LT(sum, hard_sum * 1.02);
 }
 
+TEST(SoftLayout, ProgressStopsItWithWhatItHas) {
+  const Parameters p;
+  const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
+  int calls = 0;
+  double last = -1;
+  const LayoutResult result =
+      solve_soft_layout(geometry, p, {}, 100, [&](const std::string&, double fraction) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return ++calls < 4;
+      });
+  EXPECT_TRUE(result.solve.stopped());
+  EXPECT_EQ(calls, 4);
+  EXPECT_TRUE(result.T.allFinite());
+}
+
 TEST(SoftLayout, CanBeStoppedAndGoOnFromThere) {
   const Parameters p;
   const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
   int calls = 0;
-  const LayoutResult first = solve_soft_layout(
-      geometry, p, {}, 100, [&](const FlatPoses&, const Array6&, double) { return ++calls < 3; });
+  const LayoutResult first =
+      solve_soft_layout(geometry, p, {}, 100, {},
+                        [&](const FlatPoses&, const Array6&, double) { return ++calls < 3; });
   EXPECT_TRUE(first.solve.stopped());
   double start = 0;
   const LayoutResult second =
-      solve_soft_layout(geometry, p, SoftLayoutStart{first.poses, first.q}, 100,
+      solve_soft_layout(geometry, p, SoftLayoutStart{first.poses, first.q}, 100, {},
                         [&](const FlatPoses&, const Array6&, double e) {
                           if (start == 0) start = e;
                           return true;
