@@ -10,6 +10,7 @@ import FreeCADGui
 from ..errors import CurveUpsError
 from ..qt import QtCore, translate
 from . import overlay_of
+from .meshing import when_meshed
 
 _BODIES = ("Tiles", "Support", "Anchors")
 _FOLDING, _FRAME = 500, 30          # ms: from flat to actuated, and between two pictures
@@ -27,13 +28,18 @@ def show_actuated(design: Any) -> None:
 
 
 def show_solids(design: Any) -> None:
-    """The bodies of the print instead of the overlay. Raises CurveUpsError where there are none."""
-    bodies = [body for slot in _BODIES if (body := getattr(design, slot, None)) is not None]
-    if not any(body.Shape.Solids for body in bodies if body.Name == design.Tiles.Name):
+    """The bodies of the print instead of the overlay, once they are triangulated, which the user can
+    cancel. Raises CurveUpsError where there are none."""
+    tiles = design.Tiles
+    if tiles is None or not tiles.Shape.Solids:
         raise CurveUpsError(translate("CurveUps_ShowSolids", "there are no solids yet"), design.Label,
                             translate("CurveUps_ShowSolids", "run Build Solids"))
-    for body in bodies:
-        if body.Name != getattr(design.Support, "Name", ""):  # it would hide the tiles' back faces
+    when_meshed(tiles, lambda: _show_solids(design))
+
+
+def _show_solids(design: Any) -> None:
+    for body in (design.Tiles, design.Anchors):  # the support would hide the tiles' back faces
+        if body is not None:
             if body.ViewObject.DisplayMode == "Flat Lines":  # black all over: the edges of small tiles
                 body.ViewObject.DisplayMode = "Shaded"
             body.ViewObject.Visibility = True
