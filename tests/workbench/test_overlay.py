@@ -310,3 +310,70 @@ def work():
 def test_it_follows_document_solver_and_panels(document, homes, tmp_path):
     out = run_in_window(FOLLOWED, homes[True], tmp_path, path=document, pictures=tmp_path)
     assert "Traceback" not in out, out
+
+
+SHOWN = OPEN + """
+def work():
+    from curveups.overlay import meshing
+    from curveups.panels.live import LIVE
+    document, design, view, overlay = opened(path)
+
+    def shown():
+        return [name for name in ('Design', 'Target', 'Tiles', 'Support', 'Anchors')
+                if document.getObject(name).ViewObject.Visibility]
+
+    def until(condition):
+        for _ in range(600):
+            if condition():
+                return
+            settle(50)
+        raise AssertionError('waited for too long')
+
+    assert shown() == ['Design'], shown()
+    flat = picture(view, 'flat')
+    # Solids only when they are asked for, and not if that is taken back.
+    meshing._AT_ONCE = 0
+    meshing._SLICE = 0.0
+    FreeCADGui.runCommand('CurveUps_ShowSolids')
+    settle(400)
+    dialog = FreeCADGui.getMainWindow().findChild(QtGui.QProgressDialog, 'CurveUpsShowSolids')
+    if dialog is not None:
+        dialog.findChild(QtGui.QPushButton).click()
+        settle(200)
+        assert shown() == ['Design'], shown()
+        FreeCADGui.runCommand('CurveUps_ShowSolids')
+    until(lambda: 'Tiles' in shown())
+    assert shown() == ['Tiles', 'Anchors'], shown()
+    settle(300)
+    assert picture(view, 'solids') != flat
+    FreeCADGui.runCommand('CurveUps_ShowActuated')
+    until(lambda: overlay.morph() == 1)
+    assert shown() == ['Design'], shown()
+    # Membranes: computed when they are first asked for, drawn in both states and between, coloured.
+    FreeCADGui.runCommand('CurveUps_Overlay')
+    settle(300)
+    without = picture(view, 'without')
+    assert 'Membrane stretch' not in overlay.fields()
+    FreeCADGui.getMainWindow().findChild(QtGui.QCheckBox, 'membranes').setChecked(True)
+    until(lambda: not LIVE.busy)
+    settle(300)
+    assert 'Membrane stretch' in overlay.fields() and len(overlay.scene.membranes) == 2
+    assert picture(view, 'membranes') != without
+    front, back = overlay.scene.membranes
+    assert np.allclose(front.flat[:, 2], 5) and np.allclose(back.flat[:, 2], 0)  # on the pins' ends
+    for sheet in (front, back):
+        at_ends = [overlay.scene.membrane_at(sheet, t) for t in (0, 1e-12, 1 - 1e-12, 1)]
+        assert np.allclose(at_ends[0], at_ends[1]) and np.allclose(at_ends[2], at_ends[3])
+    overlay.set_field('Membrane stretch')
+    assert 1 < overlay.range()[0] < overlay.range()[1] < 6, overlay.range()
+    # They go with what they were computed for.
+    design.HBody = 2.5
+    document.recompute()
+    settle(300)
+    assert overlay.scene.membranes == () and 'Membrane stretch' not in overlay.fields()
+"""
+
+
+def test_solids_and_membranes_come_when_they_are_asked_for(document, homes, tmp_path):
+    out = run_in_window(SHOWN, homes[True], tmp_path, path=document, pictures=tmp_path)
+    assert "Traceback" not in out, out

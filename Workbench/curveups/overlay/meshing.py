@@ -61,9 +61,11 @@ class _Meshing:
             self.end()
             return
         until = time.perf_counter() + _SLICE
-        while self._next < len(self._solids) and time.perf_counter() < until:
+        while self._next < len(self._solids):
             MeshPart.meshFromShape(Shape=self._solids[self._next], **self._fineness)
             self._next += 1
+            if time.perf_counter() > until:
+                break
         if self._next == len(self._solids):
             self.end()
             self._then()

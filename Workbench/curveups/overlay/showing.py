@@ -8,6 +8,7 @@ from typing import Any
 import FreeCADGui
 
 from ..errors import CurveUpsError
+from ..native import native
 from ..qt import QtCore, translate
 from . import overlay_of
 from .meshing import when_meshed
@@ -40,10 +41,21 @@ def show_solids(design: Any) -> None:
 def _show_solids(design: Any) -> None:
     for body in (design.Tiles, design.Anchors):  # the support would hide the tiles' back faces
         if body is not None:
-            if body.ViewObject.DisplayMode == "Flat Lines":  # black all over: the edges of small tiles
-                body.ViewObject.DisplayMode = "Shaded"
-            body.ViewObject.Visibility = True
+            view = body.ViewObject
+            if view.DisplayMode == "Flat Lines":  # never shown yet; edges of small tiles are black all over
+                view.DisplayMode = "Shaded"
+                _colour(view, tuple(part / 255 for part in native.COLOURS[body.Kind]))
+            view.Visibility = True
     design.ViewObject.Visibility = False
+
+
+def _colour(view: Any, rgb: tuple) -> None:
+    if hasattr(view, "ShapeColor"):
+        view.ShapeColor = rgb
+    else:  # since FreeCAD 1.0
+        material = view.ShapeAppearance[0]
+        material.DiffuseColor = rgb
+        view.ShapeAppearance = (material,)
 
 
 def _show_overlay(design: Any, t: float) -> None:
