@@ -243,9 +243,16 @@ def test_stl_and_3mf_are_watertight(printed):
     check_closed(corners.reshape(-1, 3), np.arange(3 * count).reshape(-1, 3))
     with zipfile.ZipFile(printed.folder / "small-cap-print.3mf") as archive:
         text = archive.read("3D/3dmodel.model").decode()
+        assert {entry.date_time for entry in archive.infolist()} == {(1980, 1, 1, 0, 0, 0)}
     names = re.findall(r'<object [^>]*name="([^"]*)"', text)
     assert [n for n in names if n.startswith("T")] == [f"T{i:05d}" for i in range(1, 25)]
-    assert len(names) == report["print"]["bodies"]
+    # One build item a piece, the assembly of all bodies: slicers move build items, not components.
+    assert names[-1] == "small-cap" and len(names) == report["print"]["bodies"] + 1
+    assert text.count("<item ") == report["print"]["pieces"] == 1
+    assert text.count("<component ") == report["print"]["bodies"]
+    colours = re.findall(r'<base name="([^"]*)" displaycolor="#([0-9A-F]{8})"', text)
+    assert [name for name, _ in colours] == ["tiles (rigid)", "support (soluble)", "anchors (rigid)"]
+    assert all(colour.endswith("FF") for _, colour in colours)
 
 
 def check_closed(points, faces):

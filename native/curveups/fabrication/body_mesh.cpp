@@ -36,6 +36,7 @@ class Mesher {
   Mesher(const PrintBody& body, const MeshingOptions& options) : body_(body), options_(options) {
     mesh_.name = body.name;
     mesh_.kind = body.kind;
+    mesh_.piece = body.piece;
     point_.assign(body.points.size(), -1);
     ring_.resize(body.circles.size());
     flat_.assign(body.circles.size(), 0);

@@ -14,6 +14,7 @@ namespace curveups {
 struct BodyMesh {
   std::string name;
   BodyKind kind = BodyKind::tile;
+  int piece = 0;
   std::vector<Vec3> points;
   std::vector<std::array<int, 3>> triangles;  // counter-clockwise seen from outside
 };

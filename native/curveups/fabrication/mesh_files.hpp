@@ -14,9 +14,17 @@ namespace curveups {
 void write_stl(const std::vector<BodyMesh>& meshes, const std::string& title,
                const std::string& path);
 
-// 3MF in mm, one named object with its colour per body (lib3mf). The same meshes give the same
-// bytes. Throws IoError, SolverFailure where lib3mf refuses a mesh, Cancelled.
+// What bodies are printed of: names of the 3MF's materials by kind. A slicer's user gives each its
+// own filament or nozzle.
+struct PrintMaterials {
+  std::string tile = "tile", support = "support", anchor = "anchor";
+};
+
+// 3MF in mm (lib3mf): each piece is one build item, an assembly whose components are one named
+// object with its material per body. Slicers place every build item anew; components keep their
+// places. The same meshes give the same bytes. Throws IoError, SolverFailure where lib3mf refuses a
+// mesh, Cancelled.
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
-               const std::string& path, const Progress& progress);
+               const PrintMaterials& materials, const std::string& path, const Progress& progress);
 
 }  // namespace curveups

@@ -27,7 +27,12 @@ void write_stl(const PrintModel& model, const std::string& kind, const std::stri
 }
 
 void write_3mf(const PrintModel& model, const std::string& path, const Progress& progress) {
-  write_3mf(meshes_of(model, "print", progress), model.name, path, progress);
+  // Bridges are broken, not dissolved: they may well be of the tiles' own material.
+  const PrintMaterials materials{
+      "tiles (rigid)",
+      model.parameters.support == "soluble" ? "support (soluble)" : "bridges (rigid)",
+      "anchors (rigid)"};
+  write_3mf(meshes_of(model, "print", progress), model.name, materials, path, progress);
 }
 
 const std::vector<PrintFormat>& print_formats() {

@@ -3,7 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "Model/COM/NMR_DLLInterfaces.h"
 #include "curveups/core/checkpoint.hpp"
@@ -78,37 +81,63 @@ std::string uuid(unsigned kind, unsigned number) {
   return text;
 }
 
-// The file's clock: lib3mf stamps every part of the archive with the present time. The stamps are
-// set to the earliest that ZIP knows (1980-01-01 00:00) in local and central headers.
-void strip_dates(std::string& zip) {
-  auto u16 = [&](std::size_t at) {
-    return static_cast<unsigned char>(zip[at]) | static_cast<unsigned char>(zip[at + 1]) << 8;
+// The archive's dates: lib3mf writes none (day 0 of month 0, which is no date) or the present time.
+// They become the earliest that ZIP knows, 1980-01-01 00:00, in local and central headers.
+void set_dates(std::string& zip) {
+  auto number = [&](std::size_t at, int bytes) {
+    std::size_t value = 0;
+    for (int k = bytes; k-- > 0;) value = value << 8 | static_cast<unsigned char>(zip.at(at + k));
+    return value;
   };
-  auto u32 = [&](std::size_t at) {
-    return static_cast<std::size_t>(u16(at)) | static_cast<std::size_t>(u16(at + 2)) << 16;
-  };
-  auto stamp = [&](std::size_t at) {
-    zip[at] = zip[at + 1] = 0;
-    zip[at + 2] = 0x21;
-    zip[at + 3] = 0;
-  };
+  auto stamp = [&](std::size_t at) { zip.replace(at, 4, std::string("\0\0\x21\0", 4)); };
+  constexpr std::size_t in_zip64 = 0xffffffff;  // the number stands in the larger field
   const std::size_t end = zip.rfind(std::string("PK\5\6", 4));
-  if (end == std::string::npos || end + 22 > zip.size()) return;
-  std::size_t at = u32(end + 16);
-  for (int entry = u16(end + 10); entry > 0 && at + 46 <= zip.size(); --entry) {
-    if (zip.compare(at, 4, std::string("PK\1\2", 4)) != 0) return;
-    const std::size_t local = u32(at + 42);
-    if (local + 30 > zip.size()) return;
+  if (end == std::string::npos) throw SolverFailure("lib3mf wrote no archive", "report this");
+  std::size_t at = number(end + 16, 4);
+  if (at == in_zip64) at = number(zip.rfind(std::string("PK\6\6", 4)) + 48, 8);
+  for (std::size_t entry = number(end + 10, 2); entry > 0; --entry) {
+    const std::size_t next = at + 46 + number(at + 28, 2) + number(at + 30, 2) + number(at + 32, 2);
+    std::size_t local = number(at + 42, 4);
+    if (local == in_zip64) local = number(at + 46 + number(at + 28, 2) + number(at + 30, 2) - 8, 8);
     stamp(at + 12);
     stamp(local + 10);
-    at += 46 + u16(at + 28) + u16(at + 30) + u16(at + 32);
+    at = next;
   }
+}
+
+using Body = std::unique_ptr<Held<NMR::PLib3MFModelMeshObject>>;
+
+// One build item: the bodies where they are.
+void place_piece(NMR::PLib3MFModel* model, const std::vector<Body>& bodies,
+                 const std::string& title, int piece, int piece_count) {
+  const std::string name = piece_count > 1 ? title + " P" + std::to_string(piece + 1) : title;
+  Held<NMR::PLib3MFModelComponentsObject> assembly;
+  require(NMR::lib3mf_model_addcomponentsobject(model, assembly.out()), "add " + name);
+  require(NMR::lib3mf_object_setnameutf8(assembly.get(), name.c_str()), "name " + name);
+  require(NMR::lib3mf_object_setuuidutf8(assembly.get(), uuid(4, piece + 1).c_str()),
+          "name " + name);
+  unsigned number = 0;
+  for (const Body& body : bodies) {
+    Held<NMR::PLib3MFModelComponent> component;
+    require(NMR::lib3mf_componentsobject_addcomponent(assembly.get(), body->get(), nullptr,
+                                                      component.out()),
+            "put a body into " + name);
+    require(
+        NMR::lib3mf_component_setuuidutf8(component.get(), uuid(0x100 + piece, ++number).c_str()),
+        "name a body of " + name);
+  }
+  Held<NMR::PLib3MFModelBuildItem> item;
+  require(NMR::lib3mf_model_addbuilditem(model, assembly.get(), nullptr, item.out()),
+          "place " + name);
+  require(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid(3, piece + 1).c_str()),
+          "place " + name);
 }
 
 }  // namespace
 
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
-               const std::string& path, const Progress& progress) {
+               const PrintMaterials& materials_of, const std::string& path,
+               const Progress& progress) {
   Held<NMR::PLib3MFModel> model;
   require(NMR::lib3mf_createmodel(model.out()), "start a model");
   require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), "set the unit");
@@ -119,13 +148,21 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
   DWORD group = 0;
   require(NMR::lib3mf_basematerial_getresourceid(materials.get(), &group), "add colours");
   std::array<DWORD, 3> material{};
-  const std::array<const char*, 3> names = {"tile", "support", "anchor"};
+  const std::array<const std::string*, 3> names = {&materials_of.tile, &materials_of.support,
+                                                   &materials_of.anchor};
   for (int k = 0; k < 3; ++k) {
     const Colour c = body_colour(static_cast<BodyKind>(k));
-    require(NMR::lib3mf_basematerial_addmaterialutf8(materials.get(), names[k], c.red, c.green,
-                                                     c.blue, &material[k]),
+    require(NMR::lib3mf_basematerial_addmaterialutf8(materials.get(), names[k]->c_str(), c.red,
+                                                     c.green, c.blue, &material[k]),
             "add a colour");
+    // Without this it would be transparent.
+    require(NMR::lib3mf_basematerial_setdisplaycolorrgba(materials.get(), material[k], c.red,
+                                                         c.green, c.blue, 255),
+            "make a colour opaque");
   }
+  int piece_count = 0;
+  for (const BodyMesh& mesh : meshes) piece_count = std::max(piece_count, mesh.piece + 1);
+  std::vector<std::vector<Body>> bodies(piece_count);
   unsigned number = 0;
   for (const BodyMesh& mesh : meshes) {
     if (++number % 64 == 0 &&
@@ -140,7 +177,8 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       for (int k = 0; k < 3; ++k) triangles[i].m_nIndices[k] = mesh.triangles[i][k];
     }
-    Held<NMR::PLib3MFModelMeshObject> object;
+    auto held = std::make_unique<Held<NMR::PLib3MFModelMeshObject>>();
+    Held<NMR::PLib3MFModelMeshObject>& object = *held;
     require(NMR::lib3mf_model_addmeshobject(model.get(), object.out()), "add " + mesh.name);
     require(NMR::lib3mf_object_setnameutf8(object.get(), mesh.name.c_str()), "name " + mesh.name);
     require(NMR::lib3mf_object_setuuidutf8(object.get(), uuid(2, number).c_str()),
@@ -155,11 +193,10 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
     require(NMR::lib3mf_defaultpropertyhandler_setbasematerial(
                 property.get(), group, material[static_cast<int>(mesh.kind)]),
             "colour " + mesh.name);
-    Held<NMR::PLib3MFModelBuildItem> item;
-    require(NMR::lib3mf_model_addbuilditem(model.get(), object.get(), nullptr, item.out()),
-            "place " + mesh.name);
-    require(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid(3, number).c_str()),
-            "place " + mesh.name);
+    bodies[mesh.piece].push_back(std::move(held));
+  }
+  for (int piece = 0; piece < piece_count; ++piece) {
+    place_piece(model.get(), bodies[piece], title, piece, piece_count);
   }
   Held<NMR::PLib3MFModelWriter> writer;
   require(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), "make a writer");
@@ -172,7 +209,7 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
                                          reinterpret_cast<void*>(&Archive::seek), &archive);
   if (cancelled) throw Cancelled();
   require(written, "write the archive");
-  strip_dates(archive.bytes);
+  set_dates(archive.bytes);
   write_atomically(path,
                    [&](const std::string& temporary) { write_bytes(temporary, archive.bytes); });
 }
