@@ -17,6 +17,7 @@ from .errors import CurveUpsError
 from .gui_document import MESH_FLAT_LINES, SHADED, Box, View, finish_document
 from .mesh_files import Mesh
 from .native import native
+from .thumbnail import thumbnail
 
 if TYPE_CHECKING:
     from .project import Results
@@ -167,8 +168,10 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
     colours = {name: native.COLOURS[kind] for name, kind in {**KINDS, "Target": "tiles"}.items()}
     views = [View(name, value, colours.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
              for name, value in shown.items()]
+    V, F = results.design.V, results.design.F
     finish_document(path, results.name, views,
-                    _print_box(results["solids"].model) if shown["Tiles"] else _box(results.design.V))
+                    _print_box(results["solids"].model) if shown["Tiles"] else _box(V),
+                    thumbnail(V, F, native.COLOURS["tiles"]))
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
 
 

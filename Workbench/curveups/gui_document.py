@@ -38,8 +38,8 @@ class View:
     display_mode: int = SHADED
 
 
-def finish_document(path: Path, name: str, views: Sequence[View], box: Box) -> None:
-    """Adds the views and a camera that sees `box` from the front to a document without them; dates,
+def finish_document(path: Path, name: str, views: Sequence[View], box: Box, thumbnail: bytes) -> None:
+    """Adds the views, a camera that sees `box` from the front and a PNG to a document without them; dates,
     numbers of FreeCAD's own and the temporary file's name go. `name`: the document's label. Raises
     OSError, also where FreeCAD has not saved all of it: it does not say so itself."""
     finished = path.with_name(path.name + ".finished")
@@ -52,6 +52,7 @@ def finish_document(path: Path, name: str, views: Sequence[View], box: Box) -> N
                     content = _settled(content.decode(), name).encode()
                 _add(new, entry.filename, content)
             _add(new, "GuiDocument.xml", _document(views, box).encode())
+            _add(new, "thumbnails/Thumbnail.png", thumbnail)
         finished.replace(path)
     except (zipfile.BadZipFile, zlib.error, EOFError) as error:
         raise OSError(errno.EIO, "FreeCAD could not save the whole document (is the disk full?)",

@@ -71,6 +71,12 @@ def design_document(folder, *settings):
 
 
 @pytest.fixture(scope="session")
+def designed():
+    """design_document itself, for a test that makes one of its own."""
+    return design_document
+
+
+@pytest.fixture(scope="session")
 def document(tmp_path_factory):
     return design_document(tmp_path_factory.mktemp("document"))
 

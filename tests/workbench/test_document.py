@@ -3,6 +3,9 @@
 
 import json
 import re
+import struct
+import zipfile
+import zlib
 
 OPEN = """
 import FreeCAD
@@ -68,6 +71,30 @@ kept = native.write_design(design_project_of(design).latest('design').design)
 assert kept == open(json_path, encoding='utf-8').read()
 done()
 """, path=document, json_path=document.parent / "design.json")
+
+
+def test_the_same_design_is_the_same_file(document, designed, tmp_path):
+    """But for where its target lies."""
+    again = designed(tmp_path)
+
+    def content(path):
+        with zipfile.ZipFile(path) as archive:
+            return {name: archive.read(name) for name in archive.namelist()}
+
+    first, second = content(document), content(again)
+    folder, other = str(document.parents[1]).encode(), str(tmp_path).encode()
+    assert first.pop("Document.xml").replace(folder, b"") == second.pop("Document.xml").replace(other, b"")
+    assert first == second
+
+
+def test_the_file_has_a_thumbnail(document):
+    with zipfile.ZipFile(document) as archive:
+        png = archive.read("thumbnails/Thumbnail.png")
+    assert png[:8] == b"\x89PNG\r\n\x1a\n" and struct.unpack(">II", png[16:24]) == (128, 128)
+    rows = zlib.decompress(png[41:41 + struct.unpack(">I", png[33:37])[0]])
+    pixels = [rows[k * 513 + 1 + 4 * j: k * 513 + 5 + 4 * j] for k in range(128) for j in range(128)]
+    drawn = sum(pixel[3] > 0 for pixel in pixels) / len(pixels)
+    assert 0.3 < drawn < 0.9 and len({bytes(pixel) for pixel in pixels}) > 40
 
 
 def test_save_and_reopen(freecad, document, tmp_path):

@@ -62,22 +62,22 @@ def design_with_results(document: Any, results: Results) -> Any:
         obj.Target.KeepMesh = not source.remesh
         obj.Target.File, obj.Target.BuiltIn, obj.Target.Stamp = (
             source.path, source.built_in, target.stamp_for(source))
-    take(obj, results)
+    take(obj, results, timed=False)  # the same design is the same file
     if "solids" in results:
         rebuild.take(obj, results)
     document.recompute()
     return obj
 
 
-def take(obj: Any, results: Results) -> None:
+def take(obj: Any, results: Results, timed: bool = True) -> None:
     """A run's results become those of the Design and what is below it. To be called inside of the
-    caller's transaction; solids follow (build_bodies)."""
+    caller's transaction; solids follow (build_bodies). `timed`: whether seconds are kept."""
     before = live.stored(obj)
     finished = before.latest("design")
     made = {**before.given(), **before.made(), **_worth_keeping(results, finished)}
     solved = "design" in results and (finished is None or "layout" in results)
     with translated(obj.Label):
-        text = saved_results.to_text(made, _NOT_STORED)
+        text = saved_results.to_text(made, _NOT_STORED, timed)
     if "target" in results:
         for name, value in results["target"].settles().items():  # L, where the mesh is taken as it is
             properties.write_parameter(obj, name, value)
