@@ -3,8 +3,9 @@
 
 import numpy as np
 import pytest
+from curveups.native import native
 from curveups.overlay import colours, prisms
-from curveups.overlay.fields import CONTACT, SIDE, TILE, Field, aligned
+from curveups.overlay.fields import CONTACT, SIDE, TILE, Field, aligned, deviation_field
 from curveups.overlay.motion import Motion, part_of, quaternions
 
 
@@ -138,3 +139,15 @@ def test_values_find_their_contacts():
     assert list(values[:2]) == [0.4, 0.7] and np.isnan(values[2])
     none = aligned({"contact_tiles": np.empty((0, 2)), "gap": []}, "gap", np.array([[0, 1]]))
     assert np.isnan(none).all()
+
+
+def test_deviation_is_the_largest_on_each_tile():
+    V = np.array([[0.0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]])
+    F = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
+    lifted = V + [[0, 0, 0.5], [0, 0, 0], [0, 0, 0], [0, 0, -2]]
+    found = deviation_field(lifted, F, V, F)
+    assert found.values == pytest.approx([0.5, 2])
+    with pytest.raises(native.InvalidInput, match="names a vertex"):
+        native.distances(V, V, F + 2)
+    with pytest.raises(native.InvalidInput, match="not finite"):
+        native.distances(V * np.nan, V, F)

@@ -111,6 +111,19 @@ def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
               "pins below A_pin_min")]
 
 
+def deviation_field(V: np.ndarray, F: np.ndarray, source_V: np.ndarray, source_F: np.ndarray) -> Field:
+    """How far the tiles' front faces are from the surface before remeshing: the largest distance of
+    corners, middles of edges, and centre."""
+    def make() -> np.ndarray:
+        corners = V[F]
+        samples = np.concatenate([corners, (corners + np.roll(corners, 1, axis=1)) / 2,
+                                  corners.mean(1, keepdims=True)], axis=1)
+        found = native.distances(samples.reshape(-1, 3), source_V, source_F)
+        return np.reshape(found, samples.shape[:2]).max(axis=1)
+
+    return Field("Deviation", "mm", TILE, make, "high")
+
+
 def force_fields(verification: Any, contacts: np.ndarray, parameters: Any, note: str) -> list[Field]:
     """Of the physical model."""
     arrays, blocks = verification.arrays, verification.blocks

@@ -10,7 +10,8 @@ from typing import Any, Optional
 import numpy as np
 
 from ..native import native
-from .fields import MEMBRANE, SIDE, TILE, Field, design_fields, force_fields, target_fields
+from .fields import (MEMBRANE, SIDE, TILE, Field, design_fields, deviation_field, force_fields,
+                     target_fields)
 from .motion import Motion
 from .prisms import SLOTS
 
@@ -146,6 +147,7 @@ def scene_of(project: Any) -> Optional[Scene]:
     edges = np.empty((0, 2), np.int32) if cuts is None else cuts.edges
     shapes = native.tile_shapes_at(V, target.F, edges, parameters)
     found = target_fields(V, target.F, edges, parameters, shapes.contacts, True)
+    found += _deviation(project, V, target.F)
     return Scene(V, target.F, edges, parameters, **shapes_of(shapes, parameters),
                  fields={one.name: one for one in found})
 
@@ -161,9 +163,16 @@ def _of_design(project: Any, design: Any) -> Scene:
             fields += force_fields(made, shapes.contacts, parameters, note)
             break
     fields += design_fields(design, shapes.contacts)
+    fields += _deviation(project, design.V, design.F)
     fields += target_fields(design.V, design.F, design.cuts, parameters, shapes.contacts, False)
     return Scene(design.V, design.F, design.cuts, parameters, **shapes_of(shapes, parameters),
                  fields={one.name: one for one in fields})
+
+
+def _deviation(project: Any, V: np.ndarray, F: np.ndarray) -> list[Field]:
+    """None where the surface before remeshing is not known: of a design file, say."""
+    target = project.latest("target")
+    return [] if target is None else [deviation_field(V, F, target.source_V, target.source_F)]
 
 
 def _note(changed: Any) -> str:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Built-in targets and functions of meshes.
 #include "curveups/bindings/bindings.hpp"
+#include "curveups/core/errors.hpp"
 #include "curveups/geometry/builtin_targets.hpp"
 #include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/conformal_map.hpp"
@@ -32,6 +33,17 @@ void bind_geometry(py::module_& module) {
         return mean_edge_length({V, F});
       },
       py::arg("V"), py::arg("F"), "Mean length of the edges, mm.");
+  module.def(
+      "distances",
+      [](const Points3& points, const Points3& V, const Triangles& F) {
+        const py::gil_scoped_release release;
+        if (!points.allFinite()) {
+          throw InvalidInput("a point has a coordinate that is not finite", "leave it out");
+        }
+        return distances(points, ClosestPoints({V, F}));
+      },
+      py::arg("points"), py::arg("V"), py::arg("F"),
+      "Distances of points from a surface, mm, one a point.");
   module.def(
       "surface_deviation",
       [](const Points3& V, const Triangles& F, const Points3& target_V, const Triangles& target_F,

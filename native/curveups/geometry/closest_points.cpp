@@ -49,6 +49,9 @@ ClosestPoints::ClosestPoints(const TriangleMesh& mesh) : impl_(std::make_unique<
   if (!mesh.V.allFinite()) {
     throw InvalidInput("the surface has a vertex that is not finite", "repair the file");
   }
+  if (mesh.F.minCoeff() < 0 || mesh.F.maxCoeff() >= mesh.V.rows()) {
+    throw InvalidInput("a face of the surface names a vertex that there is not", "repair the file");
+  }
   impl_->triangles.reserve(mesh.F.rows());
   for (int f = 0; f < mesh.F.rows(); ++f) {
     impl_->triangles.emplace_back(point(mesh.V, mesh.F(f, 0)), point(mesh.V, mesh.F(f, 1)),

@@ -17,7 +17,8 @@ struct ClosestPoint {
 // A search tree over the faces of a mesh. Queries are safe from several threads at once.
 class ClosestPoints {
  public:
-  // Throws InvalidInput for a mesh without faces and for vertices that are not finite.
+  // Throws InvalidInput for a mesh without faces, vertices that are not finite and faces that name
+  // vertices beyond them.
   explicit ClosestPoints(const TriangleMesh& mesh);
   ~ClosestPoints();
   ClosestPoints(ClosestPoints&&) noexcept;

@@ -42,6 +42,9 @@ TEST(ClosestPoints, RefusesEmptyAndInfinite) {
   TriangleMesh mesh = test::flat_square(1, 1);
   mesh.V(2, 1) = std::nan("");
   EXPECT_THROW(ClosestPoints{mesh}, InvalidInput);
+  TriangleMesh beyond = test::flat_square(2, 2);
+  beyond.F(0, 1) = static_cast<int>(beyond.V.rows());
+  EXPECT_THROW(ClosestPoints{beyond}, InvalidInput);
 }
 
 }  // namespace
