@@ -216,7 +216,7 @@ class Overlay:
         ranges = dict(self._view.Ranges)
         ranges.pop(one.name, None)
         if ends is not None:
-            ranges[one.name] = f"{ends[0]!r} {ends[1]!r}"
+            ranges[one.name] = " ".join(repr(float(end)) for end in ends)
         self._view.Ranges = ranges
 
     def morph(self) -> float:
