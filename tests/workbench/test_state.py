@@ -220,6 +220,46 @@ done()
 """, folder=tmp_path)
 
 
+def test_a_solve_is_one_step_of_undo(freecad):
+    freecad(NEW + """
+document.UndoMode = 1
+document.openTransaction('New')
+design = documents.new_design(document, 'cap')
+design.L = 10
+document.commitTransaction()
+results = documents.project_of(design).run(('design', 'figures', 'verification'))
+states = []
+for tau in (3, 2.8):
+    document.openTransaction('Solve')
+    design.Tau = tau
+    documents.take(design, documents.project_of(design).run(('design', 'figures', 'verification')))
+    document.commitTransaction()
+    assert design.Verdict == 'valid' and design.Tau == tau
+    states.append((list(design.Layout.Poses), design.Results, list(design.Verification.ContactNormalMin)))
+assert states[0] != states[1]
+document.undo()
+assert (design.Verdict, design.Tau) == ('valid', 3), list(design.Reasons)
+assert (list(design.Layout.Poses), design.Results, list(design.Verification.ContactNormalMin)) == states[0]
+assert documents.project_of(design).out_of_date('verification') == ()
+document.undo()
+assert (design.Status, design.TileCount, list(design.Layout.Poses)) == ('empty', 0, [])
+document.redo()
+document.redo()
+assert (list(design.Layout.Poses), design.Results, list(design.Verification.ContactNormalMin)) == states[1]
+assert design.Verdict == 'valid' and design.Target.Mesh.CountFacets == design.TileCount
+document.recompute()
+assert design.Tiles.Status == 'current'
+document.undo()
+assert design.Tiles.Status == 'out of date' and 'layout' in design.Tiles.Reason
+for _ in range(2):
+    document.undo()
+assert not documents.designs(document)
+document.redo()
+assert documents.designs(document)[0].Status == 'empty'
+done()
+""")
+
+
 def test_cuts(freecad):
     freecad(NEW + """
 design = documents.new_design(document, 'cap')

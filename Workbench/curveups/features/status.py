@@ -97,7 +97,10 @@ def _judgement(obj: Any, judged: Mapping[str, Any], layout: list[str],
     if verification and judged.get("valid") is not None:
         return OUT_OF_DATE, OUT_OF_DATE, verification
     valid = judged.get("valid")
-    return (INVALID if valid is False else CURRENT), VERDICTS[valid], list(judged.get("reasons", ()))
+    reasons = list(judged.get("reasons", ()))
+    if valid is None and not reasons:
+        reasons = ["it was not verified: Verify judges it"]
+    return (INVALID if valid is False else CURRENT), VERDICTS[valid], reasons
 
 
 def _changed(now: Mapping[str, Any], then: Mapping[str, Any], since: str, command: str) -> list[str]:

@@ -13,7 +13,7 @@ import FreeCAD
 import FreeCADGui
 
 from ..errors import CurveUpsError
-from ..features import live, rebuild, status
+from ..features import live, properties, rebuild, status
 from ..features.proxy import designs
 from ..native import problem
 from ..qt import QtCore, translate
@@ -66,13 +66,13 @@ class Follower:
         if problem() is not None:
             return
         for document in FreeCAD.listDocuments().values():
-            for design in designs(document):
-                if _wanted(design):
-                    if document.HasPendingTransaction:
-                        self.later()
-                    else:
-                        self._build(design)
-                    return
+            wanted = next(filter(_wanted, designs(document)), None)
+            if wanted is None:
+                continue
+            if not document.HasPendingTransaction:
+                self._build(wanted)
+                return
+            self.later()
 
     def _build(self, design: Any) -> None:
         values = _values(design)
@@ -126,8 +126,6 @@ def _wanted(design: Any) -> bool:
 
 
 def _values(design: Any) -> dict[str, Any]:
-    from ..features import properties
-
     return {"design": status.record(design, "Solved").get("design"), **properties.parameters_of(design)}
 
 
