@@ -276,6 +276,73 @@
     </message>
   </context>
   <context>
+    <name>CurveUps_Cuts</name>
+    <message>
+      <source>Accept suggested cuts</source>
+      <translation>Vorgeschlagene Schnitte annehmen</translation>
+    </message>
+    <message>
+      <source>Cut</source>
+      <translation>Schnitt</translation>
+    </message>
+    <message>
+      <source>Cuts</source>
+      <translation>Schnitte</translation>
+    </message>
+    <message>
+      <source>Cuts of {name}</source>
+      <translation>Schnitte von {name}</translation>
+    </message>
+    <message>
+      <source>Lay out</source>
+      <translation>Abwickeln</translation>
+    </message>
+    <message>
+      <source>Let cuts be suggested first, and select one</source>
+      <translation>Zuerst Schnitte vorschlagen lassen und einen wählen</translation>
+    </message>
+    <message>
+      <source>No cut was found that is worth it</source>
+      <translation>Kein Schnitt wurde gefunden, der sich lohnt</translation>
+    </message>
+    <message>
+      <source>Pick edges along which tiles are disconnected, or let them be suggested</source>
+      <translation>Kanten wählen, an denen Kacheln getrennt sind, oder sie vorschlagen lassen</translation>
+    </message>
+    <message>
+      <source>Quick layout in {seconds:.1f} s; {count} contacts are likely to be weak (marked by triangles). Solve makes the real one.</source>
+      <translation>Schnelle Abwicklung in {seconds:.1f} s; {count} Kontakte sind wohl schwach (mit Dreiecken markiert). „Lösen“ macht die eigentliche.</translation>
+    </message>
+    <message>
+      <source>Remove cuts</source>
+      <translation>Schnitte entfernen</translation>
+    </message>
+    <message>
+      <source>Suggest</source>
+      <translation>Vorschlagen</translation>
+    </message>
+    <message>
+      <source>Take a cut back</source>
+      <translation>Schnitt zurücknehmen</translation>
+    </message>
+    <message>
+      <source>Target</source>
+      <translation>Zielfläche</translation>
+    </message>
+    <message>
+      <source>The rim is open already: go on to an edge inside</source>
+      <translation>Der Rand ist schon offen: zu einer inneren Kante weitergehen</translation>
+    </message>
+    <message>
+      <source>run Solve first</source>
+      <translation>zuerst „Lösen“ ausführen</translation>
+    </message>
+    <message>
+      <source>the layout is of another target</source>
+      <translation>die Abwicklung gehört zu einer anderen Zielfläche</translation>
+    </message>
+  </context>
+  <context>
     <name>CurveUps_Examples</name>
     <message>
       <source>A new document with a design of a built-in target, solved while you watch</source>
@@ -405,12 +472,20 @@
   <context>
     <name>CurveUps_ShowSolids</name>
     <message>
+      <source>Cancel</source>
+      <translation>Abbrechen</translation>
+    </message>
+    <message>
       <source>Show Solids</source>
       <translation>Volumenkörper zeigen</translation>
     </message>
     <message>
       <source>Show tiles and anchors as the solids that are printed: exact, but slow for thousands of tiles</source>
       <translation>Kacheln und Anker als die Volumenkörper zeigen, die gedruckt werden: genau, aber langsam bei Tausenden von Kacheln</translation>
+    </message>
+    <message>
+      <source>Triangulating {count} solids</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>run Build Solids</source>
@@ -526,6 +601,89 @@
     <message>
       <source>{count} have problems</source>
       <translation>{count} haben Probleme</translation>
+    </message>
+  </context>
+  <context>
+    <name>CutsPanel</name>
+    <message>
+      <source>A quick layout with soft constraints follows every cut; Solve makes the real one</source>
+      <translation>Eine schnelle Abwicklung mit weichen Bedingungen folgt jedem Schnitt; „Lösen“ macht die eigentliche</translation>
+    </message>
+    <message>
+      <source>Accept</source>
+      <translation>Annehmen</translation>
+    </message>
+    <message>
+      <source>Begin Anew</source>
+      <translation>Neu beginnen</translation>
+    </message>
+    <message>
+      <source>Click edges between tiles, flat or actuated: each click goes on from the last one along the shortest path. Escape begins anew; a click on a cut takes it back.</source>
+      <translation>Kanten zwischen Kacheln anklicken, flach oder in Form: jeder Klick geht vom letzten auf dem kürzesten Weg weiter. Escape beginnt neu; ein Klick auf einen Schnitt nimmt ihn zurück.</translation>
+    </message>
+    <message>
+      <source>Cut</source>
+      <translation>Schnitt</translation>
+    </message>
+    <message>
+      <source>Cuts</source>
+      <translation>Schnitte</translation>
+    </message>
+    <message>
+      <source>Cuts that hang together; those selected here are marked in the view</source>
+      <translation>Schnitte, die zusammenhängen; die hier gewählten sind in der Ansicht markiert</translation>
+    </message>
+    <message>
+      <source>Edges</source>
+      <translation>Kanten</translation>
+    </message>
+    <message>
+      <source>Ends the quick layout, or the search for cuts, with what there is</source>
+      <translation>Beendet die schnelle Abwicklung oder die Suche nach Schnitten mit dem, was da ist</translation>
+    </message>
+    <message>
+      <source>How many cuts are looked for</source>
+      <translation>Wie viele Schnitte gesucht werden</translation>
+    </message>
+    <message>
+      <source>Lay out at once</source>
+      <translation>Gleich abwickeln</translation>
+    </message>
+    <message>
+      <source>Length</source>
+      <translation>Länge</translation>
+    </message>
+    <message>
+      <source>Looks for cuts that let the target lie flat with less stretch, with what they are predicted to gain</source>
+      <translation>Sucht Schnitte, mit denen die Zielfläche mit weniger Dehnung flach liegt, mit ihrem voraussichtlichen Gewinn</translation>
+    </message>
+    <message>
+      <source>Makes the selected suggestion and those before it, on which it rests</source>
+      <translation>Macht den gewählten Vorschlag und die davor, auf denen er beruht</translation>
+    </message>
+    <message>
+      <source>Remove</source>
+      <translation>Entfernen</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translation>Anhalten</translation>
+    </message>
+    <message>
+      <source>Suggest</source>
+      <translation>Vorschlagen</translation>
+    </message>
+    <message>
+      <source>Suggested cuts</source>
+      <translation>Vorgeschlagene Schnitte</translation>
+    </message>
+    <message>
+      <source>Takes the selected cuts back, or all where none is selected</source>
+      <translation>Nimmt die gewählten Schnitte zurück, oder alle, wenn keiner gewählt ist</translation>
+    </message>
+    <message>
+      <source>The next click begins another cut (Escape in the view)</source>
+      <translation>Der nächste Klick beginnt einen anderen Schnitt (Escape in der Ansicht)</translation>
     </message>
   </context>
   <context>

@@ -58,7 +58,7 @@ def read_cuts(path: Path) -> CutRequest:
 def resolve_cuts(request: CutRequest, V: np.ndarray, F: np.ndarray) -> np.ndarray:
     """The mesh edges to cut, C x 2, each once and in ascending order."""
     edges = [tuple(sorted(edge)) for edge in request.edges.tolist()]
-    interior = _interior_edges(F)
+    interior = interior_edges(F)
     for edge in edges:
         if edge not in interior:
             raise CurveUpsError(f"{edge[0]}-{edge[1]} is no interior edge of the mesh",
@@ -131,7 +131,8 @@ def _snap(line: np.ndarray, number: int, V: np.ndarray, F: np.ndarray, size: flo
     return [(min(pair), max(pair)) for pair in zip(path, path[1:])]
 
 
-def _interior_edges(F: np.ndarray) -> set[tuple[int, int]]:
+def interior_edges(F: np.ndarray) -> set[tuple[int, int]]:
+    """Edges of two faces, each as its two vertices in ascending order."""
     pairs = np.sort(np.vstack([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1)
     unique, count = np.unique(pairs, axis=0, return_counts=True)
     return {(int(a), int(b)) for a, b in unique[count == 2]}

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lines on a design's overlay along edges between tiles, wherever the tiles are drawn just now, and marks
+at contacts."""
+
+from __future__ import annotations
+
+from typing import Any, Iterable, Mapping, Sequence
+
+import numpy as np
+from pivy import coin
+
+from .nodes import fill
+
+# Apart in lightness as well as in hue.
+COLOURS = {"cut": (0.0, 0.0, 0.0), "selected": (0.90, 0.62, 0.0), "hovered": (0.34, 0.71, 0.91),
+           "suggested": (0.84, 0.37, 0.0)}
+_WIDTHS = {"cut": 5.0, "selected": 7.0, "hovered": 6.0, "suggested": 4.0}
+_WEAK = (0.80, 0.10, 0.45)
+
+
+class CutLines:
+    """Added to an Overlay until it is closed."""
+
+    def __init__(self, overlay: Any):
+        self._overlay = overlay
+        self._F: Any = None
+        self._sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
+        self.node = coin.SoSeparator()
+        never = coin.SoPickStyle()
+        never.style = coin.SoPickStyle.UNPICKABLE
+        plain = coin.SoLightModel()
+        plain.model = coin.SoLightModel.BASE_COLOR
+        for part in (never, plain):
+            self.node.addChild(part)
+        self._lines = {kind: self._add_lines(COLOURS[kind], _WIDTHS[kind]) for kind in COLOURS}
+        self._weak = self._add_marks()
+        overlay.node.addChild(self.node)
+
+    def close(self) -> None:
+        self._overlay.node.removeChild(self.node)
+
+    def draw(self, kinds: Mapping[str, Iterable[Sequence[int]]],
+             weak: Iterable[Sequence[int]]) -> None:
+        """kinds: pairs of vertices by kind of line. weak: pairs of tiles whose contact is marked."""
+        scene = self._overlay.scene
+        if scene is None:
+            return
+        self._know(scene.F)
+        figures = self._overlay.figures()
+        for kind, (points, lines) in self._lines.items():
+            sides = [side for a, b in kinds.get(kind, ())
+                     for side in self._sides.get((min(a, b), max(a, b)), ())]
+            found = [self._ends(corners, shift, sides) for corners, shift in figures] if sides else []
+            places = np.concatenate(found) if found else np.zeros((0, 3))
+            lines.numVertices.setNum(0)
+            fill(points.point, places)
+            fill(lines.numVertices, np.full(len(places) // 2, 2, np.int32))
+        pairs = np.array([(int(a), int(b)) for a, b in weak], int).reshape(-1, 2)
+        found = [self._middles(corners, shift, pairs) for corners, shift in figures] if len(pairs) else []
+        fill(self._weak.point, np.concatenate(found) if found else np.zeros((0, 3)))
+
+    def _know(self, F: np.ndarray) -> None:
+        if F is self._F:
+            return
+        self._F, self._sides = F, {}
+        for tile, face in enumerate(np.asarray(F).tolist()):
+            for k in range(3):
+                a, b = face[k], face[(k + 1) % 3]
+                self._sides.setdefault((min(a, b), max(a, b)), []).append((tile, k))
+
+    def _ends(self, corners: np.ndarray, shift: np.ndarray, sides: list[tuple[int, int]]) -> np.ndarray:
+        tile, k = np.array(sides).T
+        return (np.stack([corners[tile, k], corners[tile, (k + 1) % 3]], axis=1) + shift).reshape(-1, 3)
+
+    def _middles(self, corners: np.ndarray, shift: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+        """Between the edges that two tiles share."""
+        places = []
+        for i, j in pairs:
+            shared = set(self._F[i]).intersection(self._F[j])
+            ends = [corners[t, k] for t in (i, j) for k in range(3) if self._F[t][k] in shared]
+            places.append(np.mean(ends, axis=0) + shift)
+        return np.array(places)
+
+    def _add_lines(self, colour: tuple, width: float) -> tuple[Any, Any]:
+        part, style, points, lines = (coin.SoSeparator(), coin.SoDrawStyle(), coin.SoCoordinate3(),
+                                      coin.SoLineSet())
+        style.lineWidth = width
+        shade = coin.SoBaseColor()
+        shade.rgb = colour
+        for node in (shade, style, points, lines):
+            part.addChild(node)
+        self.node.addChild(part)
+        points.point.setNum(0)
+        lines.numVertices.setNum(0)
+        return points, lines
+
+    def _add_marks(self) -> Any:
+        part, shade, points, marks = (coin.SoSeparator(), coin.SoBaseColor(), coin.SoCoordinate3(),
+                                      coin.SoMarkerSet())
+        shade.rgb = _WEAK
+        marks.markerIndex = coin.SoMarkerSet.TRIANGLE_FILLED_9_9
+        for node in (shade, points, marks):
+            part.addChild(node)
+        self.node.addChild(part)
+        points.point.setNum(0)
+        return points
