@@ -485,7 +485,7 @@
     </message>
     <message>
       <source>Triangulating {count} solids</source>
-      <translation type="unfinished" />
+      <translation>{count} Volumenkörper werden trianguliert</translation>
     </message>
     <message>
       <source>run Build Solids</source>
