@@ -151,3 +151,10 @@ def test_deviation_is_the_largest_on_each_tile():
         native.distances(V, V, F + 2)
     with pytest.raises(native.InvalidInput, match="not finite"):
         native.distances(V * np.nan, V, F)
+
+
+def test_a_field_that_can_not_be_had_has_no_values():
+    V, F = np.zeros((3, 3)), np.array([[0, 1, 2]], np.int32)
+    one = deviation_field(V, F, V, np.empty((0, 3), np.int32))
+    assert one.values.shape == (1,) and np.isnan(one.values).all()
+    assert not len(one.problems) and not len(one.order) and one.automatic_range() == (0, 1)

@@ -304,6 +304,15 @@ def work():
     document.commitTransaction()
     settle(300)
     assert overlay.closed and not FreeCADGui.Control.activeDialog()
+    # ... but comes back with it.
+    document.undo()
+    settle(500)
+    from curveups.overlay import overlay_of
+    again = overlay_of(document.Design)
+    assert not again.closed and again.scene is not None and again.legend.content is not None, again.note
+    again.select_tiles([7])
+    settle(100)
+    assert again.selected == [7]
 """
 
 

@@ -34,11 +34,15 @@ class Field:
     problem: str = ""
     signed: bool = False
     note: str = ""
+    shape: tuple[int, ...] = (0,)
 
     @cached_property
     def values(self) -> np.ndarray:
-        """NaN where there is none."""
-        return np.asarray(self.make(), float)
+        """NaN where there is none; everywhere, in `shape`, where they can't be had of this design."""
+        try:
+            return np.asarray(self.make(), float)
+        except native.Error:
+            return np.full(self.shape, np.nan)
 
     @cached_property
     def problems(self) -> np.ndarray:
@@ -94,10 +98,12 @@ def target_fields(V: np.ndarray, F: np.ndarray, cuts: np.ndarray, parameters: An
     found = cache(lambda: native.target_fields(V, F, cuts, parameters))
     limits: dict[str, Any] = {"limit": 0.0} if judge else {}
     return [
-        Field("Fold angle", "deg", CONTACT, lambda: aligned(found(), "fold_angle", contacts), signed=True),
+        Field("Fold angle", "deg", CONTACT, lambda: aligned(found(), "fold_angle", contacts), signed=True,
+              shape=(len(contacts),)),
         Field("Pin room", "mm^2", SIDE, lambda: found()["pin_room"], "low", mark="diamond",
-              problem="have no room for a pin", **limits),
-        Field("Conformal stretch", "", TILE, lambda: found()["conformal_stretch"], "low")]
+              problem="have no room for a pin", shape=(len(F), 2), **limits),
+        Field("Conformal stretch", "", TILE, lambda: found()["conformal_stretch"], "low",
+              shape=(len(F),))]
 
 
 def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
@@ -106,9 +112,9 @@ def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
     get = design.parameters.get
     return [
         Field("Gap", "mm", CONTACT, lambda: aligned(found(), "gap", contacts), "low", get("d_gap_min"),
-              "square", "gaps below d_gap_min"),
+              "square", "gaps below d_gap_min", shape=(len(contacts),)),
         Field("Pin area", "mm^2", SIDE, lambda: found()["pin_area"], "low", get("A_pin_min"), "diamond",
-              "pins below A_pin_min")]
+              "pins below A_pin_min", shape=(len(design.F), 2))]
 
 
 def deviation_field(V: np.ndarray, F: np.ndarray, source_V: np.ndarray, source_F: np.ndarray) -> Field:
@@ -121,7 +127,7 @@ def deviation_field(V: np.ndarray, F: np.ndarray, source_V: np.ndarray, source_F
         found = native.distances(samples.reshape(-1, 3), source_V, source_F)
         return np.reshape(found, samples.shape[:2]).max(axis=1)
 
-    return Field("Deviation", "mm", TILE, make, "high")
+    return Field("Deviation", "mm", TILE, make, "high", shape=(len(F),))
 
 
 def force_fields(verification: Any, contacts: np.ndarray, parameters: Any, note: str) -> list[Field]:

@@ -17,7 +17,7 @@ from pivy import coin
 from ..errors import CurveUpsError, tile_name
 from ..native import translated
 from ..qt import QtCore, translate
-from . import colours
+from . import cameras, colours
 from .fields import MEMBRANE, Field
 from .figure import Figure
 from .legend import Content, Dragging, Legend
@@ -86,7 +86,7 @@ class Overlay:
 
     def close(self) -> None:
         """The design is gone."""
-        self.scene, self.closed = None, True
+        self.scene, self._shown, self.closed = None, None, True
         self.legend.show(None)
         self._tell()
 
@@ -229,7 +229,8 @@ class Overlay:
         self._view.Morph = min(1.0, max(0.0, float(t)))
         if self.scene is not None and self.scene.motion is not None:
             step = self.scene.motion.middle(self._drawn_at) - self.scene.motion.middle(before)
-            self._follow(FreeCAD.Vector(*step))
+            cameras.shift(self.object.Document.Name,
+                          self.placement().Rotation.multVec(FreeCAD.Vector(*step)))
 
     def select_tiles(self, tiles: Iterable[int]) -> None:
         """Selects tiles by number (0 is T00001) in FreeCAD, and no others of the design."""
@@ -240,24 +241,7 @@ class Overlay:
 
     def look_at(self, tiles: Sequence[int]) -> None:
         """Turns the camera to tiles, head on."""
-        view = self._active_view()
-        if view is None or not len(tiles):
-            return
-        corners = self._figure.corners[list(tiles)]
-        front = corners[:, :3]
-        normal = np.cross(front[:, 1] - front[:, 0], front[:, 2] - front[:, 0]).sum(0)
-        place = self._placement_of()
-        middle = place.multVec(FreeCAD.Vector(*front.mean((0, 1))))
-        towards = place.Rotation.multVec(FreeCAD.Vector(*normal)).normalize()
-        camera = view.getCameraNode()
-        turn = FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), towards)
-        camera.orientation.setValue(*turn.Q)
-        size = 12 * float(np.linalg.norm(front[0, 1] - front[0, 0]))
-        if camera.getTypeId() == coin.SoOrthographicCamera.getClassTypeId():
-            camera = coin.cast(camera, "SoOrthographicCamera")
-            camera.height = size
-        camera.focalDistance = 2 * size
-        camera.position = tuple(middle + towards * 2 * size)
+        cameras.look_at(self.object.Document.Name, self._figure.corners[list(tiles), :3], self.placement())
 
     # What FreeCAD's selection says.
 
@@ -301,7 +285,7 @@ class Overlay:
 
     def placement(self) -> Any:
         """Where the Design stands."""
-        return self._placement_of()
+        return getattr(self.object, "Placement", None) or FreeCAD.Placement()
 
     # Drawing.
 
@@ -414,38 +398,17 @@ class Overlay:
                                  high, True, tuple(notes), marks))
 
     def _place(self) -> None:
-        placement = self._placement_of()
+        placement = self.placement()
         self._placement.translation = tuple(placement.Base)
         self._placement.rotation = coin.SbRotation(*placement.Rotation.Q)
-
-    def _placement_of(self) -> Any:
-        return getattr(self.object, "Placement", None) or FreeCAD.Placement()
-
-    # Views of the document.
-
-    def _views(self) -> list:
-        gui = FreeCADGui.getDocument(self.object.Document.Name)
-        return list(gui.mdiViewsOfType("Gui::View3DInventor")) if gui else []
-
-    def _active_view(self) -> Any:
-        gui = FreeCADGui.getDocument(self.object.Document.Name)
-        view = gui.ActiveView if gui else None
-        return view if hasattr(view, "getCameraNode") else next(iter(self._views()), None)
 
     def _watch_views(self) -> None:
         """Lets the mouse drag the legend in views that have come since."""
         self._dragging = [one for one in self._dragging if one.alive()]
-        for view in self._views():
+        for view in cameras.views_of(self.object.Document.Name):
             if not any(one.is_of(view) for one in self._dragging):
                 self._dragging.append(Dragging(view, self.legend, lambda: self._view.Visibility,
                                                self.set_range))
-
-    def _follow(self, step: Any) -> None:
-        step = self._placement_of().Rotation.multVec(step)
-        if step.Length > 0:
-            for view in self._views():
-                camera = view.getCameraNode()
-                camera.position = tuple(FreeCAD.Vector(*camera.position.getValue().getValue()) + step)
 
 
 class _State:

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The 3D views of a document, and where they look."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from pivy import coin
+
+_TILES_ACROSS = 12  # that a view shows when it looks at one
+
+
+def views_of(document: str) -> list:
+    """All 3D views of a document by its name."""
+    gui = FreeCADGui.getDocument(document)
+    return list(gui.mdiViewsOfType("Gui::View3DInventor")) if gui else []
+
+
+def look_at(document: str, front: np.ndarray, placement: Any) -> None:
+    """Turns the view that is in use to triangles (K x 3 x 3, mm, before `placement`), head on."""
+    gui = FreeCADGui.getDocument(document)
+    view = gui.ActiveView if gui else None
+    if not hasattr(view, "getCameraNode"):  # a table, say
+        view = next(iter(views_of(document)), None)
+    if view is None or not len(front):
+        return
+    normal = np.cross(front[:, 1] - front[:, 0], front[:, 2] - front[:, 0]).sum(0)
+    middle = placement.multVec(FreeCAD.Vector(*front.mean((0, 1))))
+    towards = placement.Rotation.multVec(FreeCAD.Vector(*normal)).normalize()
+    size = _TILES_ACROSS * float(np.linalg.norm(front[0, 1] - front[0, 0]))
+    camera = view.getCameraNode()
+    camera.orientation.setValue(*FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), towards).Q)
+    if camera.getTypeId() == coin.SoOrthographicCamera.getClassTypeId():
+        camera = coin.cast(camera, "SoOrthographicCamera")
+        camera.height = size
+    camera.focalDistance = 2 * size
+    camera.position = tuple(middle + towards * 2 * size)
+
+
+def shift(document: str, step: Any) -> None:
+    """Moves the cameras of all views by a vector, mm."""
+    if step.Length > 0:
+        for view in views_of(document):
+            camera = view.getCameraNode()
+            camera.position = tuple(FreeCAD.Vector(*camera.position.getValue().getValue()) + step)
