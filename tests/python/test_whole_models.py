@@ -45,6 +45,15 @@ def test_models_of_normal_size_are_valid_and_have_all_files(curveups, tmp_path, 
     assert read_back(tmp_path, report, solids=False) == []
 
 
+def test_a_model_that_rests_on_the_ground_is_valid(curveups, tmp_path):
+    """The ground only has to push: its points share the weight, far below what tiles press with."""
+    ran = curveups("design", "half-sphere", "-o", tmp_path, "--no-solids", "--quiet", "--set",
+                   "gravity=resting")
+    report = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
+    assert ran.status == 0 and report["valid"] is True, report["reasons"]
+    assert report["unilateral"]["largest_floor"] > 3 * report["unilateral"]["floor"]
+
+
 @pytest.fixture(scope="module", params=SMALL)
 def whole(request, curveups, tmp_path_factory):
     """The folder of a finished model and its report."""

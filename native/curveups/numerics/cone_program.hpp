@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Second-order cone programs over forces at points, three numbers each (normal, two tangents):
 //   maximise s  subject to  A f + b = 0,  n >= s,  |t| <= mu n,  s <= 1
-// at every point, with the exact circular cone; relaxed: |t| <= mu (n - s), which always has a
-// solution. A primal-dual interior-point method (Mehrotra's predictor-corrector with Nesterov-Todd
-// scaling; L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers", 2010) on the
-// normal equations A D A^T, one factorization a step.
+// at every point, with the exact circular cone; at points that only have to push, n >= 0. Relaxed:
+// n >= s and |t| <= mu (n - s) at every point, which always has a solution. A primal-dual
+// interior-point method (Mehrotra's predictor-corrector with Nesterov-Todd scaling; L.
+// Vandenberghe, "The CVXOPT linear and quadratic cone program solvers", 2010) on the normal
+// equations A D A^T, one factorization a step.
 #pragma once
+
+#include <vector>
 
 #include "curveups/core/progress.hpp"
 #include "curveups/core/types.hpp"
@@ -31,6 +34,8 @@ struct ConeOptions {
   double friction_coefficient = 0.5;  // mu; infinity: any friction
   bool relaxed = false;
   double tolerance = 1e-4;  // on s
+  // Per point whether it only has to push; empty: none.
+  std::vector<char> only_push = {};
 };
 
 struct ConeSolution {
