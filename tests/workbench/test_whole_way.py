@@ -14,6 +14,8 @@ pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("
                                 reason="there is no virtual display, or no xdotool")
 
 STEPS = ROBOT + """
+from curveups.features import document
+from curveups.overlay import overlay_of
 from curveups.panels.live import LIVE
 
 def design():
@@ -70,13 +72,31 @@ def new_design():
     surface.ViewObject.Visibility = False
     picture('02-new-design')
 
+def place_a_cut():
+    # An edge from the rim inwards, by one click on the target; a second click there takes it back.
+    select(design())
+    press('CurveUps_Cuts')
+    until(lambda: not LIVE.busy and overlay_of(design()).scene is not None, 60, 'the target')
+    view = FreeCADGui.ActiveDocument.ActiveView
+    view.viewTop()
+    view.fitAll()
+    settle(500)
+    picture('03-target')
+    place = on_screen(FreeCAD.Vector(0, 25, 0))
+    click_at(place)
+    until(lambda: len(document.cuts_of(design())), 20, 'a cut')
+    until(lambda: not LIVE.busy, 60, 'the quick layout')
+    assert picture('04-cut') > 5
+    again_until('ctrl+z', lambda: not len(document.cuts_of(design())), 'undo of the cut')
+    close_panel()
+
 def solve_live():
     select(design())
     press('CurveUps_Solve')
     idle()
     assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
     assert design().TileCount > 50
-    assert picture('03-solved') > 12
+    assert picture('05-solved') > 12
     assert not widget('stop').isEnabled()
     close_panel()
 
@@ -90,13 +110,13 @@ def change_thickness():
     fill(widget('HBody'), '2.8')
     until(lambda: abs(design().HBody.Value - 2.8) < 1e-9, 10, 'the thickness')
     assert design().Verdict != 'valid', 'a stale verdict'
-    picture('04-thicker')
+    picture('06-thicker')
     close_panel()
     settle(500)
     again_until('ctrl+z', lambda: design().HBody.Value == before, 'undo')
     assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
     again_until('ctrl+shift+z', lambda: abs(design().HBody.Value - 2.8) < 1e-9, 'redo')
-    picture('05-redone')
+    picture('07-redone')
 
 def verify():
     select(design())
@@ -104,7 +124,7 @@ def verify():
     idle()
     assert design().Verdict in ('valid', 'not valid'), design().Verdict
     assert design().Status in ('current', 'invalid'), design().Status
-    picture('06-verified')
+    picture('08-verified')
     close_panel()
 
 def repair():
@@ -112,7 +132,7 @@ def repair():
     press('CurveUps_Repair')
     idle()
     assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
-    picture('07-repaired')
+    picture('09-repaired')
     close_panel()
 
 def refused_value():
@@ -122,7 +142,7 @@ def refused_value():
     fill(widget('HBody'), '45')
     until(lambda: design().Status == 'invalid', 10, 'the refusal')
     assert design().Verdict != 'valid' and 'HBody' in ' '.join(design().Reasons), list(design().Reasons)
-    picture('08-refused')
+    picture('10-refused')
     close_panel()
     again_until('ctrl+z', lambda: design().HBody.Value == 2.8, 'undo')
     assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
@@ -132,24 +152,24 @@ def delete_and_back():
     select(design())
     keys('Delete')
     until(lambda: len(FreeCAD.ActiveDocument.Objects) == 1, 20, 'all of the design to go')
-    picture('09-deleted')
+    picture('11-deleted')
     keys('ctrl+z')
     until(lambda: len(FreeCAD.ActiveDocument.Objects) == count, 20, 'undo')
     assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
-    assert picture('10-back') > 12
+    assert picture('12-back') > 12
 
 def export():
     select(design())
     press('CurveUps_Export')
     fill(widget('folder'), files)
-    picture('11-export')
+    picture('13-export')
     click(widget('write'))
     until(lambda: LIVE.busy or os.path.isdir(files), 20, 'the export to begin')
     idle()
     names = sorted(os.listdir(files))
     assert any(name.endswith('-print.3mf') for name in names), names
     assert any(name.endswith('-print.step') for name in names) and 'report.json' in names, names
-    picture('12-exported')
+    picture('14-exported')
     close_panel()
 
 def save_close_reopen():
@@ -163,18 +183,18 @@ def save_close_reopen():
     settle(1000)
     assert (design().Verdict, design().TileCount, design().Status) == (verdict, tiles, 'current')
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
-    assert picture('13-reopened') > 12
+    assert picture('15-reopened') > 12
 
 def cancel_a_run():
     example('tower')
     drawn()
-    picture('14-running')
+    picture('16-running')
     start = time.monotonic()
     click(widget('cancel'))
     until(lambda: not LIVE.busy, 10, 'cancel')
     assert time.monotonic() - start < 3  # two of them are the mouse's
     assert design().Status == 'empty' and design().TileCount == 0, (design().Status, design().TileCount)
-    picture('15-cancelled')
+    picture('17-cancelled')
 
 def stop_a_run():
     click(widget('solve'))
@@ -183,7 +203,7 @@ def stop_a_run():
     click(widget('stop'))
     idle(20)
     assert design().TileCount > 100 and design().Status != 'running', (design().Status, design().TileCount)
-    picture('16-stopped')
+    picture('18-stopped')
 
 def close_in_mid_run():
     click(widget('solve'))
@@ -195,9 +215,9 @@ def close_in_mid_run():
     settle(1000)
     assert name not in FreeCAD.listDocuments()
     assert not FreeCADGui.Control.activeDialog()
-    picture('17-closed')
+    picture('19-closed')
 
-WAY = (open_a_mesh, new_design, solve_live, change_thickness, verify, repair, refused_value,
+WAY = (open_a_mesh, new_design, place_a_cut, solve_live, change_thickness, verify, repair, refused_value,
        delete_and_back, export, save_close_reopen, cancel_a_run, stop_a_run, close_in_mid_run)
 
 def work():
@@ -226,4 +246,4 @@ def test_the_whole_way(homes, tmp_path):
     out = run_in_window(STEPS, homes[True], tmp_path, timeout=600, mesh=mesh, pictures=pictures,
                         files=tmp_path / "files", saved=tmp_path / "whole-way.FCStd")
     assert "Traceback" not in out, out
-    assert len(list(pictures.glob("*.png"))) >= 17 and not (pictures / "failed.png").exists()
+    assert len(list(pictures.glob("*.png"))) >= 19 and not (pictures / "failed.png").exists()
