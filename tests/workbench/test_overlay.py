@@ -127,6 +127,20 @@ def work():
     def edges(corners):
         return np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     assert np.abs(edges(half) - edges(scene.flat)).max() < 1e-9
+    # Problems are marked by a shape on a white disc, and counted in the legend.
+    import dataclasses
+    overlay.set_morph(0)
+    design.ViewObject.Pins = False
+    weak = dataclasses.replace(one, limit=float(np.sort(one.values)[3]))
+    overlay.show_scene(dataclasses.replace(scene, fields={**scene.fields, one.name: weak}))
+    assert 0 < len(weak.problems) <= 3
+    assert overlay.legend.content.marks == (('cross', f'{len(weak.problems)} contacts below f_min'),)
+    marked = picture(view, 'marked')
+    for point in scene.places(weak, weak.problems, scene.flat):
+        x, y = on_screen(view, point)
+        near = np.array([colour(marked, (x + dx, y + dy)) for dx in range(-4, 5) for dy in range(-4, 5)])
+        assert (near > 0.99).all(axis=1).sum() > 15, 'no disc'
+        assert (np.abs(near - colours.MARK).max(axis=1) < 0.05).sum() > 5, 'no cross'
 """
 
 

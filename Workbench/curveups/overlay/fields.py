@@ -147,7 +147,7 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any, note:
     if "contact_friction_ratio" in arrays:
         fields.append(Field("Friction ratio", "", CONTACT,
                             lambda: aligned(arrays, "contact_friction_ratio", contacts), "high",
-                            slipping, "triangle", "contacts above friction_coefficient", note=note))
+                            slipping, "triangle", "contacts may slip", note=note))
     return fields
 
 

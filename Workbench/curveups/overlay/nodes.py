@@ -110,22 +110,26 @@ class Outlines:
 
 
 class Markers:
-    """Marks of one shape at points, of the same size at any distance."""
+    """Marks of one shape at points, of the same size at any distance, on white discs: they are told from
+    any colour below them."""
 
-    SHAPES = {"cross": "CROSS_9_9", "triangle": "TRIANGLE_FILLED_9_9", "square": "SQUARE_LINE_9_9",
-              "diamond": "DIAMOND_LINE_9_9", "star": "STAR_9_9"}
+    SHAPES = {"cross": "CROSS_7_7", "triangle": "TRIANGLE_FILLED_7_7", "square": "SQUARE_FILLED_7_7",
+              "diamond": "DIAMOND_LINE_7_7", "star": "STAR_7_7"}
 
     def __init__(self, shape: str, colour: tuple[float, float, float]):
         self.node = coin.SoSeparator()
-        self._points, self._marks = coin.SoCoordinate3(), coin.SoMarkerSet()
-        self._marks.markerIndex = getattr(coin.SoMarkerSet, self.SHAPES[shape])
-        for part in (_flat_colour(colour), _unpickable(), self._points, self._marks):
+        self._points, self._marks = coin.SoCoordinate3(), [coin.SoMarkerSet(), coin.SoMarkerSet()]
+        disc, mark = self._marks
+        disc.markerIndex = coin.SoMarkerSet.CIRCLE_FILLED_9_9
+        mark.markerIndex = getattr(coin.SoMarkerSet, self.SHAPES[shape])
+        for part in (_unpickable(), self._points, _flat_colour((1, 1, 1)), disc, _flat_colour(colour), mark):
             self.node.addChild(part)
 
     def set_points(self, points: np.ndarray) -> None:
         """K x 3, mm."""
         fill(self._points.point, points)
-        self._marks.numPoints = len(points)
+        for marks in self._marks:
+            marks.numPoints = len(points)
 
 
 class Sheet:
