@@ -25,11 +25,12 @@ class CurveUpsWorkbench(FreeCADGui.Workbench):
     def Initialize(self):
         """Called when the workbench is first activated."""
         from curveups import commands
-        from curveups.qt import QT_TRANSLATE_NOOP
+        from curveups.qt import QT_TRANSLATE_NOOP, RESOURCES
 
         names = list(commands.register())
         self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "CurveUps"), names)
         self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&CurveUps"), names)
+        FreeCADGui.addPreferencePage(str(RESOURCES / "ui" / "preferences.ui"), "CurveUps")
 
     def ContextMenu(self, recipient):
         """recipient: "view" or "tree"."""

@@ -22,7 +22,7 @@ from .errors import CurveUpsError, Stopped, tile_list
 def _load() -> ModuleType:
     here = Path(__file__).parent
     name = f"Python {sys.version_info.major}.{sys.version_info.minor}"
-    built = sorted(path.name for path in here.glob("_native*"))
+    built = sorted(path.name for path in here.glob("_native*") if path.suffix != ".pyi")
     try:
         module = importlib.import_module("curveups._native")
     except ImportError as error:

@@ -27,7 +27,8 @@ Work = Callable[[Job], Any]
 @dataclass(frozen=True)
 class Status:
     """Where work is. fraction: of what is being done, negative where unknown. energies: of the layout's
-    iterates, in order; weak_points: left by the steps of repair. count: of iterates so far."""
+    iterates, in order; weak_points: left by the steps of repair; violations: of constraints, mm, of both.
+    count: of iterates so far."""
 
     stage: str = ""
     what: str = ""
@@ -68,6 +69,7 @@ class _Run(threading.Thread):
         self._said = ("", -1.0)
         self._iterate: Optional[Iterate] = None
         self._count = 0
+        self._violations: list[float] = []
         self._figures: dict[str, list[float]] = {"layout": [], "repair": []}
 
     def run(self) -> None:
@@ -88,16 +90,18 @@ class _Run(threading.Thread):
 
     def status(self) -> Status:
         what, fraction = self._said
-        return Status(self.job.stage, what, fraction, (self._ended or time.perf_counter()) - self._began,
-                      tuple(self._figures["layout"]), (), tuple(self._figures["repair"]), self._iterate,
-                      self._count, self.job.stopped)
+        seconds = (self._ended or time.perf_counter()) - self._began
+        return Status(self.job.stage, what, fraction, seconds, tuple(self._figures["layout"]),
+                      tuple(self._violations), tuple(self._figures["repair"]), self._iterate, self._count,
+                      self.job.stopped)
 
     def _progress(self, what: str, fraction: float) -> bool:
         self._said = what, fraction
         return True
 
-    def _listen(self, stage: str, T: np.ndarray, q: np.ndarray, figure: float) -> None:
+    def _listen(self, stage: str, T: np.ndarray, q: np.ndarray, figure: float, violation: float) -> None:
         self._figures.setdefault(stage, []).append(figure)
+        self._violations.append(violation)
         self._iterate = stage, T, q, figure
         self._count += 1
 

@@ -239,7 +239,7 @@ def test_stopping_means_the_best_so_far_or_nothing(project):
 
 def test_who_listens_gets_the_iterates_and_the_same_design(project, tmp_path):
     heard = []
-    listening = Job(listen=lambda stage, T, q, figure: heard.append((stage, T, q, figure)))
+    listening = Job(listen=lambda stage, T, q, figure, _: heard.append((stage, T, q, figure)))
     design = project.run(("design",), listening).design
     assert {stage for stage, *_ in heard} == {"layout"}
     assert all(T.shape == (24, 3, 2) and q.shape == (24, 2, 3) for _, T, q, _ in heard)

@@ -42,6 +42,7 @@ class ExportPanel:
     def __init__(self, design: Any):
         self.design, self._parameters = design, settings_of(design)
         self._document = design.Document.Name
+        self._written_to = "", Choice(())
         self.form = form = load_ui("export")
         form.setWindowTitle(translate("CurveUpsExport", "Export {name}", name=design.Label))
         form.files.header().setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
@@ -102,12 +103,13 @@ class ExportPanel:
                 raise CurveUpsError(translate("CurveUpsExport", "there is no folder"), "",
                                     translate("CurveUpsExport", "choose one"))
             work = actions.export_work(self.design, folder, choice)
+            self._written_to = folder, choice
             LIVE.start(self.design, Task(translate("CurveUpsExport", "Export"), work, self._written))
             preferences.set_export_folder(folder)
             preferences.set_export_mask(choice.mask)
 
     def _written(self, design: Any, names: list[str]) -> None:
-        folder, choice = self.form.folder.text(), self.choice()
+        folder, choice = self._written_to
         actions.hand_over("export", design, names)
         call("actions.export", named(design), repr(folder), repr(choice.files), repr(choice.mask),
              repr(choice.deviation), repr(choice.reports), repr(choice.insist))
@@ -138,6 +140,8 @@ class ExportPanel:
             self.form.folder.setText(str(folder))
 
     def _say(self, text: str) -> None:
+        if self.form is None:
+            return
         self.form.line.setText(text)
         self.form.line.setVisible(bool(text))
 
@@ -171,7 +175,8 @@ class ExportPanel:
         form.files.setEnabled(not running)
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
-        if self._document not in FreeCAD.listDocuments():
+        if self.form is None or self._document not in FreeCAD.listDocuments():
+            self.reject()  # FreeCAD closed it without asking
             return
         self._show_running(goes_on and LIVE.runs_on(self.design))
         self.form.progress.setMaximum(0 if goes_on and status.fraction < 0 else 1000)

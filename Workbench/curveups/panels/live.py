@@ -129,9 +129,10 @@ class Live:
             overlay = overlay_of(design)
             if not self._scene_drawn and self._task is not None and self._task.project is not None:
                 overlay.show_scene(scene_of(self._task.project))
-                self._scene_drawn = True
-                self._fit(design)
             overlay.set_iterate(T, q)
+        if not self._scene_drawn:
+            self._scene_drawn = True
+            self._fit(design)
         self._rest_until = time.perf_counter() + 2 * (time.perf_counter() - start)
 
     def _fit(self, design: Any) -> None:

@@ -118,7 +118,7 @@ class SolvePanel:
     def close(self) -> None:
         """Ends edits; the panel's widgets may be gone at any time after."""
         global _open
-        if self._rows:
+        if self._rows and self.form is not None:
             self._rows.flush()
             self._rows.close()
         LIVE.forget(self._show_run)
@@ -148,7 +148,7 @@ class SolvePanel:
         header = form.stages.header()
         header.setStretchLastSection(False)
         header.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
-        form.stages.setFixedHeight(9 * form.stages.fontMetrics().height())
+        form.stages.setFixedHeight(8 * form.stages.fontMetrics().height())
 
     def _runner(self, which: str) -> Callable[..., None]:
         return lambda *_: self.run(which)
@@ -179,6 +179,8 @@ class SolvePanel:
 
     def _say(self, text: str) -> None:
         """A line of rich text at the top."""
+        if self.form is None:
+            return
         self.form.line.setText(text)
         self.form.line.setVisible(bool(text))
 
@@ -205,6 +207,9 @@ class SolvePanel:
             form.doing.setText("")
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
+        if self.form is None:  # FreeCAD closed it without asking
+            self.close()
+            return
         if goes_on and not LIVE.runs_on(self.design):
             return
         self._show_stage(status, goes_on)

@@ -94,9 +94,9 @@ class Result(Value):
         return ()
 
 
-# Gets the iterates of a stage: flat corners (M x 3 x 2, mm), insets (M x 2 x 3, mm), and the layout's
-# energy or the number of weak points that a repair has left.
-Listener = Callable[[str, np.ndarray, np.ndarray, float], object]
+# Gets the iterates of a stage: flat corners (M x 3 x 2, mm), insets (M x 2 x 3, mm), the layout's energy
+# or the number of weak points that a repair has left, and the largest violation of constraints (mm).
+Listener = Callable[[str, np.ndarray, np.ndarray, float, float], object]
 
 
 @dataclass
@@ -121,8 +121,8 @@ class Job:
             return None
         tell = listen
 
-        def hand_on(T: np.ndarray, q: np.ndarray, figure: float) -> bool:
-            tell(stage, T, q, figure)
+        def hand_on(T: np.ndarray, q: np.ndarray, figure: float, violation: float = 0.0) -> bool:
+            tell(stage, T, q, figure, violation)
             return not self.stopped
 
         return hand_on
