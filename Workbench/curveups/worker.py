@@ -7,6 +7,7 @@ in its own thread once the work has ended. Results are values, so handing them o
 
 from __future__ import annotations
 
+import math
 import os
 import threading
 import time
@@ -101,7 +102,8 @@ class _Run(threading.Thread):
 
     def _listen(self, stage: str, T: np.ndarray, q: np.ndarray, figure: float, violation: float) -> None:
         self._figures.setdefault(stage, []).append(figure)
-        self._violations.append(violation)
+        if math.isfinite(violation):
+            self._violations.append(violation)
         self._iterate = stage, T, q, figure
         self._count += 1
 

@@ -9,6 +9,7 @@ own blocks of report.json, reasons, warnings and pictures; who shows them knows 
 from __future__ import annotations
 
 import hashlib
+import math
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence
@@ -121,7 +122,7 @@ class Job:
             return None
         tell = listen
 
-        def hand_on(T: np.ndarray, q: np.ndarray, figure: float, violation: float = 0.0) -> bool:
+        def hand_on(T: np.ndarray, q: np.ndarray, figure: float, violation: float = math.nan) -> bool:
             tell(stage, T, q, figure, violation)
             return not self.stopped
 
