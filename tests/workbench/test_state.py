@@ -70,6 +70,15 @@ for name, value in (('Verdict', 'valid'), ('Status', 'current'), ('Reasons', [])
     stale('Tau', 'Solve')
 document.Layout.Status = 'current'
 assert document.Layout.Status == 'out of date'
+design.setExpression('Tau', None)
+design.Tau = 3
+kept = list(document.Layout.Poses)
+document.Layout.Poses = [x + 1 for x in kept]
+stale('by hand', 'Solve')
+document.Layout.Poses = kept
+judged()
+design.setExpression('Tau', '1 + 1.5')
+document.recompute()
 design.setExpression('Verdict', "<<valid>>")
 document.recompute()
 stale('Tau', 'Solve')

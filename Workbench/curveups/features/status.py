@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any, Mapping
 
 from . import properties
+from .layout import is_intact
 from .target import is_target
 
 EMPTY, CURRENT, OUT_OF_DATE, INVALID, RUNNING = "empty", "current", "out of date", "invalid", "running"
@@ -39,7 +40,8 @@ def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
     cuts = []
     if solved and _digest_of_cuts(obj) != solved.get("cuts", ""):
         cuts = [_remedied("the cuts changed since the layout was solved", "Solve")]
-    layout = source + cuts + _changed(now, then, "the layout was solved", "Solve")
+    lists = [] if is_intact(obj.Layout) else [_remedied("the layout's lists were changed by hand", "Solve")]
+    layout = source + cuts + lists + _changed(now, then, "the layout was solved", "Solve")
     verification = _changed(now, judged.get("parameters", {}), "the design was judged", "Verify")
     if not solved:
         state, verdict, reasons = EMPTY, VERDICTS[None], ["there is no layout yet: Solve makes it"]
