@@ -298,8 +298,9 @@ class Overlay:
             self.legend.show(None)
             return
         self._colour_tiles()  # first: faces would point beyond the colours
+        self._colour_sheets()
         self._draw()
-        self._colour()
+        self._explain()
         self._watch_views()
 
     def _draw(self) -> None:
