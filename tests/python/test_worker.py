@@ -54,6 +54,8 @@ def test_a_run_tells_where_it_is_and_hands_its_results_over(worker, ended):
     assert outcome.error is None and not outcome.cancelled
     design = outcome.value.design
     assert outcome.value["verification"].judged
+    assert len(status.violations) == status.count
+    assert status.violations[0] > 0.01 > status.violations[-1] >= 0, "hard constraints hold in the end"
     assert len(status.energies) > 5 and status.count >= len(status.energies)
     # Not every step lowers the energy, which pays for constraints; all in all they do not rise.
     assert status.energies[-1] < 2 * min(status.energies)

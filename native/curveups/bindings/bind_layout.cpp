@@ -10,8 +10,9 @@ namespace {
 
 LayoutCallback by_corners(const PythonListener::Function& listener, const TileMesh& tiles) {
   if (!listener) return {};
-  return [&listener, &tiles](const FlatPoses& poses, const Array6& q, double energy) {
-    return listener(flat_corners(tiles, poses), q, energy);
+  return [&listener, &tiles](const FlatPoses& poses, const Array6& q, double energy,
+                             double violation) {
+    return listener(flat_corners(tiles, poses), q, energy, violation);
   };
 }
 
@@ -65,11 +66,12 @@ void bind_layout(py::module_& module) {
       .def_property_readonly("largest_violation_mm",
                              [](const LayoutResult& r) { return r.solve.residual; })
       .def_readonly("energies", &LayoutResult::energies);
-  module.def("solve_layout", &lay_out, py::arg("V"), py::arg("F"), py::arg("cuts"),
-             py::arg("parameters"), py::arg("progress") = py::none(),
-             py::arg("on_iterate") = py::none(),
-             "Flat poses and pins for a target mesh (Eq. 9 under hard constraints). "
-             "on_iterate(T, q, energy) gets every iterate and stops the work by returning False.");
+  module.def(
+      "solve_layout", &lay_out, py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      py::arg("progress") = py::none(), py::arg("on_iterate") = py::none(),
+      "Flat poses and pins for a target mesh (Eq. 9 under hard constraints). "
+      "on_iterate(T, q, energy, violation) gets every iterate, the hard constraints' largest "
+      "violation in mm with it, and stops the work by returning False.");
   module.def("solve_soft_layout", &lay_out_softly, py::arg("V"), py::arg("F"), py::arg("cuts"),
              py::arg("parameters"), py::arg("start") = py::none(), py::arg("max_iterations") = 100,
              py::arg("progress") = py::none(), py::arg("on_iterate") = py::none(),

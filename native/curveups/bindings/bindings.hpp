@@ -62,7 +62,8 @@ auto without_gil(py::object callable, Work work) {
 // it answers whether to go on.
 class PythonListener {
  public:
-  using Function = std::function<bool(const Array6& T, const Array6& q, double figure)>;
+  using Function =
+      std::function<bool(const Array6& T, const Array6& q, double figure, double violation)>;
   explicit PythonListener(py::object callable) : callable_(std::move(callable)) {}
   Function function();  // empty where there is no callable
   void rethrow();

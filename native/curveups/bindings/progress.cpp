@@ -27,10 +27,11 @@ void PythonProgress::rethrow() {
 
 PythonListener::Function PythonListener::function() {
   if (callable_.is_none()) return {};
-  return [this](const Array6& T, const Array6& q, double figure) {
+  return [this](const Array6& T, const Array6& q, double figure, double violation) {
     py::gil_scoped_acquire acquire;
     try {
-      const py::object answer = callable_(to_blocks(T, 3, 2), to_blocks(q, 2, 3), figure);
+      const py::object answer =
+          callable_(to_blocks(T, 3, 2), to_blocks(q, 2, 3), figure, violation);
       return answer.is_none() || answer.cast<bool>();
     } catch (...) {
       error_ = std::current_exception();

@@ -62,7 +62,8 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
         if (callback) {
           double energy = 0;
           for (const auto& [name, value] : energies_by_name(terms, state)) energy += value;
-          if (!callback(poses_of(model, state), insets_of(state), energy)) return false;
+          const double violation = largest_violation(make_constraints(model), state);
+          if (!callback(poses_of(model, state), insets_of(state), energy, violation)) return false;
         }
         return keep_going(progress, what, progressed);
       };

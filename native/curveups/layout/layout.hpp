@@ -22,8 +22,10 @@ struct LayoutResult {
   std::map<std::string, double> energies;  // Eq. 9's terms by name, with their weights
 };
 
-// Called with every iterate: flat poses, insets and Eq. 9's value; false stops as progress does.
-using LayoutCallback = std::function<bool(const FlatPoses&, const Array6&, double energy)>;
+// Called with every iterate: flat poses, insets, Eq. 9's value and the largest violation of the
+// hard constraints, mm; false stops as progress does.
+using LayoutCallback =
+    std::function<bool(const FlatPoses&, const Array6&, double energy, double violation)>;
 
 // draft: stops where the first solve of a full one looks for collisions. The objective has settled
 // to some 2 % then; tiles without a contact may be too near to one another.

@@ -55,7 +55,8 @@ class Watcher : public ceres::IterationCallback {
     const double share = static_cast<double>(summary.iteration) / std::max(1, max_iterations_);
     if (!keep_going(progress_, "soft layout", share)) return ceres::SOLVER_ABORT;
     if (!callback_ || !summary.step_is_successful) return ceres::SOLVER_CONTINUE;
-    return callback_(poses_of(model_, state_), insets_of(state_), 2 * summary.cost)
+    const double violation = largest_violation(make_constraints(model_), state_);
+    return callback_(poses_of(model_, state_), insets_of(state_), 2 * summary.cost, violation)
                ? ceres::SOLVER_CONTINUE
                : ceres::SOLVER_ABORT;
   }

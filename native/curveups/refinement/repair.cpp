@@ -297,7 +297,8 @@ void Repair::tell(const Judgement& now) const {
   if (!keep_going(progress_, what, std::max(0.0, fraction))) throw Cancelled();
   if (!callback_) return;
   const FlatCorners T = flat_corners(here_.geometry().tiles, here_.poses());
-  if (!callback_(T, here_.insets(), now.weak)) throw Cancelled();
+  const double violation = largest_violation(here_.model(), here_.state);
+  if (!callback_(T, here_.insets(), now.weak, violation)) throw Cancelled();
 }
 
 // Steps and fresh meshes in turn, until a place is valid or nothing helps any more.

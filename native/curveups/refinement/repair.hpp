@@ -46,9 +46,10 @@ struct RepairResult {
   std::vector<std::string> suggestions;
 };
 
-// Called after every step with flat corners, insets and the number of weak points; false stops as
-// progress does.
-using RepairCallback = std::function<bool(const FlatCorners&, const Array6&, double weak_points)>;
+// Called after every step with flat corners, insets, the number of weak points and the largest
+// violation of the layout's constraints, mm; false stops as progress does.
+using RepairCallback =
+    std::function<bool(const FlatCorners&, const Array6&, double weak_points, double violation)>;
 
 // Valid: least-squares normal forces at every contact point and the largest floor of the unilateral
 // problem >= f_min, no membrane cuts into a body, and all constraints of the layout are kept. Where

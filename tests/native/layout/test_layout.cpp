@@ -155,7 +155,7 @@ TEST(SoftLayout, EveryIterateIsHandedOutAndTheEnergyFalls) {
   const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
   std::vector<double> values;
   const LayoutResult result = solve_soft_layout(
-      geometry, p, {}, 100, {}, [&](const FlatPoses& poses, const Array6& q, double e) {
+      geometry, p, {}, 100, {}, [&](const FlatPoses& poses, const Array6& q, double e, double) {
         EXPECT_TRUE(poses.allFinite() && q.allFinite());
         values.push_back(e);
         return true;
@@ -196,14 +196,14 @@ TEST(SoftLayout, CanBeStoppedAndGoOnFromThere) {
   const Parameters p;
   const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
   int calls = 0;
-  const LayoutResult first =
-      solve_soft_layout(geometry, p, {}, 100, {},
-                        [&](const FlatPoses&, const Array6&, double) { return ++calls < 3; });
+  const LayoutResult first = solve_soft_layout(
+      geometry, p, {}, 100, {},
+      [&](const FlatPoses&, const Array6&, double, double) { return ++calls < 3; });
   EXPECT_TRUE(first.solve.stopped());
   double start = 0;
   const LayoutResult second =
       solve_soft_layout(geometry, p, SoftLayoutStart{first.poses, first.q}, 100, {},
-                        [&](const FlatPoses&, const Array6&, double e) {
+                        [&](const FlatPoses&, const Array6&, double e, double) {
                           if (start == 0) start = e;
                           return true;
                         });
