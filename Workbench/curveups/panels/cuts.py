@@ -7,7 +7,6 @@ from dataclasses import replace
 from typing import Any, Iterable, Optional
 
 import FreeCAD
-import FreeCADGui
 import numpy as np
 
 from ..commands.command import call, named
@@ -287,10 +286,7 @@ class CutsPanel(Following):
         """The quick layout stands: it is shown, not stored."""
         if self._overlay.closed or self._soft is None:
             return
-        first = not self._soft.shown
         self._soft.show(self._overlay)
-        if first and self._overlay.morph() < 1:  # it lies elsewhere than the target
-            FreeCADGui.getDocument(self.design.Document.Name).activeView().fitAll()
         count = len(self._soft.weak)
         self.form.doing.setText(translate(
             "CurveUps_Cuts", "Quick layout in {seconds:.1f} s; {count} contacts are likely to be weak (marked"

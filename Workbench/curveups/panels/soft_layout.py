@@ -30,6 +30,8 @@ class SoftLayout:
         self._last: Optional[tuple[np.ndarray, np.ndarray]] = None  # where the next one starts from
         if finished is not None and np.array_equal(finished.design.F, self._F):
             self._last = np.asarray(finished.design.T), np.asarray(finished.design.q)
+        # Layouts stay where the camera looks: at the one before, else at the target.
+        self._middle = (self._V[self._F][..., :2] if self._last is None else self._last[0]).mean((0, 1))
         self.weak: list[tuple[int, int]] = []  # pairs of tiles
         self.seconds, self.shown, self.restarting = 0.0, False, False
 
@@ -48,10 +50,16 @@ class SoftLayout:
         def work(job: Job) -> Any:
             job.stage = "soft layout"
             start = None if last is None else self._as_design(*last, _NONE)
+            listener = job.listener("soft layout")
+
+            def tell(T: np.ndarray, q: np.ndarray, energy: float) -> bool:
+                return listener is None or listener(self._in_sight(T), q, energy)
+
             found = native.solve_soft_layout(self._V, self._F, edges, self._parameters, start, _ITERATIONS,
-                                             job, job.listener("soft layout"))
+                                             job, tell)
             fields = native.design_fields(self._as_design(found.T, found.q, edges))
-            return found.T, found.q, [tuple(map(int, fields["contact_tiles"][k])) for k in fields["weak"]]
+            pairs = fields["contact_tiles"][fields["weak"]]
+            return self._in_sight(found.T), found.q, [(int(a), int(b)) for a, b in pairs]
 
         def finish(design: Any, value: Any) -> None:
             T, q, self.weak = value
@@ -66,6 +74,9 @@ class SoftLayout:
         if self._last is not None:
             overlay.set_iterate(*self._last)
             self.shown = True
+
+    def _in_sight(self, T: np.ndarray) -> np.ndarray:
+        return T + (self._middle - T.mean((0, 1)))
 
     def _as_design(self, T: np.ndarray, q: np.ndarray, edges: np.ndarray) -> Any:
         return native.Design("soft", self._parameters, self._V, self._F, T, q, edges)

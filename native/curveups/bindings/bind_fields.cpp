@@ -49,8 +49,8 @@ void bind_fields(py::module_& module) {
       py::arg("design"),
       "What can be said of a layout without its membranes. Per contact: contact_tiles (N x 2), gap "
       "(mm, flat), membrane_slack (N x 2, front and back: rest over actuated length; slack above "
-      "1), spring_force (N, least normal force as the springs of Eq. 16 predict it), weak (numbers "
-      "of contacts whose spring_force is below f_min_ratio of the mean). Per tile: pin_area (M x "
+      "1), spring_force (N, normal force as the springs of Eq. 16 predict it), weak (numbers "
+      "of contacts whose spring_force is likely to be too small). Per tile: pin_area (M x "
       "2, "
       "front and back, mm2).");
 }

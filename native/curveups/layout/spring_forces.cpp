@@ -9,6 +9,9 @@
 namespace curveups {
 namespace {
 
+// Times f_min: springs spread less than exact forces do.
+constexpr double caution = 5;
+
 double pin_edge(const TileMesh& tiles, int tile, int t, Side side, const Array6& q) {
   const std::array<Vec2, 3> pin = pin_corners(tiles, tile, side, q.row(tile).data());
   return (pin[next3(t)] - pin[t]).norm();
@@ -20,7 +23,6 @@ Eigen::VectorXd spring_forces(const DesignGeometry& geometry, const Parameters& 
                               const FlatPoses& poses, const Array6& q) {
   const TileMesh& tiles = geometry.tiles;
   const Eigen::VectorXd slack = spring_ratios(geometry, p, poses, q);
-  const double arm = p.H_pin / p.H_body;
   Eigen::VectorXd out(static_cast<Eigen::Index>(tiles.contacts.size()));
   for (Eigen::Index k = 0; k < out.size(); ++k) {
     const Contact& contact = tiles.contacts[static_cast<std::size_t>(k)];
@@ -36,8 +38,7 @@ Eigen::VectorXd spring_forces(const DesignGeometry& geometry, const Parameters& 
       const double stress = modulus * (along - 1 / (along * along * along * across * across));
       pull[s] = std::max(0.0, stress) * thickness * width / p.tau;
     }
-    out[k] =
-        0.5 * std::min((1 + arm) * pull[0] - arm * pull[1], (1 + arm) * pull[1] - arm * pull[0]);
+    out[k] = 0.25 * (pull[0] + pull[1]);
   }
   return out;
 }
@@ -45,9 +46,9 @@ Eigen::VectorXd spring_forces(const DesignGeometry& geometry, const Parameters& 
 std::vector<int> weak_by_springs(const Eigen::VectorXd& forces, double f_min_ratio) {
   std::vector<int> out;
   if (forces.size() == 0) return out;
-  const double least = f_min_ratio * std::max(0.0, forces.mean());
+  const double least = caution * f_min_ratio * std::max(0.0, forces.mean());
   for (Eigen::Index k = 0; k < forces.size(); ++k) {
-    if (!(forces[k] >= least)) out.push_back(static_cast<int>(k));
+    if (!(forces[k] > least)) out.push_back(static_cast<int>(k));
   }
   return out;
 }

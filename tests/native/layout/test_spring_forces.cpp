@@ -31,7 +31,7 @@ TEST(SpringForces, AFlatStripPullsAsASheetOfItsStretchDoes) {
   const double width = 7 - 2 * std::sqrt(3.0) * 0.7;
   const double pull = p.shear_modulus_front * p.thickness_front * width / p.tau *
                       (along - 1 / (std::pow(along, 3) * across * across));
-  // Both sides alike: each of the four points takes half of one membrane.
+  // Both sides alike: each of the four points takes a quarter of both.
   for (Eigen::Index k = 0; k < forces.size(); ++k) EXPECT_NEAR(forces[k], pull / 2, 1e-9);
   EXPECT_TRUE(weak_by_springs(forces, p.f_min_ratio).empty());
 }
