@@ -182,6 +182,7 @@ def save_close_reopen():
     until(lambda: FreeCAD.ActiveDocument and FreeCAD.ActiveDocument.getObject(name), 30, 'the document')
     settle(1000)
     assert (design().Verdict, design().TileCount, design().Status) == (verdict, tiles, 'current')
+    assert not design().Tiles.Visibility, 'the solids hide the overlay'
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
     assert picture('15-reopened') > 12
 
