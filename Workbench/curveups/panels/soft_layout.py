@@ -52,8 +52,8 @@ class SoftLayout:
             start = None if last is None else self._as_design(*last, _NONE)
             listener = job.listener("soft layout")
 
-            def tell(T: np.ndarray, q: np.ndarray, energy: float) -> bool:
-                return listener is None or listener(self._in_sight(T), q, energy)
+            def tell(T: np.ndarray, *others: Any) -> bool:
+                return listener is None or listener(self._in_sight(T), *others)
 
             found = native.solve_soft_layout(self._V, self._F, edges, self._parameters, start, _ITERATIONS,
                                              job, tell)
