@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import importlib
-import importlib.util
 from typing import Any
 
 _FILES = ("new_design", "target", "cuts", "solve", "verify", "repair", "build_solids", "show_flat",
@@ -18,7 +17,7 @@ def register() -> tuple[str, ...]:
     """Makes all commands known to FreeCAD; their names in the order of the toolbar."""
     import FreeCADGui
 
-    found = [command for command in map(_command, _FILES) if command]
+    found = [_command(file) for file in _FILES]
     for command in found:
         for one in (*command.menu(), command):
             FreeCADGui.addCommand(one.name, one)
@@ -29,10 +28,8 @@ def for_context(recipient: str) -> list[str]:
     """Names for the context menu of the tree or the view ("tree", "view") as things stand: what can't
     run is left out."""
     found = [_command(file) for file in _CONTEXT]
-    return [command.name for command in found if command and not command.reason()]
+    return [command.name for command in found if not command.reason()]
 
 
 def _command(file: str) -> Any:
-    if importlib.util.find_spec(f"{__name__}.{file}") is None:
-        return None
     return importlib.import_module(f"{__name__}.{file}").COMMAND
