@@ -8,6 +8,7 @@ formats are read here; the others go through FreeCAD (freecad_io).
 
 from __future__ import annotations
 
+import functools
 import math
 import xml.etree.ElementTree as ElementTree
 import zipfile
@@ -24,6 +25,7 @@ Mesh = tuple[np.ndarray, np.ndarray]
 # A target of more faces than this is no work for tiles of a printable size.
 MOST_FACES = 5_000_000
 MOST_BYTES = 2_000_000_000
+MOST_OBJECTS = 20_000  # of a 3MF's build, each as often as it is named
 _3MF_UNITS = {"micron": 1e-3, "millimeter": 1.0, "centimeter": 10.0, "inch": 25.4,
               "foot": 304.8, "meter": 1000.0}
 
@@ -99,21 +101,20 @@ def read_3mf(path: Path) -> Mesh:
     if unit is None:
         raise CurveUpsError(f"unknown unit '{root.get('unit')}'", str(path),
                             "export in millimetres")
+    parts_v, parts_f, offset, count = [np.empty((0, 3))], [np.empty((0, 3), np.int32)], 0, 0
     try:
-        meshes = _3mf_meshes(root, namespace)
+        for vertices, faces in _3mf_meshes(root, namespace):
+            if len(faces) and (faces.min() < 0 or faces.max() >= len(vertices)):
+                raise CurveUpsError("a face names a vertex that is not there", str(path),
+                                    "export the file again")
+            parts_v.append(vertices * unit)
+            parts_f.append(faces + offset)
+            offset += len(vertices)
+            count += len(faces)
+            _few_enough(count, path)
     except (LookupError, ValueError, TypeError, OverflowError, RecursionError) as error:
         raise CurveUpsError(f"broken 3MF model: {error}", str(path),
                             "export the file again") from None
-    parts_v, parts_f, offset = [], [], 0
-    for vertices, faces in meshes:
-        if len(faces) and (faces.min() < 0 or faces.max() >= len(vertices)):
-            raise CurveUpsError("a face names a vertex that is not there", str(path),
-                                "export the file again")
-        parts_v.append(vertices * unit)
-        parts_f.append(faces + offset)
-        offset += len(vertices)
-    if not parts_v:
-        return _arrays([], [])
     return np.vstack(parts_v), np.vstack(parts_f).astype(np.int32)
 
 
@@ -124,30 +125,35 @@ def _model_part(archive: zipfile.ZipFile) -> str:
     return min(names, key=lambda name: (name.lower() != "3d/3dmodel.model", name))
 
 
-def _3mf_meshes(root: Any, namespace: str) -> list[Mesh]:
+def _3mf_meshes(root: Any, namespace: str) -> Iterator[Mesh]:
+    """The meshes of the build, each as often as it is there."""
     objects = {item.get("id"): item for item in root.iter(namespace + "object")}
+    visits = 0
 
-    def collect(identity: str, transform: np.ndarray, depth: int) -> list[Mesh]:
-        if depth > 16:
+    @functools.lru_cache(None)
+    def own(identity: str) -> Mesh:
+        mesh = objects[identity]
+        vertices = np.array([[float(v.get(axis)) for axis in "xyz"]
+                             for v in mesh.iter(namespace + "vertex")]).reshape(-1, 3)
+        faces = np.array([[int(t.get(corner)) for corner in ("v1", "v2", "v3")]
+                          for t in mesh.iter(namespace + "triangle")], int).reshape(-1, 3)
+        return vertices, faces
+
+    def collect(identity: str, transform: np.ndarray, depth: int) -> Iterator[Mesh]:
+        # Ten components of ten of ten ... are few lines and endless work.
+        nonlocal visits
+        visits += 1
+        if depth > 16 or visits > MOST_OBJECTS:
             raise ValueError("components are nested too deeply")
-        item, found = objects[identity], []
-        mesh = item.find(namespace + "mesh")
-        if mesh is not None:
-            vertices = np.array([[float(v.get(axis)) for axis in "xyz"]
-                                 for v in mesh.iter(namespace + "vertex")]).reshape(-1, 3)
-            faces = np.array([[int(t.get(corner)) for corner in ("v1", "v2", "v3")]
-                              for t in mesh.iter(namespace + "triangle")], int).reshape(-1, 3)
-            found.append((vertices @ transform[:3] + transform[3], faces))
-        for part in item.iter(namespace + "component"):
-            found += collect(part.get("objectid"),
-                             _compose(_transform(part.get("transform")), transform), depth + 1)
-        return found
+        vertices, faces = own(identity)
+        yield vertices @ transform[:3] + transform[3], faces
+        for part in objects[identity].iter(namespace + "component"):
+            yield from collect(part.get("objectid"),
+                               _compose(_transform(part.get("transform")), transform), depth + 1)
 
-    build = [item for item in root.iter(namespace + "item")]
-    if build:
-        return [mesh for item in build
-                for mesh in collect(item.get("objectid"), _transform(item.get("transform")), 0)]
-    return [mesh for identity in objects for mesh in collect(identity, _transform(None), 0)]
+    build = [(item.get("objectid"), item.get("transform")) for item in root.iter(namespace + "item")]
+    for identity, transform in build or [(identity, None) for identity in objects]:
+        yield from collect(identity, _transform(transform), 0)
 
 
 def _transform(text: str | None) -> np.ndarray:
@@ -209,12 +215,16 @@ def _fan(corners: list[int], where: str) -> list[tuple[int, int, int]]:
 
 
 def _within(faces: list[tuple[int, int, int]], count: int, path: Path) -> None:
-    if len(faces) > MOST_FACES:
-        raise CurveUpsError(f"the mesh has {len(faces)} faces", str(path), "simplify the mesh")
+    _few_enough(len(faces), path)
     for face in faces:
         if max(face) >= count or min(face) < 0:
             raise CurveUpsError(f"a face names a vertex that is not there ({count} are)",
                                 str(path), "repair the mesh")
+
+
+def _few_enough(count: int, path: Path) -> None:
+    if count > MOST_FACES:
+        raise CurveUpsError(f"the mesh has more than {MOST_FACES} faces", str(path), "simplify the mesh")
 
 
 def _arrays(vertices: list, faces: list) -> Mesh:

@@ -147,6 +147,23 @@ def test_supports_that_run_into_one_another_are_named(curveups, tmp_path):
     assert set(pieces) == {"1", "2"} and all(t in first[p] for t, p in zip(tiles, pieces))
 
 
+def test_prints_that_cannot_be_made_leave_the_design(curveups, cap, tmp_path):
+    out = tmp_path / "out"
+    ran = curveups("design", cap, "-o", out, "--no-remesh", "--set", "support=breakaway",
+                   "--set", "bridge_thickness=0.9", "--set", "bridge_notch=0.4")
+    assert ran.status == 1, ran.err
+    report = json.loads((out / "report.json").read_text())
+    check_report(report)
+    assert report["valid"] is False and report["status"] == "complete"
+    assert ["too thin for breakaway bridges" in reason for reason in report["reasons"]] == [True]
+    assert {path.name for path in out.iterdir()} == {"design.json", "report.json", "report.html"}
+    # The design itself is sound: with another support it is exported.
+    ran = curveups("export", out / "design.json", "-o", tmp_path / "again", "--set", "support=breakaway")
+    assert ran.status == 2 and "bridges" in ran.error_lines[0] and not (tmp_path / "again").exists()
+    ran = curveups("export", out / "design.json", "-o", tmp_path / "again", "--set", "support=soluble")
+    assert ran.status == 0, ran.err
+
+
 def test_scale_and_flip(curveups, tmp_path):
     metres = re.sub(r"(?m)^v (\S+) (\S+) (\S+)",
                     lambda m: "v " + " ".join(repr(float(x) / 1000) for x in m.groups()), dome(2))

@@ -155,7 +155,7 @@ BYTES = {
     "nan-binary.stl": b"\0" * 80 + struct.pack("<I", 1)
                       + struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 9, 0, 0, math.nan, 9, 0, 0),
     "zip-without-model.3mf": None, "not-xml.3mf": None, "bad-index.3mf": None,
-    "endless-components.3mf": None,
+    "endless-components.3mf": None, "ten-of-ten-of-ten.3mf": None,
 }
 ZIPS = {
     "zip-without-model.3mf": {"readme.txt": "nothing"},
@@ -167,6 +167,11 @@ ZIPS = {
     "endless-components.3mf": {"3D/3dmodel.model": model_3mf(
         '<resources><object id="1"><components><component objectid="1"/></components></object>'
         '</resources><build><item objectid="1"/></build>')},
+    "ten-of-ten-of-ten.3mf": {"3D/3dmodel.model": model_3mf(
+        '<resources><object id="1"><mesh><vertices/><triangles/></mesh></object>'
+        + "".join(f'<object id="{k + 1}"><components>' + f'<component objectid="{k}"/>' * 10
+                  + "</components></object>" for k in range(1, 15))
+        + '</resources><build><item objectid="15"/></build>')},
 }
 
 

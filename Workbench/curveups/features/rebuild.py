@@ -55,7 +55,9 @@ def take(obj: Any, results: Results) -> None:
     import FreeCAD
 
     model = results["solids"].model
-    if model is None:
+    if model is None:  # stopped, or known not to be possible
+        for reason in (*results["bodies"].reasons(), *results["solids"].reasons()):
+            fail(obj, CurveUpsError(reason))
         return
     values = properties.named(results.parameters)
     read = {properties.property_name(name) for stage in ("bodies", "solids")

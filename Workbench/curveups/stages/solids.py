@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, ClassVar, Mapping, Optional, Sequence
 
 from ..native import native
-from .stage import Inputs, Job, Result, Row, Stage
+from .stage import Inputs, Job, Result, Row, Stage, advice_of
 
 PRINTERS = Path(__file__).parents[3] / "resources" / "printers"
 KINDS = ("tiles", "support", "anchors")
@@ -20,8 +20,12 @@ class Bodies(Result):
     """All that is printed, without solids: those are built when they are asked for."""
 
     lasting: ClassVar[bool] = False
-    model: Optional[Any] = None       # native PrintModel; none where the work was stopped
+    model: Optional[Any] = None       # native PrintModel; none where the work was stopped or failed
     warned: tuple[dict, ...] = ()     # what the bodies lack, though they can be built
+    failure: str = ""                 # why there are none
+
+    def reasons(self) -> Sequence[str]:
+        return (f"the print can't be made: {self.failure}",) if self.failure else ()
 
     def warnings(self) -> Sequence[dict]:
         return self.warned
@@ -37,10 +41,14 @@ def _make(inputs: Inputs, job: Job) -> Bodies:
 
 @dataclass(frozen=True)
 class Solids(Result):
-    """Solids of all bodies, ready to be written; no model where the work was stopped."""
+    """Solids of all bodies, ready to be written; no model where there are none."""
 
     lasting: ClassVar[bool] = False
     model: Optional[Any] = None
+    failure: str = ""
+
+    def reasons(self) -> Sequence[str]:
+        return (f"solids can't be built: {self.failure}",) if self.failure else ()
 
     @property
     def kinds(self) -> tuple[str, ...]:
@@ -76,8 +84,10 @@ def _lacks(model: Any) -> list[dict]:
 
 
 PARTS = frozenset({"tiles", "bodies", "support", "files"})
-BODIES = Stage("bodies", ("design",), PARTS, _make, on_stop=lambda stage, inputs: Bodies())
-STAGE = Stage("solids", ("bodies",), frozenset(), _build, on_stop=lambda stage, inputs: Solids())
+BODIES = Stage("bodies", ("design",), PARTS, _make, on_stop=lambda stage, inputs: Bodies(),
+               on_failure=lambda error, inputs: Bodies(failure=advice_of(error)))
+STAGE = Stage("solids", ("bodies",), frozenset(), _build, on_stop=lambda stage, inputs: Solids(),
+              on_failure=lambda error, inputs: Solids(failure=advice_of(error)))
 
 
 @dataclass(frozen=True)

@@ -56,13 +56,13 @@ def _run(inputs: Inputs, job: Job) -> Target:
     V, F, notes = surface.V, surface.F, []
     if source.remesh:
         # Otherwise the mesh is taken as it is: cuts name its vertices by number.
-        clean = native.clean_mesh(V, F)
+        clean = native.clean_mesh(V, F, job)
         V, F, notes = clean.V, clean.F, list(clean.notes)
     else:
-        settle([f for f in native.check_mesh(V, F, 1.0, True) if f.kind in BROKEN], inputs.where,
+        settle([f for f in native.check_mesh(V, F, 1.0, True, job) if f.kind in BROKEN], inputs.where,
                faces_place)
         L = _own_length(V, F, inputs.where)
-    findings = native.check_mesh(V, F, L, source.will_be_cut)
+    findings = native.check_mesh(V, F, L, source.will_be_cut, job)
     notes += [finding.message for finding in findings if finding.kind == "components"]
     found = settle([f for f in findings if f.kind != "components"], inputs.where, faces_place)
     if not source.remesh:

@@ -11,11 +11,12 @@ void bind_clean_mesh(py::module_& module) {
       .def_readonly("notes", &CleanMesh::notes);
   module.def(
       "clean_mesh",
-      [](const Points3& V, const Triangles& F) {
-        const py::gil_scoped_release release;
-        return clean_mesh({V, F});
+      [](const Points3& V, const Triangles& F, py::object progress) {
+        return without_gil(std::move(progress), [&](const Progress&) {
+          return clean_mesh({V, F});
+        });
       },
-      py::arg("V"), py::arg("F"),
+      py::arg("V"), py::arg("F"), py::arg("progress") = py::none(),
       "Merges vertices, removes degenerate and doubled faces, makes the orientation consistent.");
 }
 

@@ -17,11 +17,13 @@ void bind_mesh_checks(py::module_& module) {
       });
   module.def(
       "check_mesh",
-      [](const Points3& V, const Triangles& F, double L, bool cuts_given) {
-        const py::gil_scoped_release release;
-        return check_mesh({V, F}, L, cuts_given);
+      [](const Points3& V, const Triangles& F, double L, bool cuts_given, py::object progress) {
+        return without_gil(std::move(progress), [&](const Progress&) {
+          return check_mesh({V, F}, L, cuts_given);
+        });
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("cuts_given") = false,
+      py::arg("progress") = py::none(),
       "What can't be made from the surface: a list of MeshFinding.");
 }
 

@@ -2,6 +2,7 @@
 // Stopping from inside of loops that know nothing of who waits for them.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -34,6 +35,10 @@ class ProgressScope {
 void checkpoint();
 // The same, saying what is being done and how much of it: for phases, as it asks every time.
 void checkpoint(const std::string& what, double fraction = -1);
+// For loops over millions of items: at every 4096th.
+inline void checkpoint_now_and_then(std::size_t item) {
+  if (item % 4096 == 0) checkpoint();
+}
 
 // While in scope nothing is stopped: for what remains to be done with the best so far.
 class Finishing {

@@ -7,11 +7,14 @@
 #include <cstdio>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/design/membrane_models.hpp"
 
 namespace curveups {
 namespace {
 
 using P = Parameters;
+
+#define CURVEUPS_CHOICE(function, name, convex) name,
 
 // clang-format off
 std::vector<ParameterInfo> make_table() {
@@ -111,7 +114,7 @@ std::vector<ParameterInfo> make_table() {
      physics, &P::thickness_back, 0.01, 10},
     {"membrane_model", "", "Physics",
      "Energy of the membranes: tension-field (they wrinkle where squeezed) or plain neo-Hookean.",
-     physics, &P::membrane_model, 0, 0, {"tension-field", "neo-hookean"}},
+     physics, &P::membrane_model, 0, 0, {CURVEUPS_MEMBRANE_MODELS(CURVEUPS_CHOICE)}},
     {"mesh_size", "", "Physics",
      "Largest triangles of the coarser membrane mesh as a part of L; the finer has half of it.",
      physics, &P::mesh_size, 0.05, 2},

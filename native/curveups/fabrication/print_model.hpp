@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,12 @@
 class TopoDS_Shape;  // of OpenCASCADE: whole only where it is used
 
 namespace curveups {
+
+// Solids by kind, made when they are first asked for, by whichever thread comes first.
+struct KeptSolids {
+  std::recursive_timed_mutex building;
+  std::map<std::string, std::shared_ptr<const TopoDS_Shape>> by_kind;
+};
 
 // The narrowest place of a body, mm, and what it is.
 struct ThinFeature {
@@ -40,7 +47,7 @@ struct PrintModel : TileBodies {
   std::vector<ThinFeature> thin;  // per body that has a size of its own, the narrowest place
   Box box;
 
-  std::map<std::string, std::shared_ptr<const TopoDS_Shape>> solids;  // see print_solids.hpp
+  std::shared_ptr<KeptSolids> solids = std::make_shared<KeptSolids>();  // see print_solids.hpp
 
   // The bodies of a kind: "tiles", "support", "anchors", "print" (these three) or "actuated". Any
   // other throws InvalidInput.

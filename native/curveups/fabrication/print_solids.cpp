@@ -4,8 +4,11 @@
 #include <BinTools.hxx>
 #include <BinTools_ShapeSet.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <chrono>
 #include <fstream>
+#include <mutex>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 
@@ -20,9 +23,12 @@ std::vector<TopoDS_Shape> parts_of(const TopoDS_Shape& compound) {
 
 }  // namespace
 
-std::shared_ptr<const TopoDS_Shape> solids_of(PrintModel& model, const std::string& kind,
+std::shared_ptr<const TopoDS_Shape> solids_of(const PrintModel& model, const std::string& kind,
                                               const Progress& progress) {
-  if (const auto found = model.solids.find(kind); found != model.solids.end()) {
+  KeptSolids& kept = *model.solids;
+  std::unique_lock lock(kept.building, std::defer_lock);
+  while (!lock.try_lock_for(std::chrono::milliseconds(50))) checkpoint();
+  if (const auto found = kept.by_kind.find(kind); found != kept.by_kind.end()) {
     return found->second;
   }
   std::vector<TopoDS_Shape> solids;
@@ -35,7 +41,7 @@ std::shared_ptr<const TopoDS_Shape> solids_of(PrintModel& model, const std::stri
   } else {
     solids = make_solids(model.bodies(kind), progress);
   }
-  return model.solids[kind] = std::make_shared<TopoDS_Shape>(make_compound(solids));
+  return kept.by_kind[kind] = std::make_shared<TopoDS_Shape>(make_compound(solids));
 }
 
 void write_binary_brep(const TopoDS_Shape& shape, const std::string& path) {
@@ -52,7 +58,7 @@ void write_binary_brep(const TopoDS_Shape& shape, const std::string& path) {
   if (!out) throw IoError("a temporary file can't be written (" + path + ")", "free some space");
 }
 
-std::vector<UnsoundSolid> check_solids(PrintModel& model, const Progress& progress) {
+std::vector<UnsoundSolid> check_solids(const PrintModel& model, const Progress& progress) {
   return check_solids(model.bodies("print"), parts_of(*solids_of(model, "print", progress)),
                       progress);
 }

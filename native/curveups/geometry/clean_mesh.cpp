@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <cstdint>
 #include <set>
 #include <unordered_map>
 #include <utility>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/geometry/edge_sides.hpp"
+#include "curveups/geometry/orientation.hpp"
 
 namespace curveups {
 namespace {
@@ -39,56 +42,93 @@ bool flat(const Points3& V, const Face& face) {
   return (b - a).cross(c - a).norm() <= 1e-10 * longest;  // nan: not flat, reported elsewhere
 }
 
-// For each vertex the lowest one within the tolerance.
+double size_of(const Points3& V) {  // of the finite vertices' bounding box
+  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+  for (int v = 0; v < V.rows(); ++v) {
+    if (!V.row(v).allFinite()) continue;
+    low = low.cwiseMin(V.row(v).transpose());
+    high = high.cwiseMax(V.row(v).transpose());
+  }
+  return std::max(0.0, (high - low).maxCoeff());
+}
+
+// For each vertex the lowest one within the tolerance that is its own target. Cells are several
+// tolerances wide, so that most vertices look into one of them only.
 std::vector<int> merged_vertices(const Points3& V, double tolerance) {
-  std::map<std::array<long long, 3>, std::vector<int>> cells;
+  const double width = 8 * tolerance;
+  using Cell = std::array<std::int64_t, 3>;
+  const auto hash = [](const Cell& cell) {
+    std::uint64_t h = 0;
+    for (std::int64_t k : cell) h = (h ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(h ^ (h >> 32));
+  };
+  const auto index = [&](double x) { return std::llround(std::clamp(x / width, -4e18, 4e18)); };
+  std::unordered_map<Cell, int, decltype(hash)> first(V.rows() / 4, hash);  // vertex of a cell
+  std::vector<int> next(V.rows(), -1);                                      // in the same cell
   std::vector<int> target(V.rows());
   for (int v = 0; v < V.rows(); ++v) {
+    checkpoint_now_and_then(v);
     target[v] = v;
     if (!V.row(v).allFinite()) continue;
-    std::array<long long, 3> cell;
+    Cell low, high, cell;
     for (int k = 0; k < 3; ++k) {
-      cell[k] = std::llround(std::clamp(V(v, k) / (2 * tolerance), -4e18, 4e18));
+      low[k] = index(V(v, k) - tolerance);
+      high[k] = index(V(v, k) + tolerance);
     }
-    for (int n = 0; n < 27; ++n) {
-      const auto it =
-          cells.find({cell[0] + n % 3 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n / 9 - 1});
-      if (it == cells.end()) continue;
-      for (int w : it->second) {
-        if ((V.row(w) - V.row(v)).norm() <= tolerance) target[v] = std::min(target[v], w);
+    for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0]) {
+      for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1]) {
+        for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2]) {
+          const auto it = first.find(cell);
+          for (int w = it == first.end() ? -1 : it->second; w >= 0; w = next[w]) {
+            if (w < target[v] && (V.row(w) - V.row(v)).norm() <= tolerance) target[v] = w;
+          }
+        }
       }
     }
-    if (target[v] == v) cells[cell].push_back(v);
+    if (target[v] != v) continue;
+    for (int k = 0; k < 3; ++k) cell[k] = index(V(v, k));
+    int& head = first.emplace(cell, -1).first->second;
+    next[v] = std::exchange(head, v);
   }
   return target;
 }
 
 // Removes one after the other the faces whose corners lie on a line. Returns how many.
 int remove_slivers(const Points3& V, std::vector<Face>& faces) {
-  std::map<std::pair<int, int>, std::vector<int>> at;  // edge -> faces
+  if (std::none_of(faces.begin(), faces.end(), [&](const Face& f) { return flat(V, f); })) return 0;
+  std::unordered_map<std::uint64_t, std::vector<int>> at;  // edge -> faces
+  at.reserve(2 * faces.size());
+  const auto edge = [](int a, int b) {
+    return static_cast<std::uint64_t>(std::min(a, b)) << 32 |
+           static_cast<std::uint32_t>(std::max(a, b));
+  };
   const auto link = [&](int f) {
-    for (int t = 0; t < 3; ++t) at[std::minmax(faces[f][t], faces[f][next3(t)])].push_back(f);
+    for (int t = 0; t < 3; ++t) at[edge(faces[f][t], faces[f][next3(t)])].push_back(f);
   };
   const auto unlink = [&](int f) {
     for (int t = 0; t < 3; ++t) {
-      auto& list = at[std::minmax(faces[f][t], faces[f][next3(t)])];
+      auto& list = at[edge(faces[f][t], faces[f][next3(t)])];
       list.erase(std::remove(list.begin(), list.end(), f), list.end());
     }
   };
-  for (int f = 0; f < static_cast<int>(faces.size()); ++f) link(f);
+  for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
+    checkpoint_now_and_then(f);
+    link(f);
+  }
   std::vector<char> dead(faces.size(), 0);
   int removed = 0;
   // Splitting may make new slivers along a row of points on a line: they come later in the list.
   // Each step takes one face away and may add one, so a bound keeps hostile input from going on.
   const std::size_t bound = 4 * faces.size() + 16;
   for (std::size_t f = 0; f < faces.size() && f < bound; ++f) {
+    checkpoint_now_and_then(f);
     if (!flat(V, faces[f])) continue;
     const int t = longest_side(V, faces[f]);
     const int a = faces[f][t], b = faces[f][next3(t)], c = faces[f][prev3(t)];
     unlink(static_cast<int>(f));
     dead[f] = 1;
     ++removed;
-    const std::vector<int> others = at[std::minmax(a, b)];
+    const std::vector<int> others = at[edge(a, b)];
     for (int g : others) {
       int s = 0;
       while (!(faces[g][s] != a && faces[g][s] != b)) ++s;  // the corner opposite to the edge
@@ -111,73 +151,49 @@ int remove_slivers(const Points3& V, std::vector<Face>& faces) {
   return removed;
 }
 
-struct Orientation {
-  std::vector<char> turn;  // per face
-  bool consistent = true;
-};
-
-// Walks over edges of two faces; each component keeps the orientation of its larger area.
-Orientation orient(const Points3& V, const std::vector<Face>& faces) {
-  std::map<std::pair<int, int>, std::vector<int>> at;
-  for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
-    for (int t = 0; t < 3; ++t) at[std::minmax(faces[f][t], faces[f][next3(t)])].push_back(f);
+// With the vertices that the faces use, in their order.
+TriangleMesh used_part(const Points3& V, const std::vector<Face>& faces) {
+  std::vector<int> number(V.rows(), -1);
+  for (const Face& face : faces) {
+    for (int v : face) number[v] = 0;
   }
-  const auto runs = [&](int f, int a, int b) {  // along a -> b
-    for (int t = 0; t < 3; ++t) {
-      if (faces[f][t] == a && faces[f][next3(t)] == b) return true;
-    }
-    return false;
-  };
-  Orientation out;
-  out.turn.assign(faces.size(), 0);
-  std::vector<char> seen(faces.size(), 0);
-  for (std::size_t seed = 0; seed < faces.size(); ++seed) {
-    if (seen[seed]) continue;
-    std::vector<int> part(1, static_cast<int>(seed));
-    seen[seed] = 1;
-    double area[2] = {0, 0};
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const int f = part[i];
-      const Vec3 a = V.row(faces[f][0]), b = V.row(faces[f][1]), c = V.row(faces[f][2]);
-      area[out.turn[f] ? 1 : 0] += (b - a).cross(c - a).norm();
-      for (int t = 0; t < 3; ++t) {
-        const int p = faces[f][t], q = faces[f][next3(t)];
-        const std::vector<int>& two = at[std::minmax(p, q)];
-        if (two.size() != 2) continue;
-        const int g = two[0] == f ? two[1] : two[0];
-        const char turn = static_cast<char>(runs(g, p, q) ? !out.turn[f] : out.turn[f]);
-        if (!seen[g]) {
-          seen[g] = 1;
-          out.turn[g] = turn;
-          part.push_back(g);
-        } else if (out.turn[g] != turn) {
-          out.consistent = false;
-        }
-      }
-    }
-    if (area[1] > area[0]) {
-      for (int f : part) out.turn[f] = !out.turn[f];
-    }
+  int used = 0;
+  for (int& n : number) n = n < 0 ? -1 : used++;
+  TriangleMesh mesh{Points3(used, 3), Triangles(faces.size(), 3)};
+  for (int v = 0; v < V.rows(); ++v) {
+    if (number[v] >= 0) mesh.V.row(number[v]) = V.row(v);
   }
-  return out;
-}
-
-std::vector<Face> face_list(const TriangleMesh& mesh) {
-  std::vector<Face> faces(mesh.F.rows());
-  for (int f = 0; f < mesh.F.rows(); ++f) faces[f] = {mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2)};
-  return faces;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (int t = 0; t < 3; ++t) mesh.F(f, t) = number[faces[f][t]];
+  }
+  return mesh;
 }
 
 }  // namespace
+
+std::vector<int> repeated_faces(const Eigen::Ref<const Triangles>& F, int vertex_count) {
+  std::vector<int> repeated;
+  const auto visit = [&](const EdgeSide* begin, const EdgeSide* end) {
+    if (end - begin < 2) return;
+    std::set<int> thirds;  // corners beside the edge, where it is the face's lowest one
+    for (const EdgeSide* side = begin; side != end; ++side) {
+      const int third = F(side->face, prev3(side->side));
+      if (third > side->high && !thirds.insert(third).second) repeated.push_back(side->face);
+    }
+  };
+  visit_edges(F, vertex_count, visit);
+  std::sort(repeated.begin(), repeated.end());
+  return repeated;
+}
 
 bool has_no_area(const TriangleMesh& mesh, int face) {
   return flat(mesh.V, {mesh.F(face, 0), mesh.F(face, 1), mesh.F(face, 2)});
 }
 
-bool is_orientable(const TriangleMesh& mesh) { return orient(mesh.V, face_list(mesh)).consistent; }
-
 CleanMesh clean_mesh(const TriangleMesh& soup) {
+  std::vector<Face> faces(soup.F.rows());
   for (int f = 0; f < soup.F.rows(); ++f) {
+    faces[f] = {soup.F(f, 0), soup.F(f, 1), soup.F(f, 2)};
     if (soup.F.row(f).minCoeff() < 0 || soup.F.row(f).maxCoeff() >= soup.V.rows()) {
       throw InvalidInput("face " + std::to_string(f + 1) + " names a vertex that does not exist",
                          "repair the file", {f});
@@ -187,17 +203,7 @@ CleanMesh clean_mesh(const TriangleMesh& soup) {
   const auto note = [&](std::size_t count, const char* what) {
     if (count > 0) out.notes.push_back(std::to_string(count) + what);
   };
-  double size = 0;  // of the finite vertices' bounding box
-  for (int k = 0; k < 3; ++k) {
-    double low = 1e300, high = -1e300;
-    for (int v = 0; v < soup.V.rows(); ++v) {
-      if (!soup.V.row(v).allFinite()) continue;
-      low = std::min(low, soup.V(v, k));
-      high = std::max(high, soup.V(v, k));
-    }
-    size = std::max(size, high - low);
-  }
-  std::vector<Face> faces = face_list(soup);
+  const double size = size_of(soup.V);
   if (size > 0 && std::isfinite(size)) {
     const std::vector<int> target = merged_vertices(soup.V, merge_share * size);
     std::size_t merged = 0;
@@ -213,36 +219,30 @@ CleanMesh clean_mesh(const TriangleMesh& soup) {
   const std::size_t lost = faces.end() - collapsed;
   faces.erase(collapsed, faces.end());
   note(lost + remove_slivers(soup.V, faces), " faces without area removed");
-  std::set<Face> known;
-  const auto doubled = std::remove_if(faces.begin(), faces.end(), [&](Face face) {
-    std::sort(face.begin(), face.end());
-    return !known.insert(face).second;
-  });
-  note(faces.end() - doubled, " doubled faces removed");
-  faces.erase(doubled, faces.end());
-  const Orientation orientation = orient(soup.V, faces);
+  const std::vector<int> repeated =
+      repeated_faces(Eigen::Map<const Triangles>(faces.data()->data(), faces.size(), 3),
+                     static_cast<int>(soup.V.rows()));
+  std::size_t kept = 0;
+  auto next = repeated.begin();
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (next != repeated.end() && *next == static_cast<int>(f)) {
+      ++next;
+    } else {
+      faces[kept++] = faces[f];
+    }
+  }
+  faces.resize(kept);
+  note(repeated.size(), " doubled faces removed");
+  out.mesh = used_part(soup.V, faces);
+  const Orientation orientation = orientation_of(out.mesh.V, out.mesh.F);
   if (orientation.consistent) {
     std::size_t turned = 0;
     for (std::size_t f = 0; f < faces.size(); ++f) {
       if (!orientation.turn[f]) continue;
-      std::swap(faces[f][1], faces[f][2]);
+      std::swap(out.mesh.F(f, 1), out.mesh.F(f, 2));
       ++turned;
     }
     note(turned, " faces turned over to agree with their neighbours");
-  }
-  std::vector<int> number(soup.V.rows(), -1);
-  for (const Face& face : faces) {
-    for (int v : face) number[v] = 0;
-  }
-  int used = 0;
-  for (int& n : number) n = n < 0 ? -1 : used++;
-  out.mesh.V.resize(used, 3);
-  for (int v = 0; v < soup.V.rows(); ++v) {
-    if (number[v] >= 0) out.mesh.V.row(number[v]) = soup.V.row(v);
-  }
-  out.mesh.F.resize(faces.size(), 3);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (int t = 0; t < 3; ++t) out.mesh.F(f, t) = number[faces[f][t]];
   }
   return out;
 }

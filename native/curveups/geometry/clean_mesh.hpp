@@ -18,13 +18,14 @@ struct CleanMesh {
 // vertex twice, faces without area (a neighbour is split at the vertex that lay on its edge, so
 // that no gap opens), doubled faces and unused vertices, and turns faces so that neighbours agree,
 // with the larger area of each component left as it was. What can't be repaired stays: check_mesh
-// tells. Throws InvalidInput for an index out of range.
+// tells. Throws InvalidInput for an index out of range, Cancelled.
 CleanMesh clean_mesh(const TriangleMesh& soup);
+
+// Rows of faces whose three vertices an earlier one has, in any order; ascending. Faces that use a
+// vertex twice are left out. Throws Cancelled.
+std::vector<int> repeated_faces(const Eigen::Ref<const Triangles>& F, int vertex_count);
 
 // A vertex twice, or corners on a line to 1e-10 of the longest edge.
 bool has_no_area(const TriangleMesh& mesh, int face);
-
-// Whether faces can be turned so that all neighbours agree (edges of more than two faces aside).
-bool is_orientable(const TriangleMesh& mesh);
 
 }  // namespace curveups

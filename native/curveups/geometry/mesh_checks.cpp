@@ -2,13 +2,13 @@
 #include "curveups/geometry/mesh_checks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
+#include "curveups/geometry/edge_sides.hpp"
+#include "curveups/geometry/orientation.hpp"
 
 namespace curveups {
 namespace {
@@ -76,35 +76,25 @@ void check_arrays(const TriangleMesh& mesh, Findings& findings) {
 }
 
 void check_manifold(const TriangleMesh& mesh, Findings& findings) {
-  std::map<std::array<int, 3>, int> sets;
-  std::map<std::pair<int, int>, std::vector<std::pair<int, bool>>> edges;  // face, runs upwards
-  std::vector<int> degenerate, duplicate, crowded, twisted;
+  std::vector<int> degenerate, crowded, twisted;
   for (int f = 0; f < mesh.F.rows(); ++f) {
-    std::array<int, 3> set{mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2)};
-    std::sort(set.begin(), set.end());
     if (has_no_area(mesh, f)) degenerate.push_back(f);
-    if (!sets.emplace(set, f).second) duplicate.push_back(f);
-    for (int t = 0; t < 3; ++t) {
-      const int a = mesh.F(f, t), b = mesh.F(f, next3(t));
-      edges[std::minmax(a, b)].emplace_back(f, a < b);
-    }
   }
-  for (const auto& [ends, faces] : edges) {
-    if (faces.size() > 2) {
-      for (const auto& [f, up] : faces) crowded.push_back(f);
-    } else if (faces.size() == 2 && faces[0].second == faces[1].second) {
-      twisted.push_back(faces[0].first);
-      twisted.push_back(faces[1].first);
-    }
-  }
+  visit_edges(mesh.F, static_cast<int>(mesh.V.rows()),
+              [&](const EdgeSide* begin, const EdgeSide* end) {
+                std::vector<int>* wrong = end - begin > 2 ? &crowded : nullptr;
+                if (end - begin == 2 && begin[0].up == begin[1].up) wrong = &twisted;
+                for (; wrong && begin != end; ++begin) wrong->push_back(begin->face);
+              });
   findings.add_faces("degenerate-faces", " faces have no area", "remove them, or remesh",
                      degenerate);
-  findings.add_faces("duplicate-faces", " faces are there twice", "remove the doubles", duplicate);
+  findings.add_faces("duplicate-faces", " faces are there twice", "remove the doubles",
+                     repeated_faces(mesh.F, static_cast<int>(mesh.V.rows())));
   findings.add_faces("non-manifold-edges", " faces meet at edges of more than two faces",
                      "remove inner walls and doubled faces", crowded);
   if (!findings.list.empty()) return;
   if (!twisted.empty()) {
-    if (is_orientable(mesh)) {
+    if (orientation_of(mesh.V, mesh.F).consistent) {
       findings.add_faces("inconsistent-orientation", " faces are turned against their neighbours",
                          "make the normals consistent", twisted);
     } else {

@@ -25,11 +25,11 @@ struct MeshFinding {
 //   non-manifold-vertices, boundary-touches-itself;
 //   closed (unless cuts are given), self-intersections, huge-coordinates, too-small, too-large,
 //   and as information (no error) components.
-// L: the edge length the tiles will have, mm.
+// L: the edge length the tiles will have, mm. Throws Cancelled.
 std::vector<MeshFinding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given);
 
 // Pairs of faces that run through one another, each face once, ascending. The mesh must have passed
-// the first two groups of check_mesh.
+// the first two groups of check_mesh. Throws Cancelled.
 std::vector<int> self_intersecting_faces(const TriangleMesh& mesh);
 
 }  // namespace curveups

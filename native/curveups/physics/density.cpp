@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/physics/neo_hookean.hpp"
-#include "curveups/physics/tension_field.hpp"
 
 namespace curveups {
 
 const std::vector<DensityModel>& density_models() {
-  static const std::vector<DensityModel> models = {
-      {"tension-field", tension_field, true},
-      {"neo-hookean",
-       [](const Gradient32& F, double, bool second) { return neo_hookean(F, second); }, false}};
+#define CURVEUPS_ROW(function, name, convex) {name, function, convex},
+  static const std::vector<DensityModel> models = {CURVEUPS_MEMBRANE_MODELS(CURVEUPS_ROW)};
+#undef CURVEUPS_ROW
   return models;
 }
 

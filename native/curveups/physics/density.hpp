@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a membrane's energy density answers. Both densities are per kappa: multiply by kappa h (half
-// the shear modulus times the rest thickness) and the rest area.
+// What a membrane's energy density answers. Densities are per kappa: multiply by kappa h (half the
+// shear modulus times the rest thickness) and the rest area.
 #pragma once
 
 #include <Eigen/Core>
 #include <string_view>
 #include <vector>
+
+#include "curveups/design/membrane_models.hpp"
 
 namespace curveups {
 
@@ -23,11 +25,15 @@ struct Density {
   Matrix6 hessian = Matrix6::Zero();  // left zero unless asked for
 };
 
-// A new density is a file, a line in density.cpp and a choice of the parameter membrane_model.
+// Every density is a function of F, in a file of its name: value, gradient and (where `second`)
+// Hessian by F. regularization: for densities that leave slack parts without a unique position.
+#define CURVEUPS_DECLARE(function, name, convex) \
+  Density function(const Gradient32& F, double regularization, bool second);
+CURVEUPS_MEMBRANE_MODELS(CURVEUPS_DECLARE)
+#undef CURVEUPS_DECLARE
+
 struct DensityModel {
   std::string_view name;  // as the parameter has it
-  // Value, gradient and (where `second`) Hessian by F. regularization: for densities that leave
-  // slack parts without a unique position.
   Density (*evaluate)(const Gradient32& F, double regularization, bool second);
   bool convex;  // its Hessian is nowhere indefinite
 };

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/physics/neo_hookean.hpp"
-
+// Incompressible neo-Hookean membrane (paper, Eqs. 17 to 19):
+//   psi / kappa = l1 + l2 + 1 / (l1 l2) - 3 = |F|^2 + 1 / |f1 x f2|^2 - 3,
+// without an eigen-decomposition. An element without area has infinite energy. The Hessian is
+// indefinite where the membrane is compressed.
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "curveups/physics/density.hpp"
+
 namespace curveups {
 
-Density neo_hookean(const Gradient32& F, bool second) {
+Density neo_hookean(const Gradient32& F, double /*regularization*/, bool second) {
   using Eigen::Matrix3d;
   using Eigen::Vector3d;
   const Vector3d f1 = F.col(0), f2 = F.col(1), n = f1.cross(f2);

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/physics/tension_field.hpp"
-
+// Relaxed neo-Hookean membrane: where it would be compressed it wrinkles (A. C. Pipkin, "The
+// relaxed energy density for isotropic elastic membranes", IMA J. Appl. Math. 36, 1986; D. J.
+// Steigmann, "Tension-field theory", Proc. R. Soc. Lond. A 429, 1990). Per kappa, with l1 >= l2:
+//   taut      l1 >= 1, l2 >= l1^-1/2    l1 + l2 + 1 / (l1 l2) - 3
+//   wrinkled  l1 >= 1, l2 <  l1^-1/2    l1 + 2 l1^-1/2 - 3     (uniaxial tension)
+//   slack     l1 < 1                    0
+// Convex and once continuously differentiable in F. To this it adds regularization |F|^2, so that
+// slack parts have a unique position and the Hessian is positive definite everywhere.
 #include <cmath>
 
-#include "curveups/physics/neo_hookean.hpp"
+#include "curveups/physics/density.hpp"
 
 namespace curveups {
 namespace {
@@ -41,7 +47,7 @@ Density tension_field(const Gradient32& F, double regularization, bool second) {
   Density out;
   switch (l.tension()) {
     case MembraneTension::taut:
-      out = neo_hookean(F, second);
+      out = neo_hookean(F, 0, second);
       break;
     case MembraneTension::wrinkled:
       out = uniaxial(F, l, second);

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double largest_move_of_L = 1.0 / 30;
 // Sides are lifted to a little more than A_pin_min, room for the layout; those with less than
-// `watched` times A_pin_min must not lose what they need.
-constexpr double goal = 1.03, kept = 1.002, watched = 1.5;
+// near_minimum times A_pin_min must not lose what they need.
+constexpr double goal = 1.03, kept = 1.002, near_minimum = 1.5;
 // Steps after which sides that still miss A_pin_min are given up.
 constexpr int patience = 3;
 
@@ -116,7 +116,7 @@ std::vector<Relief::Row> Relief::rows(const DesignGeometry& here, const PinSides
         for (Side side : {Side::front, Side::back}) {
           const PinRoom room =
               pin_room(here.tiles, here.truncation, parameters_, tile, side, parameters_.p_min);
-          const bool close = room.area < watched * parameters_.A_pin_min;
+          const bool close = room.area < near_minimum * parameters_.A_pin_min;
           if (!std::isfinite(room.scale) || !(close || asked.count({tile, side}))) continue;
           local.push_back({{tile, -1, side, asked.count({tile, side}) ? goal : kept}, k});
         }

@@ -4,15 +4,18 @@
 #include <Eigen/Geometry>
 #include <map>
 #include <set>
+#include <thread>
 
 #include "curveups/bodies/clearance.hpp"
 #include "curveups/bodies/convex_distance.hpp"
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
 #include "curveups/fabrication/bridges.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/print_model.hpp"
+#include "curveups/fabrication/print_solids.hpp"
 #include "support/designs.hpp"
 #include "support/soundness.hpp"
 
@@ -54,6 +57,29 @@ INSTANTIATE_TEST_SUITE_P(FlatDomeSaddleBowl, Shapes,
                                            std::array<double, 2>{0.015, 0.015},
                                            std::array<double, 2>{0.015, -0.015},
                                            std::array<double, 2>{-0.015, -0.015}));
+
+TEST(Solids, AreBuiltOnceWhoeverAsks) {
+  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  std::array<std::shared_ptr<const TopoDS_Shape>, 3> found;
+  std::vector<std::thread> threads;
+  for (auto& one : found) {
+    threads.emplace_back([&] { one = solids_of(model, "print", {}); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_NE(found[0], nullptr);
+  EXPECT_EQ(found[0], found[1]);
+  EXPECT_EQ(found[0], found[2]);
+}
+
+TEST(Solids, CanBeStoppedWhileAnotherThreadBuildsThem) {
+  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  const std::lock_guard<std::recursive_timed_mutex> building(model.solids->building);
+  std::thread other([&] {
+    const ProgressScope scope([](const std::string&, double) { return false; });
+    EXPECT_THROW(solids_of(model, "tiles", {}), Cancelled);
+  });
+  other.join();
+}
 
 TEST(Bumps, InterleaveAndTouchTheFacingWallOnly) {
   const PrintModel model = make_print_model(test::sample_design(), "0.1");

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "curveups/core/checkpoint.hpp"
+#include "curveups/core/errors.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 #include "support/meshes.hpp"
@@ -153,6 +155,23 @@ TEST(CleanMesh, SliversGoWithoutAGap) {
   EXPECT_EQ(clean.mesh.F.rows(), 4);
   EXPECT_NEAR(surface_area(clean.mesh), 1600, 1e-9);
   EXPECT_EQ(boundary_loops(build_topology(clean.mesh.F, clean.mesh.V.rows())).at(0).size(), 4u);
+}
+
+TEST(CleanMesh, KeepsTheFirstOfRepeatedFaces) {
+  TriangleMesh mesh;
+  mesh.V.resize(4, 3);
+  mesh.V << 0, 0, 0, 40, 0, 0, 0, 40, 0, 40, 40, 0;
+  mesh.F.resize(5, 3);
+  mesh.F << 0, 1, 2, 3, 2, 1, 2, 1, 0, 1, 2, 3, 1, 2, 0;
+  EXPECT_EQ(repeated_faces(mesh.F, 4), (std::vector<int>{2, 3, 4}));
+  EXPECT_EQ(clean_mesh(mesh).mesh.F, mesh.F.topRows(2));
+}
+
+TEST(CleanMesh, MillionsOfFacetsCanBeStopped) {
+  const TriangleMesh mesh = test::flat_square(700, 50);
+  const ProgressScope scope([](const std::string&, double) { return false; });
+  EXPECT_THROW(clean_mesh(mesh), Cancelled);
+  EXPECT_THROW(check_mesh(mesh, 1, false), Cancelled);
 }
 
 TEST(CleanMesh, LeavesWhatItCannotRepair) {

@@ -47,8 +47,8 @@ TEST(LeastStep, SharesTheLoadWhereAnUnknownIsAtItsBound) {
   p.dense = Eigen::Vector2d(1, 1);
   p.dense_value = Eigen::VectorXd::Constant(1, -3);
   const LeastStep step = solve_least_step(p);
-  EXPECT_NEAR(step.z(0), 0.5, 1e-7);
-  EXPECT_NEAR(step.z(1), 2.5, 1e-6);
+  EXPECT_NEAR(step.z(0), 0.5, 1e-9);
+  EXPECT_NEAR(step.z(1), 2.5, 1e-9);
   EXPECT_NEAR(step.upper_multiplier(0), 2.0, 1e-5);
 }
 
