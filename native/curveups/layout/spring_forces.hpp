@@ -15,11 +15,9 @@ namespace curveups {
 Eigen::VectorXd spring_forces(const DesignGeometry& geometry, const Parameters& parameters,
                               const FlatPoses& poses, const Array6& q);
 
-// Contacts whose force is below five times f_min_ratio of the mean. Of those marked most are weak
-// by the exact model, but not all that are weak are marked: half-sphere at tau = 1.35, 174 of 175
-// weak ones are among 243 marked; mask at 1.4, 25 of 51 among 38; ellipsoid-cap at 1.5, 13 of 63
-// among
-// 17. The forces' correlation with the exact ones: 0.89 (half-sphere), 0.85 (ellipsoid-cap).
+// Contacts whose force is below five times f_min_ratio of the mean: a hint, not a verdict. The
+// threshold was chosen on targets of low tau, where most of those marked are weak by the exact model
+// but not all that are weak are marked; on others none may be (figures in resources/docs/cuts.md).
 std::vector<int> weak_by_springs(const Eigen::VectorXd& forces, double f_min_ratio);
 
 }  // namespace curveups
