@@ -16,8 +16,9 @@ Eigen::VectorXd spring_forces(const DesignGeometry& geometry, const Parameters& 
                               const FlatPoses& poses, const Array6& q);
 
 // Contacts whose force is below five times f_min_ratio of the mean: a hint, not a verdict. The
-// threshold was chosen on targets of low tau, where most of those marked are weak by the exact model
-// but not all that are weak are marked; on others none may be (figures in resources/docs/cuts.md).
+// threshold was chosen on targets of low tau, where most of those marked are weak by the exact
+// model but not all that are weak are marked; on others none may be (figures in
+// resources/docs/cuts.md).
 std::vector<int> weak_by_springs(const Eigen::VectorXd& forces, double f_min_ratio);
 
 }  // namespace curveups
