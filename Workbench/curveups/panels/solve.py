@@ -15,7 +15,6 @@ from ..commands import runs
 from ..commands.notice import errors_shown, select_tiles, show_in, with_links
 from ..errors import CurveUpsError
 from ..features import properties
-from ..features.document import state_of
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, load_ui, translate
 from ..worker import Status
 from . import preferences
@@ -93,16 +92,20 @@ class SolvePanel:
         place.setContentsMargins(0, 0, 0, 0)
         place.addWidget(self.curves)
         self._rows: Optional[ParameterRows] = None
+        self._follower: Optional[_Follower] = None
         self._began: dict[str, float] = {}
         self._prepare_buttons()
         self._prepare_parameters()
         show_in(self._say)
         LIVE.observe(self._show_run)
+        self._follower = _Follower(self)
+        FreeCAD.addDocumentObserver(self._follower)
         self._show_verdict()
         self._show_running(LIVE.runs_on(design))
 
     def getStandardButtons(self) -> int:
-        return int(QtWidgets.QDialogButtonBox.Close)
+        close = QtWidgets.QDialogButtonBox.Close
+        return int(getattr(close, "value", close))  # an enumeration's member in PySide6
 
     def isAllowedAlterDocument(self) -> bool:
         """Commands stay active: views and exports do no harm to edits."""
@@ -122,6 +125,9 @@ class SolvePanel:
             self._rows.flush()
             self._rows.close()
         LIVE.forget(self._show_run)
+        if self._follower is not None:
+            FreeCAD.removeDocumentObserver(self._follower)
+            self._follower = None
         show_in(None)
         _open = None
 
@@ -185,10 +191,9 @@ class SolvePanel:
         self.form.line.setVisible(bool(text))
 
     def _show_verdict(self) -> None:
-        state, reason = state_of(self.design)
-        head = self.design.Verdict if state in ("current", "") else state
-        reasons = ([reason] if reason else []) + [text for text in self.design.Reasons if text != reason]
-        lines = "<br>".join(with_links(text) for text in reasons[:6])
+        state = self.design.Status
+        head = self.design.Verdict if state == "current" else state
+        lines = "<br>".join(with_links(text) for text in self.design.Reasons[:6])
         self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"
                                   + (f"<br>{lines}" if lines else ""))
 
@@ -202,6 +207,7 @@ class SolvePanel:
         form.stop.setEnabled(running)
         form.cancel.setEnabled(running)
         form.parameters.setEnabled(not running)
+        form.progress.setTextVisible(running)
         if not running:
             form.progress.setValue(0)
             form.doing.setText("")
@@ -247,3 +253,15 @@ class SolvePanel:
             tree.scrollToItem(last)
         if last is not None and last.data(0, QtCore.Qt.UserRole) == stage:
             last.setText(1, f"{now - self._began[stage]:.1f} s")
+
+
+class _Follower:
+    """FreeCAD's document observer: the verdict changes when solids follow, by undo, and by scripts."""
+
+    def __init__(self, panel: SolvePanel):
+        self._panel = panel
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:
+        panel = self._panel
+        if name in ("Status", "Verdict", "Reasons") and panel.form is not None and obj is panel.design:
+            panel._show_verdict()
