@@ -62,7 +62,8 @@ design.L = 12
 actions.solve(design)
 poses, verdict = list(design.Layout.Poses), design.Verdict
 assert verdict == 'valid', design.Reasons
-design.FMinRatio = 0.2                       # contacts have to be held more firmly
+# Contacts have to be held more firmly than the weakest is.
+design.FMinRatio = 1.2 * design.MinNormalForce / design.MeanNormalForce
 made.recompute()
 assert design.Verdict == 'out of date', design.Verdict
 actions.verify(design)

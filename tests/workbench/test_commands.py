@@ -2,7 +2,6 @@
 """Commands and panels in a real window: what each leaves in the document, the report view, the picture."""
 
 import json
-import re
 import shutil
 
 import pytest
@@ -70,13 +69,6 @@ def test_an_example_is_solved_while_one_watches(homes, tmp_path):
     out = run("""
 def work():
     begin()
-    pauses, last = [], [time.perf_counter()]
-    def tick():
-        pauses.append(time.perf_counter() - last[0])
-        last[0] = time.perf_counter()
-    timer = QtCore.QTimer()
-    timer.timeout.connect(tick)
-    timer.start(5)
     FreeCADGui.runCommand('CurveUps_Example_half-sphere')
     made = FreeCAD.ActiveDocument
     assert made.Label == 'Half-Sphere' and live().busy, (made.Label, report(), panel())
@@ -90,9 +82,7 @@ def work():
     until(lambda: overlay._iterating, 60, 'a picture of the layout while it is solved')
     colours = picture('solving')
     assert colours > 20, colours
-    del pauses[:]
     at_rest()
-    print('pauses', sorted(round(1000 * p) for p in pauses)[-5:], len(pauses))
     assert design.Verdict == 'valid', (design.Verdict, design.Reasons)
     assert picture('solved') > 20 and not overlay._iterating
     stages = panel().form.stages
@@ -115,7 +105,7 @@ def work():
     assert 'ready' in text and 'cpython' in text, text
     widget('CurveUpsSolverStatus').close()
 """, homes, tmp_path)
-    assert "Traceback" not in out and re.search(r"pauses \[", out), out
+    assert "Traceback" not in out, out
 
 
 def test_cancel_stop_and_closing_in_mid_run(homes, tmp_path):
