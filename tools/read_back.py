@@ -57,12 +57,12 @@ def _wrong_solids(solids: list, count: int, expected: float | None, check: bool)
 
 
 def _wrong_3mf(path: Path, bodies: int) -> list[str]:
-    """Objects of a 3MF: one a body, each with its own name, every edge between two triangles."""
+    """Objects with a mesh in a 3MF: one a body, each with its own name, every edge between two triangles."""
     space = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
     names, leaky = set(), 0
     with zipfile.ZipFile(path) as archive, archive.open("3D/3dmodel.model") as model:
         for _, item in ElementTree.iterparse(model):
-            if item.tag != space + "object":
+            if item.tag != space + "object" or item.find(space + "mesh") is None:
                 continue
             names.add(item.get("name"))
             edges: Counter[tuple[str | None, str | None]] = Counter()

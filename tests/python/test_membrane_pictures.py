@@ -67,4 +67,4 @@ def test_the_page_shows_both_membranes_where_they_were_computed(designed):
     assert f"the largest stretch is {found.blocks['physics']['largest_stretch']:.4g}" in page
     assert [p.heading for p in found.pictures()] == ["Contact forces", "", "Membranes"]
     assert verification.Verification(note="verification was off").pictures() == ()
-    assert "<h2>Membranes</h2>" in (designed.folder / "report.html").read_text()
+    assert "<h2>Membranes</h2>" in (designed.folder / "report.html").read_text(encoding="utf-8")

@@ -35,7 +35,7 @@ def check_whole(path):
     if path.suffix == ".json":
         json.loads(path.read_text())
     elif path.suffix == ".html":
-        assert path.read_text().rstrip().endswith("</html>")
+        assert path.read_text(encoding="utf-8").rstrip().endswith("</html>")
     elif path.suffix == ".step":
         assert path.read_text().rstrip().endswith("END-ISO-10303-21;")
     elif path.suffix == ".stl":

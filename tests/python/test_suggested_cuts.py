@@ -108,7 +108,7 @@ def test_a_deep_vase_gets_suggestions_that_can_be_given_back(curveups, shapes_fo
     assert 1 <= len(proposed) <= 2 and not any(cut["applied"] for cut in proposed)
     assert any(warning.get("kind") == "stretched" for warning in report["warnings"])
     assert "--auto-cuts" in ran.err and "vase-cuts.json" in ran.err
-    page = (tmp_path / "o" / "report.html").read_text()
+    page = (tmp_path / "o" / "report.html").read_text(encoding="utf-8")
     assert "Suggested cuts" in page
     # The file that was written, and --auto-cuts with as many: one and the same design.
     _, given, _ = run(curveups, shapes_folder, tmp_path / "given", "vase", *FAST, "--cuts",

@@ -30,7 +30,8 @@ struct FixedVertices {
     if (++map.asked % 1024 == 0) checkpoint();
     return map.fixed[vertex];
   }
-  friend void put(const FixedVertices& map, key_type vertex, bool value) {
+  // CGAL's manual asks for it; whether it is called depends on the version.
+  [[maybe_unused]] friend void put(const FixedVertices& map, key_type vertex, bool value) {
     map.fixed[vertex] = value;
   }
 
