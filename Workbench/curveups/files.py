@@ -14,6 +14,7 @@ from .errors import Stopped
 from .native import native
 from .output import Folder
 from .project import Results
+from .report import check
 from .report.data import build_report, to_text
 from .report.html import build_html
 from .stages.solids import Solids
@@ -59,6 +60,14 @@ def write_verification(results: Results, design: Any, path: Path) -> None:
             folder.remove(*_earlier(results, path))
             folder.write_text("design.json", text)
         write_reports(results, folder)
+
+
+def write_check(results: Results, path: Path) -> None:
+    """check.html, then check.json."""
+    with Folder(path) as folder:
+        folder.remove("check.json", "check.html")
+        folder.write_text("check.html", check.build_page(results))
+        folder.write_text("check.json", to_text(check.build_check(results)))
 
 
 def _earlier(results: Results, path: Path) -> list[str]:

@@ -40,13 +40,17 @@ def make_parser() -> argparse.ArgumentParser:
 
     design = _command(commands, "design", "target surface to print files")
     _target_arguments(design)
-    design.add_argument("--cuts", type=Path, metavar="FILE.json",
-                        help="cuts, as vertex pairs or polylines")
+    _cuts_argument(design)
     design.add_argument("--auto-cuts", type=_count, default=0, metavar="N",
                         help="make up to N suggested cuts; the first opens a closed target")
     design.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
     design.add_argument("--no-solids", action="store_true",
                         help="only design.json and the reports")
+
+    check = _command(commands, "check", "what of a target can be tiles, before any layout")
+    _target_arguments(check, folder_required=False)
+    _cuts_argument(check)
+    check.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
 
     remesh = _command(commands, "remesh", "only the remeshed target, as NAME-remeshed.obj")
     _target_arguments(remesh)
@@ -93,19 +97,24 @@ def _command(commands: Any, name: str, text: str, quiet: bool = True) -> argpars
     return parser
 
 
-def _target_arguments(parser: argparse.ArgumentParser) -> None:
+def _target_arguments(parser: argparse.ArgumentParser, folder_required: bool = True) -> None:
     parser.add_argument("target", metavar="TARGET",
                         help="a built-in name, or an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP file")
-    _output_argument(parser)
+    _output_argument(parser, folder_required)
     _set_argument(parser)
     parser.add_argument("--config", type=Path, action="append", default=[], metavar="FILE.json",
                         help='parameters as { "name": value, ... }, with a note as "about"; may be '
                              "given several times: the last wins, and --set wins over all")
 
 
-def _output_argument(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("-o", dest="output", type=_folder, required=True, metavar="DIR",
+def _output_argument(parser: argparse.ArgumentParser, required: bool = True) -> None:
+    parser.add_argument("-o", dest="output", type=_folder, required=required, metavar="DIR",
                         help="folder for the files")
+
+
+def _cuts_argument(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--cuts", type=Path, metavar="FILE.json",
+                        help="cuts, as vertex pairs or polylines")
 
 
 def _set_argument(parser: argparse.ArgumentParser) -> None:

@@ -8,12 +8,13 @@ from pathlib import Path
 from typing import Any, Iterator, TextIO
 
 from ..errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
-from ..files import write_obj, write_results, write_verification
+from ..files import write_check, write_obj, write_results, write_verification
 from ..native import native, translated
 from ..output import Folder, require_folder_name, safe_name
 from ..progress import Interrupt, Reporter
 from ..project import Project, Results
-from ..stages import DESIGNED, PRINTED
+from ..report import check as check_report
+from ..stages import CHECKED, DESIGNED, PRINTED
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.stage import Job
 from ..stages.surface import find_source
@@ -55,6 +56,23 @@ def design(options: Any, session: Session) -> int:
     with session.interrupt.shielded():
         stopped = write_results(results, options.output, job)
     return _finish(results, options.output, session, stopped)
+
+
+def check(options: Any, session: Session) -> int:
+    """curveups check"""
+    if options.output:
+        require_folder_name(options.output)
+    cuts = read_cuts(options.cuts) if options.cuts else CutRequest()
+    # Closed surfaces are looked at too, and told to be.
+    project = _project(options, replace(cuts, suggested=1), remesh=not options.no_remesh)
+    project.give("cut request", cuts)
+    results = project.run(CHECKED, session.job)
+    if options.output:
+        with session.interrupt.shielded():
+            write_check(results, options.output)
+    for line in check_report.table(results):
+        session.answer(line)
+    return VALID if results["feasibility"].feasible else NOT_VALID
 
 
 def remesh(options: Any, session: Session) -> int:
@@ -125,7 +143,7 @@ def export(options: Any, session: Session) -> int:
     return _finish(results, options.output, session, stopped)
 
 
-COMMANDS = {"design": design, "remesh": remesh, "targets": targets, "parameters": parameters,
+COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,
             "verify": verify, "export": export}
 
 

@@ -40,9 +40,9 @@ _VIEWS: dict[str, Callable[..., bytes]] = {
 def build_html(results: Results, report: dict) -> str:
     """The page for the results of a run and their report."""
     parts = [f"<h1>{escape(report['name'])}</h1>", _verdict(report)]
-    for picture in results.pictures():
-        parts += [f"<h2>{escape(picture.heading)}</h2>"] if picture.heading else []
-        parts.append(_picture(_VIEWS[picture.view](**picture.data), picture.caption))
+    for one in results.pictures():
+        parts += [f"<h2>{escape(one.heading)}</h2>"] if one.heading else []
+        parts.append(picture(_VIEWS[one.view](**one.data), one.caption))
     parts += _cuts(report.get("suggested_cuts", ()))
     if "print" in report:
         parts += ["<h2>For the print shop</h2>", _quote(report, results.parameters)]
@@ -50,10 +50,15 @@ def build_html(results: Results, report: dict) -> str:
     if report["warnings"]:
         parts += ["<h2>Warnings</h2>", _warnings(report["warnings"])]
     parts += ["<h2>Parameters</h2>", _parameters(results.parameters.to_dict())]
+    return page(report["name"], parts)
+
+
+def page(name: str, parts: Sequence[str]) -> str:
+    """A whole page of these parts."""
     body = "\n".join(parts)
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
             f'<meta name="viewport" content="width=device-width, initial-scale=1">'
-            f"<title>{escape(report['name'])} – CurveUps</title><style>{_STYLE}</style></head>\n"
+            f"<title>{escape(name)} – CurveUps</title><style>{_STYLE}</style></head>\n"
             f"<body><main>\n{body}\n</main></body></html>\n")
 
 
@@ -78,19 +83,21 @@ def _cuts(cuts: Sequence[dict]) -> list[str]:
                                          ("scale_spread", "area_ratio", "slack_springs"))))
     if not rows:
         return []
-    return [_table(rows, ("No.", "State", "Where", "Length, mm", "Spread of scale", "Flat / actuated area",
-                          "Slack membrane at")),
+    return [table(rows, ("No.", "State", "Where", "Length, mm", "Spread of scale", "Flat / actuated area",
+                         "Slack membrane at")),
             '<p class="note">Figures are predictions by draft layouts, each with the cuts before it '
             "made.</p>"]
 
 
-def _picture(png: bytes, caption: str) -> str:
+def picture(png: bytes, caption: str) -> str:
+    """A picture inside of the page."""
     data = base64.b64encode(png).decode("ascii")
     return (f'<figure><img alt="{escape(caption)}" src="data:image/png;base64,{data}">'
             f"<figcaption>{escape(caption)}</figcaption></figure>")
 
 
-def _table(rows: Sequence[tuple[Any, ...]], head: tuple[str, ...] = ()) -> str:
+def table(rows: Sequence[tuple[Any, ...]], head: tuple[str, ...] = ()) -> str:
+    """Rows of texts and numbers."""
     top = "<tr>" + "".join(f"<th>{escape(cell)}</th>" for cell in head) + "</tr>" if head else ""
     lines = []
     for row in rows:
@@ -143,8 +150,8 @@ def _quote(report: dict, parameters: Any) -> str:
                       "stretching, and what the frame holds"),
     ]
     files = [(file, f"{size / 1e6:.2f}") for file, size in sorted(block["files"].items())]
-    return (_table(rows) + '<p class="note">Lengths are in millimetres in every file.</p>'
-            + _table(files, ("File", "MB")))
+    return (table(rows) + '<p class="note">Lengths are in millimetres in every file.</p>'
+            + table(files, ("File", "MB")))
 
 
 def _either(values: set[float]) -> str:
@@ -170,7 +177,7 @@ def _figures(report: dict) -> str:
             elif key not in ("invalid_contacts", "notes", "unit"):
                 rows.append(_figure(key, value))
         if rows:
-            parts += [f"<h3>{escape(_words(block).capitalize())}</h3>", _table(rows)]
+            parts += [f"<h3>{escape(_words(block).capitalize())}</h3>", table(rows)]
     return "".join(parts)
 
 
@@ -186,12 +193,12 @@ def _words(name: str) -> str:
 
 
 def _warnings(warnings: list[dict]) -> str:
-    return _table([(item["what"] + (f" – {item['remedy']}" if item.get("remedy") else ""),
-                    tile_list(item.get("tiles", []), 12)) for item in warnings[:200]],
-                  ("What", "Tiles"))
+    return table([(item["what"] + (f" – {item['remedy']}" if item.get("remedy") else ""),
+                   tile_list(item.get("tiles", []), 12)) for item in warnings[:200]],
+                 ("What", "Tiles"))
 
 
 def _parameters(values: dict) -> str:
-    return _table([(row.group, row.name, values[row.name], row.unit, row.meaning)
-                   for row in native.parameter_table()],
-                  ("Group", "Name", "Value", "Unit", "Meaning"))
+    return table([(row.group, row.name, values[row.name], row.unit, row.meaning)
+                  for row in native.parameter_table()],
+                 ("Group", "Name", "Value", "Unit", "Meaning"))

@@ -7,6 +7,7 @@ The same design gives the same bytes: no dates, no random ids, fixed sizes.
 from __future__ import annotations
 
 import io
+from types import SimpleNamespace
 from typing import Any, Sequence
 
 import matplotlib
@@ -21,6 +22,7 @@ from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 
 BODY, PIN, EDGE, WEAK = "#e9c98f", "#b5651d", "#7a5a2b", "#d81b60"
+MARKS = ("#cfc8bb", "#ef8a17", "#c62828")  # of tiles: sound, doubtful, impossible
 
 
 def inset_triangles(corners: np.ndarray, q: np.ndarray) -> np.ndarray:
@@ -71,6 +73,17 @@ def actuated_view(design: Any, width: float = 7.0) -> bytes:
     return _png(figure)
 
 
+def blocked_view(V: np.ndarray, F: np.ndarray, marks: np.ndarray, width: float = 10.0) -> bytes:
+    """A target from two sides, its tiles in the colours of their marks: 0, 1 (doubtful), 2 (impossible)."""
+    target = SimpleNamespace(V=V, F=F)
+    low, high = _bounds(_seen(target)[0])
+    height = 0.5 * width * (high[1] - low[1]) / (high[0] - low[0])
+    figure = Figure(figsize=(width, float(np.clip(height, 2.5, 9))))
+    for place, turned in ((0.0, False), (0.5, True)):
+        _draw_actuated(figure.add_axes([place, 0, 0.5, 1]), target, turned, marks)
+    return _png(figure)
+
+
 def overview(design: Any) -> bytes:
     """Flat and actuated side by side, small."""
     figure = Figure(figsize=(9, 4.2))
@@ -97,13 +110,16 @@ def _draw_flat(axes: Any, design: Any, values: np.ndarray | None) -> PolyCollect
     return tiles
 
 
-def _draw_actuated(axes: Any, design: Any, turned: bool = False) -> None:
+def _draw_actuated(axes: Any, design: Any, turned: bool = False, marks: np.ndarray | None = None) -> None:
     corners, normal = _seen(design, turned)
     light = np.array([-0.35, 0.5, 0.8])
     light /= np.linalg.norm(light)
     shade = 0.3 + 0.7 * np.abs(normal @ light)
     colour = np.where(normal[:, 2:] > 0, matplotlib.colors.to_rgb("#f0b24a"),
-                      matplotlib.colors.to_rgb("#8fa7bf")) * shade[:, None]
+                      matplotlib.colors.to_rgb("#8fa7bf"))
+    if marks is not None:
+        colour = np.array([matplotlib.colors.to_rgb(mark) for mark in MARKS])[marks]
+    colour = colour * shade[:, None]
     order = np.argsort(corners[:, :, 2].mean(1), kind="stable")  # painter: far ones first
     axes.add_collection(PolyCollection(corners[order][:, :, :2], facecolors=colour[order].clip(0, 1),
                                        edgecolors="#5b4420", linewidths=0.25))

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Work as stages: one file a stage, listed here in the order in which reports show their results."""
 
-from . import (cuts, design, deviation, layout, relief, repair, solids, suggestions, surface, target,
-               verification)
+from . import (cuts, design, deviation, feasibility, layout, relief, repair, sizes, solids, suggestions,
+               surface, target, verification)
 
-STAGES = (surface.STAGE, target.STAGE, cuts.STAGE, suggestions.SEARCH, relief.STAGE, layout.STAGE,
-          verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, deviation.STAGE,
-          verification.STAGE, verification.RECHECK, solids.BODIES, solids.STAGE, solids.CHECK,
-          suggestions.STAGE)
+STAGES = (surface.STAGE, target.STAGE, feasibility.STAGE, sizes.STAGE, cuts.STAGE, suggestions.SEARCH,
+          relief.STAGE, layout.STAGE, verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES,
+          deviation.STAGE, verification.STAGE, verification.RECHECK, solids.BODIES, solids.STAGE,
+          solids.CHECK, suggestions.STAGE)
 
-# What prints are made of; all that is known of a design without them, but for cuts that nobody asked for.
+# What is known of a target without a design; what prints are made of; all that is known of a design without
+# them, but for cuts that nobody asked for.
+CHECKED = (feasibility.STAGE.name, sizes.STAGE.name)
 PRINTED = (solids.BODIES.name, solids.STAGE.name, solids.CHECK.name)
-DESIGNED = tuple(stage.name for stage in STAGES if stage.name not in (suggestions.SEARCH.name, *PRINTED))
+DESIGNED = tuple(stage.name for stage in STAGES
+                 if stage.name not in (suggestions.SEARCH.name, *CHECKED, *PRINTED))

@@ -10,6 +10,7 @@ import numpy as np
 from ..native import native
 from .cut_request import resolve_cuts
 from .findings import settle, tiles_place
+from .sizes import with_advice
 from .stage import Inputs, Job, Result, Stage, digest
 
 
@@ -27,8 +28,9 @@ class Cuts(Result):
 def _run(inputs: Inputs, job: Job) -> Cuts:
     target = inputs["target"]
     edges = resolve_cuts(inputs["cut request"], target.V, target.F)
-    settle([finding for finding in native.check_target(target.V, target.F, edges, inputs.parameters)
-            if finding.is_error], inputs.where, tiles_place)
+    findings = native.check_target(target.V, target.F, edges, inputs.parameters)
+    with with_advice(inputs, inputs["cut request"], job):
+        settle([finding for finding in findings if finding.is_error], inputs.where, tiles_place)
     return Cuts(edges)
 
 

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 from typing import Any, Sequence
 
 from ..native import native
-from .stage import Inputs, Job, Result, Row, Stage
+from .cut_request import CutRequest
 from .design import design_digest
+from .sizes import with_advice
+from .stage import Inputs, Job, Result, Row, Stage
 
 
 @dataclass(frozen=True)
@@ -62,8 +64,12 @@ def _run(inputs: Inputs, job: Job) -> Layout:
             first.append(time.perf_counter() - start)
         return job(what, fraction)
 
-    found = native.solve_layout(relief.V, target.F, edges, inputs.parameters, progress,
-                                job.listener("layout"))
+    try:
+        found = native.solve_layout(relief.V, target.F, edges, inputs.parameters, progress,
+                                    job.listener("layout"))
+    except native.InfeasibleDesign:
+        with with_advice(inputs, CutRequest(edges), job):
+            raise
     design = native.Design(inputs["source"].name, inputs.parameters, relief.V, target.F, found.T, found.q,
                            edges, None if relief.moved is None else (target.V, target.F))
     return Layout(design, bool(found.converged), bool(found.stopped), int(found.iterations),

@@ -36,20 +36,30 @@ class Relief(Result):
         return (Row("relief", seconds),) if self.asked else ()
 
 
+def make_room(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any,
+              job: Job) -> tuple[np.ndarray, Optional[dict]]:
+    """The vertices as they are from now on, and the block of report.json where some moved: none where
+    nothing is to be done or the parameters do not ask for it."""
+    if not _asked(parameters):
+        return V, None
+    relief = native.relieve_pins(V, F, edges, parameters, job)
+    if not relief.relieved:
+        return V, None
+    return relief.V, {"largest_move_mm": relief.largest_move_mm,
+                      "pin_sides": [{"tile": int(pin.tile), "side": pin.side, "area_before_mm2": pin.area}
+                                    for pin in relief.relieved],
+                      "remaining": len(relief.remaining)}
+
+
+def _asked(parameters: Any) -> bool:
+    return bool(parameters.get("repair") and parameters.get("move_vertices"))
+
+
 def _run(inputs: Inputs, job: Job) -> Relief:
     target, edges, parameters = inputs["target"], inputs["cuts"].edges, inputs.parameters
-    asked = parameters.get("repair") and parameters.get("move_vertices")
-    V, moved = target.V, None
-    if asked:
-        relief = native.relieve_pins(V, target.F, edges, parameters, job)
-        if relief.relieved:
-            V = relief.V
-            moved = {"largest_move_mm": relief.largest_move_mm,
-                     "pin_sides": [{"tile": int(pin.tile), "side": pin.side, "area_before_mm2": pin.area}
-                                   for pin in relief.relieved],
-                     "remaining": len(relief.remaining)}
+    V, moved = make_room(target.V, target.F, edges, parameters, job)
     found = settle(native.check_target(V, target.F, edges, parameters), inputs.where, tiles_place)
-    return Relief(V, found, asked, moved)
+    return Relief(V, found, _asked(parameters), moved)
 
 
 STAGE = Stage("relief", ("target", "cuts"), frozenset({"tiles", "repair"}), _run)

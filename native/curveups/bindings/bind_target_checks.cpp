@@ -2,6 +2,7 @@
 // Checks of a remeshed target.
 #include "curveups/bindings/bindings.hpp"
 #include "curveups/design/target_checks.hpp"
+#include "curveups/design/tile_margins.hpp"
 
 namespace curveups::bindings {
 
@@ -22,6 +23,36 @@ void bind_target_checks(py::module_& module) {
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
       "What tiles of this thickness and these pins can't do on a remeshed target.");
+
+  py::class_<TileMargins>(module, "TileMargins",
+                          "What tiles (M) and contacts (N) of a target have left before they can't "
+                          "be made.")
+      .def_readonly("contacts", &TileMargins::contacts, "N x 2 tiles.")
+      .def_readonly("fold", &TileMargins::fold, "N, degrees, convex positive.")
+      .def_readonly("fold_room", &TileMargins::fold_room,
+                    "N, degrees by which the fold could grow before a back face vanishes.")
+      .def_readonly("back_scale", &TileMargins::back_scale,
+                    "Per tile: length of the back face over that of the front face.")
+      .def_readonly("shaped", &TileMargins::shaped,
+                    "Whether every tile has a back face; what follows is empty otherwise.")
+      .def_readonly("interface_share", &TileMargins::interface_share,
+                    "Per contact: the interface's back edge over its front edge; 0: a hinge.")
+      .def_readonly("pin_area", &TileMargins::pin_area,
+                    "M x 2, front and back, mm2: of the largest pin there.")
+      .def_readonly("membrane_room", &TileMargins::membrane_room,
+                    "M x 2, front and back, mm: how far pins' tops stand over the tile's corners "
+                    "and contacts; negative: a membrane cuts into it.")
+      .def_readonly("trimmed", &TileMargins::trimmed,
+                    "Pairs of tiles without a common vertex that a plane cuts off.")
+      .def_readonly("overlapping", &TileMargins::overlapping, "Pairs that no plane parts.");
+  module.def(
+      "tile_margins",
+      [](const Points3& V, const Triangles& F, const Edges& cuts, const Parameters& parameters) {
+        py::gil_scoped_release release;
+        return tile_margins({V, F}, cuts, parameters);
+      },
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      "How much every tile and contact has left before it can't be made.");
 }
 
 }  // namespace curveups::bindings

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What `curveups check` says: check.json, check.html and the table on standard output."""
+
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+
+from ..errors import tile_list, tile_name
+from ..project import Results
+from ..stages.feasibility import SAG, TOO_NARROW, TOO_SLACK, Feasibility
+from ..stages.sizes import Recommendation
+from . import html, pictures
+
+FORMAT, VERSION = "curveups-check", 1
+Row = tuple[str, str, str, str, str]
+
+
+def build_check(results: Results) -> dict[str, Any]:
+    """check.json. A fold margin is in degrees; numbers that there are none of (no back face, no flat map)
+    are NaN here and null in the file."""
+    found, sizes = results["feasibility"], results["sizes"]
+    get = results.parameters.get
+    return {
+        "format": FORMAT, "version": VERSION, "name": results.name, "feasible": found.feasible,
+        "L": get("L"), "H_body": get("H_body"),
+        "tiles": [{"tile": i, "fold_margin": float(found.fold_margin[i]),
+                   "back_scale": float(found.back_scale[i]), "pin_room_mm2": found.pin_room[i].tolist(),
+                   "membrane_room_mm": found.membrane_room[i].tolist(), "stretch": float(found.stretch[i]),
+                   "stretch_range": found.stretch_range[i].tolist()} for i in range(len(found.F))],
+        "contacts": [{"tiles": pair, "fold_deg": float(fold), "fold_margin": float(room),
+                      "interface": float(share)}
+                     for pair, fold, room, share in zip(found.contacts.tolist(), found.fold, found.fold_room,
+                                                        found.interface_share)],
+        "blocked": [{"tile": one.tile, "why": one.why, "obstacle": one.obstacle, "certain": one.certain}
+                    for one in found.blocked],
+        "trimmed": found.trimmed.tolist(), "overlapping": found.overlapping.tolist(),
+        "relieved_pin_sides": found.relieved,
+        "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body},
+        "tried": [{"L": L, "H_body": H_body, "tiles": tiles, "feasible": feasible}
+                  for L, H_body, tiles, feasible in sizes.tried],
+    }
+
+
+def verdict(found: Feasibility) -> str:
+    """One sentence."""
+    if found.feasible:
+        return "nothing is in the way of any tile"
+    sure = sorted({one.tile for one in found.blocked if one.certain})
+    likely = sorted({one.tile for one in found.blocked} - set(sure))
+    said = [f"{len(sure)} of {len(found.F)} tiles can't be made ({tile_list(sure)})"] if sure else []
+    if likely:
+        said.append(f"{len(likely)} tiles are likely to fail ({tile_list(likely)})")
+    return ", ".join(said)
+
+
+def rows(results: Results) -> list[Row]:
+    """What is compared, the worst value, the tile that has it, what is wanted, how many tiles miss that."""
+    found = results["feasibility"]
+    short = {kind: len({one.tile for one in found.blocked if one.obstacle == kind})
+             for kind in ("fold", "pin", "overlap", "closed", "membrane", "stretch")}
+    floor = results.parameters.get("A_pin_floor") - results.parameters.get("A_pin_min")
+    height = results.parameters.get("H_pin")
+    table = [_row("fold margin, deg", found.fold_margin, "0", short["fold"]),
+             _row("back face / front face", found.back_scale, "0", short["fold"])]
+    for side, name in enumerate(("front", "back")):
+        table.append(_row(f"pin room {name}, mm2 over A_pin_min", found.pin_room[:, side], f"{floor:g}",
+                          sum(1 for one in found.blocked if one.obstacle == "pin" and name in one.why)))
+    for side, name in enumerate(("front", "back")):
+        table.append(_row(f"room of the {name} membrane, mm", found.membrane_room[:, side],
+                          f"{SAG * height:g} *", sum(1 for one in found.blocked if one.obstacle == "membrane"
+                                                     and name in one.why)))
+    with np.errstate(divide="ignore", invalid="ignore"):  # where not even the smallest pins hold a membrane
+        low, high = (found.stretch[:, None] / found.stretch_range).T
+    table.append(_row("stretch / least that leaves gaps", low, f"{TOO_NARROW:g} *", short["stretch"]))
+    table.append(_row("stretch / most before slack", high, f"{TOO_SLACK:g} *", short["stretch"], True))
+    table.append(("parts that run into one another", f"{len(found.overlapping)} pairs", "", "0",
+                  str(short["overlap"])))
+    return table
+
+
+def _row(what: str, values: np.ndarray, wanted: str, short: int, most: bool = False) -> Row:
+    known = np.flatnonzero(~np.isnan(values))
+    if not len(known):
+        return what, "-", "", wanted, str(short)
+    worst = int(known[(np.argmax if most else np.argmin)(values[known])])
+    return what, f"{values[worst]:.3g}", tile_name(worst), wanted, str(short)
+
+
+def advice(results: Results) -> list[str]:
+    """Sentences on sizes that would do."""
+    get, sizes = results.parameters.get, results["sizes"]
+    return [*length_words(sizes, get("L"), get("H_body")), *thickness_words(sizes, get("L"))]
+
+
+def length_words(sizes: Recommendation, L: float, H_body: float) -> Sequence[str]:
+    if sizes.L is None:
+        none = any(one[1] == H_body and not one[3] for one in sizes.tried)
+        return (f"no L that was tried does with H_body = {H_body:g} mm",) if none else ()
+    return (f"with H_body = {H_body:g} mm, L from {sizes.L[0]:g} to {sizes.L[1]:g} mm does",)
+
+
+def thickness_words(sizes: Recommendation, L: float) -> Sequence[str]:
+    if sizes.H_body is None:
+        return (f"with L = {L:.4g} mm, no H_body does",)
+    more = " and more" if sizes.H_body >= sizes.thickest else ""
+    return (f"with L = {L:.4g} mm, H_body up to {sizes.H_body:g} mm{more} does",)
+
+
+HEAD = ("", "worst", "tile", "wanted", "tiles short")
+NOTE = "* an estimate: the layout may do a little better or worse"
+
+
+def table(results: Results) -> list[str]:
+    """Lines for a terminal."""
+    found, get = results["feasibility"], results.parameters.get
+    lines = [f"{results.name}: {len(found.F)} tiles, L = {get('L'):.4g} mm, H_body = {get('H_body'):g} mm"]
+    for what, value, tile, wanted, short in (HEAD, *rows(results)):
+        lines.append(f"  {what:<36}{value:>9}  {tile:<8}{wanted:>7}  {short:>11}")
+    return [*lines, f"  {NOTE}", verdict(found), *advice(results)]
+
+
+def build_page(results: Results) -> str:
+    """check.html."""
+    found = results["feasibility"]
+    kind, word = ("valid", "Feasible") if found.feasible else ("invalid", "Not feasible")
+    said = "".join(f"<li>{html.escape(line)}</li>" for line in (verdict(found), *advice(results)))
+    parts = [f"<h1>{html.escape(results.name)}</h1>",
+             f'<p><span class="verdict {kind}">{word}</span> &nbsp; {len(found.F)} tiles</p><ul>{said}</ul>',
+             html.picture(pictures.blocked_view(found.V, found.F, _marks(found)),
+                          "The target from both sides: tiles that can't be made in red, those that are "
+                          "likely to fail in orange."),
+             "<h2>Margins</h2>", html.table(rows(results), HEAD), f'<p class="note">{NOTE}</p>']
+    if found.blocked:
+        parts += ["<h2>What is in the way</h2>",
+                  html.table([(tile_name(one.tile), one.why, "certain" if one.certain else "estimate")
+                              for one in found.blocked[:_MOST_LISTED]], ("Tile", "Why", ""))]
+        if len(found.blocked) > _MOST_LISTED:
+            parts.append(f'<p class="note">and {len(found.blocked) - _MOST_LISTED} more, in check.json</p>')
+    parts += ["<h2>Sizes tried</h2>",
+              html.table([(L, H_body, tiles or None, feasible)
+                          for L, H_body, tiles, feasible in results["sizes"].tried],
+                         ("L, mm", "H_body, mm", "Tiles", "Feasible"))]
+    return html.page(results.name, parts)
+
+
+_MOST_LISTED = 200
+
+
+def _marks(found: Feasibility) -> np.ndarray:
+    """M: 0, or 1 where a tile is likely to fail, 2 where it can't be made."""
+    marks = np.zeros(len(found.F), int)
+    for one in found.blocked:
+        marks[one.tile] = max(marks[one.tile], 2 if one.certain else 1)
+    return marks

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What of a target can be tiles, known before any layout: margins of every tile and contact.
+
+Folds, back faces, pins and overlaps are closed forms of the mesh, the same that a design is refused by:
+what they block is certain. Where membranes cut into tiles or are slack depends on the layout: that is
+estimated from pins that stand as near to corners as they may, and from the conformal map with which
+layouts begin. The limits of these estimates are those at which designs began to fail.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Iterator
+
+import numpy as np
+
+from ..errors import tile_name
+from ..native import native
+from .cut_request import resolve_cuts
+from .relief import make_room
+from .stage import Inputs, Job, Result, Stage, Value, digest
+
+_SIDES = ("front", "back")
+NO_BACK = "no back face: its folds are too sharp for tiles of this thickness"
+CLOSED = "its piece has no flat map: closed surfaces and handles have to be cut open first"
+# Estimates. A membrane sags: it passes this part of H_pin below the tops of the pins around a corner.
+SAG = 0.3
+# Layouts differ from their conformal map: they even out tiles so far beyond the range of stretch, and bear
+# the rest where it is a small share of all tiles.
+TOO_SLACK, TOO_NARROW, SHARE = 1.2, 0.7, 0.05
+
+
+@dataclass(frozen=True)
+class Obstacle(Value):
+    """Why a tile can't be made: one of a few words, and a sentence; not `certain`: by an estimate."""
+
+    tile: int
+    obstacle: str  # "fold", "pin", "overlap", "closed", "membrane", "stretch"
+    why: str
+    certain: bool = True
+
+
+@dataclass(frozen=True)
+class Feasibility(Result):
+    """M tiles, N contacts. `blocked`: in the order of tiles, of which one may be there several times."""
+
+    V: np.ndarray                 # as pins have made room for themselves
+    F: np.ndarray
+    L: float                      # mean edge length, mm
+    blocked: tuple[Obstacle, ...]
+    contacts: np.ndarray          # N x 2 tiles
+    fold: np.ndarray              # N, degrees, convex positive
+    fold_room: np.ndarray         # N, degrees by which it could grow before a back face vanishes
+    fold_margin: np.ndarray       # M, degrees: the least of the tile's contacts; NaN: it has none
+    back_scale: np.ndarray        # M: back face's length over the front's
+    interface_share: np.ndarray   # N: interface's back edge over its front edge; NaN: no back faces
+    pin_room: np.ndarray          # M x 2, mm2: largest pin's area less A_pin_min; NaN: no back faces
+    membrane_room: np.ndarray     # M x 2, mm: of pins' tops over corners; NaN: no back faces
+    stretch: np.ndarray           # M, of the conformal map; NaN: there is none
+    stretch_range: np.ndarray     # M x 2: below the first the tile has no gaps, above the other its
+    #                               membranes are slack
+    trimmed: np.ndarray           # pairs of tiles without a common vertex that are cut off
+    overlapping: np.ndarray       # pairs that no plane parts
+    relieved: int                 # pin sides for which vertices were moved
+
+    @property
+    def feasible(self) -> bool:
+        """Whether nothing is known or expected to be in the way; contact forces are not looked at."""
+        return not self.blocked
+
+    @property
+    def possible(self) -> bool:
+        """Whether nothing is known to be in the way, estimates aside."""
+        return not any(one.certain for one in self.blocked)
+
+    @property
+    def spread(self) -> float:
+        """Largest over least conformal scale; NaN where there is no map."""
+        known = self.stretch[np.isfinite(self.stretch)]
+        if not len(known):
+            return float("nan")
+        return float(known.max() / known.min()) if known.min() > 0 else float("inf")
+
+    @property
+    def content(self) -> str:
+        return digest(self.V, self.F, self.blocked)
+
+
+def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> Feasibility:
+    """The margins of a remeshed target that is cut along `edges` (C x 2), after pins have made room for
+    themselves as before a layout. Raises native errors where it is no mesh of tiles at all."""
+    relieved = 0
+    if native.tile_margins(V, F, edges, parameters).shaped:
+        V, moved = make_room(V, F, edges, parameters, job)
+        relieved = len(moved["pin_sides"]) if moved else 0
+    return _margins(V, F, edges, parameters, relieved)
+
+
+def sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
+    """Whether `examine` finds nothing in the way that depends on sizes: closed surfaces stay closed. Room
+    is only made where pins lack nothing else."""
+    blocked = {one.obstacle for one in _margins(V, F, edges, parameters, 0).blocked} - {"closed"}
+    if blocked == {"pin"}:
+        found = examine(V, F, edges, parameters, job)
+        blocked = {one.obstacle for one in found.blocked} - {"closed"}
+    return not blocked
+
+
+def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, relieved: int) -> Feasibility:
+    margins = native.tile_margins(V, F, edges, parameters)
+    maps = native.target_fields(V, F, edges, parameters)
+    count, contacts = len(F), np.asarray(margins.contacts)
+    if margins.shaped:
+        pin_area, share = np.asarray(margins.pin_area), np.asarray(margins.interface_share)
+    else:
+        pin_area, share = np.full((count, 2), np.nan), np.full(len(contacts), np.nan)
+    fold_room = np.asarray(margins.fold_room)
+    fold_margin = np.full(count, np.inf)
+    for side in range(2):
+        np.minimum.at(fold_margin, contacts[:, side], fold_room)
+    fold_margin[np.isinf(fold_margin)] = np.nan
+    stretch = np.asarray(maps["conformal_stretch"])
+    overlapping = np.array(margins.overlapping, np.int32).reshape(-1, 2)
+    room = np.asarray(margins.membrane_room) if margins.shaped else np.full((count, 2), np.nan)
+    ranges = np.stack([maps["least_stretch"], maps["most_stretch"]], axis=1)
+    blocked = [Obstacle(int(tile), "fold", NO_BACK) for tile in np.flatnonzero(margins.back_scale < 1e-3)]
+    blocked += [*_without_pins(pin_area, parameters.get("A_pin_floor")), *_overlapping(overlapping)]
+    blocked += [Obstacle(int(tile), "closed", CLOSED) for tile in np.flatnonzero(np.isnan(stretch))]
+    blocked += [*_cut_by_membranes(room, SAG * parameters.get("H_pin")), *_badly_stretched(stretch, ranges)]
+    return Feasibility(
+        V, F, float(native.mean_edge_length(V, F)), tuple(sorted(blocked, key=lambda one: one.tile)),
+        contacts, np.asarray(margins.fold), fold_room, fold_margin, np.asarray(margins.back_scale), share,
+        pin_area - parameters.get("A_pin_min"), room, stretch, ranges,
+        np.array(margins.trimmed, np.int32).reshape(-1, 2), overlapping, relieved)
+
+
+def _without_pins(area: np.ndarray, floor: float) -> Iterator[Obstacle]:
+    with np.errstate(invalid="ignore"):
+        small = np.argwhere((area < floor) | (area <= 0))
+    for tile, side in small:
+        yield Obstacle(int(tile), "pin", f"its {_SIDES[side]} pin has room for {area[tile, side]:.3g} mm2, "
+                                         f"less than A_pin_floor ({floor:g})")
+
+
+def _overlapping(pairs: np.ndarray) -> Iterator[Obstacle]:
+    for a, b in (*pairs, *pairs[:, ::-1]):
+        yield Obstacle(int(a), "overlap", f"it runs through {tile_name(int(b))}, another part of the target, "
+                                          "and no plane parts them")
+
+
+def _cut_by_membranes(room: np.ndarray, least: float) -> Iterator[Obstacle]:
+    with np.errstate(invalid="ignore"):
+        low = np.argwhere(room < least)
+    for tile, side in low:
+        yield Obstacle(int(tile), "membrane", f"its {_SIDES[side]} membrane would cut into it at a sharp "
+                       f"corner or fold: pins rise {room[tile, side]:.2f} mm over it, {least:.2g} are wanted",
+                       False)
+
+
+def _badly_stretched(stretch: np.ndarray, ranges: np.ndarray) -> Iterator[Obstacle]:
+    if np.isnan(stretch).any():  # what has to be cut open first
+        return
+    with np.errstate(invalid="ignore"):
+        slack, narrow = stretch > TOO_SLACK * ranges[:, 1], stretch < TOO_NARROW * ranges[:, 0]
+    # One scale for the whole map: where it must be too large for some, it is too small for others.
+    if slack.mean() <= SHARE or narrow.mean() <= SHARE:
+        return
+    for tile in np.flatnonzero(slack | narrow):
+        low, high = ranges[tile]
+        yield Obstacle(int(tile), "stretch", f"the flat map scales it by {stretch[tile]:.2f}; it can do with "
+                                             f"{low:.2f} to {high:.2f}: cuts would even that out", False)
+
+
+def _run(inputs: Inputs, job: Job) -> Feasibility:
+    target = inputs["target"]
+    job("checking tiles")
+    edges = resolve_cuts(inputs["cut request"], target.V, target.F)
+    return examine(target.V, target.F, edges, inputs.parameters, job)
+
+
+STAGE = Stage("feasibility", ("target", "cut request"), frozenset({"tiles", "layout", "repair"}), _run)

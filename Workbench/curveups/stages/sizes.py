@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sizes of tiles that would do for a target as it is, found by trying: the surface is remeshed at other L
+and given other thicknesses, and examined as a design would be (feasibility.py)."""
+
+from __future__ import annotations
+
+import math
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, Callable, Iterator, Optional, Sequence
+
+import numpy as np
+
+from ..errors import CurveUpsError, Stopped
+from ..native import native, translated
+from .cut_request import CutRequest, resolve_cuts
+from .feasibility import sizes_do
+from .stage import Inputs, Job, Result, Stage, digest
+
+# Lengths are tried up to this factor from the one that is set, as long as that makes no more tiles than
+# these or than there are, and thicknesses up to so many lengths.
+FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1500, 12, 2.0
+_STRIDE = 6  # values of the series from one trial to the next, before the ends are narrowed down
+
+
+def series(low: float, high: float) -> list[float]:
+    """Round lengths from low to high, mm, each at least some 3 % more than the one before."""
+    values: list[float] = []
+    for exact in np.geomspace(low, high, 2 + int(math.log(max(high / low, 1.0)) / 0.035)):
+        digits = max(0, 1 - math.floor(math.log10(exact)))
+        value = round(float(exact), digits)
+        if low <= value <= high and (not values or value > values[-1]):
+            values.append(value)
+    return values
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What came of one size; sagitta: largest distance of the surface from its facets, mm."""
+
+    L: float
+    H_body: float
+    tiles: int
+    feasible: bool
+    sagitta: float
+
+
+class Trials:
+    """Sizes on one surface (V, F: as it is remeshed from). What can't be remeshed or has no tiles is not
+    feasible; only stopping ends the search."""
+
+    def __init__(self, V: np.ndarray, F: np.ndarray, cuts: CutRequest, parameters: Any, job: Job):
+        self._surface, self._cuts, self._job = (V, F), cuts, job
+        self._parameters = parameters
+        self.made: dict[tuple[float, float], Trial] = {}
+        corners = V[F]
+        self._area = float(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0],
+                                                   corners[:, 2] - corners[:, 0]), axis=1).sum() / 2)
+        self._mesh = lru_cache(maxsize=1)(self._remesh)  # thicknesses are tried on one mesh
+
+    def tiles(self, L: float) -> float:
+        """About how many tiles of this length there would be."""
+        return self._area / (math.sqrt(3) / 4 * L * L)
+
+    def start_from(self, L: float, made: Any) -> None:
+        """What there is already at this length: V, F, sagitta."""
+        self._mesh = lru_cache(maxsize=1)(
+            lambda asked: (made.V, made.F, made.sagitta) if asked == L else self._remesh(asked))
+
+    def __call__(self, L: float, H_body: float) -> Trial:
+        known = self.made.get((L, H_body))
+        if known is None:
+            if not self._job(f"trying L = {L:g} mm, H_body = {H_body:g} mm"):
+                raise Stopped
+            known = self.made[L, H_body] = self._try(L, H_body)
+        return known
+
+    def _try(self, L: float, H_body: float) -> Trial:
+        values = native.Parameters(self._parameters)
+        values.set("L", L)
+        values.set("H_body", H_body)
+        tiles, sagitta = 0, math.nan
+        try:
+            with translated():
+                V, F, sagitta = self._mesh(L)
+                tiles = len(F)
+                feasible = sizes_do(V, F, resolve_cuts(self._cuts, V, F), values, self._job)
+        except CurveUpsError:
+            feasible = False
+        return Trial(L, H_body, tiles, feasible, sagitta)
+
+    def _remesh(self, L: float) -> tuple[np.ndarray, np.ndarray, float]:
+        made = native.remesh(*self._surface, L, self._job)
+        return made.V, made.F, float(made.sagitta)
+
+    def largest_thickness(self, L: float, most: float) -> Optional[float]:
+        """The largest feasible thickness of a series up to `most`, found by bisection; None where the
+        least has no tiles either."""
+        values = series(_range("H_body")[0], most)
+        found = _last(values, lambda H_body: self(L, H_body).feasible)
+        return None if found < 0 else values[found]
+
+    def lengths(self, L: float) -> tuple[list[float], int]:
+        """The series of lengths about L, and the place of L itself in it."""
+        low, high = _range("L")
+        low, high = max(low, L / FARTHEST), min(high, L * FARTHEST)
+        most = max(MOST_TILES, self.tiles(L))
+        values = [value for value in series(low, high)
+                  if abs(value - L) > 0.01 * L and LEAST_TILES <= self.tiles(value) <= most]
+        values = sorted([*values, L])
+        return values, values.index(L)
+
+    def nearest_length(self, L: float, H_body: float) -> Optional[float]:
+        """The feasible length nearest to L of those tried, with every _STRIDE-th of the series."""
+        values, here = self.lengths(L)
+        for away in range(0, len(values), _STRIDE):
+            for place in (here + away, here - away):  # fewer tiles first: that is quicker
+                if 0 <= place < len(values) and self(values[place], H_body).feasible:
+                    return values[place]
+        return None
+
+    def range_of_lengths(self, L: float, H_body: float) -> Optional[tuple[float, float]]:
+        """Ends of the range of feasible lengths that holds L, or of the nearest one; both were tried."""
+        start = self.nearest_length(L, H_body)
+        if start is None:
+            return None
+        values, _ = self.lengths(L)
+        first = values.index(start)
+
+        def feasible(value: float) -> bool:
+            return self(value, H_body).feasible
+
+        low = values[first - _reach(values[first::-1], feasible)]
+        high = values[first + _reach(values[first:], feasible)]
+        return low, high
+
+
+def _reach(values: Sequence[float], good: Callable[[float], bool]) -> int:
+    """How far values, of which the first is good, stay so: the place of the last one before a stride that
+    ends in a bad one, and of that stride the part that bisection finds."""
+    place = 0
+    while place + 1 < len(values):
+        ahead = min(place + _STRIDE, len(values) - 1)
+        if not good(values[ahead]):
+            return place + 1 + _last(values[place + 1:ahead], good)
+        place = ahead
+    return place
+
+
+def _last(values: Sequence[float], good: Callable[[float], bool]) -> int:
+    """The place of the last good value, where good ones come first; -1 where there is none."""
+    low, high = -1, len(values)
+    while high - low > 1:
+        middle = (low + high) // 2
+        if good(values[middle]):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def _range(name: str) -> tuple[float, float]:
+    row = next(row for row in native.parameter_table() if row.name == name)
+    return float(row.minimum), float(row.maximum)
+
+
+@contextmanager
+def with_advice(inputs: Inputs, cuts: CutRequest, job: Job) -> Iterator[None]:
+    """Errors that are raised inside say, besides, which other size would do for inputs["target"]."""
+    try:
+        with translated(inputs.where):
+            yield
+    except CurveUpsError as error:
+        raise CurveUpsError(error.what, error.where, f"{error.remedy}; {_advice(inputs, cuts, job)}",
+                            error.status) from error
+
+
+def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
+    target, parameters = inputs["target"], inputs.parameters
+    L, H_body = parameters.get("L"), parameters.get("H_body")
+    trials = _trials(target, cuts, parameters, job)
+    found = {"H_body": trials.largest_thickness(L, H_body)}
+    if _can_remesh(target, cuts):
+        found["L"] = trials.nearest_length(L, H_body)
+    said = [f"{name}={value:g}" for name, value in found.items() if value is not None]
+    if not said:
+        return f"none of {len(trials.made)} other sizes that were tried does"
+    return f"of {len(trials.made)} other sizes that were tried, {' or '.join(said)} does"
+
+
+def _trials(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> Trials:
+    trials = Trials(target.source_V, target.source_F, cuts, parameters, job)
+    trials.start_from(parameters.get("L"), target)
+    return trials
+
+
+def _can_remesh(target: Any, cuts: CutRequest) -> bool:
+    """Cuts by number are of one mesh alone."""
+    return target.own_length is None and not len(cuts.edges)
+
+
+@dataclass(frozen=True)
+class Recommendation(Result):
+    """Values that would do, each of which was tried. `L`: the ends of a range of lengths with the thickness
+    that is set; it holds the length that is set, or is the nearest to it, and every value tried between its
+    ends did. `H_body`: the largest thickness with the length that is set. None where none of those tried
+    did, or where the mesh is given as it is. `thickest`: no larger ones were tried."""
+
+    L: Optional[tuple[float, float]]
+    H_body: Optional[float]
+    thickest: float
+    tried: tuple[tuple[float, float, int, bool], ...]  # L, H_body, tiles, feasible
+
+    @property
+    def content(self) -> str:
+        return digest(self.L, self.H_body)
+
+
+def _run(inputs: Inputs, job: Job) -> Recommendation:
+    target, cuts = inputs["target"], inputs["cut request"]
+    L, H_body = inputs.parameters.get("L"), inputs.parameters.get("H_body")
+    trials = _trials(target, cuts, inputs.parameters, job)
+    most = max(THICKEST * L, H_body)
+    thickness = trials.largest_thickness(L, most)
+    lengths = trials.range_of_lengths(L, H_body) if _can_remesh(target, cuts) else None
+    tried = tuple((one.L, one.H_body, one.tiles, one.feasible) for one in trials.made.values())
+    return Recommendation(lengths, thickness, most, tried)
+
+
+STAGE = Stage("sizes", ("target", "cut request"), frozenset({"target", "tiles", "layout", "repair"}), _run)

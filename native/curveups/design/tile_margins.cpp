@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/design/tile_margins.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "curveups/design/contacts.hpp"
+#include "curveups/design/pins.hpp"
+#include "curveups/design/remote_overlaps.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr double degrees = 180 / 3.14159265358979323846;
+
+// The back triangle is the front one with its edges moved in by H tan(fold / 2): similar, and
+// smaller by the sum of l_t H tan(fold_t / 2) over twice the area.
+double back_scale(const TileMesh& tiles, int i) {
+  return 1 - tiles.back_shift.row(i).dot(tiles.length.row(i)) / (2 * tiles.area(i));
+}
+
+double fold_room(const TileMesh& tiles, int i, int t, double scale) {
+  const double spare = 2 * tiles.area(i) * scale / (tiles.length(i, t) * tiles.H_body);
+  const double half = 0.5 * tiles.fold(i, t);
+  return 2 * (std::atan(std::tan(half) + spare) - half);
+}
+
+// A corner of a tile's face, and of the pin that stands there as near to it as it may.
+struct PinnedCorner {
+  int tile;
+  Vec3 corner, top, normal;
+  double angle;  // of the tile at the corner
+};
+
+// By vertex; those on the boundary or on a cut, where the membrane is open, have none.
+std::vector<std::vector<PinnedCorner>> pinned_corners(const TileMesh& tiles, const Array6& lower,
+                                                      double H_pin, Side side) {
+  const double sign = side == Side::front ? 1.0 : -1.0;
+  const double face = side == Side::front ? 0.0 : -tiles.H_body;
+  std::vector<std::vector<PinnedCorner>> corners(static_cast<std::size_t>(tiles.mesh.V.rows()));
+  std::vector<char> open(corners.size(), 0);
+  for (std::size_t e = 0; e < tiles.topology.edges.size(); ++e) {
+    const MeshEdge& edge = tiles.topology.edges[e];
+    if (!edge.boundary() && !tiles.cut[e]) continue;
+    for (int v : edge.v) open[static_cast<std::size_t>(v)] = 1;
+  }
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    const std::array<Vec2, 3> pin = pin_corners(tiles, i, side, lower.row(i).data());
+    const TileFrame& frame = tiles.frame[i];
+    for (int t = 0; t < 3; ++t) {
+      const auto vertex = static_cast<std::size_t>(tiles.mesh.F(i, t));
+      if (open[vertex]) continue;
+      const std::array<Vec2, 3>& c = tiles.corners(i, side);
+      const Vec2 a = c[next3(t)] - c[t], b = c[prev3(t)] - c[t];
+      corners[vertex].push_back({i, frame.to_world(Vec3(c[t].x(), c[t].y(), face)),
+                                 frame.to_world(Vec3(pin[t].x(), pin[t].y(), face + sign * H_pin)),
+                                 sign * frame.z, std::atan2(std::abs(wedge(a, b)), a.dot(b))});
+    }
+  }
+  return corners;
+}
+
+void add_membrane_room(const TileMesh& tiles, const Array6& lower, double H_pin, TileMargins& out) {
+  out.membrane_room.setConstant(tiles.tile_count(), 2, H_pin);
+  auto lessen = [&](int tile, Side side, double room) {
+    double& value = out.membrane_room(tile, static_cast<int>(side));
+    value = std::min(value, room);
+  };
+  for (Side side : {Side::front, Side::back}) {
+    for (const auto& around : pinned_corners(tiles, lower, H_pin, side)) {
+      Vec3 normal = Vec3::Zero();
+      for (const PinnedCorner& one : around) normal += one.angle * one.normal;
+      normal.normalize();
+      double highest = -std::numeric_limits<double>::infinity();
+      for (const PinnedCorner& one : around) highest = std::max(highest, normal.dot(one.top));
+      for (const PinnedCorner& one : around) {
+        lessen(one.tile, side, highest - normal.dot(one.corner));
+      }
+    }
+    for (const Contact& contact : tiles.contacts) {
+      const double fold = tiles.fold(contact.tile[0], contact.side[0]);
+      const double half = side == Side::front ? 0.5 * fold : -0.5 * fold;
+      for (int s = 0; s < 2; ++s) {
+        const double q = lower(contact.tile[s], inset_index(side, contact.side[s]));
+        lessen(contact.tile[s], side, H_pin * std::cos(half) - q * std::sin(half));
+      }
+    }
+  }
+}
+
+void add_shapes(const TileMesh& tiles, const Parameters& parameters, TileMargins& out) {
+  Truncation truncation = truncate_at_vertices(tiles);
+  std::vector<ContactPatch> patches = compute_contact_patches(tiles, truncation);
+  separate_remote_tiles(tiles, patches, truncation);
+  out.interface_share.resize(static_cast<Eigen::Index>(patches.size()));
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const ContactPatch& patch = patches[k];
+    const double back = (patch.point[3] - patch.point[2]).norm();
+    out.interface_share[static_cast<Eigen::Index>(k)] =
+        patch.point_count < 4 ? 0.0 : back / (patch.point[1] - patch.point[0]).norm();
+  }
+  std::set<std::array<int, 2>> trimmed;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (const TruncationPlane& plane : truncation.of_tile[i]) {
+      if (plane.type == 4) trimmed.insert({std::min(i, plane.other), std::max(i, plane.other)});
+    }
+  }
+  out.trimmed.assign(trimmed.begin(), trimmed.end());
+  out.overlapping = truncation.unresolved;
+  const PinBounds bounds = compute_pin_bounds(tiles, truncation, parameters);
+  out.pin_area.resize(tiles.tile_count(), 2);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (Side side : {Side::front, Side::back}) {
+      out.pin_area(i, static_cast<int>(side)) =
+          pin_room(tiles, truncation, parameters, i, side, parameters.p_min).area;
+    }
+  }
+  for (const SmallPin& pin : bounds.small) {
+    out.pin_area(pin.tile, static_cast<int>(pin.side)) = pin.area;
+  }
+  add_membrane_room(tiles, bounds.lower, parameters.H_pin, out);
+}
+
+}  // namespace
+
+TileMargins tile_margins(const TriangleMesh& mesh, const Edges& cuts,
+                         const Parameters& parameters) {
+  const TileMesh tiles = make_tile_mesh(mesh, cuts, parameters.H_body);
+  const auto contact_count = static_cast<Eigen::Index>(tiles.contacts.size());
+  TileMargins out;
+  out.back_scale.resize(tiles.tile_count());
+  for (int i = 0; i < tiles.tile_count(); ++i) out.back_scale[i] = back_scale(tiles, i);
+  out.contacts.resize(contact_count, 2);
+  out.fold.resize(contact_count);
+  out.fold_room.resize(contact_count);
+  for (Eigen::Index k = 0; k < contact_count; ++k) {
+    const Contact& contact = tiles.contacts[static_cast<std::size_t>(k)];
+    out.contacts.row(k) << contact.tile[0], contact.tile[1];
+    out.fold[k] = degrees * tiles.fold(contact.tile[0], contact.side[0]);
+    double room = 180;
+    for (int s = 0; s < 2; ++s) {
+      const int i = contact.tile[s];
+      room = std::min(room, degrees * fold_room(tiles, i, contact.side[s], out.back_scale[i]));
+    }
+    out.fold_room[k] = room;
+  }
+  out.shaped = tiles_without_back(tiles).empty();
+  if (out.shaped) add_shapes(tiles, parameters, out);
+  return out;
+}
+
+}  // namespace curveups

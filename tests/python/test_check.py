@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`curveups check`: what of a target can be tiles, before any layout."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from curveups.errors import CurveUpsError
+from curveups.native import native
+from curveups.project import Project
+from curveups.stages import sizes
+from curveups.stages.cut_request import CutRequest
+from curveups.stages.feasibility import examine
+from curveups.stages.stage import Job
+from curveups.stages.surface import Source
+
+NO_CUTS = np.zeros((0, 2), np.int32)
+
+
+def obj(V, F):
+    return ("".join("v %r %r %r\n" % tuple(map(float, v)) for v in V)
+            + "".join("f %d %d %d\n" % tuple(int(i) + 1 for i in f) for f in F))
+
+
+def sheet(height, size=30.0, parts=30):
+    """A square sheet over the plane."""
+    steps = np.linspace(-size, size, parts + 1)
+    V = np.array([(x, y, height(x, y)) for y in steps for x in steps])
+    F = []
+    for j in range(parts):
+        for i in range(parts):
+            a = j * (parts + 1) + i
+            F += [(a, a + 1, a + parts + 2), (a, a + parts + 2, a + parts + 1)]
+    return V, np.array(F, np.int32)
+
+
+def cone(slope):
+    return sheet(lambda x, y: -slope * math.hypot(x, y))
+
+
+def project(V, F, **values):
+    parameters = native.Parameters()
+    for name, value in values.items():
+        parameters.set(name, value)
+    source = Source("made", stamp="made", will_be_cut=True, read=lambda deflection: (V, F))
+    return Project("made", parameters, {"source": source, "cut request": CutRequest()}, "made")
+
+
+def test_a_sound_target(curveups, cap, tmp_path):
+    ran = curveups("check", cap, "--no-remesh", "-o", tmp_path / "out")
+    assert ran.status == 0, ran.err
+    found = json.loads((tmp_path / "out" / "check.json").read_text())
+    assert found["format"] == "curveups-check" and found["version"] == 1
+    assert found["feasible"] is True and found["blocked"] == []
+    assert [tile["tile"] for tile in found["tiles"]] == list(range(24))
+    for tile in found["tiles"]:
+        assert tile["fold_margin"] > 0 and 0 < tile["back_scale"] < 1 and tile["stretch"] > 0
+        assert all(room > -3 for room in tile["pin_room_mm2"])
+    assert found["recommended"]["L"] is None  # the mesh was to be taken as it is
+    assert found["recommended"]["H_body"] >= 3
+    assert "nothing is in the way" in ran.out and "H_body up to" in ran.out
+    page = (tmp_path / "out" / "check.html").read_text(encoding="utf-8")
+    assert "Feasible" in page and "data:image/png;base64," in page
+    assert not (tmp_path / "out" / "design.json").exists()
+    assert curveups("check", cap, "--no-remesh").out == ran.out  # nothing needs a folder
+
+
+def test_a_tip_is_named_and_a_higher_pin_clears_it(curveups, tmp_path):
+    path = tmp_path / "cone.obj"
+    path.write_text(obj(*cone(0.9)))
+    ran = curveups("check", path, "-o", tmp_path)
+    assert ran.status == 1, ran.err
+    found = json.loads((tmp_path / "check.json").read_text())
+    assert not found["feasible"] and {one["obstacle"] for one in found["blocked"]} == {"membrane"}
+    assert not any(one["certain"] for one in found["blocked"])
+    remeshed = project(*cone(0.9)).run(("target",))["target"]
+    tip = int(np.argmin(np.linalg.norm(remeshed.V, axis=1)))
+    assert all(tip in remeshed.F[one["tile"]] for one in found["blocked"])
+    assert curveups("check", path, "--set", "H_pin=2").status == 0
+
+
+def test_bad_input_leaves_nothing(curveups, tmp_path):
+    ran = curveups("check", tmp_path / "none.obj", "-o", tmp_path / "out")
+    assert ran.status == 2 and len(ran.error_lines) == 1 and not (tmp_path / "out").exists()
+    assert ran.out == ""
+
+
+def test_a_closed_target_is_told_to_be_cut():
+    V, F = native.builtin_target("half-sphere", 0.5)
+    V = V - [0, 0, V[:, 2].min()]
+    mirrored = np.arange(len(V)) + np.where(V[:, 2] < 1e-9, 0, len(V))
+    F = np.vstack([F, mirrored[F][:, ::-1]]).astype(np.int32)
+    closed = project(np.vstack([V, V * [1, 1, -1]]), F, L=9.0).run(("feasibility",))["feasibility"]
+    assert {one.obstacle for one in closed.blocked} == {"closed"}
+    assert {one.tile for one in closed.blocked} == set(range(len(closed.F)))
+
+
+def test_parts_that_run_into_one_another_are_named():
+    V, F = sheet(lambda x, y: 0.0, 14, 4)
+    both = np.vstack([V, V - [0, 0, 1.0]])
+    found = examine(both, np.vstack([F, F + len(V)]).astype(np.int32), NO_CUTS, native.Parameters(), Job())
+    assert found.overlapping.size and not found.feasible
+    named = {one.tile for one in found.blocked if one.obstacle == "overlap"}
+    assert named == set(found.overlapping.ravel().tolist())
+    assert all(one.certain for one in found.blocked if one.obstacle == "overlap")
+
+
+@pytest.mark.parametrize("height", [lambda x, y: 14 * math.exp(-(x * x + y * y) / 120),
+                                    lambda x, y: -0.75 * abs(x)])
+def test_recommended_sizes_do_and_those_beyond_do_not(height):
+    V, F = sheet(height, 25, 40)
+    results = project(V, F).run(("feasibility", "sizes"))
+    found = results["sizes"]
+    told = {(L, H_body): feasible for L, H_body, _, feasible in found.tried}
+    assert told[7.0, 3.0] == results["feasibility"].feasible
+    if found.L is not None:
+        low, high = found.L
+        for end in found.L:
+            again = project(V, F, L=end).run(("feasibility",))["feasibility"]
+            assert again.feasible and told[end, 3.0]
+        inside = [feasible for (L, H_body), feasible in told.items() if H_body == 3 and low <= L <= high]
+        assert all(inside)
+    if found.H_body is not None:
+        assert project(V, F, H_body=found.H_body).run(("feasibility",))["feasibility"].feasible
+    assert found.L is not None or found.H_body is not None or not any(told.values())
+
+
+def test_errors_of_design_say_which_size_would_do():
+    V, F = sheet(lambda x, y: -1.3 * abs(x), 20, 20)
+    with pytest.raises(CurveUpsError) as told:
+        project(V, F, H_body=8).run(("layout",))
+    assert "other sizes that were tried" in told.value.remedy
+    words = told.value.remedy.split("tried, ")[-1].replace(" does", "").split(" or ")
+    for word in words:
+        name, _, value = word.partition("=")
+        values = {"H_body": 8.0, name: float(value)} if value else {}
+        if values:
+            assert project(V, F, **values).run(("feasibility",))["feasibility"].feasible
+
+
+def test_series_are_round_and_ascending():
+    values = sizes.series(0.2, 14)
+    assert values == sorted(set(values)) and values[0] >= 0.2 and values[-1] == 14
+    assert all(len(f"{value:g}".replace(".", "").lstrip("0")) <= 2 for value in values)
+    assert all(b / a < 1.2 for a, b in zip(values, values[1:]))
+
+
+def test_a_check_can_be_stopped():
+    seen = []
+
+    def go_on(what, fraction):
+        seen.append(what)
+        return not what.startswith("trying")
+
+    from curveups.errors import Stopped
+
+    V, F = sheet(lambda x, y: 0.0, 20, 10)
+    with pytest.raises(Stopped):
+        project(V, F).run(("sizes",), Job(go_on))
+    assert sum(what.startswith("trying") for what in seen) == 1
