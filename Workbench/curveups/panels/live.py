@@ -28,12 +28,14 @@ QUIT_SECONDS = 20.0  # that FreeCAD waits for a native call to see that it is st
 @dataclass(frozen=True)
 class Task:
     """title: of the command. work: for the worker's thread; it touches no document. finish: gets what
-    work made, in the window's thread. project: that it is done on, for pictures of it."""
+    work made, in the window's thread. project: that it is done on, for pictures of it. told: called once
+    what finish has done is drawn and the observers know of the end."""
 
     title: str
     work: Callable[[Job], Any]
     finish: Callable[[Any, Any], None]  # design, value
     project: Optional[Project] = None
+    told: Optional[Callable[[], None]] = None
 
 
 Observer = Callable[[Status, bool], None]  # where the run is; whether it goes on
@@ -112,9 +114,8 @@ class Live:
         WORKER.poll()
         if not self.busy:
             return
-        status = WORKER.status()
-        self._draw(status)
         self._tell(True)
+        self._draw(WORKER.status())
 
     def _draw(self, status: Status) -> None:
         """The newest iterate; pictures that take long come more seldom."""
@@ -130,13 +131,14 @@ class Live:
             if not self._scene_drawn and self._task is not None and self._task.project is not None:
                 overlay.show_scene(scene_of(self._task.project))
             overlay.set_iterate(T, q)
-        if not self._scene_drawn:
-            self._scene_drawn = True
-            self._fit(design)
+        first, self._scene_drawn = not self._scene_drawn, True
         self._rest_until = time.perf_counter() + 2 * (time.perf_counter() - start)
+        if first:
+            self._fit(design)
 
     def _fit(self, design: Any) -> None:
-        """Brings the whole picture into view, where there was none before."""
+        """Brings the whole picture into view, where there was none before. To be called last: FreeCAD 1
+        moves the camera there in an event loop, in which the run may end and another begin."""
         if self._first:
             gui = FreeCADGui.getDocument(design.Document.Name)
             if hasattr(gui.ActiveView, "fitAll"):
@@ -146,10 +148,16 @@ class Live:
         self._timer.stop()
         task, design = self._task, self._design()
         self._task = None
-        if design is not None and task is not None:
-            with errors_shown(task.title):
-                self._settle(design, task, outcome)
+        if design is None or task is None:
+            self._tell(False)
+            return
+        with errors_shown(task.title):
+            self._settle(design, task, outcome)
         self._tell(False)
+        if task.told is not None and outcome.value is not None:
+            with errors_shown(task.title):
+                task.told()
+        self._fit(design)
 
     def _settle(self, design: Any, task: Task, outcome: Outcome) -> None:
         set_running(design, False)
@@ -161,7 +169,6 @@ class Live:
             show_line(translate("CurveUps", "{task} was cancelled: the design is as it was",
                                 task=task.title))
         overlay_of(design).show_design()
-        self._fit(design)
 
     def _design(self) -> Any:
         document, name = self._place

@@ -9,7 +9,7 @@ from typing import Any, Callable, Optional
 import numpy as np
 
 from ..native import native
-from ..qt import QtCore, translate
+from ..qt import translate
 from ..stages.stage import Job
 from .live import LIVE, Task
 
@@ -37,7 +37,7 @@ class SoftLayout:
 
     def start(self, edges: np.ndarray, done: Callable[[], None]) -> None:
         """With these cuts, C x 2. What runs of it already is dropped. done is called in the window's
-        thread."""
+        thread, after the run's end."""
         if LIVE.runs_on(self._design):
             self.restarting = True
             try:
@@ -65,9 +65,8 @@ class SoftLayout:
             T, q, self.weak = value
             self._last = T, q
             self.seconds = time.perf_counter() - begun
-            QtCore.QTimer.singleShot(0, done)  # after the run's end has been drawn
 
-        LIVE.start(self._design, Task(translate("CurveUps_Cuts", "Lay out"), work, finish))
+        LIVE.start(self._design, Task(translate("CurveUps_Cuts", "Lay out"), work, finish, told=done))
 
     def show(self, overlay: Any) -> None:
         """Draws the last one."""
