@@ -9,8 +9,10 @@ same design is the same file, byte for byte.
 
 from __future__ import annotations
 
+import base64
 import errno
 import itertools
+import json
 import math
 import re
 import uuid
@@ -26,6 +28,9 @@ Box = tuple[Sequence[float], Sequence[float]]  # least and largest corner, mm
 # Places in FreeCAD's lists of display modes.
 SHADED, MESH_FLAT_LINES = 1, 2
 TWO_SIDE = 1
+
+# What is stored for the view of an object with a shape: module, class and state (viewproviders/part.py).
+SHAPE_VIEW = "codecs", "Codec", {"of": "CurveUps"}
 
 
 @dataclass
@@ -94,11 +99,14 @@ def _provider(view: View) -> str:
     properties = []
     if view.colour is not None:
         red, green, blue = view.colour
+        state = base64.b64encode(json.dumps(SHAPE_VIEW[2]).encode()).decode()
         packed = red << 24 | green << 16 | blue << 8
         properties += [
             ("ShapeColor", "App::PropertyColor", f'<PropertyColor value="{packed}"/>'),
             ("DisplayMode", "App::PropertyEnumeration", f'<Integer value="{view.display_mode}"/>'),
-            ("Lighting", "App::PropertyEnumeration", f'<Integer value="{TWO_SIDE}"/>')]
+            ("Lighting", "App::PropertyEnumeration", f'<Integer value="{TWO_SIDE}"/>'),
+            ("Proxy", "App::PropertyPythonObject", f'<Python value="{state}" encoded="yes" '
+             f'module="{SHAPE_VIEW[0]}" class="{SHAPE_VIEW[1]}"/>')]
     shown = "true" if view.shown else "false"
     properties.append(("Visibility", "App::PropertyBool", f'<Bool value="{shown}"/>'))
     rows = "\n".join(f'<Property name="{name}" type="{kind}">{value}</Property>'

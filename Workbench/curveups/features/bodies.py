@@ -23,17 +23,6 @@ class BodiesProxy(PartProxy):
             READ_ONLY | HIDDEN | OUTPUT)
 
 
-def hide_where_shown_by_opening(obj: Any) -> None:
-    """Hides a body that came back by undo before it was saved: FreeCAD forgets its plain view then, and
-    shows objects with a view of Python when it opens them. Once for each opening."""
-    view = getattr(obj, "ViewObject", None)
-    if view is None or getattr(obj.Proxy, "opened", False):
-        return
-    obj.Proxy.opened = True
-    if view.TypeId != "PartGui::ViewProviderPartExt":
-        view.Visibility = False
-
-
 def write_body(obj: Any, shape: Any, origin: dict[str, Any], placement: Any) -> None:
     """origin: digest of the design and parameters by property."""
     # In the shape: an object that is moved goes through all its solids once more.

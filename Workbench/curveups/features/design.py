@@ -14,7 +14,7 @@ from ..native import native, problem
 from ..project import Project
 from . import figures, migration, properties, rebuild, status, target
 from .copies import own_parts
-from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, write
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, show, write
 
 
 class DesignProxy(Proxy):
@@ -116,6 +116,8 @@ class DesignProxy(Proxy):
         super().onDocumentRestored(obj)
         if obj.Document.Importing:  # a copy
             own_parts(obj)
+        if obj.Target is not None:
+            show(obj.Target)  # it has no proxy that would
         self.refresh(obj)
 
 

@@ -228,17 +228,18 @@ def _add_objects(document: Any) -> Any:
     return obj
 
 
-# What has a shape has a view without Python: those with it are shown on opening, hidden or not.
 def _add_target(document: Any) -> Any:
-    obj = document.addObject("Mesh::Feature", "Target")
+    obj = document.addObject("Mesh::FeaturePython", "Target")
     target.make_target(obj)
+    show(obj)
     return obj
 
 
 def _add_body(document: Any, slot: str) -> Any:
-    obj = document.addObject("Part::FeaturePython", slot, None, None, False, "PartGui::ViewProviderPartExt")
+    obj = document.addObject("Part::FeaturePython", slot)
     BodiesProxy(obj)
     obj.Kind = KINDS[slot]
+    show(obj)
     return obj
 
 

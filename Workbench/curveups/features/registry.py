@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 from . import migration
-from .bodies import BodiesProxy, hide_where_shown_by_opening
+from .bodies import BodiesProxy
 from .cuts import CutsProxy
 from .design import DesignProxy
 from .layout import LayoutProxy
@@ -33,10 +33,7 @@ def restore(document: Any) -> list[Any]:
         if proxy is not None and not isinstance(getattr(obj, "Proxy", None), proxy):
             proxy(obj)
             mended.append(obj)
-        if proxy is BodiesProxy:
-            hide_where_shown_by_opening(obj)
-        if proxy is not None:
-            show(obj)
+        show(obj)
     for design in designs(document) if mended else ():
         design.Proxy.refresh(design)
     return mended

@@ -22,8 +22,7 @@ TYPE = "CurveUps::Target"
 
 def make_target(obj: Any) -> None:
     """Makes a plain mesh object a Target, or gives one of an older document what came later. Its mesh is
-    the division into tiles. It has no proxy: FreeCAD shows meshes with a Python view on opening, hidden or
-    not; observer.py notices changes."""
+    the division into tiles. It has no proxy: observer.py notices changes."""
     add_part_properties(obj, TYPE)
     add(obj, "App::PropertyLink", "Source", "Target",
         "The Part or Mesh object that gives the surface. Takes effect with Solve.")

@@ -173,6 +173,12 @@ class SolvePanel:
             self.design, [name for names in self._groups.values() for name in names]))
         self._show_group()
 
+    def turn_to(self, name: str) -> None:
+        """Turns to a group of parameters; one that there is not is no harm."""
+        number = self.form.group.findData(properties.GROUPS.get(name, ""))
+        if number >= 0:
+            self.form.group.setCurrentIndex(number)
+
     def _show_group(self) -> None:
         if self._rows:
             self._rows.flush()

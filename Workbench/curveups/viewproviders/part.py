@@ -7,7 +7,8 @@ from typing import Any
 
 from pivy import coin
 
-from .view import View
+from ..gui_document import SHAPE_VIEW
+from .view import View, run_on
 
 
 class PartView(View):
@@ -25,21 +26,56 @@ class PartView(View):
 
 
 class CutsView(PartView):
-    """Of Cuts."""
+    """Of Cuts; a double click opens their own panel."""
 
-    ICON = COMMAND = "CurveUps_Cuts"
+    ICON = "CurveUps_Cuts"
+    MENU = ("CurveUps_Cuts",)
+
+    def doubleClicked(self, view: Any) -> bool:
+        return run_on(self.object, "CurveUps_Cuts")
 
 
 class LayoutView(PartView):
     """Of a Layout."""
 
     ICON = "CurveUps_ShowFlat"
-    COMMAND = "CurveUps_Solve"
-    MENU = ("CurveUps_Repair", "CurveUps_ShowFlat", "CurveUps_ShowActuated")
+    MENU = ("CurveUps_Solve", "CurveUps_Repair", "CurveUps_ShowFlat", "CurveUps_ShowActuated")
+    GROUP = "Layout"
 
 
 class VerificationView(PartView):
     """Of a Verification."""
 
-    ICON = COMMAND = "CurveUps_Verify"
-    MENU = ("CurveUps_Repair", "CurveUps_WorstContacts", "CurveUps_Overlay")
+    ICON = "CurveUps_Verify"
+    MENU = ("CurveUps_Verify", "CurveUps_Repair", "CurveUps_WorstContacts", "CurveUps_Overlay")
+    GROUP = "Physics"
+
+
+_BUILT = ("CurveUps_BuildSolids", "CurveUps_ShowSolids", "CurveUps_Export")
+# Icon, menu and group of parameters by kind of body; a target has none.
+_SHAPES: dict[str, tuple[str, tuple[str, ...], str]] = {
+    "": ("CurveUps_Target", ("CurveUps_Target", "CurveUps_Cuts", "CurveUps_Solve"), "Target"),
+    "tiles": ("CurveUps_Tiles", _BUILT, "Tiles"),
+    "support": ("CurveUps_Support", _BUILT, "Support"),
+    "anchors": ("CurveUps_Anchors", _BUILT, "Anchors")}
+
+
+class ShapeView(View):
+    """Of Target, Tiles, Support and Anchors, which FreeCAD draws by itself.
+
+    FreeCAD shows, on opening, every object whose view's class it can't load: 20 s for thousands of solids
+    in a FreeCAD without this workbench. So a class is stored that every Python has loaded and that
+    does nothing in a view; `attach` puts this one in its place.
+    """
+
+    def __init__(self, view: Any):
+        self.ICON, self.MENU, self.GROUP = _SHAPES[getattr(view.Object, "Kind", "")]
+        super().__init__(view)
+
+    def dumps(self) -> Any:
+        return SHAPE_VIEW[2]  # an empty one would be stored as none at all
+
+    __getstate__ = dumps
+
+
+ShapeView.__module__, ShapeView.__name__ = SHAPE_VIEW[:2]

@@ -8,6 +8,7 @@ from typing import Any
 
 import FreeCADGui
 
+from ..features.proxy import design_of
 from .icons import icon
 
 
@@ -15,27 +16,31 @@ class View:
     """Icon with a badge of the object's state. Nothing is stored: views are attached on opening."""
 
     ICON = "CurveUpsWorkbench"
-    COMMAND = ""  # that a double click runs, and the first of the context menu
-    MENU: tuple[str, ...] = ()
+    MENU: tuple[str, ...] = ()  # commands
+    GROUP = ""  # of the parameters that the panel shows after a double click
 
     def __init__(self, view: Any):
         self.object = view.Object
         view.Proxy = self
 
     def doubleClicked(self, view: Any) -> bool:
-        if not self.COMMAND:
-            return False
-        select(self.object)
-        return run(self.COMMAND)
+        """Opens the design's panel."""
+        from ..commands.notice import errors_shown
+        from ..panels.solve import open_panel
+
+        design = design_of(self.object)
+        if design is not None:
+            with errors_shown(""):
+                open_panel(design).turn_to(self.GROUP)
+        return design is not None
 
     def setupContextMenu(self, view: Any, menu: Any) -> None:
-        known = FreeCADGui.listCommands()
-        for name in (self.COMMAND, *self.MENU):
-            if name in known:
+        for name in self.MENU:
+            if known(name):
                 command = FreeCADGui.Command.get(name)
                 action = menu.addAction(command.getInfo()["menuText"].replace("&", ""))
                 action.setEnabled(command.isActive())
-                action.triggered.connect(partial(_run_on, self.object, name))
+                action.triggered.connect(partial(run_on, self.object, name))
 
     def attach(self, view: Any) -> None:
         self.object = view.Object
@@ -47,7 +52,7 @@ class View:
     def getIcon(self) -> Any:
         return icon(self.ICON, getattr(self.object, "Status", ""))
 
-    def dumps(self) -> None:
+    def dumps(self) -> Any:
         return None
 
     def loads(self, state: Any) -> None:
@@ -63,18 +68,19 @@ def select(obj: Any) -> None:
     FreeCADGui.Selection.addSelection(obj.Document.Name, obj.Name)
 
 
-def run(command: str) -> bool:
-    """Runs a command of ours, after the workbench has made them known; whether there is one."""
+def known(command: str) -> bool:
+    """Whether there is a command of ours; makes them known where the workbench was not active yet."""
     if command not in FreeCADGui.listCommands():
         from .. import commands
 
         commands.register()
-    if command not in FreeCADGui.listCommands():
+    return command in FreeCADGui.listCommands()
+
+
+def run_on(obj: Any, command: str, *_: Any) -> bool:
+    """Runs a command of ours on what `obj` belongs to; whether there is one."""
+    select(obj)
+    if not known(command):
         return False
     FreeCADGui.runCommand(command)
     return True
-
-
-def _run_on(obj: Any, command: str, *_: Any) -> None:
-    select(obj)
-    run(command)
