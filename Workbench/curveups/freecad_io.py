@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import re
-import struct
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Iterator
@@ -12,11 +10,13 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator
 import numpy as np
 
 from . import freecad_session, mesh_files
-from .cad_files import ENDINGS, read_cad, triangles_of_mesh
+from .cad_files import ENDINGS, read_cad
 from .errors import CurveUpsError
 from .gui_document import MESH_FLAT_LINES, SHADED, Box, View, finish_document
 from .mesh_files import Mesh
 from .native import native
+from .ply_file import read_ply
+from .stl_file import read_stl
 from .thumbnail import thumbnail
 
 if TYPE_CHECKING:
@@ -75,66 +75,12 @@ def _unreadable(path: Path, error: Exception) -> CurveUpsError:
                          "check its name and permissions")
 
 
-def _read_stl(path: Path) -> Mesh:
-    data = path.read_bytes()
-    if not _is_ascii_stl(data):
-        if len(data) < 84:
-            raise CurveUpsError("this is no STL file", str(path), "export it again")
-        count = struct.unpack_from("<I", data, 80)[0]
-        if len(data) < 84 + 50 * count:
-            raise CurveUpsError(f"the file ends early: {count} facets are announced", str(path),
-                                "export it again")
-    else:
-        _refuse_nan(data, path)
-        if b"endsolid" not in data[-4096:]:
-            raise CurveUpsError("the file ends early: there is no endsolid", str(path),
-                                "export it again")
-    return _through_mesh(path)
-
-
-def _is_ascii_stl(data: bytes) -> bool:
-    return data.lstrip()[:5] == b"solid" and b"facet" in data[:2000]
-
-
-def _read_ply(path: Path) -> Mesh:
-    data = path.read_bytes()
-    end = data.find(b"end_header")
-    header = data[: max(end, 0)].decode("ascii", "replace")
-    if not header.startswith("ply") or end < 0:
-        raise CurveUpsError("this is no PLY file", str(path), "export it again")
-    if "format ascii" in header:
-        _refuse_nan(data[end:], path)
-    announced = re.search(r"element\s+face\s+(\d{1,18})", header)
-    V, F = _through_mesh(path)
-    if announced and len(F) < int(announced[1]):
-        raise CurveUpsError(
-            f"only {len(F)} of {announced[1]} faces could be read", str(path),
-            "export triangles with float coordinates, or another format")
-    return V, F
-
-
-def _refuse_nan(text: bytes, path: Path) -> None:
-    # FreeCAD's readers pass over such numbers, or take them for others.
-    if re.search(rb"[\s][-+]?(nan|inf(inity)?)\b", text, re.IGNORECASE):
-        raise CurveUpsError("a vertex is not finite", str(path), "repair the mesh")
-
-
-def _through_mesh(path: Path) -> Mesh:
-    _, module = freecad_session.load("Mesh")
-    mesh = module.Mesh()
-    try:
-        mesh.read(str(path))
-    except Exception as error:  # FreeCAD raises its own types, and bare RuntimeError
-        raise CurveUpsError("FreeCAD can't read the file", str(path), "export it again") from error
-    return triangles_of_mesh(mesh)
-
-
 _READERS: dict[str, Callable[..., Mesh]] = {
     ".obj": lambda path, *_: mesh_files.read_obj(path),
     ".off": lambda path, *_: mesh_files.read_off(path),
     ".3mf": lambda path, *_: mesh_files.read_3mf(path),
-    ".stl": lambda path, *_: _read_stl(path),
-    ".ply": lambda path, *_: _read_ply(path),
+    ".stl": lambda path, *_: read_stl(path),
+    ".ply": lambda path, *_: read_ply(path),
     **{ending: read_cad for ending in ENDINGS},
 }
 

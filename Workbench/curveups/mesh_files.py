@@ -2,39 +2,42 @@
 """OBJ, OFF and 3MF meshes as arrays, in double precision and with the file's own vertex numbers.
 
 FreeCAD's Mesh drops unused vertices of an OBJ, skips lines that it can't read (a vertex with a NaN
-shifts every index behind it) and, in 0.20, does not read 3MF. Cuts name vertices by number, so these
-formats are read here; the others go through FreeCAD (freecad_io).
+shifts every index behind it) and, in 0.20, does not read 3MF. Cuts name vertices by number, so meshes
+are read by own code: STL and PLY in files of their own, CAD formats through FreeCAD (cad_files).
 """
 
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 import xml.etree.ElementTree as ElementTree
 import zipfile
 import zlib
 from pathlib import Path
-from typing import Any, Iterator
+from typing import Any, Iterator, Sequence
 
 import numpy as np
 
 from .errors import CurveUpsError
+from .polygons import triangles_of
 
 Mesh = tuple[np.ndarray, np.ndarray]
 
 # A target of more faces than this is no work for tiles of a printable size.
 MOST_FACES = 5_000_000
 MOST_BYTES = 2_000_000_000
+MOST_3MF_BYTES = 600_000_000  # unpacked; what XML becomes in memory is ten times as large
 MOST_OBJECTS = 20_000  # of a 3MF's build, each as often as it is named
 _3MF_UNITS = {"micron": 1e-3, "millimeter": 1.0, "centimeter": 10.0, "inch": 25.4,
               "foot": 304.8, "meter": 1000.0}
 
 
 def read_obj(path: Path) -> Mesh:
-    """Vertices and faces of a Wavefront OBJ; polygons become fans, all else is passed over."""
+    """Vertices and faces of a Wavefront OBJ; polygons become triangles, all else is passed over."""
     vertices: list[tuple[float, float, float]] = []
-    faces: list[tuple[int, int, int]] = []
-    for number, line in _lines(path):
+    faces: list[list[int]] = []
+    for number, line in _continued(_lines(path)):
         words = line.split()
         if not words:
             continue
@@ -42,10 +45,9 @@ def read_obj(path: Path) -> Mesh:
         if words[0] == "v":
             vertices.append(_vertex(words[1:], where))
         elif words[0] == "f":
-            corners = [_obj_index(word, len(vertices), where) for word in words[1:]]
-            faces.extend(_fan(corners, where))
-    _within(faces, len(vertices), path)
-    return _arrays(vertices, faces)
+            faces.append([_obj_index(word, len(vertices), where) for word in words[1:]])
+            require_corners(faces[-1:], where)
+    return _arrays(vertices, faces, path)
 
 
 def read_off(path: Path) -> Mesh:
@@ -77,9 +79,8 @@ def read_off(path: Path) -> Mesh:
             faces.append(corners[1 : corners[0] + 1])
     if len(vertices) < vertex_count or len(faces) < face_count:
         raise CurveUpsError("the file ends early", str(path), "export the file again")
-    triangles = [triangle for face in faces for triangle in _fan(face, str(path))]
-    _within(triangles, len(vertices), path)
-    return _arrays(vertices, triangles)
+    require_corners(faces, str(path))
+    return _arrays(vertices, faces, path)
 
 
 def read_3mf(path: Path) -> Mesh:
@@ -87,7 +88,7 @@ def read_3mf(path: Path) -> Mesh:
     try:
         with zipfile.ZipFile(path) as archive:
             entry = archive.getinfo(_model_part(archive))
-            if entry.file_size > MOST_BYTES:
+            if entry.file_size > MOST_3MF_BYTES:
                 raise CurveUpsError("the 3MF model is too large", str(path), "simplify the mesh")
             root = ElementTree.fromstring(archive.read(entry))
     except (zipfile.BadZipFile, LookupError, ValueError, zlib.error, EOFError, RuntimeError,
@@ -111,7 +112,7 @@ def read_3mf(path: Path) -> Mesh:
             parts_f.append(faces + offset)
             offset += len(vertices)
             count += len(faces)
-            _few_enough(count, path)
+            few_enough(max(count, offset // 3), path)
     except (LookupError, ValueError, TypeError, OverflowError, RecursionError) as error:
         raise CurveUpsError(f"broken 3MF model: {error}", str(path),
                             "export the file again") from None
@@ -170,7 +171,7 @@ def _compose(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
 def _lines(path: Path) -> Iterator[tuple[int, str]]:
     if path.stat().st_size > MOST_BYTES:
         raise CurveUpsError("the file is too large", str(path), "simplify the mesh")
-    with open(path, encoding="utf-8", errors="replace") as file:
+    with open(path, encoding="utf-8-sig", errors="replace") as file:
         yield from enumerate(file, 1)
 
 
@@ -208,24 +209,49 @@ def _obj_index(word: str, count: int, where: str) -> int:
     return index - 1 if index > 0 else count + index
 
 
-def _fan(corners: list[int], where: str) -> list[tuple[int, int, int]]:
-    if len(corners) < 3:
-        raise CurveUpsError(f"a face has {len(corners)} corners", where, "repair the mesh")
-    return [(corners[0], corners[i], corners[i + 1]) for i in range(1, len(corners) - 1)]
+def _continued(lines: Iterator[tuple[int, str]]) -> Iterator[tuple[int, str]]:
+    """A line that ends with a backslash goes on in the next."""
+    begun, first = "", 0
+    for number, line in lines:
+        first = first or number
+        text = line.rstrip()
+        if text.endswith("\\"):
+            begun += text[:-1] + " "
+            continue
+        yield first, begun + line
+        begun, first = "", 0
+    if begun:
+        yield first, begun
 
 
-def _within(faces: list[tuple[int, int, int]], count: int, path: Path) -> None:
-    _few_enough(len(faces), path)
+def require_corners(faces: Sequence[Sequence[int]], where: str) -> None:
+    """Raises CurveUpsError where a face has fewer than three corners."""
     for face in faces:
-        if max(face) >= count or min(face) < 0:
-            raise CurveUpsError(f"a face names a vertex that is not there ({count} are)",
-                                str(path), "repair the mesh")
+        if len(face) < 3:
+            raise CurveUpsError(f"a face has {len(face)} corners", where, "repair the mesh")
 
 
-def _few_enough(count: int, path: Path) -> None:
+def require_within(faces: Sequence[Sequence[int]], count: int, path: Path) -> None:
+    """Raises CurveUpsError where a face names a vertex that is not among the `count`."""
+    try:
+        named = np.fromiter(itertools.chain.from_iterable(faces), np.int64)
+    except OverflowError:
+        named = np.array([count])
+    if named.size and (named.min() < 0 or named.max() >= count):
+        raise CurveUpsError(f"a face names a vertex that is not there ({count} are)",
+                            str(path), "repair the mesh")
+
+
+def few_enough(count: int, path: Path) -> None:
+    """Raises CurveUpsError for more faces than there can be tiles from."""
     if count > MOST_FACES:
         raise CurveUpsError(f"the mesh has more than {MOST_FACES} faces", str(path), "simplify the mesh")
 
 
-def _arrays(vertices: list, faces: list) -> Mesh:
-    return (np.array(vertices, float).reshape(-1, 3), np.array(faces, np.int32).reshape(-1, 3))
+def _arrays(vertices: list, faces: list[list[int]], path: Path) -> Mesh:
+    few_enough(len(faces), path)
+    require_within(faces, len(vertices), path)
+    V = np.array(vertices, float).reshape(-1, 3)
+    F = triangles_of(V, faces)
+    few_enough(len(F), path)
+    return V, F

@@ -20,6 +20,11 @@ def at(*path):
     return edit
 
 
+def in_another_unit(design):
+    for name in "VT":
+        design[name] = json.loads(json.dumps(design[name]), parse_float=lambda text: 1000 * float(text))
+
+
 def without(name):
     return lambda design: design.pop(name)
 
@@ -35,6 +40,7 @@ BROKEN = {
     "vertex is text": (at("V", 0, 0, "x"), "V"), "vertex is null": (at("V", 0, 0, None), "V"),
     "vertex of two numbers": (at("V", 0, [1, 2]), "V"),
     "tile is not congruent": (at("T", 0, 0, 0, 1e4), "T"),
+    "coordinates of another unit": (in_another_unit, "L"),
     "V is no list": (at("V", 7), "V"), "q is no block": (at("q", 0, [1, 2, 3]), "q"),
     "cut of no edge": (at("cuts", [[0, 0]]), "cut"), "cut beyond": (at("cuts", [[0, 99999]]), "cut"),
     "unknown parameter": (at("parameters", "frob", 1), "frob"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
 
 namespace curveups::bindings {
@@ -11,10 +11,9 @@ void bind_clean_mesh(py::module_& module) {
       .def_readonly("notes", &CleanMesh::notes);
   module.def(
       "clean_mesh",
-      [](const Points3& V, const Triangles& F, py::object progress) {
-        return without_gil(std::move(progress), [&](const Progress&) {
-          return clean_mesh({V, F});
-        });
+      [](const PointsIn& V, const TrianglesIn& F, py::object progress) {
+        const TriangleMesh soup = read_unchecked_mesh(V, F);
+        return without_gil(std::move(progress), [&](const Progress&) { return clean_mesh(soup); });
       },
       py::arg("V"), py::arg("F"), py::arg("progress") = py::none(),
       "Merges vertices, removes degenerate and doubled faces, makes the orientation consistent.");

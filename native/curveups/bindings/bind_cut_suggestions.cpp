@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/layout/cut_suggestions.hpp"
 
 namespace curveups::bindings {
@@ -18,13 +18,16 @@ void bind_cut_suggestions(py::module_& module) {
       .def_property_readonly("stopped", [](const CutSuggestions& s) { return s.solve.stopped(); });
   module.def(
       "suggest_cuts",
-      [](const Points3& V, const Triangles& F, const Edges& cuts, const Parameters& parameters,
+      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, const Parameters& parameters,
          int most, const std::vector<std::array<int, 2>>& weak, py::object progress) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+        require_tiles(weak, mesh.F.rows(), "weak");
         return without_gil(std::move(progress), [&](const Progress& sink) {
           CutSuggestionOptions options;
           options.most = most;
           options.weak = weak;
-          return suggest_cuts({V, F}, cuts, parameters, options, sink);
+          return suggest_cuts(mesh, edges, parameters, options, sink);
         });
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), py::arg("most"),

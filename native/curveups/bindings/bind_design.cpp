@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The design and its file.
-#include "curveups/bindings/bindings.hpp"
-#include "curveups/core/errors.hpp"
-#include "curveups/design/design.hpp"
+#include "curveups/bindings/arrays.hpp"
+#include "curveups/design/design_arrays.hpp"
 #include "curveups/design/design_file.hpp"
 
 namespace curveups::bindings {
-
-Array6 from_blocks(const ArrayNd& array, const char* name, int a, int b) {
-  if (array.ndim() != 3 || array.shape(1) != a || array.shape(2) != b) {
-    throw InvalidInput(std::string(name) + " does not have the shape M x " + std::to_string(a) +
-                           " x " + std::to_string(b),
-                       "pass one block per tile");
-  }
-  return Eigen::Map<const Array6>(array.data(), array.shape(0), 6);
-}
 
 py::array_t<double> to_blocks(const Array6& m, int a, int b) {
   return py::array_t<double>({static_cast<py::ssize_t>(m.rows()), static_cast<py::ssize_t>(a),
@@ -27,16 +17,22 @@ void bind_design(py::module_& module) {
                      "A design, a value that does not change: parameters, V (N x 3), F (M x 3), T "
                      "(M x 3 x 2), q (M x 2 x 3), cuts (C x 2), target (V, F) or None. Lengths in "
                      "mm.")
-      .def(py::init([](const std::string& name, const Parameters& parameters, const Points3& V,
-                       const Triangles& F, const ArrayNd& T, const ArrayNd& q, const Edges& cuts,
-                       const std::optional<std::pair<Points3, Triangles>>& target) {
-             Design design{
-                 name, parameters, {V, F}, from_blocks(T, "T", 3, 2), from_blocks(q, "q", 2, 3),
-                 cuts, {}};
-             const auto tiles = static_cast<int>(F.rows());
-             require_row_per_tile(design.T, tiles, "T");
-             require_row_per_tile(design.q, tiles, "q");
-             if (target) design.target = TriangleMesh{target->first, target->second};
+      .def(py::init([](const std::string& name, const Parameters& parameters, const PointsIn& V,
+                       const TrianglesIn& F, const BlocksIn& T, const BlocksIn& q,
+                       const EdgesIn& cuts,
+                       const std::optional<std::pair<PointsIn, TrianglesIn>>& target) {
+             Design design{name,
+                           parameters,
+                           read_mesh(V, F),
+                           read_blocks(T, "T", 3, 2),
+                           read_blocks(q, "q", 2, 3),
+                           {},
+                           {}};
+             design.cuts = read_edges(cuts, design.mesh.V.rows(), "cuts");
+             if (target) {
+               design.target = read_mesh(target->first, target->second, "target V", "target F");
+             }
+             require_fitting_arrays(design);
              return design;
            }),
            py::arg("name"), py::arg("parameters"), py::arg("V"), py::arg("F"), py::arg("T"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Figures per tile and per contact by name.
-#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/layout/design_fields.hpp"
 #include "curveups/layout/target_fields.hpp"
 
@@ -9,10 +9,13 @@ namespace curveups::bindings {
 void bind_fields(py::module_& module) {
   module.def(
       "target_fields",
-      [](const Points3& V, const Triangles& F, const Edges& cuts, const Parameters& parameters) {
+      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
+         const Parameters& parameters) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
         const TargetFields fields = [&] {
           const py::gil_scoped_release release;
-          return target_fields({V, F}, cuts, parameters);
+          return target_fields(mesh, edges, parameters);
         }();
         py::dict out;
         out["contact_tiles"] = fields.contacts;

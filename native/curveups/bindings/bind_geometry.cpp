@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Built-in targets and functions of meshes.
-#include "curveups/bindings/bindings.hpp"
-#include "curveups/core/errors.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/geometry/builtin_targets.hpp"
 #include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/conformal_map.hpp"
 #include "curveups/geometry/edge_paths.hpp"
+#include "curveups/geometry/polygon_triangulation.hpp"
 #include "curveups/geometry/remesh.hpp"
 
 namespace curveups::bindings {
@@ -29,28 +29,27 @@ void bind_geometry(py::module_& module) {
       "V and F of a fine triangulation within `tolerance` mm of the exact surface.");
   module.def(
       "mean_edge_length",
-      [](const Points3& V, const Triangles& F) {
-        return mean_edge_length({V, F});
-      },
+      [](const PointsIn& V, const TrianglesIn& F) { return mean_edge_length(read_mesh(V, F)); },
       py::arg("V"), py::arg("F"), "Mean length of the edges, mm.");
   module.def(
       "distances",
-      [](const Points3& points, const Points3& V, const Triangles& F) {
+      [](const PointsIn& points, const PointsIn& V, const TrianglesIn& F) {
+        const Points3 from = read_points(points, "points");
+        const TriangleMesh mesh = read_mesh(V, F);
         const py::gil_scoped_release release;
-        if (!points.allFinite()) {
-          throw InvalidInput("a point has a coordinate that is not finite", "leave it out");
-        }
-        return distances(points, ClosestPoints({V, F}));
+        return distances(from, ClosestPoints(mesh));
       },
       py::arg("points"), py::arg("V"), py::arg("F"),
       "Distances of points from a surface, mm, one a point.");
   module.def(
       "surface_deviation",
-      [](const Points3& V, const Triangles& F, const Points3& target_V, const Triangles& target_F,
-         py::object progress) {
+      [](const PointsIn& V, const TrianglesIn& F, const PointsIn& target_V,
+         const TrianglesIn& target_F, py::object progress) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const TriangleMesh target = read_mesh(target_V, target_F, "target_V", "target_F");
         const Deviation d = without_gil(std::move(progress), [&](const Progress&) {
           checkpoint("measuring deviation");
-          return surface_deviation({V, F}, {target_V, target_F});
+          return surface_deviation(mesh, target);
         });
         return std::array<double, 3>{d.mean, d.max, d.hausdorff};
       },
@@ -59,18 +58,25 @@ void bind_geometry(py::module_& module) {
       "Mean and largest distance from the target, and the Hausdorff distance, mm.");
   module.def(
       "shortest_edge_path",
-      [](const Points3& V, const Triangles& F, const Points3& points) {
-        return shortest_edge_path({V, F}, points);
+      [](const PointsIn& V, const TrianglesIn& F, const PointsIn& points) {
+        return shortest_edge_path(read_mesh(V, F), read_points(points, "points"));
       },
       py::arg("V"), py::arg("F"), py::arg("points"),
       "Vertices of the shortest edge path through those nearest to the points.");
   module.def(
       "conformal_map",
-      [](const Points3& V, const Triangles& F) {
+      [](const PointsIn& V, const TrianglesIn& F) {
+        const TriangleMesh mesh = read_mesh(V, F);
         const py::gil_scoped_release release;
-        return conformal_map({V, F});
+        return conformal_map(mesh);
       },
       py::arg("V"), py::arg("F"), "Flat positions of the vertices (spectral conformal map).");
+  module.def(
+      "triangulate_polygon",
+      [](const PointsIn& points) { return triangulate_polygon(read_points(points, "points")); },
+      py::arg("points"),
+      "Triangles, as rows of points, of a plane polygon of any shape; none where it crosses "
+      "itself.");
 }
 
 }  // namespace curveups::bindings

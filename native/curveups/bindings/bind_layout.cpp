@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The coarse optimisation.
-#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/layout/layout.hpp"
 #include "curveups/layout/soft_layout.hpp"
@@ -16,12 +16,14 @@ LayoutCallback by_corners(const PythonListener::Function& listener, const TileMe
   };
 }
 
-LayoutResult lay_out(const Points3& V, const Triangles& F, const Edges& cuts,
+LayoutResult lay_out(const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
                      const Parameters& parameters, py::object progress, py::object on_iterate) {
+  const TriangleMesh mesh = read_mesh(V, F);
+  const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
   PythonListener listener(std::move(on_iterate));
   const PythonListener::Function function = listener.function();
   LayoutResult result = without_gil(std::move(progress), [&](const Progress& sink) {
-    const DesignGeometry geometry = make_geometry({V, F}, cuts, parameters);
+    const DesignGeometry geometry = make_geometry(mesh, edges, parameters);
     return solve_layout(geometry, parameters, sink, LayoutEffort::full,
                         by_corners(function, geometry.tiles));
   });
@@ -29,18 +31,20 @@ LayoutResult lay_out(const Points3& V, const Triangles& F, const Edges& cuts,
   return result;
 }
 
-LayoutResult lay_out_softly(const Points3& V, const Triangles& F, const Edges& cuts,
+LayoutResult lay_out_softly(const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
                             const Parameters& parameters, const std::optional<Design>& start,
                             int max_iterations, py::object progress, py::object on_iterate) {
-  if (start && start->mesh.F.rows() != F.rows()) {
+  const TriangleMesh mesh = read_mesh(V, F);
+  const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+  if (start && start->mesh.F.rows() != mesh.F.rows()) {
     throw InvalidInput("the start has " + std::to_string(start->mesh.F.rows()) + " tiles, F has " +
-                           std::to_string(F.rows()),
+                           std::to_string(mesh.F.rows()),
                        "start from a layout of the same mesh");
   }
   PythonListener listener(std::move(on_iterate));
   const PythonListener::Function function = listener.function();
   LayoutResult result = without_gil(std::move(progress), [&](const Progress& sink) {
-    const DesignGeometry geometry = make_geometry({V, F}, cuts, parameters);
+    const DesignGeometry geometry = make_geometry(mesh, edges, parameters);
     std::optional<SoftLayoutStart> from;
     if (start) from = SoftLayoutStart{fit_poses(geometry.tiles, start->T), start->q};
     return solve_soft_layout(geometry, parameters, from, max_iterations, sink,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 
 namespace curveups::bindings {
@@ -17,10 +17,11 @@ void bind_mesh_checks(py::module_& module) {
       });
   module.def(
       "check_mesh",
-      [](const Points3& V, const Triangles& F, double L, bool cuts_given, py::object progress) {
-        return without_gil(std::move(progress), [&](const Progress&) {
-          return check_mesh({V, F}, L, cuts_given);
-        });
+      [](const PointsIn& V, const TrianglesIn& F, double L, bool cuts_given, py::object progress) {
+        require_positive(L, "L");
+        const TriangleMesh mesh = read_unchecked_mesh(V, F);
+        return without_gil(std::move(progress),
+                           [&](const Progress&) { return check_mesh(mesh, L, cuts_given); });
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("cuts_given") = false,
       py::arg("progress") = py::none(),

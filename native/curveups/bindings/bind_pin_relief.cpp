@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/refinement/pin_relief.hpp"
 
 namespace curveups::bindings {
@@ -17,10 +17,12 @@ void bind_pin_relief(py::module_& module) {
       .def_readonly("remaining", &PinRelief::remaining);
   module.def(
       "relieve_pins",
-      [](const Points3& V, const Triangles& F, const Edges& cuts, const Parameters& parameters,
+      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, const Parameters& parameters,
          py::object progress) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return relieve_pins({V, F}, cuts, parameters, sink);
+          return relieve_pins(mesh, edges, parameters, sink);
         });
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),

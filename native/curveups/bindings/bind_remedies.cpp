@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/layout/remedies.hpp"
 
 namespace curveups::bindings {
@@ -13,6 +13,8 @@ void bind_remedies(py::module_& module) {
       "find_remedies",
       [](const Design& design, const std::vector<int>& pins,
          const std::vector<std::array<int, 2>>& weak) {
+        require_tiles(pins, design.mesh.F.rows(), "pins");
+        require_tiles(weak, design.mesh.F.rows(), "weak");
         const py::gil_scoped_release release;
         return find_remedies(design, pins, weak);
       },

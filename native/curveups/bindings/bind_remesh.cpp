@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/geometry/remesh.hpp"
 
 namespace curveups::bindings {
@@ -15,9 +15,10 @@ void bind_remesh(py::module_& module) {
 
   module.def(
       "remesh",
-      [](const Points3& V, const Triangles& F, double L, py::object progress) {
+      [](const PointsIn& V, const TrianglesIn& F, double L, py::object progress) {
+        const TriangleMesh mesh = read_mesh(V, F);
         return without_gil(std::move(progress), [&](Progress function) {
-          return remesh({V, F}, RemeshOptions{L, std::move(function)});
+          return remesh(mesh, RemeshOptions{L, std::move(function)});
         });
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("progress") = py::none(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Checks of a remeshed target.
-#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/design/target_checks.hpp"
 #include "curveups/design/tile_margins.hpp"
 
@@ -17,9 +17,12 @@ void bind_target_checks(py::module_& module) {
       .def_readonly("is_error", &TargetFinding::is_error);
   module.def(
       "check_target",
-      [](const Points3& V, const Triangles& F, const Edges& cuts, const Parameters& parameters) {
-        py::gil_scoped_release release;
-        return check_target({V, F}, cuts, parameters);
+      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
+         const Parameters& parameters) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+        const py::gil_scoped_release release;
+        return check_target(mesh, edges, parameters);
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
       "What tiles of this thickness and these pins can't do on a remeshed target.");
@@ -47,9 +50,12 @@ void bind_target_checks(py::module_& module) {
       .def_readonly("overlapping", &TileMargins::overlapping, "Pairs that no plane parts.");
   module.def(
       "tile_margins",
-      [](const Points3& V, const Triangles& F, const Edges& cuts, const Parameters& parameters) {
-        py::gil_scoped_release release;
-        return tile_margins({V, F}, cuts, parameters);
+      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
+         const Parameters& parameters) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+        const py::gil_scoped_release release;
+        return tile_margins(mesh, edges, parameters);
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
       "How much every tile and contact has left before it can't be made.");

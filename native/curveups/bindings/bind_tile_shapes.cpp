@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Corners for what draws a design.
-#include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/design/tile_shapes.hpp"
 
 namespace curveups::bindings {
 namespace {
 
-TileShapes shapes_at(const Points3& V, const Triangles& F, const Edges& cuts,
-                     const Parameters& parameters, const std::optional<ArrayNd>& T,
-                     const std::optional<ArrayNd>& q) {
-  const FlatCorners corners = T ? from_blocks(*T, "T", 3, 2) : FlatCorners(0, 6);
-  const Array6 insets = q ? from_blocks(*q, "q", 2, 3) : Array6(0, 6);
+TileShapes shapes_at(const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
+                     const Parameters& parameters, const std::optional<BlocksIn>& T,
+                     const std::optional<BlocksIn>& q) {
+  const TriangleMesh mesh = read_mesh(V, F);
+  const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+  const FlatCorners corners = T ? read_blocks(*T, "T", 3, 2) : FlatCorners(0, 6);
+  const Array6 insets = q ? read_blocks(*q, "q", 2, 3) : Array6(0, 6);
   const py::gil_scoped_release release;
-  return tile_shapes({V, F}, cuts, parameters, corners, insets);
+  return tile_shapes(mesh, edges, parameters, corners, insets);
 }
 
 // Rows of numbers as blocks, without a copy: the array keeps its owner alive.

@@ -2,10 +2,9 @@
 // One function per class, or per group of functions, in a file of its name; module.cpp calls them
 // in the order of dependency.
 //
-// Style: arrays go in and out as numpy arrays (Eigen types by reference where they are row-major,
-// so that nothing is copied on the way in); results are small classes with read-only attributes;
-// long calls take progress=None, a callable (what: str, fraction: float) -> bool, and release the
-// GIL.
+// Style: arrays go in as arrays.hpp says, which checks them, and out as numpy arrays; results are
+// small classes with read-only attributes; long calls take progress=None, a callable (what: str,
+// fraction: float) -> bool, and release the GIL.
 #pragma once
 
 #include <pybind11/eigen.h>
@@ -75,10 +74,6 @@ class PythonListener {
 
 // An M x 6 matrix as an M x a x b array, a b = 6.
 py::array_t<double> to_blocks(const Array6& m, int a, int b);
-
-// The other way round; throws InvalidInput, naming `name`, for any other shape.
-using ArrayNd = py::array_t<double, py::array::c_style | py::array::forcecast>;
-Array6 from_blocks(const ArrayNd& array, const char* name, int a, int b);
 
 void bind_errors(py::module_& module);
 void bind_threads(py::module_& module);

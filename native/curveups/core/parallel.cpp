@@ -7,6 +7,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <exception>
@@ -20,10 +21,12 @@
 namespace curveups {
 namespace {
 
+constexpr int most_threads = 256;
+
 int default_threads() {
   if (const char* text = std::getenv("CURVEUPS_THREADS")) {
     const int count = std::atoi(text);
-    if (count > 0) return count;
+    if (count > 0) return std::min(count, most_threads);
   }
   return std::max(1u, std::thread::hardware_concurrency());
 }
@@ -71,7 +74,7 @@ void in_arena(const Work& work) {
 
 int thread_count() { return threads(); }
 
-void set_thread_count(int count) { threads() = allowed(std::max(1, count)); }
+void set_thread_count(int count) { threads() = allowed(std::clamp(count, 1, most_threads)); }
 
 void parallel_ranges(int count, const std::function<void(int, int)>& body) {
   if (count <= 0) return;

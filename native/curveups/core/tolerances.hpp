@@ -18,4 +18,8 @@ inline constexpr double short_interface = 0.2;
 // Overlap of two solids that counts as none, mm3.
 inline constexpr double overlap_volume = 1e-6;
 
+// Coordinates beyond this are refused, mm: a single-precision file resolves them to more than a
+// tile, and squares of distances are far from the end of the numbers still.
+inline constexpr double largest_coordinate = 1e8;
+
 }  // namespace curveups::tolerance

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/design/design_arrays.hpp"
 
 namespace curveups {
 namespace {
@@ -96,44 +97,11 @@ Matrix read_matrix(const Json& json, const std::string& name, int columns, int r
   return m;
 }
 
-void check_indices(const std::string& name, const Eigen::Ref<const Eigen::MatrixXi>& indices,
-                   Eigen::Index count) {
-  for (Eigen::Index i = 0; i < indices.rows(); ++i) {
-    if (indices.row(i).maxCoeff() >= count) {
-      refuse("\"" + name + "\"[" + std::to_string(i) + "]",
-             "names vertex " + std::to_string(indices.row(i).maxCoeff()) + ", there are " +
-                 std::to_string(count));
-    }
-  }
-}
-
 TriangleMesh read_mesh(const Json& json, const std::string& prefix) {
   TriangleMesh mesh;
   mesh.V = read_matrix<Points3>(field(json, "V"), prefix + "V", 3, 1);
   mesh.F = read_matrix<Triangles>(field(json, "F"), prefix + "F", 3, 1);
-  check_indices(prefix + "F", mesh.F, mesh.V.rows());
   return mesh;
-}
-
-void check_congruent(const Design& design) {
-  for (int i = 0; i < design.mesh.F.rows(); ++i) {
-    for (int t = 0; t < 3; ++t) {
-      const double actuated =
-          (design.mesh.V.row(design.mesh.F(i, next3(t))) - design.mesh.V.row(design.mesh.F(i, t)))
-              .norm();
-      const double flat =
-          (design.T.row(i).segment<2>(2 * next3(t)) - design.T.row(i).segment<2>(2 * t)).norm();
-      if (std::abs(flat - actuated) > 1e-3) {
-        refuse("\"T\"[" + std::to_string(i) + "]",
-               "is not congruent to its tile in \"V\" and \"F\"");
-      }
-    }
-    const Vec2 a = design.T.row(i).segment<2>(0), b = design.T.row(i).segment<2>(2),
-               c = design.T.row(i).segment<2>(4);
-    if (wedge(b - a, c - a) <= 0) {
-      refuse("\"T\"[" + std::to_string(i) + "]", "is not counter-clockwise");
-    }
-  }
 }
 
 }  // namespace
@@ -205,25 +173,17 @@ Design read_design(const std::string& text) {
   }
   check_parameters(design.parameters);
   design.mesh = read_mesh(json, "");
-  const Eigen::Index tiles = design.mesh.F.rows();
-  if (tiles == 0) refuse("\"F\"", "is empty");
   design.T = read_matrix<FlatCorners>(field(json, "T"), "T", 6, 3);
   design.q = read_matrix<Array6>(field(json, "q"), "q", 6, 2);
-  for (const auto& [array, rows] :
-       {std::pair<const char*, Eigen::Index>{"T", design.T.rows()}, {"q", design.q.rows()}}) {
-    if (rows != tiles) {
-      refuse("\"" + std::string(array) + "\"",
-             "has " + std::to_string(rows) + " entries, \"F\" has " + std::to_string(tiles));
-    }
-  }
   design.cuts = read_matrix<Edges>(field(json, "cuts"), "cuts", 2, 1);
-  check_indices("cuts", design.cuts, design.mesh.V.rows());
   if (json.contains("target")) {
     const Json& target = json["target"];
     if (!target.is_object()) refuse("\"target\"", "is no object");
     design.target = read_mesh(target, "target.");
   }
-  check_congruent(design);
+  if (const auto fault = find_array_fault(design)) {
+    refuse(fault->field, fault->why);
+  }
   return design;
 }
 

@@ -11,9 +11,8 @@ namespace curveups {
 // The text of the file; numbers in the fewest digits that read back to the same double.
 std::string write_design(const Design& design);
 
-// Throws InvalidInput naming the field: not JSON, wrong format or version, missing field, arrays
-// that disagree, an index out of range, a number that is not finite, an unknown or out-of-range
-// parameter, a flat tile that is not congruent to its actuated one (1e-3 mm).
+// Throws InvalidInput naming the field: not JSON, wrong format or version, missing field, an
+// unknown or out-of-range parameter, arrays that do not fit one another (design_arrays.hpp).
 Design read_design(const std::string& text);
 
 }  // namespace curveups

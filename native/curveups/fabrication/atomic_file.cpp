@@ -33,6 +33,8 @@ void write_atomically(const std::string& path,
                       const std::function<void(const std::string& temporary)>& write) {
   namespace fs = std::filesystem;
   std::error_code ignored;
+  // What C's functions take for the end of the name.
+  if (path.find('\0') != std::string::npos) fail(path.c_str(), EINVAL);
   if (fs::is_directory(path, ignored)) fail(path, EISDIR);
   const std::string temporary = path + ".part" + std::to_string(platform::process_id());
   try {

@@ -15,6 +15,8 @@
 namespace curveups {
 namespace {
 
+constexpr double widest_print = 1e4;  // mm; anchors and slabs of wider ones would be endless work
+
 constexpr double engraving_stroke = 0.3;  // the least that printers show, mm
 constexpr double engraving_rim = 0.3;     // between letters and the edge of the anchor, mm
 
@@ -160,6 +162,13 @@ class Builder {
 }  // namespace
 
 PrintModel make_print_model(const Design& design, const std::string& version) {
+  const Eigen::Map<const Points2> corners(design.T.data(), 3 * design.T.rows(), 2);
+  const double width = (corners.colwise().maxCoeff() - corners.colwise().minCoeff()).maxCoeff();
+  if (!(width < widest_print)) {
+    throw InfeasibleDesign(
+        "the layout is " + std::to_string(static_cast<long long>(width / 1000)) + " m wide",
+        "bring tiles that lie far away back to the others");
+  }
   return Builder(design, version).run();
 }
 

@@ -56,9 +56,9 @@ struct PrintModel : TileBodies {
   double volume(const std::string& kind) const;
 };
 
-// version: what is engraved beside name and piece. Throws what
-// make_tile_bodies throws; InfeasibleDesign where pieces are too near to each other for their
-// anchors and slabs; SolverFailure where a slab's outline falls apart.
+// version: what is engraved beside name and piece. Throws what make_tile_bodies throws;
+// InfeasibleDesign where pieces are too near to each other for their anchors and slabs, or the
+// layout is wider than 10 m; SolverFailure where a slab's outline falls apart.
 PrintModel make_print_model(const Design& design, const std::string& version);
 
 }  // namespace curveups

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "curveups/core/tolerances.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/edge_sides.hpp"
@@ -13,9 +14,8 @@
 namespace curveups {
 namespace {
 
-// A single-precision file resolves a coordinate to 6e-8 of its size: beyond the first limit that is
-// more than 0.01 mm, beyond the second more than a tile.
-constexpr double coarse_coordinates = 2e5, useless_coordinates = 1e8;
+// A single-precision file resolves a coordinate to 6e-8 of its size: beyond this more than 0.01 mm.
+constexpr double coarse_coordinates = 2e5;
 constexpr double many_tiles = 20000, most_tiles = 200000;
 
 std::string number(double value) {
@@ -154,7 +154,7 @@ void check_shape(const TriangleMesh& mesh, double L, bool cuts_given, Findings& 
     findings.add("huge-coordinates",
                  "coordinates reach " + number(largest) + " mm, where files lose digits",
                  "move the surface to the origin, or check its unit (scale)", {}, {},
-                 largest > useless_coordinates);
+                 largest > tolerance::largest_coordinate);
   }
   const double tiles = surface_area(mesh) / (std::sqrt(3.0) / 4 * L * L);
   const double size = (mesh.V.colwise().maxCoeff() - mesh.V.colwise().minCoeff()).norm();

@@ -104,4 +104,28 @@ std::vector<std::array<int, 3>> triangulate_region(const std::vector<Vec2>& poin
   return triangles;
 }
 
+std::vector<std::array<int, 3>> triangulate_polygon(const Points3& corners) {
+  const int count = static_cast<int>(corners.rows());
+  if (count < 3) return {};
+  Vec3 normal = Vec3::Zero();
+  for (int i = 1; i + 1 < count; ++i) {
+    const Vec3 a = corners.row(i) - corners.row(0), b = corners.row(i + 1) - corners.row(0);
+    normal += a.cross(b);
+  }
+  if (!(normal.norm() > 0)) return {};
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(normal, Vec3::UnitZ()).toRotationMatrix();
+  std::vector<Vec2> flat(count);
+  std::vector<int> loop(count);
+  for (int i = 0; i < count; ++i) {
+    flat[i] = (turn * (corners.row(i) - corners.row(0)).transpose()).head<2>();
+    loop[i] = i;
+  }
+  try {
+    return triangulate_region(flat, {loop});
+  } catch (const TopologyError&) {
+    return {};
+  }
+}
+
 }  // namespace curveups

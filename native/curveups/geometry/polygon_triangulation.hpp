@@ -16,4 +16,8 @@ namespace curveups {
 std::vector<std::array<int, 3>> triangulate_region(const std::vector<Vec2>& points,
                                                    const std::vector<std::vector<int>>& loops);
 
+// A polygon in space, in the plane that its Newell normal is perpendicular to; its triangles run
+// round as it does. Empty where it crosses or touches itself there, or has no area.
+std::vector<std::array<int, 3>> triangulate_polygon(const Points3& corners);
+
 }  // namespace curveups

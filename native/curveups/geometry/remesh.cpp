@@ -8,6 +8,7 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/boundary_spacing.hpp"
+#include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/even_edges.hpp"
 
 namespace curveups {
@@ -81,6 +82,12 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
     throw InvalidInput("L must be a positive length", "give L in mm");
   }
   const ClosestPoints closest(surface);  // refuses empty and non-finite surfaces
+  for (int f = 0; f < surface.F.rows(); ++f) {
+    if (has_no_area(surface, f)) {
+      throw InvalidInput("face " + std::to_string(f) + " of the surface has no area",
+                         "clean the mesh first");
+    }
+  }
   const double expected = surface_area(surface) / (std::sqrt(3.0) / 4 * options.L * options.L);
   if (!(expected < most_faces)) {
     throw InvalidInput("the surface would need about " +

@@ -14,6 +14,8 @@
 namespace curveups {
 namespace {
 
+constexpr double most_triangles = 5e6;  // of a membrane; 20,000 tiles have some 800,000
+
 std::uint64_t key(int a, int b) {
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::min(a, b))) << 32) |
          static_cast<std::uint32_t>(std::max(a, b));
@@ -129,6 +131,29 @@ void check_patches(const MembraneDomain& domain, const Points2& flat) {
   }
 }
 
+// Work without end where the layout's lengths and those of the mesh have different units, or a tile
+// was put far away from its neighbours.
+void require_few_triangles(const MembraneDomain& domain, const Points2& flat,
+                           const MembraneMeshOptions& options) {
+  double triangles = 0;
+  for (const MembranePatch& patch : domain.patches) {
+    const std::vector<Vec2> points = outline(patch, flat);
+    double area = 0, round = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2 &a = points[i], &b = points[(i + 1) % points.size()];
+      area += 0.5 * wedge(a - points[0], b - points[0]);
+      round += (b - a).norm();
+    }
+    triangles +=
+        area / (std::sqrt(3.0) / 4 * options.largest * options.largest) + round / options.largest;
+  }
+  if (triangles < most_triangles) return;
+  throw InvalidInput("a membrane would need about " +
+                         std::to_string(static_cast<long long>(std::min(triangles, 1e18))) +
+                         " triangles of " + std::to_string(options.largest) + " mm",
+                     "check the layout's lengths against L, or raise mesh_size");
+}
+
 // One patch by itself: its boundary from the shared vertices, then the points inside.
 struct MeshedPatch {
   std::vector<int> boundary;  // mesh vertices
@@ -183,6 +208,7 @@ MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& fla
     throw InvalidInput("the layout holds a number that is not finite", "give finite coordinates");
   }
   check_patches(domain, flat);
+  require_few_triangles(domain, flat, options);
   if (!keep_going(progress, "meshing membranes")) throw Cancelled();
   const Grading grading(options);
   MembraneMesh mesh;

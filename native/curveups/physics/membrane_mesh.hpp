@@ -40,7 +40,8 @@ struct MembraneMesh {
 };
 
 // Deterministic whatever the number of threads. flat: flat_pin_corners. Throws InfeasibleDesign,
-// naming the tiles, where a patch folds over in the layout; Cancelled.
+// naming the tiles, where a patch folds over in the layout; InvalidInput for sizes that would give
+// millions of triangles; Cancelled.
 MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& flat,
                                 const MembraneMeshOptions& options, const Progress& progress = {});
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/design/design_arrays.hpp"
 #include "curveups/design/design_file.hpp"
 #include "support/meshes.hpp"
 
@@ -92,6 +93,33 @@ TEST(DesignFile, RefusesTilesThatAreNotCongruent) {
   design = sample();
   for (int c : {1, 3, 5}) design.T(2, c) *= -1;
   EXPECT_THROW(read_design(write_design(design)), InvalidInput);
+}
+
+TEST(DesignFile, RefusesCoordinatesInAnotherUnitThanL) {
+  for (const double factor : {1000.0, 0.001}) {
+    Design design = sample();
+    design.mesh.V *= factor;
+    design.T *= factor;
+    try {
+      read_design(write_design(design));
+      ADD_FAILURE() << "accepted coordinates times " << factor;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string(error.what()).find("parameter L"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(DesignArrays, RefusesWhatIsNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (Array6 Design::*member : {&Design::T, &Design::q}) {
+    Design design = sample();
+    (design.*member)(1, 2) = nan;
+    EXPECT_THROW(require_fitting_arrays(design), InvalidInput);
+  }
+  Design design = sample();
+  design.mesh.V(0, 0) = nan;
+  EXPECT_THROW(require_fitting_arrays(design), InvalidInput);
+  EXPECT_NO_THROW(require_fitting_arrays(sample()));
 }
 
 }  // namespace

@@ -89,5 +89,33 @@ TEST(PolygonTriangulation, RefusesLoopsThatCrossOrTouch) {
   EXPECT_THROW(triangulate_region(twice.points, twice.loops), TopologyError);
 }
 
+// An L in a tilted plane, whose fan from the first corner would reach outside.
+TEST(PolygonTriangulation, DividesAConcavePolygonInSpaceTheWayItRuns) {
+  Points3 corners(6, 3);
+  corners << 2, 1, 0, 2, 2, 0, 0, 2, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0;
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(2.5, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+  const Points3 turned = corners * turn.transpose();
+  Vec3 area = Vec3::Zero();
+  const auto triangles = triangulate_polygon(turned);
+  EXPECT_EQ(triangles.size(), 4u);
+  double sum = 0;
+  for (const auto& t : triangles) {
+    const Vec3 a = turned.row(t[1]) - turned.row(t[0]), b = turned.row(t[2]) - turned.row(t[0]);
+    area += 0.5 * a.cross(b);
+    sum += 0.5 * a.cross(b).norm();
+  }
+  EXPECT_NEAR(sum, area.norm(), 1e-12);  // none reaches outside
+  EXPECT_NEAR(area.dot(turn * Vec3::UnitZ()), 3, 1e-12);
+}
+
+TEST(PolygonTriangulation, GivesNothingForPolygonsThatCrossThemselvesOrHaveNoArea) {
+  Points3 bow(4, 3), line(4, 3);
+  bow << 0, 0, 0, 2, 2, 0, 3, 0, 0, 0, 1, 0;
+  line << 0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0;
+  EXPECT_TRUE(triangulate_polygon(bow).empty());
+  EXPECT_TRUE(triangulate_polygon(line).empty());
+}
+
 }  // namespace
 }  // namespace curveups

@@ -124,6 +124,11 @@ TEST(MembraneMesh, IsTheSameWithOneThreadAndTwo) {
   EXPECT_EQ(one.weights.corner, two.weights.corner);
 }
 
+TEST(MembraneMesh, RefusesLengthsOfAnotherUnitInsteadOfEndlessWork) {
+  const Flat flat = make_flat(spread_design(hexagon(2, test::cap_height), 1.4, 1.0), Side::front);
+  EXPECT_THROW(make_membrane_mesh(flat.domain, 1000 * flat.corners, {}), InvalidInput);
+}
+
 TEST(MembraneMesh, NamesTilesThatCannotBe) {
   Design design = spread_design(hexagon(2, test::cap_height), 1.4, 1.0);
   design.q.row(5).setConstant(4);

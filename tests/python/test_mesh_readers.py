@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Mesh files are read whole, or refused: no line is passed over in silence."""
+
+import struct
+
+import numpy as np
+import pytest
+
+from curveups.errors import CurveUpsError
+from curveups.freecad_io import read_target
+
+V = np.array([[0, 0, 0], [9, 0, 0], [9, 9, 0.1], [0, 9, 0]], float)
+F = np.array([[0, 1, 2], [0, 2, 3]])
+BOM = b"\xef\xbb\xbf"
+
+
+def stl(number="{:.17g}", line_end="\n"):
+    text = "solid a vertex of facets\n"
+    for face in F:
+        text += "facet normal 0 0 1\n outer loop\n"
+        text += "".join("  vertex " + " ".join(number.format(x) for x in V[v]) + "\n" for v in face)
+        text += " endloop\nendfacet\n"
+    return (text + "endsolid a\n").replace("\n", line_end)
+
+
+def binary_stl():
+    return b"solid of binary".ljust(80) + struct.pack("<I", len(F)) + b"".join(
+        struct.pack("<12fH", 0, 0, 1, *V[face].ravel(), 7) for face in F)
+
+
+def ply_header(form, real="float", vertex_extra="", face_extra="", faces=len(F)):
+    return (f"ply\nformat {form} 1.0\ncomment made by hand\nelement vertex {len(V)}\n"
+            + "".join(f"property {real} {axis}\n" for axis in "xyz") + vertex_extra
+            + f"element face {faces}\n" + face_extra
+            + "property list uchar int vertex_indices\nend_header\n")
+
+
+def ply(**header):
+    return (ply_header("ascii", **header) + "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in V.tolist())
+            + "".join("3 %d %d %d\n" % tuple(face) for face in F))
+
+
+def binary_ply(order, real="f"):
+    form = {"<": "binary_little_endian", ">": "binary_big_endian"}[order]
+    return ply_header(form, {"f": "float", "d": "double"}[real]).encode() + b"".join(
+        struct.pack(order + "3" + real, *row) for row in V) + b"".join(
+        struct.pack(order + "B3i", 3, *face) for face in F)
+
+
+def obj():
+    return "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in V.tolist()) + "".join(
+        "f %d %d %d\n" % tuple(face + 1) for face in F)
+
+
+def off():
+    return (f"OFF\n{len(V)} {len(F)} 0\n" + "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in V.tolist())
+            + "".join("3 %d %d %d\n" % tuple(face) for face in F))
+
+
+def read(folder, name, content):
+    path = folder / name
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return read_target(path, 0.01)
+
+
+def expect_surface(found, tolerance=0.0):
+    """The very triangles, whatever the vertices' order."""
+    found_V, found_F = found
+    assert found_F.shape == F.shape
+    assert np.abs(found_V[found_F] - V[F]).max() <= tolerance
+
+
+SOUND = {
+    "text.stl": stl(), "windows.stl": stl(line_end="\r\n"), "upper.stl": stl().upper(),
+    "exponents.stl": stl("{:+.9E}"), "binary.stl": binary_stl(), "bom.stl": BOM + stl().encode(),
+    "two-solids.stl": stl().replace("endfacet\nfacet", "endfacet\nendsolid\nsolid b\nfacet"),
+    "text.ply": ply(), "double.ply": ply(real="double"), "windows.ply": ply().replace("\n", "\r\n"),
+    "little.ply": binary_ply("<"), "big.ply": binary_ply(">"), "big-double.ply": binary_ply(">", "d"),
+    "bom.ply": BOM + ply().encode(),
+    "blank-lines.ply": ply().replace("3 0 1 2", "\n3 0 1 2"),
+    "text.obj": obj(), "bom.obj": BOM + obj().encode(), "continued.obj": obj().replace("f 1 2", "f 1 \\\n 2"),
+    "continued-vertex.obj": obj().replace("v 9.0 0.0", "v 9.0\\\r\n0.0"),
+    "text.off": off(), "bom.off": BOM + off().encode(),
+}
+
+
+@pytest.mark.parametrize("name", SOUND)
+def test_sound_file(tmp_path, name):
+    # STL and PLY's float have single precision.
+    expect_surface(read(tmp_path, name, SOUND[name]), tolerance=1e-6 if name.endswith(("stl", "ply")) else 0)
+
+
+def test_precision_of_a_ply_is_that_of_its_type(tmp_path):
+    assert read(tmp_path, "a.ply", ply(real="double"))[0][2, 2] == 0.1
+    assert read(tmp_path, "b.ply", ply())[0][2, 2] == np.float32(0.1)
+
+
+SCRAMBLED = {  # each was read as another surface, in silence, by the reader of a library
+    "word.stl": (stl().replace("vertex 9 9", "vertex foo 9", 1), "line 2"),
+    "word-in-second.stl": (stl()[::-1].replace("9 xetrev", "oof xetrev", 1)[::-1], "line 9"),
+    "two-numbers.stl": (stl().replace("vertex 9 0 0", "vertex 9 0", 1), "line 2"),
+    "four-corners.stl": (stl().replace(" endloop", "  vertex 1 2 3\n endloop", 1), "line 2"),
+    "no-endfacet.stl": (stl().replace("endfacet\n", "", 1), "line 2"),
+    "lost-line.stl": (stl().replace("  vertex 9 0 0\n", "", 1), "line 2"),
+    "huge.stl": (stl().replace("vertex 9 0 0", "vertex 1e300 0 0"), "finite"),
+    "no-end.stl": (stl().replace("endsolid a\n", ""), "ends early"),
+    "cut-off.stl": (stl()[:-40], "ends early"),
+    "short-binary.stl": (binary_stl()[:-1], "ends early"),
+    "word.ply": (ply().replace("9.0 0.0 0.0", "foo 0.0 0.0"), "foo"),
+    "two-numbers.ply": (ply().replace("9.0 0.0 0.0", "9.0 0.0"), "9.0 0.0"),
+    "four-numbers.ply": (ply().replace("9.0 0.0 0.0", "9.0 0.0 0.0 1.0"), "9.0 0.0 0.0 1.0"),
+    "corner.ply": (ply().replace("3 0 1 2", "3 0 1 x"), "x"),
+    "fraction.ply": (ply().replace("3 0 1 2", "3 0 1 2.5"), "2.5"),
+    "few-corners.ply": (ply().replace("3 0 1 2", "4 0 1 2"), "too few"),
+    "many-corners.ply": (ply().replace("3 0 1 2", "3 0 1 2 3"), "too many"),
+    "beyond.ply": (ply().replace("3 0 1 2", "3 0 1 4"), "not there"),
+    "below.ply": (ply().replace("3 0 1 2", "3 0 1 -2"), "not there"),
+    "one-more-face.ply": (ply(faces=3), "ends early"),
+    "short-little.ply": (binary_ply("<")[:-3], "ends early"),
+    "count-in-little.ply": (binary_ply("<").replace(struct.pack("<B3i", 3, *F[0]),
+                                                    struct.pack("<B3i", 200, *F[0])), "ends early"),
+    "beyond-in-big.ply": (binary_ply(">").replace(struct.pack(">B3i", 3, *F[0]),
+                                                  struct.pack(">B3i", 3, 0, 1, 9)), "not there"),
+    "no-z.ply": (ply().replace("property float z\n", "property float w\n"), "'z'"),
+    "no-faces.ply": (ply().replace("element face", "element strip"), "no faces"),
+    "huge-index.obj": (obj().replace("f 1 2 3", "f 1 2 99999999999999999999"), "not there"),
+    "continued-to-nothing.obj": (obj() + "f 1 2 \\\n", "2 corners"),
+}
+
+
+@pytest.mark.parametrize("name", SCRAMBLED)
+def test_scrambled_file(tmp_path, name):
+    content, word = SCRAMBLED[name]
+    with pytest.raises(CurveUpsError) as refused:
+        read(tmp_path, name, content)
+    assert word in str(refused.value) and name in str(refused.value)
+
+
+def test_lists_of_several_lengths_and_other_data_of_a_binary_ply(tmp_path):
+    data = ply_header("binary_little_endian", vertex_extra="property uchar red\n",
+                      face_extra="property uchar flags\n", faces=2).encode()
+    data += b"".join(struct.pack("<3fB", *row, 200) for row in V)
+    data += struct.pack("<BB3i", 1, 3, 0, 1, 2) + struct.pack("<BB4i", 1, 4, 0, 1, 2, 3)
+    found_V, found_F = read(tmp_path, "mixed.ply", data)
+    assert len(found_V) == 4 and found_F.tolist() == [[0, 1, 2], [0, 1, 2], [0, 2, 3]]
+
+
+ARROW = [(0, 0), (4, 0), (1, 1), (0, 4)]  # a fan from its first corner stays inside
+BENT = [(4, 0), (1, 1), (0, 4), (0, 0)]   # from this one it does not
+FORK = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+
+
+@pytest.mark.parametrize("corners", [ARROW, BENT, FORK])
+@pytest.mark.parametrize("ending", ["obj", "off", "ply"])
+def test_concave_polygons_are_covered_once(tmp_path, corners, ending):
+    points = [(x, y, 0.5 * x) for x, y in corners]
+    count, numbers = len(points), list(range(len(points)))
+    lines = "".join("%r %r %r\n" % p for p in points)
+    content = {
+        "obj": "".join("v %r %r %r\n" % p for p in points) + "f " + " ".join(str(n + 1) for n in numbers),
+        "off": f"OFF\n{count} 1 0\n{lines}{count} " + " ".join(map(str, numbers)),
+        "ply": f"ply\nformat ascii 1.0\nelement vertex {count}\nproperty double x\nproperty double y\n"
+               "property double z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
+               f"{lines}{count} " + " ".join(map(str, numbers)) + "\n"}[ending]
+    found_V, found_F = read(tmp_path, "a." + ending, content)
+    a, b, c = (found_V[found_F[:, k], :2] for k in range(3))
+    doubled = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
+    x, y = np.array(corners, float).T
+    area = 0.5 * (x * np.roll(y, -1) - y * np.roll(x, -1)).sum()
+    assert len(found_F) == count - 2
+    assert (doubled > 0).all()
+    assert 0.5 * doubled.sum() == pytest.approx(area, rel=1e-12)
+
+
+def test_quads_and_polygons_that_cross_themselves_stay_fans(tmp_path):
+    square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+    assert read(tmp_path, "square.obj", square + "f 1 2 3 4\n")[1].tolist() == [[0, 1, 2], [0, 2, 3]]
+    assert read(tmp_path, "bow.obj", square + "f 1 3 2 4\n")[1].tolist() == [[0, 2, 1], [0, 1, 3]]
