@@ -165,3 +165,83 @@ def work():
     settle(300)
     assert 'Traceback' not in report(), report()
 """, homes, tmp_path)
+
+
+def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(homes, tmp_path):
+    """On the quick layout, where both sides of an edge lie apart, and with both states side by side."""
+    run("""
+def inner_edges(design, beside=False):
+    # Of a figure that is drawn: a point a little inside either tile, by the edge between them.
+    overlay = overlay_of(design)
+    corners, shift = overlay.figures()[beside]
+    F, found = overlay.scene.F, {}
+    for tile in range(len(F)):
+        own = corners[tile, :3] + shift
+        for k in range(3):
+            pair = tuple(sorted((int(F[tile][k]), int(F[tile][(k + 1) % 3]))))
+            found.setdefault(pair, []).append(0.45 * (own[k] + own[(k + 1) % 3]) + 0.1 * own.mean(0))
+    return {pair: places for pair, places in found.items() if len(places) == 2}
+
+def edge_near(inner, x, y):
+    # That is nearest to a place seen from above, from the middle of the figure.
+    middle = np.mean(list(inner.values()), axis=(0, 1))
+    return min(inner, key=lambda pair: np.hypot(*(inner[pair][0][:2] - middle[:2] - (x, y))))
+
+def click_at_place(place):
+    point = on_screen(FreeCAD.Vector(*map(float, place)))
+    display('mousemove', point.x() - 3, point.y())
+    display('mousemove', point.x(), point.y())
+    settle(250)
+    display('click', 1)
+    settle(400)
+    quiet()
+
+def work():
+    made, design = begin()
+    overlay, view = overlay_of(design), FreeCADGui.ActiveDocument.ActiveView
+    first = click_edge(design, 0, 0)  # on the target: its quick layout is what is drawn from now on
+    quiet()
+    assert overlay.morph() == 0 and overlay.scene.flat is not None, 'the tiles lie flat'
+    assert np.ptp(overlay.figures()[0][0][:, :3, 2]) < 1e-6
+    view.viewTop(); view.fitAll()
+    settle(500)
+    # The chain goes on across the flat tiles.
+    inner = inner_edges(design)
+    pair = edge_near(inner, 0, 25)
+    click_at_place(inner[pair][0])
+    chain = edges(design)
+    assert first in chain and pair in chain and len(chain) > 2, (first, pair, chain)
+    ends = [v for edge in chain for v in edge]
+    assert sorted(ends.count(v) for v in set(ends))[:2] == [1, 1]
+    assert all(ends.count(v) == 2 for v in set(ends) if ends.count(v) != 1)
+    assert picture('flat-chain') > 12
+    # Both sides of a slit are that cut: each takes it back.
+    for side in (0, 1):
+        click_at_place(inner_edges(design)[pair][side])
+        assert edges(design) == chain - {pair}, side
+        made.undo()
+        settle(600)
+        quiet()
+        assert edges(design) == chain
+    keys('Escape')
+    settle(300)
+    # Side by side: a click in either figure picks the same edge.
+    design.ViewObject.Both = True
+    settle(500)
+    view.viewTop(); view.fitAll()
+    settle(500)
+    for beside in (False, True):
+        inner, before = inner_edges(design, beside), edges(design)
+        pair = edge_near(inner, -20, -15)
+        click_at_place(inner[pair][0])
+        assert edges(design) == before | {pair}, (beside, edges(design) - before)
+        assert picture(f'both-{beside}') > 12
+        made.undo()
+        settle(600)
+        quiet()
+        keys('Escape')
+        settle(300)
+    close_panel()
+    settle(300)
+    assert 'Traceback' not in report(), report()
+""", homes, tmp_path)
