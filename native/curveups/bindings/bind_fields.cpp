@@ -30,8 +30,9 @@ void bind_fields(py::module_& module) {
       "What can be said before a layout. Per contact: contact_tiles (N x 2), fold_angle (degrees, "
       "convex positive). Per tile: pin_room (M x 2, front and back, mm2: the largest pin's area "
       "less A_pin_min), conformal_stretch (by how much the layout's start scales the tile's place; "
-      "NaN where there is no flat map), least_stretch (below it the tile does not fit), "
-      "most_stretch (above it a membrane next to it is slack).");
+      "NaN where there is no flat map), least_stretch (below it the start leaves the tile less "
+      "than d_gap_min, which a layout may make up for), most_stretch (above it the start has a "
+      "slack membrane next to the tile).");
   module.def(
       "design_fields",
       [](const Design& design) {

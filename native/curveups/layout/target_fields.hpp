@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What can be said of a target tile by tile before anything is solved: where it will not work.
+// What can be said of a target tile by tile before anything is solved: where it is hard.
 #pragma once
 
 #include "curveups/design/design.hpp"
@@ -16,15 +16,17 @@ struct TargetFields {
   Eigen::VectorXd stretch;  // M: by how much the layout's start scales the tile's place; a map that
                             // turns the tile over counts as 0; NaN where a piece has no flat map (a
                             // closed one, say)
-  Eigen::VectorXd least_stretch;  // M: below this the tile does not fit with its gaps
+  Eigen::VectorXd least_stretch;  // M: below this the start leaves the tile less than d_gap_min
   Eigen::VectorXd
-      most_stretch;  // M: above this a membrane next to it is slack, even with the smallest pins
-                     // that A_pin_min allows; infinite for a tile without contacts
+      most_stretch;  // M: above this the start has a slack membrane next to it, even with the
+                     // smallest pins that A_pin_min allows; infinite for a tile without contacts
 };
 
-// least and most are estimates from the mean gap: a tile of inradius r in a place scaled by s has
-// gaps of 2 r (s - 1). Throws what make_tile_mesh throws; folds too sharp for the thickness and
-// targets that can't be laid flat are no errors here.
+// least and most are of the start and go by the mean gap: a tile of inradius r in a place scaled by
+// s has gaps of 2 r (s - 1). Half of all tiles begin below their least, since the start fits the
+// median; a layout evens that out, so that neither is a bound of what can be laid out. Throws what
+// make_tile_mesh throws; folds too sharp for the thickness and targets that can't be laid flat are
+// no errors here.
 TargetFields target_fields(const TriangleMesh& mesh, const Edges& cuts,
                            const Parameters& parameters);
 
