@@ -4,7 +4,8 @@ Linguist, or by hand: what is new is marked "unfinished"), and the .qm that Free
 
     tools/translations [LANGUAGE...]      LANGUAGE (fr, pt-BR) is begun; those that are there are renewed
 
-Qt's own lupdate of Debian 12 passes over calls with keyword arguments, so texts are found here.
+Qt's own lupdate of Debian 12 passes over calls with keyword arguments, so texts are found here. Those of
+parameters come from the native module; without it those of the languages that are there are kept.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from typing import Iterator, Optional
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "resources" / "translations"
 MARKERS = ("translate", "QT_TRANSLATE_NOOP")
+PROPERTIES = "App::Property"  # where FreeCAD's property editor looks for tooltips
 Text = tuple[str, str]  # context and text
 
 
@@ -31,6 +33,7 @@ def texts() -> set[Text]:
         found.update(texts_of_python(path.read_text(encoding="utf-8")))
     for path in (ROOT / "resources" / "ui").glob("*.ui"):
         found.update(texts_of_form(path.read_text(encoding="utf-8")))
+    found.update(texts_of_parameters())
     return found
 
 
@@ -42,6 +45,23 @@ def texts_of_python(source: str) -> Iterator[Text]:
             values = [argument.value for argument in node.args[:2] if isinstance(argument, ast.Constant)]
             if marker in MARKERS and len(values) == 2:
                 yield str(values[0]), str(values[1])
+            elif marker == "Field":  # of the overlay: its name, and what is wrong beyond its limit
+                named = [word.value for word in node.keywords if word.arg == "problem"]
+                for value in (*node.args[:1], *named):
+                    if isinstance(value, ast.Constant):
+                        yield "CurveUps_Fields", str(value.value)
+
+
+def texts_of_parameters() -> set[Text]:
+    """Tooltips of parameters, which are in the native module."""
+    sys.path.insert(0, str(ROOT / "Workbench"))
+    from curveups.features import properties
+    from curveups.native import problem
+
+    if problem() is not None:
+        return {text for path in FOLDER.glob("CurveUps_*.ts") for text in translations(path)
+                if text[0] == PROPERTIES}
+    return {(PROPERTIES, properties.tip_of(row)) for row in properties.rows()}
 
 
 def texts_of_form(source: str) -> Iterator[Text]:

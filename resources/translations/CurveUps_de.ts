@@ -2,6 +2,225 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
   <context>
+    <name>App::Property</name>
+    <message>
+      <source>Bumps on an interface, both tiles together. From 3 to 40. Takes effect at once.</source>
+      <translation>Noppen einer Berührfläche, beide Kacheln zusammen. Von 3 bis 40. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Coulomb friction between tiles, at bumps as well. From 0.01 to 10. Takes effect with Verify.</source>
+      <translation>Coulombsche Reibung zwischen Kacheln, auch an Noppen. Von 0.01 bis 10. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Cylinders around the layout that take the surplus membrane's pull. Takes effect at once.</source>
+      <translation>Zylinder um die Abwicklung, die den Zug der überstehenden Membran aufnehmen. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Density of the tiles, for gravity. From 0 to 30 g/cm3. Takes effect with Verify.</source>
+      <translation>Dichte der Kacheln, für die Schwerkraft. Von 0 bis 30 g/cm3. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Depth of the engraving. From 0.05 to 10 mm. Takes effect at once.</source>
+      <translation>Tiefe der Gravur. Von 0.05 bis 10 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Depth of the notch at which a bridge breaks. From 0 to 10 mm. Takes effect at once.</source>
+      <translation>Tiefe der Kerbe, an der eine Brücke bricht. Von 0 bis 10 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Diameter of a friction bump where it meets its wall. From 0.1 to 10 mm. Takes effect at once.</source>
+      <translation>Durchmesser einer Reibnoppe an ihrer Wand. Von 0.1 bis 10 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Direction in which gravity pulls: x. From -1 to 1. Takes effect with Verify.</source>
+      <translation>Richtung, in die die Schwerkraft zieht: x. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Direction in which gravity pulls: y. From -1 to 1. Takes effect with Verify.</source>
+      <translation>Richtung, in die die Schwerkraft zieht: y. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Direction in which gravity pulls: z. From -1 to 1. Takes effect with Verify.</source>
+      <translation>Richtung, in die die Schwerkraft zieht: z. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Distance between the axes of neighbouring anchors. From 1 to 500 mm. Takes effect at once.</source>
+      <translation>Abstand der Achsen benachbarter Anker. Von 1 bis 500 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Distance of the anchors from the layout's outline. From 0.2 to 200 mm. Takes effect at once.</source>
+      <translation>Abstand der Anker vom Umriss der Abwicklung. Von 0.2 bis 200 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Distance that pins keep from facing pins and truncation planes at sharp folds. From 0 to 5 mm. Takes effect with Solve.</source>
+      <translation>Abstand, den Zapfen an scharfen Falten von gegenüberliegenden Zapfen und Kappungsebenen halten. Von 0 bis 5 mm. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Energy of the membranes: tension-field (they wrinkle where squeezed) or plain neo-Hookean. Takes effect with Verify.</source>
+      <translation>Energie der Membranen: Zugfeld (sie werfen Falten, wo sie gestaucht werden) oder einfach neo-hookesch. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Engraves name, version and piece on one anchor of each piece. Takes effect at once.</source>
+      <translation>Graviert Name, Version und Stück in einen Anker jedes Stücks. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Factor on the coordinates of a file without units (1000 for metres). From 1e-06 to 1e+06. Takes effect with Solve.</source>
+      <translation>Faktor auf die Koordinaten einer Datei ohne Einheiten (1000 für Meter). Von 1e-06 bis 1e+06. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Fit clearance between a bump and its dimple. From 0 to 2 mm. Takes effect at once.</source>
+      <translation>Passungsspiel zwischen Noppe und Mulde. Von 0 bis 2 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Height of a friction bump over its wall. From 0.02 to 5 mm. Takes effect at once.</source>
+      <translation>Höhe einer Reibnoppe über ihrer Wand. Von 0.02 bis 5 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Height of the pins on both faces, to whose tops membranes are glued. From 0.05 to 50 mm. Takes effect at once.</source>
+      <translation>Höhe der Zapfen auf beiden Seiten, auf deren Enden die Membranen geklebt werden. Von 0.05 bis 50 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>How deep a bridge enters each body. From 0 to 5 mm. Takes effect at once.</source>
+      <translation>Wie tief eine Brücke in jeden Körper reicht. Von 0 bis 5 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>How far the slab stays below the upper pin tops (glue). From 0 to 50 mm. Takes effect at once.</source>
+      <translation>Wie weit die Platte unter den oberen Zapfenenden bleibt (Kleber). Von 0 bis 50 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Largest inset of a pin's edge: farther pins pull too weakly. From 0 to 50 mm. Takes effect with Solve.</source>
+      <translation>Größter Abstand einer Zapfenkante: fernere Zapfen ziehen zu schwach. Von 0 bis 50 mm. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Largest triangles of the coarser membrane mesh as a part of L; the finer has half of it. From 0.05 to 2. Takes effect with Verify.</source>
+      <translation>Größte Dreiecke des gröberen Membrannetzes als Teil von L; das feinere hat die Hälfte. Von 0.05 bis 2. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Least area of a pin's top, so that the glue holds. From 0 to 1000 mm2. Takes effect with Solve.</source>
+      <translation>Kleinste Fläche eines Zapfenendes, damit der Kleber hält. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Least distance between any two tiles in the flat layout. From 0 to 20 mm. Takes effect with Solve.</source>
+      <translation>Kleinster Abstand zweier Kacheln in der Abwicklung. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Least inset of a pin's edge from its face's (recessed) edge. From 0 to 20 mm. Takes effect with Solve.</source>
+      <translation>Kleinster Abstand einer Zapfenkante von der (zurückgesetzten) Kante ihrer Seite. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Least normal force at contact points as a part of the mean normal force. From 0 to 1. Takes effect with Verify.</source>
+      <translation>Kleinste Normalkraft an Kontaktpunkten als Teil der mittleren Normalkraft. Von 0 bis 1. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Least normal forces as hard constraints, or weighed against fidelity by w_tight (penalty). Takes effect with Solve.</source>
+      <translation>Kleinste Normalkräfte als harte Nebenbedingungen, oder mit w_tight gegen die Formtreue abgewogen (penalty). Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Lets repair move the actuated vertices a little where poses and pins alone do not do. Takes effect with Solve.</source>
+      <translation>Lässt die Reparatur die aktuierten Ecken etwas verschieben, wo Lagen und Zapfen allein nicht genügen. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Mean edge length of the tiles; with --no-remesh the mesh's own is used. From 0.5 to 200 mm. Takes effect with Solve.</source>
+      <translation>Mittlere Kantenlänge der Kacheln; mit --no-remesh gilt die des Netzes. Von 0.5 bis 200 mm. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Pins smaller than this make a design invalid. From 0 to 1000 mm2. Takes effect with Solve.</source>
+      <translation>Kleinere Zapfen machen einen Entwurf ungültig. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Radius of an anchoring cylinder. From 0.5 to 100 mm. Takes effect at once.</source>
+      <translation>Radius eines Ankerzylinders. Von 0.5 bis 100 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Recesses walls with bumps by half the height, so that bumps do not swell the actuated shape. Takes effect at once.</source>
+      <translation>Setzt Wände mit Noppen um deren halbe Höhe zurück, damit Noppen die aktuierte Form nicht aufblähen. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Rows in which the bumps of an interface stand. From 2 to 10. Takes effect at once.</source>
+      <translation>Reihen, in denen die Noppen einer Berührfläche stehen. Von 2 bis 10. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Shear modulus of the back membrane (latex). From 0.001 to 1000 MPa. Takes effect with Verify.</source>
+      <translation>Schubmodul der hinteren Membran (Latex). Von 0.001 bis 1000 MPa. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Shear modulus of the front membrane (latex). From 0.001 to 1000 MPa. Takes effect with Verify.</source>
+      <translation>Schubmodul der vorderen Membran (Latex). Von 0.001 bis 1000 MPa. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Stretch of the membranes when glued; 3 is nine times the area. From 1.05 to 8. Takes effect with Solve.</source>
+      <translation>Dehnung der Membranen beim Kleben; 3 ist die neunfache Fläche. Von 1.05 bis 8. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Thickness of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
+      <translation>Dicke einer Brücke zum Abbrechen. Von 0.1 bis 20 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Thickness of a tile between its front and its back face. From 0.2 to 100 mm. Takes effect at once.</source>
+      <translation>Dicke einer Kachel zwischen Vorder- und Rückseite. Von 0.2 bis 100 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Thickness of the back membrane before it is stretched. From 0.01 to 10 mm. Takes effect with Verify.</source>
+      <translation>Dicke der hinteren Membran vor dem Dehnen. Von 0.01 bis 10 mm. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Thickness of the front membrane before it is stretched. From 0.01 to 10 mm. Takes effect with Verify.</source>
+      <translation>Dicke der vorderen Membran vor dem Dehnen. Von 0.01 bis 10 mm. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Tiles that carry the piece where gravity is held, as T00012,T00345; none: its lowest. Takes effect with Verify.</source>
+      <translation>Kacheln, die das Stück tragen, wo Schwerkraft gehalten wird, als T00012,T00345; keine: seine tiefsten. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Turns front and back over, for targets whose normals point inwards. Takes effect with Solve.</source>
+      <translation>Vertauscht Vorder- und Rückseite, für Zielflächen, deren Normalen nach innen zeigen. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Weight of missing normal force against deviation from the target where tightness is penalty. From 0 to 1e+09. Takes effect with Solve.</source>
+      <translation>Gewicht fehlender Normalkraft gegen die Abweichung von der Zielfläche, wo tightness penalty ist. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Weight of the alignment energy: facing edges opposite one another. From 0 to 1e+06. Takes effect with Solve.</source>
+      <translation>Gewicht der Ausrichtungsenergie: zugewandte Kanten liegen einander gegenüber. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Weight of the collision energy while constraints are soft. From 0 to 1e+09. Takes effect with Solve.</source>
+      <translation>Gewicht der Kollisionsenergie, solange Nebenbedingungen weich sind. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Weight of the packing energy: facing edges near one another. From 0 to 1e+06. Takes effect with Solve.</source>
+      <translation>Gewicht der Packungsenergie: zugewandte Kanten liegen nahe beieinander. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Weight of the pin area energy while constraints are soft. From 0 to 1e+09. Takes effect with Solve.</source>
+      <translation>Gewicht der Zapfenflächenenergie, solange Nebenbedingungen weich sind. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Weight of the spring energy: membranes evenly and well stretched. From 0 to 1e+06. Takes effect with Solve.</source>
+      <translation>Gewicht der Federenergie: Membranen gleichmäßig und gut gedehnt. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Weight of the tiles: left out, carried by held tiles, or by a plane on which the piece rests. Takes effect with Verify.</source>
+      <translation>Gewicht der Kacheln: weggelassen, von gehaltenen Kacheln getragen oder von einer Ebene, auf der das Stück ruht. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>What holds contacts against sliding: bumps, dimples (bumps that snap into hollows) or none. Takes effect at once.</source>
+      <translation>Was Kontakte gegen Rutschen hält: bumps (Noppen), dimples (Noppen, die in Mulden einrasten) oder none (nichts). Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>What keeps the layout together after printing: soluble slab, breakaway bridges or none. Takes effect at once.</source>
+      <translation>Was die Abwicklung nach dem Druck zusammenhält: soluble (lösliche Platte), breakaway (Brücken zum Abbrechen) oder none (nichts). Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Width of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
+      <translation>Breite einer Brücke zum Abbrechen. Von 0.1 bis 20 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Width of the slab around tiles and anchors. From 0.2 to 50 mm. Takes effect at once.</source>
+      <translation>Breite der Platte um Kacheln und Anker herum. Von 0.2 bis 50 mm. Wirkt sofort.</translation>
+    </message>
+  </context>
+  <context>
     <name>CurveUps</name>
     <message>
       <source>Another task panel is open: close it first</source>
@@ -176,8 +395,16 @@
   <context>
     <name>CurveUpsSolve</name>
     <message>
+      <source>Anchors</source>
+      <translation>Anker</translation>
+    </message>
+    <message>
       <source>Bodies</source>
       <translation>Körper</translation>
+    </message>
+    <message>
+      <source>Bumps</source>
+      <translation>Noppen</translation>
     </message>
     <message>
       <source>Check of the solids</source>
@@ -208,6 +435,10 @@
       <translation>Abwicklung</translation>
     </message>
     <message>
+      <source>Physics</source>
+      <translation>Physik</translation>
+    </message>
+    <message>
       <source>Reading the surface</source>
       <translation>Fläche lesen</translation>
     </message>
@@ -228,8 +459,16 @@
       <translation>Vorschläge</translation>
     </message>
     <message>
+      <source>Support</source>
+      <translation>Stützkörper</translation>
+    </message>
+    <message>
       <source>Target</source>
       <translation>Zielfläche</translation>
+    </message>
+    <message>
+      <source>Tiles</source>
+      <translation>Kacheln</translation>
     </message>
     <message>
       <source>Verification</source>
@@ -273,6 +512,21 @@
     <message>
       <source>Make tiles, support and anchors as solids, for the parameters as they are</source>
       <translation>Kacheln, Stützkörper und Anker als Volumenkörper bauen, mit den Parametern, wie sie sind</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_ColourMaps</name>
+    <message>
+      <source>Automatic</source>
+      <translation>Automatisch</translation>
+    </message>
+    <message>
+      <source>Blue-Orange</source>
+      <translation>Blau-Orange</translation>
+    </message>
+    <message>
+      <source>Grey</source>
+      <translation>Grau</translation>
     </message>
   </context>
   <context>
@@ -362,6 +616,69 @@
     <message>
       <source>Write 3MF, STEP and STL files of the bodies, and the report for the print shop</source>
       <translation>3MF-, STEP- und STL-Dateien der Körper und den Bericht für die Druckerei schreiben</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Fields</name>
+    <message>
+      <source>Conformal stretch</source>
+      <translation>Konforme Dehnung</translation>
+    </message>
+    <message>
+      <source>Deviation</source>
+      <translation>Abweichung</translation>
+    </message>
+    <message>
+      <source>Fold angle</source>
+      <translation>Faltwinkel</translation>
+    </message>
+    <message>
+      <source>Friction ratio</source>
+      <translation>Reibungsverhältnis</translation>
+    </message>
+    <message>
+      <source>Gap</source>
+      <translation>Spalt</translation>
+    </message>
+    <message>
+      <source>Membrane stretch</source>
+      <translation>Membrandehnung</translation>
+    </message>
+    <message>
+      <source>None</source>
+      <translation>Keines</translation>
+    </message>
+    <message>
+      <source>Normal force</source>
+      <translation>Normalkraft</translation>
+    </message>
+    <message>
+      <source>Pin area</source>
+      <translation>Zapfenfläche</translation>
+    </message>
+    <message>
+      <source>Pin room</source>
+      <translation>Platz für Zapfen</translation>
+    </message>
+    <message>
+      <source>contacts below f_min</source>
+      <translation>Kontakte unter f_min</translation>
+    </message>
+    <message>
+      <source>contacts may slip</source>
+      <translation>Kontakte können rutschen</translation>
+    </message>
+    <message>
+      <source>gaps below DGapMin</source>
+      <translation>Spalte unter DGapMin</translation>
+    </message>
+    <message>
+      <source>tiles with less room for pins than APinMin, before Solve makes some</source>
+      <translation>Kacheln mit weniger Platz für Zapfen als APinMin, bevor Lösen welchen schafft</translation>
+    </message>
+    <message>
+      <source>tiles with pins below APinMin</source>
+      <translation>Kacheln mit Zapfen unter APinMin</translation>
     </message>
   </context>
   <context>
@@ -589,6 +906,18 @@
     <message>
       <source>List contacts and tiles, the worst first; a click goes there</source>
       <translation>Kontakte und Kacheln auflisten, die schlechtesten zuerst; ein Klick führt hin</translation>
+    </message>
+    <message>
+      <source>Problem</source>
+      <translation>Problem</translation>
+    </message>
+    <message>
+      <source>Tiles</source>
+      <translation>Kacheln</translation>
+    </message>
+    <message>
+      <source>Value</source>
+      <translation>Wert</translation>
     </message>
     <message>
       <source>Worst Contacts</source>

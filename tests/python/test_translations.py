@@ -22,13 +22,25 @@ class Solve:
                              "lve")
     def say(self):
         return qt.translate("Panel", "{n} tiles", n=3), translate(self.name, self.text)
+    def fields(self):
+        return Field("Gap", "mm", CONTACT, lambda: 1, "low", problem="gaps too small", note="not this")
 '''
-    assert set(translations.texts_of_python(python)) == {("CurveUps_Solve", "Solve"), ("Panel", "{n} tiles")}
+    assert set(translations.texts_of_python(python)) == {
+        ("CurveUps_Solve", "Solve"), ("Panel", "{n} tiles"), ("CurveUps_Fields", "Gap"),
+        ("CurveUps_Fields", "gaps too small")}
     form = ('<ui><class>Form</class><widget><property name="text"><string>Stop</string></property>'
             '<property name="x"><string notr="true">objectName</string></property></widget></ui>')
     assert set(translations.texts_of_form(form)) == {("Form", "Stop")}
     assert ("Workbench", "&CurveUps") in translations.texts()
     assert "CurveUps_de" in {path.stem for path in LANGUAGES}
+
+
+def test_parameters_are_found_without_the_native_module_too(monkeypatch):
+    found = translations.texts_of_parameters()
+    assert len(found) > 40 and all(text.endswith(".") for _, text in found)
+    assert any("Thickness of a tile" in text and "Takes effect at once." in text for _, text in found)
+    monkeypatch.setattr("curveups.native.problem", lambda: "it is not there")
+    assert translations.texts_of_parameters() == found
 
 
 @every_language

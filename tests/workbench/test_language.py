@@ -23,6 +23,24 @@ def work():
     form = open_panel(new_design(FreeCAD.newDocument(), 'disc')).form
     assert form.stop.text() == 'Anhalten' and form.solve.text() == 'Lösen', form.stop.text()
     assert form.stages.headerItem().text(0) == 'Schritt', form.stages.headerItem().text(0)
+    # Parameters, in the panel and as the property editor looks them up; legends.
+    form.group.setCurrentIndex(form.group.findText('Kacheln'))
+    settle(100)
+    tip = form.findChild(QtGui.QWidget, 'HBody').toolTip()
+    assert tip.startswith('Dicke einer Kachel') and tip.endswith('Wirkt sofort.'), tip
+    design = FreeCAD.ActiveDocument.Objects[0]
+    tip = QtCore.QCoreApplication.translate('App::Property', design.getDocumentationOfProperty('Tau'))
+    assert tip.startswith('Dehnung der Membranen'), tip
+    from curveups.features import document as designs
+    from curveups.overlay import overlay_of
+    designs.take(design, designs.project_of(design).run(('target',)))
+    settle(500)
+    assert overlay_of(design).legend.content.title == 'Faltwinkel'
+    FreeCADGui.ActiveDocument.ActiveView.viewTop()
+    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    overlay_of(design).set_field('Friction ratio')  # there is none yet: the first one stays
+    settle(500)
+    FreeCADGui.ActiveDocument.ActiveView.saveImage(picture, 900, 600, 'White')
     from curveups.commands.command import no_design
     FreeCAD.closeDocument(FreeCAD.ActiveDocument.Name)
     assert no_design().startswith('Es gibt keinen Entwurf'), no_design()
@@ -30,5 +48,5 @@ def work():
 
 
 def test_german(homes, tmp_path):
-    out = run_in_window(GERMAN, homes[True], tmp_path)
+    out = run_in_window(GERMAN, homes[True], tmp_path, picture=tmp_path / "german.png")
     assert "Traceback" not in out, out

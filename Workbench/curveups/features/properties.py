@@ -63,11 +63,16 @@ def add_parameters(obj: Any, parameters: Any) -> None:
         kind = _TYPES.get(row.type) or _UNIT_TYPES.get(row.unit)
         if kind not in supported:
             kind = "App::PropertyFloat"
-        tip = f"{row.meaning}{_range(row)} {WHEN[_TIERS[row.group]]}"
-        obj.addProperty(kind, name, GROUPS[row.group], tip)
+        obj.addProperty(kind, name, GROUPS[row.group], tip_of(row))
         if row.choices:
             setattr(obj, name, list(row.choices))
         _set(obj, row, parameters.get(row.name))
+
+
+def tip_of(row: Any) -> str:
+    """What a document says of a parameter's property. Windows translate it whole, in the context
+    App::Property as FreeCAD's property editor does."""
+    return f"{row.meaning}{_range(row)} {WHEN[_TIERS[row.group]]}"
 
 
 def write_parameters(obj: Any, parameters: Any) -> None:

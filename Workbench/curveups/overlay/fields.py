@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What tiles and contacts can be coloured by, as far as a project has come.
 
-A field is computed when it is first looked at. To add one: a line in the function of its stage.
+A field is computed when it is first looked at. To add one: a line in the function of its stage. Names and
+problems, written as literals, are translated where they are shown.
 """
 
 from __future__ import annotations
@@ -94,14 +95,18 @@ class Field:
 
 def target_fields(V: np.ndarray, F: np.ndarray, cuts: np.ndarray, parameters: Any, contacts: np.ndarray,
                   judge: bool) -> list[Field]:
-    """Of a target before any layout; `judge`: whether their limits are problems (a layout knows better)."""
+    """Of a target before any layout; `judge`: whether their limits are problems (a layout knows better).
+
+    Stretch has no limit: it is that of the start, scaled so that the median tile fits, and half of all
+    tiles begin below what leaves them their gaps."""
     found = cache(lambda: native.target_fields(V, F, cuts, parameters))
     limits: dict[str, Any] = {"limit": 0.0} if judge else {}
     return [
         Field("Fold angle", "deg", CONTACT, lambda: aligned(found(), "fold_angle", contacts), signed=True,
               shape=(len(contacts),)),
         Field("Pin room", "mm^2", SIDE, lambda: found()["pin_room"], "low", mark="diamond",
-              problem="have no room for a pin", shape=(len(F), 2), **limits),
+              problem="tiles with less room for pins than APinMin, before Solve makes some",
+              shape=(len(F), 2), **limits),
         Field("Conformal stretch", "", TILE, lambda: found()["conformal_stretch"], "low",
               shape=(len(F),))]
 
@@ -112,9 +117,9 @@ def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
     get = design.parameters.get
     return [
         Field("Gap", "mm", CONTACT, lambda: aligned(found(), "gap", contacts), "low", get("d_gap_min"),
-              "square", "gaps below d_gap_min", shape=(len(contacts),)),
+              "square", problem="gaps below DGapMin", shape=(len(contacts),)),
         Field("Pin area", "mm^2", SIDE, lambda: found()["pin_area"], "low", get("A_pin_min"), "diamond",
-              "pins below A_pin_min", shape=(len(design.F), 2))]
+              problem="tiles with pins below APinMin", shape=(len(design.F), 2))]
 
 
 def deviation_field(V: np.ndarray, F: np.ndarray, source_V: np.ndarray, source_F: np.ndarray) -> Field:
@@ -143,11 +148,11 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any, note:
     if "contact_normal_min" in arrays:
         fields.append(Field("Normal force", "N", CONTACT,
                             lambda: aligned(arrays, "contact_normal_min", contacts), "low", f_min, "cross",
-                            "contacts below f_min", note=note))
+                            problem="contacts below f_min", note=note))
     if "contact_friction_ratio" in arrays:
         fields.append(Field("Friction ratio", "", CONTACT,
                             lambda: aligned(arrays, "contact_friction_ratio", contacts), "high",
-                            slipping, "triangle", "contacts may slip", note=note))
+                            slipping, "triangle", problem="contacts may slip", note=note))
     return fields
 
 

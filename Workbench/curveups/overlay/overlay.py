@@ -270,7 +270,7 @@ class Overlay:
             if one.on != MEMBRANE:
                 values = ", ".join(text_of(x, one.unit, one.size)
                                    for x in self.scene.tile_values(one, tile))
-                found.append((one.name, values))
+                found.append((translate("CurveUps_Fields", one.name), values))
         return found
 
     def figures(self) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -388,7 +388,8 @@ class Overlay:
             notes.append(one.note)
         if self.note:
             notes.append(translate("CurveUps_Overlay", "not as it is now: {why}", why=self.note))
-        marks = tuple((field.mark, f"{len(field.problems)} {field.problem}") for field in self._problems())
+        marks = tuple((field.mark, f"{len(field.problems)} {translate('CurveUps_Fields', field.problem)}")
+                      for field in self._problems())
         if one is None:
             title = self.object.Label
             self.legend.show(Content(title, has_bar=False, notes=tuple(notes), marks=marks)

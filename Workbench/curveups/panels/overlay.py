@@ -11,10 +11,14 @@ from ..overlay import colours, overlay_of
 from ..overlay.overlay import AUTOMATIC
 from ..overlay.scene import NO_FIELD, membranes_of
 from ..overlay.units import user_unit
-from ..qt import QtWidgets, load_ui, translate
+from ..qt import QT_TRANSLATE_NOOP, QtWidgets, load_ui, translate
 from .following import Following
 from .live import LIVE, Task
 
+# Shown by names that stand elsewhere.
+_MARKED = (QT_TRANSLATE_NOOP("CurveUps_ColourMaps", "Automatic"),
+           QT_TRANSLATE_NOOP("CurveUps_ColourMaps", "Blue-Orange"),
+           QT_TRANSLATE_NOOP("CurveUps_ColourMaps", "Grey"), QT_TRANSLATE_NOOP("CurveUps_Fields", "None"))
 _STEPS = 200  # of the slider
 _MOST_TILES = 50
 
@@ -90,7 +94,7 @@ class OverlayPanel(Following):
         for tile in self._overlay.selected[:_MOST_TILES]:
             top = QtWidgets.QTreeWidgetItem(tree, [tile_name(tile), ""])
             for name, values in self._overlay.values_of(tile):
-                QtWidgets.QTreeWidgetItem(top, [translate("CurveUps_Fields", name), values])
+                QtWidgets.QTreeWidgetItem(top, [name, values])
             top.setExpanded(True)
         self.form.hint.setVisible(not self._overlay.selected)
 

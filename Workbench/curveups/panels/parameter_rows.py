@@ -36,7 +36,7 @@ class ParameterRows:
         for name in names:
             field = self._make(name)
             field.setObjectName(name)
-            field.setToolTip(obj.getDocumentationOfProperty(name))
+            field.setToolTip(translate("App::Property", obj.getDocumentationOfProperty(name)))
             label = QtWidgets.QLabel(_spaced(name))
             label.setToolTip(field.toolTip())
             form.addRow(label, field)

@@ -41,6 +41,16 @@ _STAGES = {
     "check": QT_TRANSLATE_NOOP("CurveUpsSolve", "Check of the solids"),
     "suggestions": QT_TRANSLATE_NOOP("CurveUpsSolve", "Suggestions"),
 }
+_GROUPS = {
+    "Target": QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"),
+    "Tiles": QT_TRANSLATE_NOOP("CurveUpsSolve", "Tiles"),
+    "Layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"),
+    "Physics": QT_TRANSLATE_NOOP("CurveUpsSolve", "Physics"),
+    "Repair": QT_TRANSLATE_NOOP("CurveUpsSolve", "Repair"),
+    "Bumps": QT_TRANSLATE_NOOP("CurveUpsSolve", "Bumps"),
+    "Support": QT_TRANSLATE_NOOP("CurveUpsSolve", "Support"),
+    "Anchors": QT_TRANSLATE_NOOP("CurveUpsSolve", "Anchors"),
+}
 DONE, RUNNING, WAITING = "✓", "▶", "·"
 
 _open: Optional["SolvePanel"] = None
@@ -167,7 +177,8 @@ class SolvePanel:
                 group = self.design.getGroupOfProperty(name)
                 self._groups.setdefault(group, []).append(name)
         for group in sorted(self._groups):
-            form.group.addItem(group.split(" ", 1)[-1], group)
+            title = group.split(" ", 1)[-1]
+            form.group.addItem(translate("CurveUpsSolve", _GROUPS.get(title, title)), group)
         form.group.currentIndexChanged.connect(lambda *_: self._show_group())
         form.remember.clicked.connect(lambda: preferences.remember(
             self.design, [name for names in self._groups.values() for name in names]))

@@ -22,8 +22,9 @@ class WorstContactsPanel(Following):
         form.setWindowTitle(translate("CurveUps_WorstContacts", "Worst of {name}", name=design.Label))
         self._filling, self._shown = False, None  # type: bool, Any
         form.rows.setColumnCount(3)
-        form.rows.setHorizontalHeaderLabels([translate("CurveUps_WorstContacts", text)
-                                             for text in ("Tiles", "Value", "Problem")])
+        form.rows.setHorizontalHeaderLabels([translate("CurveUps_WorstContacts", "Tiles"),
+                                             translate("CurveUps_WorstContacts", "Value"),
+                                             translate("CurveUps_WorstContacts", "Problem")])
         form.rows.verticalHeader().setVisible(False)
         form.rows.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         self._follow(design)
