@@ -42,6 +42,7 @@ class DesignProxy(Proxy):
         figures.add_figures(obj)
         hidden = READ_ONLY | HIDDEN | OUTPUT
         add(obj, "App::PropertyString", "Results", "Base", "Everything that was computed.", hidden)
+        add(obj, "App::PropertyString", "ResultsDigest", "Base", "Of Results, as they were written.", hidden)
         add(obj, "App::PropertyString", "Solved", "Base", "What the layout was made from.", hidden)
         add(obj, "App::PropertyString", "Judged", "Base", "The verdict and what it was made from.", hidden)
         add(obj, "App::PropertyString", "Rebuilt", "Base", "What holds for values that are not judged yet.",
@@ -94,7 +95,7 @@ class DesignProxy(Proxy):
             write(obj, "Status", found.state)
             for slot, (state, reason) in found.parts.items():
                 part = getattr(obj, slot)
-                if part is not None and "Status" in part.PropertiesList:
+                if part is not None and {"Status", "Reason"} <= set(part.PropertiesList):
                     write(part, "Status", state)
                     write(part, "Reason", reason)
         finally:
@@ -111,6 +112,8 @@ class DesignProxy(Proxy):
         return ""
 
     def onDocumentRestored(self, obj: Any) -> None:
+        import FreeCAD
+
         if migration.is_old(obj):
             return  # until the whole document is there
         super().onDocumentRestored(obj)
@@ -119,7 +122,10 @@ class DesignProxy(Proxy):
         if obj.Target is not None:
             show(obj.Target)  # it has no proxy that would
         self.refresh(obj)
+        if obj.Results and not (status.are_intact(obj) and status.record(obj, "Solved")):
+            FreeCAD.Console.PrintError(f"{obj.Label}: {obj.Reasons[0]}\n")
 
 
 # A change of these is a change of state, whoever makes it.
-_WATCHED = (*SLOTS, "Verdict", "Reasons", "Status", "Results", "Solved", "Judged", "Rebuilt")
+_WATCHED = (*SLOTS, "Verdict", "Reasons", "Status", "Results", "ResultsDigest", "Solved", "Judged",
+            "Rebuilt")

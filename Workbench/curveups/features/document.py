@@ -73,6 +73,7 @@ def take(obj: Any, results: Results, timed: bool = True) -> None:
     """A run's results become those of the Design and what is below it. To be called inside of the
     caller's transaction; solids follow (build_bodies). `timed`: whether seconds are kept."""
     before = live.stored(obj)
+    _complete(obj)
     finished = before.latest("design")
     made = {**before.given(), **before.made(), **_worth_keeping(results, finished)}
     solved = "design" in results and (finished is None or "layout" in results)
@@ -85,6 +86,7 @@ def take(obj: Any, results: Results, timed: bool = True) -> None:
         _take_design(obj, results, solved)
     elif "target" in results:
         _write_mesh(obj.Target, results["target"].V, results["target"].F)
+    write(obj, "ResultsDigest", status.digest_of_text(text))
     write(obj, "Results", text)
     obj.Proxy.project = obj.Proxy.standing = None
     obj.Proxy.refresh(obj)
@@ -110,13 +112,14 @@ def set_cuts(obj: Any, edges: Any) -> None:
     edges = np.asarray(edges, int).reshape(-1, 2)
     if len(edges) and not (0 <= edges.min() and edges.max() < len(found.V)):
         raise CurveUpsError("a cut runs along no edge of the target", obj.Label, "pick the edges again")
+    _complete(obj)
     write_cuts(obj.Cuts, edges, found.V)
     obj.Proxy.refresh(obj)
 
 
 def cuts_of(obj: Any) -> np.ndarray:
     """C x 2 vertices of the Target's mesh, as they are asked for."""
-    return edges_of(obj.Cuts)
+    return edges_of(obj.Cuts) if obj.Cuts is not None else np.zeros((0, 2), np.int32)
 
 
 def state_of(obj: Any, part: str = "") -> tuple[str, str]:
@@ -206,6 +209,13 @@ def _write_mesh(obj: Any, V: np.ndarray, F: np.ndarray) -> None:
         obj.Mesh = Mesh.Mesh([[tuple(map(float, V[v])) for v in face] for face in F])
         obj.Placement = placement
         obj.purgeTouched()
+
+
+def _complete(obj: Any) -> None:
+    """Adds objects that results are written to where somebody deleted them."""
+    for slot in ("Cuts", "Layout", "Verification"):
+        if getattr(obj, slot) is None:
+            setattr(obj, slot, _MAKERS[slot](obj.Document))
 
 
 def make_design(obj: Any, parts: Mapping[str, Any]) -> None:

@@ -7,6 +7,7 @@ document, so that this works, and a stale "valid" is noticed, without the native
 
 from __future__ import annotations
 
+import hashlib
 import json
 from dataclasses import dataclass
 from typing import Any, Mapping
@@ -17,6 +18,9 @@ from .target import is_target
 
 EMPTY, CURRENT, OUT_OF_DATE, INVALID, RUNNING = "empty", "current", "out of date", "invalid", "running"
 _OF_TARGET = ("L", "Scale", "Flip")
+# What the fields of records are; a record with another is damaged, and none.
+_KINDS: dict[str, Any] = {"parameters": dict, "reasons": list, "valid": (bool, type(None)), "design": str,
+                          "cuts": str, "source": dict, "failure": str}
 VERDICTS = {True: "valid", False: "not valid", None: "not judged"}
 
 
@@ -41,10 +45,14 @@ def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
     if solved and _digest_of_cuts(obj) != solved.get("cuts", ""):
         cuts = [_remedied("the cuts changed since the layout was solved", "Solve")]
     lists = [] if is_intact(obj.Layout) else [_remedied("the layout's lists were changed by hand", "Solve")]
+    if solved and not are_intact(obj):
+        lists.append(_remedied("the stored results are damaged or were changed by hand", "Solve"))
     layout = source + cuts + lists + _changed(now, then, "the layout was solved", "Solve")
     verification = _changed(now, judged.get("parameters", {}), "the design was judged", "Verify")
     if not solved:
-        state, verdict, reasons = EMPTY, VERDICTS[None], ["there is no layout yet: Solve makes it"]
+        lost = "what was said of the layout's making is damaged or gone" if getattr(
+            obj, "Results", "") else "there is no layout yet"
+        state, verdict, reasons = EMPTY, VERDICTS[None], [f"{lost}: Solve makes it"]
     else:
         state, verdict, reasons = _judgement(obj, judged, layout, verification)
     if refused:
@@ -69,7 +77,21 @@ def record(obj: Any, name: str) -> dict[str, Any]:
         found = json.loads(getattr(obj, name, "") or "{}")
     except ValueError:
         return {}
-    return found if isinstance(found, dict) else {}
+    if not isinstance(found, dict) or not all(
+            isinstance(value, _KINDS.get(name, object)) for name, value in found.items()):
+        return {}
+    return found if all(isinstance(line, str) for line in found.get("reasons", ())) else {}
+
+
+def are_intact(obj: Any) -> bool:
+    """Whether the text of the results is the one that was written."""
+    written = getattr(obj, "ResultsDigest", "")
+    return not written or written == digest_of_text(obj.Results)
+
+
+def digest_of_text(text: str) -> str:
+    """Tells texts apart."""
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
 
 
 def known_of_values(obj: Any) -> dict[str, Any]:
@@ -124,7 +146,7 @@ def _source_changes(obj: Any, solved: Mapping[str, Any]) -> list[str]:
     if solved["source"].get("object") and obj.Target.Source is None and not (
             obj.Target.File or obj.Target.BuiltIn):
         return ["the object that gave the target was deleted: choose another with Target"]
-    if obj.Target.Stamp != solved["source"].get("stamp"):
+    if getattr(obj.Target, "Stamp", "") != solved["source"].get("stamp"):
         name = obj.Target.Source.Label if obj.Target.Source else obj.Target.File or obj.Target.BuiltIn
         return [_remedied(f"the target's source {name} changed since the layout was solved", "Solve")]
     return []

@@ -18,6 +18,9 @@ constexpr double corner_angle = 40 * 3.14159265358979323846 / 180;
 constexpr int most_rounds = 6;  // of finding the length that gives the wanted mean
 constexpr double mean_tolerance = 0.01;
 constexpr double most_faces = 200000;
+// CGAL's collapsing of short edges does not come to an end on spikes of some 500 L; a square with
+// edges of 300 L has more tiles than most_faces.
+constexpr double longest_edge_of_L = 300;
 
 struct EdgeStatistics {
   double mean, deviation;
@@ -86,6 +89,15 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
     if (has_no_area(surface, f)) {
       throw InvalidInput("face " + std::to_string(f) + " of the surface has no area",
                          "clean the mesh first");
+    }
+    for (int t = 0; t < 3; ++t) {
+      const double length =
+          (surface.V.row(surface.F(f, next3(t))) - surface.V.row(surface.F(f, t))).norm();
+      if (length <= longest_edge_of_L * options.L) continue;
+      throw InvalidInput("face " + std::to_string(f) + " of the surface has an edge of " +
+                             std::to_string(static_cast<long long>(length)) + " mm, L is " +
+                             std::to_string(options.L) + " mm",
+                         "look for a vertex far away from the others, or choose a larger L");
     }
   }
   const double expected = surface_area(surface) / (std::sqrt(3.0) / 4 * options.L * options.L);

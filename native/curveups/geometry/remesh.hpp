@@ -25,7 +25,8 @@ struct RemeshResult {
 // that move vertices along the surface. Every component and every boundary loop stays; boundary
 // vertices stay on the input's boundary, its corners (turns above 40 degrees) stay vertices.
 // Deterministic. Throws what build_topology and boundary_loops throw, InvalidInput (vertices not
-// finite, faces without area, L not positive or so small that more than 200,000 faces would arise),
+// finite, faces without area, edges longer than 300 L, L not positive or so small that more than
+// 200,000 faces would arise),
 // TopologyError where a component or a loop is too small for edges of this length, Cancelled.
 RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options);
 

@@ -110,6 +110,9 @@ TEST(Remesh, StopsAndRefuses) {
   EXPECT_THROW(remesh(disc, {0}), InvalidInput);
   EXPECT_THROW(remesh(disc, {std::nan("")}), InvalidInput);
   EXPECT_THROW(remesh(disc, {0.01}), InvalidInput);
+  TriangleMesh spike = disc;
+  spike.V(disc.F(0, 0), 2) = 4000;
+  EXPECT_THROW(remesh(spike, {7}), InvalidInput);
   TriangleMesh broken = disc;
   broken.V(0, 0) = std::numeric_limits<double>::infinity();
   EXPECT_THROW(remesh(broken, {7}), InvalidInput);

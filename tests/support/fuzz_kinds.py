@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is fuzzed: good inputs of every reader, and what must hold of whatever is read from a mutated one.
+
+A kind answers `samples()` (good files), and `check(path, number)`, which reads the file and raises
+CurveUpsError or one of the native errors where it is refused; anything else that it raises is a failure.
+Sound work is cut short: it is the business of other tests."""
+
+import json
+import os
+import signal
+import struct
+import time
+import zipfile
+from io import BytesIO
+from pathlib import Path
+
+import numpy as np
+from running import dome
+
+from curveups import cad_files, freecad_io, freecad_session, saved_results
+from curveups.native import native
+from curveups.project import Project
+from curveups.stages.design import FinishedDesign
+
+NONE = np.zeros((0, 2), np.int32)
+CAD_SECONDS = 20.0
+
+
+def _cap():
+    lines = [line.split() for line in dome(2).splitlines()]
+    return (np.array([line[1:] for line in lines if line[0] == "v"], float),
+            np.array([line[1:] for line in lines if line[0] == "f"], np.int32) - 1)
+
+
+V, F = _cap()
+
+
+class Briefly:
+    """A progress sink that ends work after a while."""
+
+    def __init__(self, seconds=1.0):
+        self._end = time.monotonic() + seconds
+
+    def __call__(self, *_):
+        return time.monotonic() < self._end
+
+
+def check_mesh(path, number):
+    found_V, found_F = freecad_io.read_target(path, 0.01)
+    assert found_V.shape[1:] == (3,) and found_F.shape[1:] == (3,) and np.isfinite(found_V).all()
+    assert found_F.min() >= 0 and found_F.max() < len(found_V)
+    clean = native.clean_mesh(found_V, found_F, Briefly())
+    errors = [one for one in native.check_mesh(clean.V, clean.F, 8.0, True, Briefly()) if one.is_error]
+    if not errors and number % 20 == 0:
+        made = native.remesh(clean.V, clean.F, 8.0, Briefly())
+        assert np.isfinite(made.V).all()
+
+
+def check_cad(path, number):
+    found_V, found_F = cad_files.read_cad(path, 0.5, time_limit=CAD_SECONDS)
+    assert np.isfinite(found_V).all() and found_F.min() >= 0 and found_F.max() < len(found_V)
+
+
+def check_design(path, number):
+    design = native.read_design(path.read_text(encoding="utf-8"))
+    assert native.write_design(native.read_design(native.write_design(design))) == native.write_design(design)
+    native.tile_shapes(design)
+    native.evaluate_design(design)
+    native.design_fields(design)
+    if number % 20 == 0:
+        native.verify_design(design, None, Briefly())
+    if number % 20 == 10:
+        native.make_print_model(design, Briefly())
+
+
+def check_parameters(path, number):
+    values = json.loads(path.read_text(encoding="utf-8"))
+    if not isinstance(values, dict):
+        return
+    parameters = native.Parameters()
+    for name, value in values.items():
+        parameters.set(name, value)
+    parameters.check()
+    native.check_target(V, F, NONE, parameters)
+    if number % 10 == 0:
+        found = native.solve_layout(V, F, NONE, parameters, Briefly())
+        assert np.isfinite(found.T).all() and np.isfinite(found.q).all()
+
+
+def check_results(path, number):
+    """The results that a document stores as text."""
+    for name, one in saved_results.from_text(path.read_text(encoding="utf-8"), path.name).items():
+        assert isinstance(name, str) and one.result is not None
+
+
+def _stl():
+    return ("solid cap\n" + "".join(
+        "facet normal 0 0 1\nouter loop\n" + "".join("vertex %r %r %r\n" % tuple(V[v].tolist()) for v in face)
+        + "endloop\nendfacet\n" for face in F) + "endsolid cap\n").encode()
+
+
+def _binary_stl():
+    return b"cap".ljust(80) + struct.pack("<I", len(F)) + b"".join(
+        struct.pack("<12fH", 0, 0, 1, *V[face].ravel(), 0) for face in F)
+
+
+def _rows():
+    return ("".join("%r %r %r\n" % tuple(row) for row in V.tolist())
+            + "".join("3 %d %d %d\n" % tuple(face) for face in F.tolist()))
+
+
+def _ply_header(form):
+    return (f"ply\nformat {form} 1.0\nelement vertex {len(V)}\n"
+            + "".join(f"property float {axis}\n" for axis in "xyz")
+            + f"element face {len(F)}\nproperty list uchar int vertex_indices\nend_header\n")
+
+
+def _binary_ply():
+    return (_ply_header("binary_little_endian").encode() + b"".join(struct.pack("<3f", *row) for row in V)
+            + b"".join(struct.pack("<B3i", 3, *face) for face in F))
+
+
+def _3mf():
+    model = ('<?xml version="1.0"?>\n<model unit="millimeter" xmlns='
+             '"http://schemas.microsoft.com/3dmanufacturing/core/2015/02">\n<resources>\n'
+             '<object id="1"><mesh><vertices>\n'
+             + "".join('<vertex x="%r" y="%r" z="%r"/>\n' % tuple(row) for row in V.tolist())
+             + "</vertices><triangles>\n"
+             + "".join('<triangle v1="%d" v2="%d" v3="%d"/>\n' % tuple(face) for face in F.tolist())
+             + '</triangles></mesh></object>\n<object id="2"><components>\n'
+             '<component objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 0"/>\n</components></object>\n'
+             '</resources>\n<build>\n<item objectid="2"/>\n</build>\n</model>\n')
+    out = BytesIO()
+    with zipfile.ZipFile(out, "w") as archive:
+        archive.writestr("3D/3dmodel.model", model)
+    return out.getvalue()
+
+
+def _design():
+    parameters = native.Parameters()
+    found = native.solve_layout(V, F, NONE, parameters)
+    return native.Design("cap", parameters, V, F, found.T, found.q, NONE)
+
+
+def _results():
+    """What a document stores of a run that ended before its design was verified."""
+    project = Project("cap", native.Parameters(), {"design": FinishedDesign(_design())})
+    return saved_results.to_text(project.made()).encode()
+
+
+def _cad(ending):
+    def samples():
+        _, part = freecad_session.load("Part")
+        cap = part.makeSphere(40).common(part.makeBox(60, 60, 60))
+        shapes = [part.makeBox(20, 30, 10).Shells[0], cap.Faces[0]]
+        out = []
+        for shape in shapes:
+            path = Path(f"good.{ending}").resolve()
+            getattr(shape, "export" + ending.capitalize())(str(path))
+            out.append(path.read_bytes())
+            path.unlink()
+        return out
+
+    return samples
+
+
+def _crash(path, number):
+    if number == 3:
+        os.kill(os.getpid(), signal.SIGSEGV)
+
+
+def _hang(path, number):
+    if number == 3:
+        while True:
+            time.sleep(1)
+
+
+def _break(path, number):
+    if number == 3:
+        raise KeyError("a name that is not there")
+
+
+# Name: (ending of its files, samples, check, share of the time).
+KINDS = {
+    "obj": (".obj", lambda: [dome(2).encode()], check_mesh, 1.0),
+    "off": (".off", lambda: [f"OFF\n{len(V)} {len(F)} 0\n{_rows()}".encode()], check_mesh, 1.0),
+    "stl": (".stl", lambda: [_stl(), _binary_stl()], check_mesh, 1.0),
+    "ply": (".ply", lambda: [(_ply_header("ascii") + _rows()).encode(), _binary_ply()], check_mesh, 1.0),
+    "3mf": (".3mf", lambda: [_3mf()], check_mesh, 1.0),
+    "step": (".step", _cad("step"), check_cad, 1.0),
+    "iges": (".iges", _cad("iges"), check_cad, 1.0),
+    "brep": (".brep", _cad("brep"), check_cad, 1.0),
+    "design": (".json", lambda: [native.write_design(_design()).encode()], check_design, 2.0),
+    "results": (".json", lambda: [_results()], check_results, 1.0),
+    "parameters": (".json", lambda: [json.dumps(native.Parameters().to_dict(), indent=1).encode()],
+                   check_parameters, 1.0),
+}
+# What a fuzzer must notice; for its own test.
+BROKEN = {name: (".txt", lambda: [b"1\n2\n"], check, 1.0)
+          for name, check in (("crash", _crash), ("hang", _hang), ("break", _break))}
