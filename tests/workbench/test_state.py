@@ -90,6 +90,43 @@ done()
 """, path=document)
 
 
+def test_hands_at_what_was_computed(freecad, document, tmp_path):
+    """Lists and results that are not those that were written are noticed, reopened too, and used for
+    nothing; the command that is named makes them anew."""
+    freecad(OPEN + """
+for name, value in (('ContactNormalMin', [9.0]), ('WeakContacts', [0, 1]), ('Digest', 'x')):
+    kept = getattr(design.Verification, name)
+    setattr(design.Verification, name, value)
+    stale('by hand', 'Verify')
+    parts('Verification')
+    setattr(design.Verification, name, kept)
+    judged()
+design.Verification.ContactNormalMin = [9.0]
+documents.take(design, documents.design_project_of(design).run(('figures', 'verification')))
+judged()
+assert len(design.Verification.ContactNormalMin) == len(design.Verification.ContactFriction) > 1
+kept, wrong = design.Results, design.Results.replace('"layout"', '"Layout"', 1)
+assert wrong != kept
+design.Results = wrong
+stale('by hand', 'Solve')
+parts('Layout', 'Verification')
+try:
+    documents.design_project_of(design)
+    raise AssertionError('a layout was taken from it')
+except CurveUpsError as error:
+    assert 'by hand' in str(error) and 'Solve' in str(error), error
+document = reopened(copy)
+design = document.Design
+stale('by hand', 'Solve')
+design.Results = kept
+judged()
+design.Results = wrong
+documents.take(design, documents.project_of(design).run(('design', 'figures', 'verification')))
+judged()
+done()
+""", path=document, copy=tmp_path / "copy.FCStd")
+
+
 @pytest.mark.parametrize("name, value, reason", [
     ("HPin", "999 mm", "50.00 mm"), ("HBody", "45 mm", "back faces vanish"), ("PMin", "5 mm", "PMax"),
     ("BumpCount", 1, "give 3 to 40"), ("HeldTiles", "'x'", "no tile")])

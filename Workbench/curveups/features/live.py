@@ -13,6 +13,7 @@ from ..stages.design import FinishedDesign
 from ..stages.surface import Source
 from . import properties
 from .cuts import request_of
+from .status import SPOILT, are_intact
 from .target import is_target, source_of
 
 
@@ -40,7 +41,7 @@ def design_project_of(obj: Any) -> Project:
     the solids are made from. Raises CurveUpsError where there is no layout or a property can't be used."""
     finished = stored(obj).latest("design")
     if finished is None:
-        raise CurveUpsError("there is no layout yet", obj.Label, "run Solve")
+        raise CurveUpsError("there is no layout yet" if are_intact(obj) else SPOILT, obj.Label, "run Solve")
     parameters = properties.read_parameters(obj, _base(finished), ("rebuild", "verify"))
     proxy = obj.Proxy
     if proxy.standing is None or proxy.standing.latest("design").content != finished.content:
@@ -83,13 +84,14 @@ def stored(obj: Any) -> Project:
     """What the document holds, under whatever parameters; see project_of and design_project_of."""
     proxy = obj.Proxy
     if proxy.project is None:
-        made = saved_results.from_text(obj.Results, obj.Label) if obj.Results else {}
+        known = obj.Results and are_intact(obj)  # nothing is taken from others
+        made = saved_results.from_text(obj.Results, obj.Label) if known else {}
         given = {name: made[name].result for name in ("source", "cut request") if name in made}
         if "source" not in given and "design" in made:
             given = {"design": made["design"].result}
-        known = {name: one for name, one in made.items() if name not in given}
+        others = {name: one for name, one in made.items() if name not in given}
         parameters = _base(made["design"].result if "design" in made else None)
-        proxy.project = Project(obj.Label, parameters, given, obj.Label, known)
+        proxy.project = Project(obj.Label, parameters, given, obj.Label, others)
         proxy.standing = None
     return proxy.project
 

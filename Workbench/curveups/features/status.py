@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from typing import Any, Mapping
 
 from . import properties
-from .layout import is_intact
+from . import layout as layouts
+from . import verification as verifications
 from .target import is_target
 
 EMPTY, CURRENT, OUT_OF_DATE, INVALID, RUNNING = "empty", "current", "out of date", "invalid", "running"
@@ -21,6 +22,7 @@ _OF_TARGET = ("L", "Scale", "Flip")
 # What the fields of records are; a record with another is damaged, and none.
 _KINDS: dict[str, Any] = {"parameters": dict, "reasons": list, "valid": (bool, type(None)), "design": str,
                           "cuts": str, "source": dict, "failure": str}
+SPOILT = "the stored results are damaged or were changed by hand"
 VERDICTS = {True: "valid", False: "not valid", None: "not judged"}
 
 
@@ -44,11 +46,15 @@ def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
     cuts = []
     if solved and _digest_of_cuts(obj) != solved.get("cuts", ""):
         cuts = [_remedied("the cuts changed since the layout was solved", "Solve")]
-    lists = [] if is_intact(obj.Layout) else [_remedied("the layout's lists were changed by hand", "Solve")]
+    lists = []
+    if not layouts.is_intact(obj.Layout):
+        lists.append(_remedied("the layout's lists were changed by hand", "Solve"))
     if solved and not are_intact(obj):
-        lists.append(_remedied("the stored results are damaged or were changed by hand", "Solve"))
+        lists.append(_remedied(SPOILT, "Solve"))
     layout = source + cuts + lists + _changed(now, then, "the layout was solved", "Solve")
     verification = _changed(now, judged.get("parameters", {}), "the design was judged", "Verify")
+    if not verifications.is_intact(obj.Verification):
+        verification.append(_remedied("the verification's lists were changed by hand", "Verify"))
     if not solved:
         lost = "what was said of the layout's making is damaged or gone" if getattr(
             obj, "Results", "") else "there is no layout yet"
