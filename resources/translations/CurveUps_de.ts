@@ -447,6 +447,10 @@
       <translation>Reparieren</translation>
     </message>
     <message>
+      <source>Revert all edits</source>
+      <translation>Alle Änderungen zurücknehmen</translation>
+    </message>
+    <message>
       <source>Room for pins</source>
       <translation>Platz für Zapfen</translation>
     </message>
@@ -1198,6 +1202,14 @@
     <message>
       <source>Repair</source>
       <translation>Reparieren</translation>
+    </message>
+    <message>
+      <source>Revert All Edits</source>
+      <translation>Alle Änderungen zurücknehmen</translation>
+    </message>
+    <message>
+      <source>Sets all parameters to what they were when this panel was opened: one step of undo</source>
+      <translation>Setzt alle Parameter auf das, was sie beim Öffnen dieses Fensters waren: ein Schritt beim Rückgängigmachen</translation>
     </message>
     <message>
       <source>Solve</source>

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from textwrap import wrap
-from typing import Any, Callable, Optional, Sequence
+from typing import Any, Callable, Mapping, Optional, Sequence
 
 import numpy as np
 from pivy import coin
@@ -21,6 +21,7 @@ from .units import short, user_unit
 
 LEFT, WIDTH, HEIGHT = 30, 16, 230   # of the bar, px
 BEYOND = 0.12                       # share of the bar that lies beyond either end of the range
+_MARGIN = 16                        # of the paper, left of the bar, px
 _SIZE, _LETTER, _LINE = 13, 7, 18   # of letters: height, width about; height of a line
 _MOST, _STEPS = 30, 48              # letters a line, colours of the bar
 
@@ -58,6 +59,8 @@ class Legend:
         self._camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
         self._camera.nearDistance, self._camera.farDistance = 0.0, 10.0
         self._size = (0, 0)
+        self.left, self.width = LEFT, 0  # of the bar, and of the whole, px
+        self.heading = ""                # above the title, where there are several
         self._body = coin.SoSeparator()
         before, light = coin.SoCallback(), coin.SoLightModel()
         before.setCallback(self._fit)
@@ -99,9 +102,18 @@ class Legend:
             field.enableNotify(False)
         camera.position = (width / 2, height / 2, 5)
         camera.height, camera.aspectRatio = float(height), width / height
-        place.translation = (LEFT, bottom(height), 0)
+        place.translation = (self.left, bottom(height), 0)
         for field in (camera.position, camera.height, camera.aspectRatio, place.translation):
             field.enableNotify(True)
+
+    def put(self, left: int, heading: str) -> None:
+        """Moves it beside others; left: of the bar, px. heading: tells it from them."""
+        if heading != self.heading:
+            self.heading = heading
+            self.show(self.content)
+        if left != self.left:
+            self.left, self._size = left, (0, 0)
+            self.node.touch()
 
     def show(self, content: Optional[Content]) -> None:
         """Draws anew; None hides it."""
@@ -112,14 +124,19 @@ class Legend:
             return
         paper, ink = _theme()
         lines = _lines(content)
-        wide = max([len(line) for _, line in lines] + [10]) * _LETTER + 24
+        wide = max([len(line) for _, line in lines] + [len(self.heading), 10]) * _LETTER + 24
+        self.width = wide + _MARGIN
         low = -_LINE * (len(lines) - 1) - 14
-        top = HEIGHT + 36 if content.has_bar else 26
-        self._body.addChild(_polygon([(-16, low), (wide, low), (wide, top), (-16, top)], paper, 0.2))
+        title = HEIGHT + 16 if content.has_bar else 6
+        top = title + 20 + (_LINE if self.heading else 0)
+        corners = [(-_MARGIN, low), (wide, low), (wide, top), (-_MARGIN, top)]
+        self._body.addChild(_polygon(corners, paper, 0.2))
         font = coin.SoFont()
         font.size = _SIZE
         self._body.addChild(font)
-        self._write(content.title_line, (-8, top - 20), ink)
+        self._write(content.title_line, (-8, title), ink)
+        if self.heading:
+            self._write(self.heading, (-8, title + _LINE), ink)
         if content.has_bar:
             self._draw_bar(content, ink)
         for row, (mark, line) in enumerate(lines[1:]):
@@ -160,6 +177,14 @@ class Legend:
         for part in (base, shift, text):
             group.addChild(part)
         self._body.addChild(group)
+
+
+def arrange(legends: Mapping[str, Legend]) -> None:
+    """Legends that are shown in the same views, by what they are of, stand side by side."""
+    left = LEFT
+    for name, one in legends.items():
+        one.put(left, name[:_MOST] if len(legends) > 1 else "")
+        left += one.width + _MARGIN
 
 
 def bottom(height: float) -> float:
@@ -272,4 +297,4 @@ class Dragging(QtCore.QObject):
         """In px of the view from the bar's lower left corner."""
         place = event.position() if hasattr(event, "position") else event.pos()
         ratio, height = self._widget.devicePixelRatioF(), self._widget.height()
-        return (ratio * place.x() - LEFT, ratio * (height - place.y()) - bottom(ratio * height))
+        return (ratio * place.x() - self._legend.left, ratio * (height - place.y()) - bottom(ratio * height))

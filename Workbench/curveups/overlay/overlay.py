@@ -17,10 +17,10 @@ from pivy import coin
 from ..errors import CurveUpsError, tile_name
 from ..native import translated
 from ..qt import QtCore, translate
-from . import cameras, colours
+from . import cameras, colours, overlays
 from .fields import MEMBRANE, Field
 from .figure import Figure
-from .legend import Content, Dragging, Legend
+from .legend import Content, Dragging, Legend, arrange
 from .nodes import fill
 from .scene import NO_FIELD, Membrane, Scene, scene_of
 from .units import text_of
@@ -42,7 +42,7 @@ class Overlay:
     """Drawn by `node`, which is a display mode of the view provider."""
 
     def __init__(self, view: Any):
-        self.object = view.Object
+        self.object, self._document = view.Object, view.Object.Document.Name
         self._view = view
         self.scene: Optional[Scene] = None
         self.note = ""                      # why it can't be drawn as the design is now
@@ -87,7 +87,7 @@ class Overlay:
     def close(self) -> None:
         """The design is gone."""
         self.scene, self._shown, self.closed = None, None, True
-        self.legend.show(None)
+        self._show_legend(None)
         self._tell()
 
     # What follows the document.
@@ -145,7 +145,9 @@ class Overlay:
         """A property of the Design has changed."""
         if name == "Placement":
             self._place()
-        elif name not in ("Label", "Label2", "Visibility", "ExpressionEngine", "Proxy"):
+        elif name == "Label":
+            self._arrange_legends()
+        elif name not in ("Label2", "Visibility", "ExpressionEngine", "Proxy"):
             # A run ends with results, or with a state that is no longer "running".
             if name == "Results" or name == "Status" and self.object.Status != "running":
                 self._iterating = False
@@ -168,16 +170,31 @@ class Overlay:
             self.note = str(error)
             self._explain()
 
+    def units_changed(self) -> None:
+        """The user's unit schema is another."""
+        self._explain()
+
     def view_changed(self, name: str) -> None:
         """A property of the view provider has changed."""
-        if name == "Visibility" and self._view.Visibility:
-            self.refresh()
+        if name == "Visibility":
+            self._arrange_legends()
+            if self._view.Visibility:
+                self.refresh()
         if self.scene is None:
             return
+        if name == "Membranes" and self._view.Membranes and not self.scene.membranes:
+            self._compute_membranes()
         if name in ("Morph", "Pins", "Membranes", "Both"):
             self._draw()
         if name in ("Field", "ColourMap", "Ranges", "Membranes"):
             self._colour()
+
+    def _compute_membranes(self) -> None:
+        """They are stored nowhere: most of a verification, and seldom looked at."""
+        from ..panels.membranes import compute
+
+        if self.scene is not None and self.scene.flat is not None and not self._iterating:
+            compute(self)
 
     # What the user chooses.
 
@@ -295,7 +312,7 @@ class Overlay:
         if other:
             self.selected, self._hovered = [], []
         if scene is None:
-            self.legend.show(None)
+            self._show_legend(None)
             return
         self._colour_tiles()  # first: faces would point beyond the colours
         self._colour_sheets()
@@ -392,12 +409,28 @@ class Overlay:
                       for field in self._problems())
         if one is None:
             title = self.object.Label
-            self.legend.show(Content(title, has_bar=False, notes=tuple(notes), marks=marks)
-                             if notes or marks else None)
+            self._show_legend(Content(title, has_bar=False, notes=tuple(notes), marks=marks)
+                              if notes or marks else None)
             return
         low, high = self.range()
-        self.legend.show(Content(translate("CurveUps_Fields", one.name), one.unit, self._colour_map(one), low,
-                                 high, True, tuple(notes), marks))
+        self._show_legend(Content(translate("CurveUps_Fields", one.name), one.unit, self._colour_map(one),
+                                  low, high, True, tuple(notes), marks))
+
+    def _show_legend(self, content: Optional[Content]) -> None:
+        self.legend.show(content)
+        self._arrange_legends()
+
+    def _arrange_legends(self) -> None:
+        """All designs of a document have theirs in the same views."""
+        arrange({one.object.Label: one.legend for one in overlays(self._document)
+                 if one.legend.content is not None and one.visible()})
+
+    def visible(self) -> bool:
+        """Whether it is shown in its views."""
+        try:
+            return not self.closed and bool(self._view.Visibility)
+        except ReferenceError:  # the design is going
+            return False
 
     def _place(self) -> None:
         placement = self.placement()

@@ -5,23 +5,26 @@ from __future__ import annotations
 
 import re
 from contextlib import suppress
-from typing import Any, Optional
+from typing import Any, Callable, Optional
 
 import FreeCAD
 import FreeCADGui
 
 from . import forget, overlay_of, overlays
 from ..features.document import designs
+from ..qt import QtCore
 
 _TILE = re.compile(r"(?:^|\.)T(\d{5,})$")
 _started: Optional[tuple] = None
+_LOOK = 500  # ms between looks at the unit schema: FreeCAD tells nobody that it has changed
+unit_observers: list[Callable[[], None]] = []  # called when it has
 
 
 def start() -> None:
     """Once a session."""
     global _started
     if _started is None:
-        _started = (_Selection(), _Documents())
+        _started = (_Selection(), _Documents(), _Units())
         FreeCADGui.Selection.addObserver(_started[0])
         FreeCAD.addDocumentObserver(_started[1])
 
@@ -79,6 +82,26 @@ class _Selection:
 def _say(overlay: Any, name: str, tile: int) -> None:
     values = "; ".join(f"{title} {value}" for title, value in overlay.values_of(tile))
     FreeCADGui.getMainWindow().statusBar().showMessage(f"{name}: {values}", 60_000)
+
+
+class _Units:
+    """The user's unit schema, in FreeCAD 1 that of the active document."""
+
+    def __init__(self) -> None:
+        self._schema = FreeCAD.Units.getSchema()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(lambda: self._look())
+        self._timer.start(_LOOK)
+
+    def _look(self) -> None:
+        schema = FreeCAD.Units.getSchema()
+        if schema == self._schema:
+            return
+        self._schema = schema
+        for overlay in overlays():
+            overlay.units_changed()
+        for observer in list(unit_observers):
+            observer()
 
 
 class _Documents:

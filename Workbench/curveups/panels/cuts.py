@@ -170,17 +170,16 @@ class CutsPanel(Following):
     def _look_at_cuts(self) -> None:
         """Follows undo, redo and scripts."""
         try:
-            edges = tuple(self._edges())
+            edges, schema = tuple(self._edges()), FreeCAD.Units.getSchema()
         except ReferenceError:  # the design is gone: Following closes the panel
             return
         if self._paths is None:
             return
-        if edges != self._listed:
-            first = self._listed is None
-            self._listed = edges
+        if (edges, schema) != self._listed:
+            before, self._listed = self._listed, (edges, schema)
             self._list(edges)
             self._draw()
-            if not first:
+            if before is not None and before[0] != edges:
                 self._lay_out()
 
     def _list(self, edges: tuple) -> None:

@@ -5,15 +5,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..commands.notice import errors_shown
 from ..errors import tile_name
-from ..overlay import colours, overlay_of
+from ..overlay import colours
 from ..overlay.overlay import AUTOMATIC
-from ..overlay.scene import NO_FIELD, membranes_of
+from ..overlay.scene import NO_FIELD
 from ..overlay.units import user_unit
 from ..qt import QT_TRANSLATE_NOOP, QtWidgets, load_ui, translate
 from .following import Following
-from .live import LIVE, Task
 
 # Shown by names that stand elsewhere.
 _MARKED = (QT_TRANSLATE_NOOP("CurveUps_ColourMaps", "Automatic"),
@@ -43,7 +41,6 @@ class OverlayPanel(Following):
         form.map.currentIndexChanged.connect(lambda *_: self._set("ColourMap", form.map.currentData()))
         for box, name in ((form.pins, "Pins"), (form.membranes, "Membranes"), (form.both, "Both")):
             box.toggled.connect(lambda on, name=name: self._set(name, on))
-        form.membranes.toggled.connect(lambda on: self._compute_membranes(on))
         form.low.valueChanged.connect(lambda *_: self._set_range())
         form.high.valueChanged.connect(lambda *_: self._set_range())
         form.automatic.clicked.connect(lambda *_: self._overlay.set_range(None))
@@ -111,17 +108,6 @@ class OverlayPanel(Following):
         if not self._filling:
             self._overlay.folding = None
             self._overlay.set_morph(step / _STEPS)
-
-    def _compute_membranes(self, wanted: bool) -> None:
-        """They are stored nowhere: most of a verification, and seldom looked at."""
-        scene = self._overlay.scene
-        if self._filling or not wanted or scene is None or scene.membranes:
-            return
-        with errors_shown(translate("CurveUps_Overlay", "Membranes")):
-            design = self._overlay.design()
-            LIVE.start(self._overlay.object, Task(
-                translate("CurveUps_Overlay", "Membranes"), lambda job: membranes_of(design, job),
-                lambda obj, membranes: overlay_of(obj).show_membranes(membranes)))
 
     def getStandardButtons(self) -> int:
         return int(QtWidgets.QDialogButtonBox.Close)

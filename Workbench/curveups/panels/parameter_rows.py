@@ -10,6 +10,7 @@ import FreeCADGui
 
 from ..commands.notice import errors_shown
 from ..features.actions import transaction
+from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, translate
 
 PAUSE = 400  # ms without typing after which an edit counts
@@ -43,6 +44,7 @@ class ParameterRows:
             self._fields[name] = field
         place.addWidget(self._page)
         self.refresh()
+        unit_observers.append(self._show_units)
 
     def refresh(self) -> None:
         """Shows what the properties hold, but for edits that wait."""
@@ -59,6 +61,9 @@ class ParameterRows:
         open in between, since solids wait for its end."""
         self._timer.stop()
         pending, self._pending = self._pending, {}
+        # A field that follows an expression or a script says what the property has already.
+        pending = {name: value for name, value in pending.items()
+                   if value != _number_of(getattr(self._object, name))}
         if not pending:
             return
         document = self._object.Document
@@ -74,11 +79,28 @@ class ParameterRows:
         """No edit comes any more, and the fields are gone. They are deleted together with what
         PySide knows of them: it would take a later field at the address of one for the deleted one."""
         self._timer.stop()
+        if self._show_units in unit_observers:
+            unit_observers.remove(self._show_units)
         self._pending = {}
         self._bindings.clear()
         self._fields.clear()
         self._page.setParent(None)
         self._page.deleteLater()
+
+    def _show_units(self) -> None:
+        """The user's unit schema is another: fields write their numbers anew."""
+        self._filling = True
+        try:
+            for name, field in self._fields.items():
+                value = getattr(self._object, name)
+                if hasattr(value, "Unit"):
+                    field.setProperty("unit", value.getUserPreferred()[2])
+                    # Not the field's own number, which is read from the digits of its text.
+                    field.setProperty("rawValue", self._pending.get(name, value.Value))
+        except (RuntimeError, ReferenceError):  # the panel or the design went without a word
+            unit_observers.remove(self._show_units)
+        finally:
+            self._filling = False
 
     def _edit(self, name: str, value: Any) -> None:
         if self._filling:
@@ -136,9 +158,13 @@ def _show(field: Any, value: Any) -> None:
     elif isinstance(field, QtWidgets.QLineEdit):
         field.setText(value)
     else:
-        number = value.Value if hasattr(value, "Unit") else value
+        number = _number_of(value)
         if field.property(_value_of(field)) != number:
             field.setProperty(_value_of(field), number)
+
+
+def _number_of(value: Any) -> Any:
+    return value.Value if hasattr(value, "Unit") else value
 
 
 def _spaced(name: str) -> str:

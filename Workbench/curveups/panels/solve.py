@@ -19,6 +19,7 @@ from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, load_ui, translate
 from ..worker import Status
 from . import preferences
 from .curves import Curves
+from .edits import Edits
 from .live import LIVE
 from .parameter_rows import ParameterRows
 
@@ -180,8 +181,10 @@ class SolvePanel:
             title = group.split(" ", 1)[-1]
             form.group.addItem(translate("CurveUpsSolve", _GROUPS.get(title, title)), group)
         form.group.currentIndexChanged.connect(lambda *_: self._show_group())
-        form.remember.clicked.connect(lambda: preferences.remember(
-            self.design, [name for names in self._groups.values() for name in names]))
+        names = [name for group in self._groups.values() for name in group]
+        self._edits = Edits(self.design, names)
+        form.revert.clicked.connect(lambda: self._revert())
+        form.remember.clicked.connect(lambda: preferences.remember(self.design, names))
         self._show_group()
 
     def turn_to(self, name: str) -> None:
@@ -196,6 +199,15 @@ class SolvePanel:
             self._rows.close()
         names = self._groups.get(self.form.group.currentData(), [])
         self._rows = ParameterRows(self.form.rows, self.design, names, self._edited)
+
+    def _revert(self) -> None:
+        if self._rows:
+            self._rows.flush()  # what waits is taken back, too
+        with errors_shown(""):
+            self._edits.revert(translate("CurveUpsSolve", "Revert all edits"))
+        if self._rows:
+            self._rows.refresh()
+        self._show_verdict()
 
     def _edited(self) -> None:
         self._show_verdict()

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import FreeCAD
+
 from ..errors import tile_name
 from ..overlay.fields import MEMBRANE, Field
 from ..overlay.units import text_of
@@ -50,9 +52,10 @@ class WorstContactsPanel(Following):
             form.field.setCurrentIndex(form.field.findData(one.name))
             form.note.setText(one.note)
             form.note.setVisible(bool(one.note))
-            if one is not self._shown:
+            schema = FreeCAD.Units.getSchema()
+            if (one, schema) != self._shown:
                 self._fill(one)
-                self._shown = one
+                self._shown = one, schema
         finally:
             self._filling = False
 
