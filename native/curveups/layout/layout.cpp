@@ -2,7 +2,9 @@
 #include "curveups/layout/layout.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "curveups/core/checkpoint.hpp"
@@ -18,9 +20,24 @@ namespace {
 
 // Complementarity (energy units) at the start, where the layout is settled enough to look for
 // collisions, and at the end, where the objective has four digits.
-constexpr double mu_start = 1e-1, mu_search = 2e-3, mu_end = 1e-6;
-constexpr int max_iterations = 600, max_rounds = 12;
+constexpr double mu_start = 1e-1, mu_search = 3e-3, mu_end = 1e-6;
+// mm beyond d_gap_min: pairs as near as that before the end are kept apart as well.
+constexpr double search_margin = 0.05;
+constexpr int max_iterations = 600, max_starts = 3;
 constexpr int max_draft_iterations = 60;  // twice what a sound start takes
+
+// Pairs of tiles that constraints keep apart.
+class KnownPairs {
+ public:
+  explicit KnownPairs(const TileMesh& tiles) {
+    for (const Contact& contact : tiles.contacts) insert(contact.tile[0], contact.tile[1]);
+  }
+  // False where it was known.
+  bool insert(int i, int j) { return pairs_.insert(std::minmax(i, j)).second; }
+
+ private:
+  std::set<std::pair<int, int>> pairs_;
+};
 
 void require_room_for_pins(const PinBounds& bounds) {
   std::vector<int> without;
@@ -50,51 +67,43 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
       make_constraints(model), inset_bounds(model));
   const LayoutTerms terms = make_energies(model, false);  // for those who listen
   LayoutResult result;
-  double mu = mu_start, goal = mu_search;
-  double progressed = 0;  // never falls: collisions that are found start a round's share again
-  const int most = effort == LayoutEffort::draft ? max_draft_iterations : max_iterations;
-  try {
-    while (true) {
-      // Of all rounds' progress the share of this one: rounds after the first are short.
-      const double done = result.collision_rounds == 0 && goal > mu_end ? 0.0 : 0.6;
-      const Progress scaled = [&](const std::string& what, double fraction) {
-        progressed = std::max(progressed, done + (done > 0 ? 0.4 : 0.6) * fraction);
-        if (callback) {
-          double energy = 0;
-          for (const auto& [name, value] : energies_by_name(terms, state)) energy += value;
-          const double violation = largest_violation(make_constraints(model), state);
-          if (!callback(poses_of(model, state), insets_of(state), energy, violation)) return false;
-        }
-        return keep_going(progress, what, progressed);
-      };
-      const SolveReport outcome =
-          method.run(state, mu, goal, most - result.solve.iterations, "layout", scaled);
-      result.solve = {outcome.status, result.solve.iterations + outcome.iterations,
-                      outcome.residual};
-      if (outcome.stopped() || effort == LayoutEffort::draft) break;
-      const double clearance = parameters.d_gap_min - 0.5 * tolerance::constraint;
-      const std::vector<Separation> close =
-          find_close_pairs(geometry.tiles, poses_of(model, state),
-                           goal > mu_end ? parameters.d_gap_min - 1e-3 : clearance);
-      for (const Separation& pair : close) add_separation(model, pair);
-      result.separations += static_cast<int>(close.size());
-      if (!close.empty()) ++result.collision_rounds;
-      if ((goal <= mu_end && close.empty()) || result.solve.iterations >= most ||
-          result.collision_rounds >= max_rounds) {
-        if (!close.empty()) result.solve.status = SolveStatus::unfinished;
-        break;
-      }
-      mu = goal > mu_end ? mu_search : 1e-4;
-      goal = mu_end;
-      if (!outcome.converged()) {
-        // Pairs that were far into one another have let multipliers grow without bound: what was
-        // found of the pairs stays, the rest starts again.
-        method.forget();
-        mu = mu_start;
-      }
+  const bool draft = effort == LayoutEffort::draft;
+  KnownPairs known(geometry.tiles);
+  const auto separate = [&](const LayoutState& at, double mu) {
+    if (mu > mu_search) return false;
+    const double margin = mu > mu_end ? search_margin : -0.5 * tolerance::constraint;
+    bool found = false;
+    for (const Separation& pair :
+         find_close_pairs(geometry.tiles, poses_of(model, at), parameters.d_gap_min + margin)) {
+      if (!known.insert(pair.tile, pair.other)) continue;
+      add_separation(model, pair);
+      ++result.separations;
+      found = true;
     }
-  } catch (const Cancelled&) {  // while looking for collisions
-    result.solve.status = SolveStatus::stopped;
+    result.collision_rounds += found;
+    return found;
+  };
+  double progressed = 0;  // never falls, though a new start may
+  const Progress watched = [&](const std::string& what, double fraction) {
+    progressed = std::max(progressed, fraction);
+    if (callback) {
+      double energy = 0;
+      for (const auto& [name, value] : energies_by_name(terms, state)) energy += value;
+      const double violation = largest_violation(make_constraints(model), state);
+      if (!callback(poses_of(model, state), insets_of(state), energy, violation)) return false;
+    }
+    return keep_going(progress, what, progressed);
+  };
+  // Pairs that were far into one another can let multipliers grow without bound: what was found of
+  // the pairs stays, the rest starts again.
+  for (int start = 0; start < max_starts; ++start) {
+    const int most = (draft ? max_draft_iterations : max_iterations) - result.solve.iterations;
+    SolveReport outcome =
+        draft ? method.run(state, mu_start, mu_search, most, "layout", watched)
+              : method.run(state, mu_start, mu_end, most, "layout", watched, separate);
+    outcome.iterations += result.solve.iterations;
+    result.solve = outcome;
+    if (draft || outcome.converged() || outcome.stopped()) break;
   }
   const Finishing finishing;
   result.energies = energies_by_name(terms, state);

@@ -12,8 +12,13 @@ namespace {
 
 constexpr double to_boundary = 0.995;    // largest share of the way to a bound that a step may go
 constexpr double barrier_accuracy = 10;  // optimality error, in units of mu, before mu is lowered
-// Energy per mm: far below what moves a tile by a micrometre.
-constexpr double gradient_accuracy = 1e-4;
+// Energy per mm: ten times less changes the energy by a few parts in 1e5 and takes a third more
+// iterations.
+constexpr double gradient_accuracy = 1e-3;
+constexpr double last_level = 3;    // in units of mu_end: no level is worth its steps below that
+constexpr double short_step = 0.9;  // below that a corrector is tried,
+constexpr double reach = 0.3;       // one that could make the step so much longer,
+constexpr double spread = 10;       // with products within this factor of mu
 constexpr int max_halvings = 12;
 
 // Shortens a step so that value + length change stays a share of the way from zero.
@@ -83,25 +88,28 @@ struct InteriorPoint<Constraint>::Step {
   double decrease;                    // slope of the barrier function along the step
 };
 
-// Gives new constraints slacks and multipliers, and moves unknowns inside their bounds.
+// Moves unknowns inside their bounds.
 template <class Constraint>
-void InteriorPoint<Constraint>::prepare(Vector& z, double mu) {
-  const bool first = lower_multiplier_.size() == 0;
-  if (first) {
-    lower_multiplier_.resize(static_cast<Eigen::Index>(bounds_.size()));
-    upper_multiplier_.resize(lower_multiplier_.size());
-  }
+void InteriorPoint<Constraint>::begin(Vector& z, double mu) {
+  lower_multiplier_.resize(static_cast<Eigen::Index>(bounds_.size()));
+  upper_multiplier_.resize(lower_multiplier_.size());
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const auto& [block, unknown, lower, upper] = bounds_[k];
     const double room = std::min(0.01, 0.1 * (upper - lower));
     double& value = z(block, unknown);
     value = std::clamp(value, lower + room, upper - room);
-    if (!first) continue;
     lower_multiplier_(k) = mu / (value - lower);
     upper_multiplier_(k) = mu / (upper - value);
   }
-  slack_.resize(constraints_.size());
-  multiplier_.resize(constraints_.size());
+  slack_.assign(constraints_.size(), {});
+  multiplier_.assign(constraints_.size(), {});
+  take_new_constraints(z, mu);
+}
+
+template <class Constraint>
+void InteriorPoint<Constraint>::take_new_constraints(const Vector& z, double mu) {
+  // Far below sqrt(mu) a slack would take many steps to get away from zero.
+  const double least = std::clamp(std::sqrt(mu), 1e-3, 0.05);
   typename Constraint::Value value;
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     const int old = static_cast<int>(slack_[c].size()), count = constraints_[c]->element_count();
@@ -109,18 +117,10 @@ void InteriorPoint<Constraint>::prepare(Vector& z, double mu) {
     multiplier_[c].conservativeResize(count);
     for (int e = old; e < count; ++e) {
       constraints_[c]->at(e, z, false, value);
-      slack_[c](e) = std::max(value.value(0), 0.05);
+      slack_[c](e) = std::max(value.value(0), least);
       multiplier_[c](e) = mu / slack_[c](e);
     }
   }
-}
-
-template <class Constraint>
-void InteriorPoint<Constraint>::forget() {
-  slack_.clear();
-  multiplier_.clear();
-  lower_multiplier_.resize(0);
-  upper_multiplier_.resize(0);
 }
 
 // Energies and constraints are taken at once, each into a matrix of its own.
@@ -186,18 +186,20 @@ void InteriorPoint<Constraint>::linearize_bounds(const Vector& z, Linearization&
 
 template <class Constraint>
 typename InteriorPoint<Constraint>::Vector InteriorPoint<Constraint>::right_side(
-    const Vector& z, double mu, const Linearization& at) const {
+    const Vector& z, const Products& goal, const Linearization& at) const {
   Vector right = -at.gradient;
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     for (int e = 0; e < constraints_[c]->element_count(); ++e) {
       const auto& value = at.values[c][e];
-      const double s = slack_[c](e), pull = (mu - multiplier_[c](e) * (value.value(0) - s)) / s;
+      const double s = slack_[c](e),
+                   pull = (goal.constraint[c](e) - multiplier_[c](e) * (value.value(0) - s)) / s;
       constraints_[c]->add_row(e, value, 0, pull, right);
     }
   }
-  for (const auto& [block, unknown, lower, upper] : bounds_) {
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    const auto& [block, unknown, lower, upper] = bounds_[k];
     const double value = z(block, unknown);
-    right(block, unknown) += mu / (value - lower) - mu / (upper - value);
+    right(block, unknown) += goal.lower(k) / (value - lower) - goal.upper(k) / (upper - value);
   }
   return right;
 }
@@ -205,29 +207,49 @@ typename InteriorPoint<Constraint>::Vector InteriorPoint<Constraint>::right_side
 template <class Constraint>
 bool InteriorPoint<Constraint>::solve_step(const Vector& z, double mu, Linearization& at,
                                            double& damping, Step& step) const {
-  const Vector right = right_side(z, mu, at);
   bool factorized = false;
   for (int attempt = 0; attempt < 12 && !factorized; ++attempt) {
     factorized = at.matrix->factorize(damping, 1e-9);
     if (!factorized) damping = std::max(1e-6, 10 * damping);
   }
   if (!factorized) return false;
-  const Eigen::MatrixXd solution =
-      at.matrix->solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
-  step.z = Eigen::Map<const Vector>(solution.data(), right.rows(), W);
-  step.primal_length = step.dual_length = 1;
-  step.decrease = (at.gradient.array() * step.z.array()).sum();
-  step_slacks(mu, at, step);
-  step_bounds(z, mu, step);
-  for (const auto& energy : energies_) {
-    step.primal_length =
-        std::min(step.primal_length, to_boundary * energy->largest_step(z, step.z));
+  Products goal;
+  for (const Eigen::VectorXd& s : slack_) {
+    goal.constraint.push_back(Eigen::VectorXd::Constant(s.size(), mu));
+  }
+  goal.lower = goal.upper = Eigen::VectorXd::Constant(lower_multiplier_.size(), mu);
+  step = step_towards(z, mu, goal, at);
+  if (std::min(step.primal_length, step.dual_length) < short_step) {
+    Step corrected = step_towards(z, mu, centred(z, mu, step), at);
+    const double gain = std::min(corrected.primal_length - step.primal_length,
+                                 corrected.dual_length - step.dual_length);
+    if (gain > 0 && corrected.decrease <= std::max(0.0, step.decrease)) step = std::move(corrected);
   }
   return true;
 }
 
 template <class Constraint>
-void InteriorPoint<Constraint>::step_slacks(double mu, const Linearization& at, Step& step) const {
+typename InteriorPoint<Constraint>::Step InteriorPoint<Constraint>::step_towards(
+    const Vector& z, double mu, const Products& goal, const Linearization& at) const {
+  const Vector right = right_side(z, goal, at);
+  const Eigen::MatrixXd solution =
+      at.matrix->solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
+  Step step;
+  step.z = Eigen::Map<const Vector>(solution.data(), right.rows(), W);
+  step.primal_length = step.dual_length = 1;
+  step.decrease = (at.gradient.array() * step.z.array()).sum();
+  step_slacks(mu, goal, at, step);
+  step_bounds(z, mu, goal, step);
+  for (const auto& energy : energies_) {
+    step.primal_length =
+        std::min(step.primal_length, to_boundary * energy->largest_step(z, step.z));
+  }
+  return step;
+}
+
+template <class Constraint>
+void InteriorPoint<Constraint>::step_slacks(double mu, const Products& goal,
+                                            const Linearization& at, Step& step) const {
   step.slack = slack_;
   step.multiplier = multiplier_;
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
@@ -236,7 +258,7 @@ void InteriorPoint<Constraint>::step_slacks(double mu, const Linearization& at, 
       const double s = slack_[c](e), m = multiplier_[c](e),
                    ds = constraints_[c]->dot_row(e, value, 0, step.z) + value.value(0) - s;
       step.slack[c](e) = ds;
-      step.multiplier[c](e) = mu / s - m - m / s * ds;
+      step.multiplier[c](e) = goal.constraint[c](e) / s - m - m / s * ds;
       step.decrease -= mu * ds / s;
       limit(s, ds, step.primal_length);
       limit(m, step.multiplier[c](e), step.dual_length);
@@ -245,21 +267,48 @@ void InteriorPoint<Constraint>::step_slacks(double mu, const Linearization& at, 
 }
 
 template <class Constraint>
-void InteriorPoint<Constraint>::step_bounds(const Vector& z, double mu, Step& step) const {
+void InteriorPoint<Constraint>::step_bounds(const Vector& z, double mu, const Products& goal,
+                                            Step& step) const {
   step.lower_multiplier.resize(lower_multiplier_.size());
   step.upper_multiplier.resize(upper_multiplier_.size());
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const auto& [block, unknown, lower, upper] = bounds_[k];
     const double low = z(block, unknown) - lower, high = upper - z(block, unknown),
                  d = step.z(block, unknown), ml = lower_multiplier_(k), mh = upper_multiplier_(k);
-    step.lower_multiplier(k) = mu / low - ml * (1 + d / low);
-    step.upper_multiplier(k) = mu / high - mh * (1 - d / high);
+    step.lower_multiplier(k) = goal.lower(k) / low - ml * (1 + d / low);
+    step.upper_multiplier(k) = goal.upper(k) / high - mh * (1 - d / high);
     step.decrease -= mu * (d / low - d / high);
     limit(low, d, step.primal_length);
     limit(high, -d, step.primal_length);
     limit(ml, step.lower_multiplier(k), step.dual_length);
     limit(mh, step.upper_multiplier(k), step.dual_length);
   }
+}
+
+template <class Constraint>
+typename InteriorPoint<Constraint>::Products InteriorPoint<Constraint>::centred(
+    const Vector& z, double mu, const Step& step) const {
+  const double primal = std::min(1.0, step.primal_length + reach),
+               dual = std::min(1.0, step.dual_length + reach);
+  auto goal = [&](double slack, double slack_step, double multiplier, double multiplier_step) {
+    const double product = (slack + primal * slack_step) * (multiplier + dual * multiplier_step);
+    const double change = std::clamp(product, mu / spread, spread * mu) - product;
+    return mu + std::max(change, -spread * mu);
+  };
+  Products out{slack_, lower_multiplier_, upper_multiplier_};
+  for (std::size_t c = 0; c < slack_.size(); ++c) {
+    for (Eigen::Index e = 0; e < slack_[c].size(); ++e) {
+      out.constraint[c](e) =
+          goal(slack_[c](e), step.slack[c](e), multiplier_[c](e), step.multiplier[c](e));
+    }
+  }
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    const auto& [block, unknown, lower, upper] = bounds_[k];
+    const double value = z(block, unknown), d = step.z(block, unknown);
+    out.lower(k) = goal(value - lower, d, lower_multiplier_(k), step.lower_multiplier(k));
+    out.upper(k) = goal(upper - value, -d, upper_multiplier_(k), step.upper_multiplier(k));
+  }
+  return out;
 }
 
 template <class Constraint>
@@ -307,10 +356,10 @@ bool InteriorPoint<Constraint>::search(Vector& z, double mu, double penalty, dou
 template <class Constraint>
 SolveReport InteriorPoint<Constraint>::run(Vector& z, double mu_start, double mu_end,
                                            int max_iterations, const std::string& what,
-                                           const Progress& progress) {
+                                           const Progress& progress, const Discover& discover) {
   SolveReport report;
   try {
-    iterate(z, mu_start, mu_end, max_iterations, what, progress, report);
+    iterate(z, mu_start, mu_end, max_iterations, what, progress, discover, report);
   } catch (const Cancelled&) {
     report.status = SolveStatus::stopped;
   }
@@ -322,25 +371,35 @@ SolveReport InteriorPoint<Constraint>::run(Vector& z, double mu_start, double mu
 template <class Constraint>
 void InteriorPoint<Constraint>::iterate(Vector& z, double mu_start, double mu_end,
                                         int max_iterations, const std::string& what,
-                                        const Progress& progress, SolveReport& report) {
+                                        const Progress& progress, const Discover& discover,
+                                        SolveReport& report) {
   double mu = mu_start, damping = 0, penalty = 1;
   const double span = std::log(mu_start / mu_end);
-  prepare(z, mu);
-  Linearization at(static_cast<int>(z.rows()), energies_, constraints_);
+  begin(z, mu);
+  const int blocks = static_cast<int>(z.rows());
+  auto linearization = std::make_unique<Linearization>(blocks, energies_, constraints_);
   Step step;
   for (; report.iterations < max_iterations; ++report.iterations) {
-    linearize(z, at);
+    linearize(z, *linearization);
     if (!keep_going(progress, what, span > 0 ? std::log(mu_start / mu) / span : 1.0)) {
       report.status = SolveStatus::stopped;
       break;
     }
-    if (mu <= mu_end && at.error(mu) <= barrier_accuracy * mu) {
-      report.status = SolveStatus::converged;
-      break;
+    if (linearization->error(mu) <= barrier_accuracy * mu) {
+      if (discover && discover(z, mu)) {
+        take_new_constraints(z, mu);
+        linearization = std::make_unique<Linearization>(blocks, energies_, constraints_);
+        linearize(z, *linearization);
+      } else if (mu <= mu_end) {
+        report.status = SolveStatus::converged;
+        break;
+      }
+      while (mu > mu_end && linearization->error(mu) <= barrier_accuracy * mu) {
+        mu = std::min(0.2 * mu, std::pow(mu, 1.5));
+        if (mu < last_level * mu_end) mu = mu_end;
+      }
     }
-    while (mu > mu_end && at.error(mu) <= barrier_accuracy * mu) {
-      mu = std::max(mu_end, std::min(0.2 * mu, std::pow(mu, 1.5)));
-    }
+    Linearization& at = *linearization;
     if (!solve_step(z, mu, at, damping, step)) break;
     // The penalty that makes the step a descent direction of the merit function.
     if (at.residual_sum > 1e-12) {

@@ -10,9 +10,13 @@
 // With multipliers m of c, each step solves
 //   (H + J^T (m/s) J + bounds) dz = -grad f + J^T (mu/s - (m/s)(c - s)) + bounds,
 // H and J the terms' and constraints' derivatives, backtracks on the merit function
-// f - mu sum log(slacks) + nu |c - s|_1, and is damped where that fails. The start need not be
-// feasible.
+// f - mu sum log(slacks) + nu |c - s|_1, and is damped where that fails. A step that slacks or
+// multipliers cut short is corrected once towards products of like size (Gondzio, Multiple
+// centrality corrections in a primal-dual method for linear programming, 1996). The start need not
+// be feasible.
 #pragma once
+
+#include <functional>
 
 #include "curveups/core/progress.hpp"
 #include "curveups/numerics/residuals.hpp"
@@ -34,38 +38,48 @@ class InteriorPoint {
   using Vector = BlockVector<W>;
   using Constraints = std::vector<std::unique_ptr<Constraint>>;
 
-  // Constraints may gain elements between runs; multipliers are kept.
   InteriorPoint(Terms<W> energies, Constraints constraints, std::vector<Bound> bounds)
       : energies_(std::move(energies)),
         constraints_(std::move(constraints)),
         bounds_(std::move(bounds)) {}
 
-  // Improves z until complementarity mu_end is reached and the optimality conditions hold to like
-  // accuracy, or max_iterations. progress gets `what` and the share of the way from mu_start to
-  // mu_end; stopped in the middle of an iteration z is that of the one before. The report has the
-  // largest violation of c(z) >= 0.
-  SolveReport run(Vector& z, double mu_start, double mu_end, int max_iterations,
-                  const std::string& what, const Progress& progress);
+  // Asked with z whenever the problem with the barrier parameter mu is solved: may give constraints
+  // more elements and says whether it did. The run goes on with all slacks and multipliers.
+  using Discover = std::function<bool(const Vector& z, double mu)>;
 
-  // Drops slacks and multipliers: the next run starts afresh from its z.
-  void forget();
+  // Improves z, from fresh slacks and multipliers, until complementarity mu_end is reached, the
+  // optimality conditions hold to like accuracy and nothing more is discovered, or max_iterations.
+  // progress gets `what` and the share of the way from mu_start to mu_end; stopped in the middle of
+  // an iteration z is that of the one before. The report has the largest violation of c(z) >= 0.
+  SolveReport run(Vector& z, double mu_start, double mu_end, int max_iterations,
+                  const std::string& what, const Progress& progress, const Discover& discover = {});
 
  private:
   using Vectors = std::vector<Eigen::VectorXd>;  // one entry per element of each constraint
+  struct Products {                              // of slacks and multipliers
+    Vectors constraint;
+    Eigen::VectorXd lower, upper;
+  };
   struct Linearization;
   struct Step;
 
   void iterate(Vector& z, double mu_start, double mu_end, int max_iterations,
-               const std::string& what, const Progress& progress, SolveReport& report);
-  void prepare(Vector& z, double mu);
+               const std::string& what, const Progress& progress, const Discover& discover,
+               SolveReport& report);
+  void begin(Vector& z, double mu);
+  void take_new_constraints(const Vector& z, double mu);
   void linearize(const Vector& z, Linearization& at) const;
   void linearize_constraints(const Vector& z, Linearization& at) const;
   void linearize_bounds(const Vector& z, Linearization& at) const;
-  Vector right_side(const Vector& z, double mu, const Linearization& at) const;
+  Vector right_side(const Vector& z, const Products& goal, const Linearization& at) const;
   // False where multipliers have grown so far that no damping makes the matrix definite.
   bool solve_step(const Vector& z, double mu, Linearization& at, double& damping, Step& step) const;
-  void step_slacks(double mu, const Linearization& at, Step& step) const;
-  void step_bounds(const Vector& z, double mu, Step& step) const;
+  Step step_towards(const Vector& z, double mu, const Products& goal,
+                    const Linearization& at) const;
+  void step_slacks(double mu, const Products& goal, const Linearization& at, Step& step) const;
+  void step_bounds(const Vector& z, double mu, const Products& goal, Step& step) const;
+  // mu, but for the products that a longer step would leave far from it.
+  Products centred(const Vector& z, double mu, const Step& step) const;
   double merit(const Vector& z, const Vectors& slack, double mu, double penalty) const;
   // Backtracks; false where no length is good enough.
   bool search(Vector& z, double mu, double penalty, double residual_sum, const Step& step,
