@@ -69,7 +69,8 @@ def test_vertices_make_room_for_pins(curveups, steep, tmp_path):
     assert 0 < report["deviation"]["max_mm"] <= distance.max() + 1e-9
     assert moved["target"]["V"] == design["V"]
 
-    report, held = run(curveups, steep, tmp_path / "held", *setting, "--set", "move_vertices=off", "--set", "verify=off")
+    report, held = run(curveups, steep, tmp_path / "held", *setting,
+                       "--set", "move_vertices=off", "verify=off")
     assert held["V"] == design["V"] and report["constraints"]["pin_sides_below_area"] == small
 
 
