@@ -16,13 +16,16 @@ import subprocess
 import sys
 import tempfile
 import time
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING, Any, Callable, Optional
 
 import numpy as np
 
 from . import freecad_session
+from .cad_parts import Choice, choose
 from .errors import CurveUpsError, Stopped
+from .native import native, translated
 
 if TYPE_CHECKING:
     from .mesh_files import Mesh
@@ -43,10 +46,21 @@ _SAME = {".stp": ".step", ".igs": ".iges", ".brp": ".brep"}
 ENDINGS = (*_FACES, *_SAME)
 
 
+@dataclass(frozen=True)
+class Read:
+    """A surface (V: N x 3, F: M x 3) and what there is to say of it. `wall`: how thick it is drawn, mm; None
+    where it is drawn as a sheet."""
+
+    V: np.ndarray
+    F: np.ndarray
+    notes: tuple[str, ...] = ()
+    wall: Optional[float] = None
+
+
 def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: True,
-             time_limit: float = TIME_LIMIT) -> Mesh:
-    """The surface of a STEP, IGES or BREP file as (V, F), mm; `deflection` is the largest distance of
-    the triangles from it, mm. Raises CurveUpsError, and Stopped where `go_on` says so."""
+             choice: Choice = Choice(), time_limit: float = TIME_LIMIT) -> Read:
+    """What is chosen of a STEP, IGES or BREP file, mm; `deflection` is the largest distance of the triangles
+    from its surface, mm. Raises CurveUpsError, and Stopped where `go_on` says so."""
     data = path.read_bytes()
     ending = path.suffix.lower()
     kind = _SAME.get(ending, ending)
@@ -61,7 +75,7 @@ def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: 
         # Under a name of its own: FreeCAD's readers want UTF-8, and choose by the ending.
         copy = Path(folder) / f"part{ending}"
         copy.write_bytes(data)
-        status = _run(copy, deflection, answer, go_on, time_limit, path)
+        status = _run(copy, deflection, choice, answer, go_on, time_limit, path)
         if not answer.exists():
             raise CurveUpsError("the file is damaged: FreeCAD's reader "
                                 + ("crashed" if status < 0 else "broke down"), str(path), _AGAIN)
@@ -73,7 +87,7 @@ def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: 
     if said["faces"] < announced:
         raise CurveUpsError(f"only {said['faces']} of the file's {announced} faces could be read",
                             str(path), _AGAIN)
-    return V, F
+    return Read(V, F, tuple(said["notes"]), said["wall"])
 
 
 def _is_whole_iges(data: bytes) -> bool:
@@ -84,9 +98,10 @@ def _is_whole_iges(data: bytes) -> bool:
     return len(said) == 4 and all(found[letter] == int(count) for letter, count in said)
 
 
-def _run(path: Path, deflection: float, answer: Path, go_on: Callable[[], bool], time_limit: float,
-         where: Path) -> int:
-    command = [freecad_session.python(), "-m", __name__, str(path), repr(deflection), str(answer)]
+def _run(path: Path, deflection: float, choice: Choice, answer: Path, go_on: Callable[[], bool],
+         time_limit: float, where: Path) -> int:
+    command = [freecad_session.python(), "-m", __name__, str(path), repr(deflection), str(answer),
+               json.dumps(asdict(choice))]
     child = subprocess.Popen(command, env=freecad_session.environment(), stdin=subprocess.DEVNULL,
                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     end = time.monotonic() + time_limit
@@ -113,6 +128,19 @@ def triangles_of_mesh(mesh: Any) -> Mesh:
     return V, np.array(faces, np.int32).reshape(-1, 3)
 
 
+def surface_of_shape(shape: Any, deflection: float, choice: Choice, where: str) -> Read:
+    """What is chosen of a Shape of FreeCAD, as triangles; `where` names it in messages."""
+    chosen = choose(shape, choice, where)
+    _, part = freecad_session.load("Part")
+    whole = len(chosen.faces) == len(shape.Faces) and not chosen.notes
+    V, F = triangles_of_shape(shape if whole else part.Compound(chosen.faces), deflection, where)
+    if chosen.opposite:
+        other = triangles_of_shape(part.Compound(chosen.opposite), deflection, where)
+        with translated(where):
+            V = (V + native.closest_points(V, *other)) / 2
+    return Read(V, F, tuple(chosen.notes), chosen.wall)
+
+
 def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
     """V and F of a Shape of FreeCAD; `where` names it in messages."""
     _, mesh_part = freecad_session.load("MeshPart")
@@ -132,8 +160,8 @@ def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
     return V, F
 
 
-def _read(path: Path, deflection: float) -> tuple[int, Mesh]:
-    """In the child: how many faces there are, and triangles. Through Part, since the Import module
+def _read(path: Path, deflection: float, choice: Choice) -> tuple[int, Read]:
+    """In the child: how many faces there are, and what is chosen of them. Through Part, since the Import module
     crashes on coloured STEP files (0.20.2)."""
     _, part = freecad_session.load("Part")
     try:
@@ -143,14 +171,16 @@ def _read(path: Path, deflection: float) -> tuple[int, Mesh]:
         raise CurveUpsError("FreeCAD can't read the file", str(path), _AGAIN) from error
     if not faces:
         raise CurveUpsError("the file holds no surface", str(path), "export the surface itself")
-    return len(faces), triangles_of_shape(shape, deflection, str(path))
+    return len(faces), surface_of_shape(shape, deflection, choice, str(path))
 
 
-def _main(path: str, deflection: str, answer: str) -> None:
-    said: dict[str, Any] = {"error": "", "remedy": "", "faces": 0}
+def _main(path: str, deflection: str, answer: str, choice: str) -> None:
+    said: dict[str, Any] = {"error": "", "remedy": "", "faces": 0, "notes": [], "wall": None}
     V, F = np.zeros((0, 3)), np.zeros((0, 3), np.int32)
     try:
-        said["faces"], (V, F) = _read(Path(path), float(deflection))
+        said["faces"], found = _read(Path(path), float(deflection), Choice(**json.loads(choice)))
+        V, F = found.V, found.F
+        said.update(notes=found.notes, wall=found.wall)
     except CurveUpsError as error:
         said.update(error=error.what, remedy=error.remedy)
     with open(answer + ".part", "wb") as file:  # whole, or not there

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable, Iterator
+from typing import TYPE_CHECKING, Any, Callable, Iterator, Union
 
 import numpy as np
 
 from . import freecad_session, mesh_files
-from .cad_files import ENDINGS, read_cad
+from .cad_files import ENDINGS, Read, read_cad
+from .cad_parts import Choice
 from .errors import CurveUpsError
 from .gui_document import MESH_FLAT_LINES, SHADED, Box, View, finish_document
 from .mesh_files import Mesh
@@ -29,29 +30,31 @@ MOST_SHOWN = 800
 FORMATS = "an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP"
 
 
-def read_target(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: True) -> Mesh:
-    """The surface in a file as (V, F), lengths in the file's own unit (CAD formats: mm).
+def read_target(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: True,
+                choice: Choice = Choice()) -> Read:
+    """The surface in a file, lengths in the file's own unit (CAD formats: mm).
 
-    `deflection` is the largest distance of the triangles from a CAD surface, mm; `go_on` may stop the
-    reading of CAD files.
+    Of CAD files: `deflection` is the largest distance of the triangles from the surface, mm; `go_on` may
+    stop the reading; `choice` says what of the part is the surface.
     """
     require_readable(path)
     reader = _READERS[path.suffix.lower()]
     try:
         if path.stat().st_size == 0:
             raise CurveUpsError("the file is empty", str(path), "export it again")
-        V, F = reader(path, deflection, go_on)
+        read = reader(path, deflection, go_on, choice)
+        found = read if isinstance(read, Read) else Read(*read)
     except OSError as error:
         raise _unreadable(path, error) from error
     except MemoryError:
         raise CurveUpsError("the file needs more memory than there is", str(path),
                             "simplify the mesh") from None
-    if len(F) == 0:
+    if len(found.F) == 0:
         raise CurveUpsError("the file holds no faces", str(path),
                             "export it again, as a surface of triangles")
-    if not np.isfinite(V).all():
+    if not np.isfinite(found.V).all():
         raise CurveUpsError("a vertex is not finite", str(path), "repair the mesh")
-    return V, F
+    return found
 
 
 def require_readable(path: Path) -> None:
@@ -75,7 +78,7 @@ def _unreadable(path: Path, error: Exception) -> CurveUpsError:
                          "check its name and permissions")
 
 
-_READERS: dict[str, Callable[..., Mesh]] = {
+_READERS: dict[str, Callable[..., Union[Mesh, Read]]] = {
     ".obj": lambda path, *_: mesh_files.read_obj(path),
     ".off": lambda path, *_: mesh_files.read_off(path),
     ".3mf": lambda path, *_: mesh_files.read_3mf(path),

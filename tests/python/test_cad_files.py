@@ -35,7 +35,8 @@ shell.exportBrep({str(folder / "box.brep")!r})
 
 @pytest.mark.parametrize("ending", ["step", "iges", "brep"])
 def test_whole_files(open_box, ending):
-    V, F = cad_files.read_cad(open_box / f"box.{ending}", 0.1)
+    found = cad_files.read_cad(open_box / f"box.{ending}", 0.1)
+    V, F = found.V, found.F
     assert len(F) == 10
     sides = V[F][:, 1:] - V[F][:, :1]
     area = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1).sum() / 2
@@ -49,7 +50,7 @@ def test_no_deletion_of_a_line_loses_a_face(open_box, tmp_path, ending):
     for place in random.Random(1).sample(range(len(lines) - 1), MOST_MUTATIONS):
         path.write_bytes(b"\n".join(lines[:place] + lines[place + 1:]))
         try:
-            _, F = cad_files.read_cad(path, 0.1, time_limit=20)
+            F = cad_files.read_cad(path, 0.1, time_limit=20).F
         except CurveUpsError as error:
             refused += 1
             assert error.where == str(path) and error.remedy

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from curveups.cad_files import Read
 from curveups.errors import CurveUpsError
 from curveups.native import native
 from curveups.project import Project
@@ -43,7 +44,7 @@ def project(V, F, **values):
     parameters = native.Parameters()
     for name, value in values.items():
         parameters.set(name, value)
-    source = Source("made", stamp="made", will_be_cut=True, read=lambda deflection: (V, F))
+    source = Source("made", stamp="made", will_be_cut=True, read=lambda deflection, choice: Read(V, F))
     return Project("made", parameters, {"source": source, "cut request": CutRequest()}, "made")
 
 

@@ -217,11 +217,15 @@ def _default(row: Any) -> str:
     return f"{text} {row.unit}".strip()
 
 
+# What the texts of parameters name, by the type of their rows.
+TEXTS = {"tiles": "tile names", "faces": "face names", "opening": "auto, largest, none, z=0, ..."}
+
+
 def _range(row: Any) -> str:
     if row.type == "switch":
         return "on, off"
-    if row.type == "tiles":
-        return "tile names"
+    if row.type in TEXTS:
+        return TEXTS[row.type]
     if row.choices:
         return ", ".join(row.choices)
     return f"{row.minimum:g} to {row.maximum:g}"

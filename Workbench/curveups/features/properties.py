@@ -13,7 +13,8 @@ from ..native import native, translated
 _NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}
 
 _TYPES = {"integer": "App::PropertyInteger", "switch": "App::PropertyBool",
-          "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString"}
+          "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString",
+          "faces": "App::PropertyString", "opening": "App::PropertyString"}
 # Types whose editor shows the unit. Where a FreeCAD lacks one (density before 0.21) the number is
 # plain and its tooltip names the unit.
 _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
@@ -163,7 +164,7 @@ def shown(row: Any, value: float) -> str:
 
 
 def _range(row: Any) -> str:
-    if row.type in ("switch", "choice", "tiles"):
+    if row.type not in ("number", "integer"):
         return ""
     unit = f" {row.unit}" if row.unit else ""
     return f" From {row.minimum:g} to {row.maximum:g}{unit}."

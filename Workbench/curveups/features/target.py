@@ -8,8 +8,9 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, Callable
 
-import numpy as np
-
+from .. import cad_files
+from ..cad_files import Read
+from ..cad_parts import Choice
 from ..errors import CurveUpsError
 from ..output import safe_name
 from ..stages.stage import digest
@@ -158,13 +159,11 @@ def _stamp_of_object(obj: Any) -> str:
     return digest(*(f"{0.0 if abs(x) < 1e-9 * size else x:.8g}" for x in figures))
 
 
-def _reader(obj: Any) -> Callable[[float], tuple[np.ndarray, np.ndarray]]:
+def _reader(obj: Any) -> Callable[[float, Choice], Read]:
     """Makes triangles of the object as it is now, on whatever thread: it holds a copy."""
-    from .. import cad_files
-
     label = obj.Label
     if hasattr(obj, "Mesh"):
         mesh = obj.Mesh.copy()
-        return lambda deflection: cad_files.triangles_of_mesh(mesh)
+        return lambda deflection, choice: Read(*cad_files.triangles_of_mesh(mesh))
     shape = obj.Shape.copy()
-    return lambda deflection: cad_files.triangles_of_shape(shape, deflection, label)
+    return lambda deflection, choice: cad_files.surface_of_shape(shape, deflection, choice, label)

@@ -4,13 +4,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional, Sequence
+from typing import Any, Iterator, Optional, Sequence
 
 import numpy as np
 
 from ..native import native
 from .findings import settle, tiles_place
 from .stage import Inputs, Job, Result, Row, Stage, digest
+
+_SAME_THICKNESS = 0.05  # of a wall and the tiles that take its place, relative
 
 
 @dataclass(frozen=True)
@@ -59,7 +61,14 @@ def _run(inputs: Inputs, job: Job) -> Relief:
     target, edges, parameters = inputs["target"], inputs["cuts"].edges, inputs.parameters
     V, moved = make_room(target.V, target.F, edges, parameters, job)
     found = settle(native.check_target(V, target.F, edges, parameters), inputs.where, tiles_place)
-    return Relief(V, found, _asked(parameters), moved)
+    return Relief(V, (*found, *_other_thickness(target.wall, parameters)), _asked(parameters), moved)
+
+
+def _other_thickness(wall: Optional[float], parameters: Any) -> Iterator[dict]:
+    H_body = parameters.get("H_body")
+    if wall is not None and abs(wall - H_body) > _SAME_THICKNESS * wall:
+        yield {"what": f"the part is drawn {wall:.3g} mm thick, tiles are {H_body:g} mm thick",
+               "kind": "wall", "remedy": f"set H_body={wall:.3g}", "tiles": []}
 
 
 STAGE = Stage("relief", ("target", "cuts"), frozenset({"tiles", "repair"}), _run)

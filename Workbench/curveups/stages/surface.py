@@ -10,6 +10,8 @@ from typing import Any, Callable, Optional
 
 import numpy as np
 
+from ..cad_files import Read
+from ..cad_parts import Choice
 from ..native import native
 from ..output import safe_name
 from .stage import Inputs, Job, Result, Stage, digest
@@ -18,7 +20,7 @@ from .stage import Inputs, Job, Result, Stage, digest
 @dataclass(frozen=True)
 class Source(Result):
     """Given by the user: a built-in target, a file, or an object of a document, which `read` makes
-    triangles of (largest deviation in the object's own unit -> V, F). `stamp` tells states of a file or an
+    triangles of (largest deviation in the object's own unit, what of it is wanted). `stamp` tells states of a file or an
     object apart. `remesh`: otherwise the mesh is taken as it is. `will_be_cut`: whether a closed surface
     makes sense."""
 
@@ -28,7 +30,7 @@ class Source(Result):
     remesh: bool = True
     will_be_cut: bool = False
     stamp: str = ""
-    read: Optional[Callable[[float], tuple[np.ndarray, np.ndarray]]] = field(
+    read: Optional[Callable[[float, Choice], Read]] = field(
         default=None, compare=False, metadata={"transient": True})
 
     @property
@@ -43,10 +45,12 @@ class Surface(Result):
 
     V: np.ndarray
     F: np.ndarray
+    notes: tuple[str, ...] = ()    # on what of a CAD part it is
+    wall: Optional[float] = None   # how thick that is drawn, mm; None: as a sheet
 
     @property
     def content(self) -> str:
-        return digest(self.V, self.F)
+        return digest(self.V, self.F, *self.notes, *(() if self.wall is None else (self.wall,)))
 
 
 def _run(inputs: Inputs, job: Job) -> Surface:
@@ -54,19 +58,21 @@ def _run(inputs: Inputs, job: Job) -> Surface:
     # A tenth of what remeshing may move a vertex, in the target's own coordinates: they are scaled
     # afterwards.
     deflection = 0.0005 * get("L") / get("scale")
+    choice = Choice(get("skin"), get("faces"), get("open"))
     if source.read:
         job("reading the target")
-        V, F = source.read(deflection)
+        found = source.read(deflection, choice)
     elif source.built_in:
-        V, F = native.builtin_target(source.built_in, min(max(deflection, 1e-4), 1.0))
+        found = Read(*native.builtin_target(source.built_in, min(max(deflection, 1e-4), 1.0)))
     else:
         from .. import freecad_io  # only where FreeCAD is needed
 
         job("reading the target")
-        V, F = freecad_io.read_target(Path(source.path), deflection, lambda: job("reading the target"))
-    V = np.ascontiguousarray(V, float) * get("scale")
-    F = np.ascontiguousarray(F[:, ::-1] if get("flip") else F, np.int32)
-    return Surface(V, F)
+        found = freecad_io.read_target(Path(source.path), deflection, lambda: job("reading the target"),
+                                       choice)
+    V = np.ascontiguousarray(found.V, float) * get("scale")
+    F = np.ascontiguousarray(found.F[:, ::-1] if get("flip") else found.F, np.int32)
+    return Surface(V, F, found.notes, None if found.wall is None else found.wall * get("scale"))
 
 
 STAGE = Stage("surface", ("source",), frozenset({"target"}), _run)

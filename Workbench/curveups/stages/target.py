@@ -31,10 +31,11 @@ class Target(Result):
     notes: tuple[str, ...]
     found: tuple[dict, ...]          # warnings
     own_length: Optional[float]      # L, where the mesh is taken as it is
+    wall: Optional[float] = None     # how thick the part is drawn, mm
 
     @property
     def content(self) -> str:
-        return digest(self.V, self.F, self.own_length)
+        return digest(self.V, self.F, self.own_length, *(() if self.wall is None else (self.wall,)))
 
     def settles(self) -> Mapping[str, Any]:
         return {} if self.own_length is None else {"L": self.own_length}
@@ -53,11 +54,12 @@ class Target(Result):
 def _run(inputs: Inputs, job: Job) -> Target:
     source, surface, L = inputs["source"], inputs["surface"], inputs.parameters.get("L")
     job("checking the target")
-    V, F, notes = surface.V, surface.F, []
+    V, F, notes = surface.V, surface.F, list(surface.notes)
     if source.remesh:
         # Otherwise the mesh is taken as it is: cuts name its vertices by number.
         clean = native.clean_mesh(V, F, job)
-        V, F, notes = clean.V, clean.F, list(clean.notes)
+        V, F = clean.V, clean.F
+        notes += clean.notes
     else:
         settle([f for f in native.check_mesh(V, F, 1.0, True, job) if f.kind in BROKEN], inputs.where,
                faces_place)
@@ -68,9 +70,10 @@ def _run(inputs: Inputs, job: Job) -> Target:
     if not source.remesh:
         lengths = _edge_lengths(V, F)
         return Target(V, F, V, F, float(lengths.mean()), float(lengths.std() / lengths.mean()), 0.0,
-                      tuple(notes), found, L)
+                      tuple(notes), found, L, surface.wall)
     made = native.remesh(V, F, L, job)
-    return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta, tuple(notes), found, None)
+    return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta, tuple(notes), found, None,
+                  surface.wall)
 
 
 STAGE = Stage("target", ("source", "surface"), frozenset({"target"}), _run)

@@ -42,6 +42,19 @@ void bind_geometry(py::module_& module) {
       py::arg("points"), py::arg("V"), py::arg("F"),
       "Distances of points from a surface, mm, one a point.");
   module.def(
+      "closest_points",
+      [](const PointsIn& points, const PointsIn& V, const TrianglesIn& F) {
+        const Points3 from = read_points(points, "points");
+        const TriangleMesh mesh = read_mesh(V, F);
+        const py::gil_scoped_release release;
+        const ClosestPoints closest(mesh);
+        Points3 out(from.rows(), 3);
+        for (Eigen::Index k = 0; k < from.rows(); ++k) out.row(k) = closest(from.row(k)).point;
+        return out;
+      },
+      py::arg("points"), py::arg("V"), py::arg("F"),
+      "The nearest points of a surface, one a point.");
+  module.def(
       "surface_deviation",
       [](const PointsIn& V, const TrianglesIn& F, const PointsIn& target_V,
          const TrianglesIn& target_F, py::object progress) {

@@ -56,7 +56,7 @@ void bind_parameters(py::module_& module) {
           "type",
           [](const ParameterInfo& i) {
             constexpr const char* names[] = {"number", "integer", "switch", "choice"};
-            return i.member.index() == 3 && i.choices.empty() ? "tiles" : names[i.member.index()];
+            return std::string(i.text.empty() ? names[i.member.index()] : i.text);
           })
       .def_property_readonly("default", &default_value)
       .def_readonly("minimum", &ParameterInfo::minimum)

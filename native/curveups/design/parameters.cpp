@@ -22,10 +22,24 @@ std::vector<ParameterInfo> make_table() {
   return {
     {"scale", "", "Target", "Factor on the coordinates of a file without units (1000 for metres).",
      target, &P::scale, 1e-6, 1e6},
+    {"fit", "mm", "Target",
+     "Scales the target so that its longest side (of its box along x, y, z) is this; 0: by scale.",
+     target, &P::fit, 0, 1e5},
     {"flip", "", "Target", "Turns front and back over, for targets whose normals point inwards.",
      target, &P::flip},
+    {"skin", "", "Target", "Which side of a CAD part that is drawn with a wall becomes the target.",
+     target, &P::skin, 0, 0, {"outer", "inner", "middle"}},
+    {"faces", "", "Target",
+     "The faces of a CAD part that become the target, as Face3,Face7-9; none: chosen by skin and open.",
+     target, &P::faces, 0, 0, {}, "faces"},
+    {"open", "", "Target",
+     "What of a closed CAD part is left out: auto or largest (its largest planar face), the faces in a "
+     "plane (z=0), all on one side of it (z>0 keeps what is above), or none.",
+     target, &P::open, 0, 0, {}, "opening"},
     {"L", "mm", "Target", "Mean edge length of the tiles; with --no-remesh the mesh's own is used.",
      target | tiles, &P::L, 0.5, 200},
+    {"fidelity", "mm", "Target", "Largest distance of the target from its tiles where L is auto.",
+     target, &P::fidelity, 1e-3, 100},
     {"H_body", "mm", "Tiles", "Thickness of a tile between its front and its back face.",
      tiles, &P::H_body, 0.2, 100},
     {"H_pin", "mm", "Tiles", "Height of the pins on both faces, to whose tops membranes are glued.",
@@ -128,7 +142,7 @@ std::vector<ParameterInfo> make_table() {
      physics, &P::gravity, 0, 0, {"off", "held", "resting"}},
     {"held_tiles", "", "Physics",
      "Tiles that carry the piece where gravity is held, as T00012,T00345; none: its lowest.",
-     physics, &P::held_tiles},
+     physics, &P::held_tiles, 0, 0, {}, "tiles"},
     {"density", "g/cm3", "Physics", "Density of the tiles, for gravity.",
      physics, &P::density, 0, 30},
     {"gravity_x", "", "Physics", "Direction in which gravity pulls: x.",
@@ -213,6 +227,30 @@ bool to_switch(const ParameterInfo& info, const ParameterValue& value) {
   refuse(info, value, "give on or off");
 }
 
+std::string text_remedy(std::string_view kind) {
+  if (kind == "faces") return "name faces as FreeCAD does, from 1: Face3,Face7-9";
+  if (kind == "opening") return "give auto, largest, none, or a plane as z=0, z>0 or x<12.5";
+  return "name tiles as reports do: T00012,T00345";
+}
+
+void check_text(std::string_view kind, const std::string& text) {
+  if (kind == "faces") {
+    check_faces(text);
+  } else if (kind == "opening") {
+    check_opening(text);
+  } else {
+    listed_tiles(text);
+  }
+}
+
+// Of "Face12" or "12"; 0 where it is none.
+int face_number(std::string_view word) {
+  if (word.substr(0, 4) == "Face") word.remove_prefix(4);
+  int number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc() && end == word.data() + word.size() ? number : 0;
+}
+
 }  // namespace
 
 const std::vector<ParameterInfo>& parameter_table() {
@@ -258,6 +296,35 @@ std::vector<int> listed_tiles(std::string_view text) {
   return tiles;
 }
 
+void check_faces(std::string_view text) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    if (text[begin] == ' ' || text[begin] == ',') {
+      ++begin;
+      continue;
+    }
+    const std::size_t end = std::min(text.find_first_of(" ,", begin), text.size());
+    const std::string_view word = text.substr(begin, end - begin);
+    const std::size_t dash = word.find('-');
+    const int first = face_number(word.substr(0, dash));
+    const int last = dash == word.npos ? first : face_number(word.substr(dash + 1));
+    if (first < 1 || last < first) {
+      throw InvalidInput("'" + std::string(word) + "' is no face", text_remedy("faces"));
+    }
+    begin = end;
+  }
+}
+
+void check_opening(std::string_view text) {
+  if (text == "auto" || text == "largest" || text == "none") return;
+  double place = 0;
+  if (text.size() > 2 && std::string_view("xyz").find(text[0]) != std::string_view::npos &&
+      std::string_view("=<>").find(text[1]) != std::string_view::npos) {
+    const auto [end, error] = std::from_chars(text.data() + 2, text.data() + text.size(), place);
+    if (error == std::errc() && end == text.data() + text.size() && std::isfinite(place)) return;
+  }
+  throw InvalidInput("'" + std::string(text) + "' is no opening", text_remedy("opening"));
+}
+
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value) {
   const ParameterInfo& info = find(name);
   if (const auto* member = std::get_if<double P::*>(&info.member)) {
@@ -273,8 +340,8 @@ void set_parameter(Parameters& parameters, std::string_view name, const Paramete
     parameters.*(*flag) = to_switch(info, value);
   } else if (info.choices.empty()) {
     const std::string* text = std::get_if<std::string>(&value);
-    if (!text) refuse(info, value, "name tiles as reports do: T00012,T00345");
-    listed_tiles(*text);
+    if (!text) refuse(info, value, text_remedy(info.text));
+    check_text(info.text, *text);
     parameters.*std::get<std::string P::*>(info.member) = *text;
   } else {
     std::string choices;

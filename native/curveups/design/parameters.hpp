@@ -14,8 +14,13 @@ namespace curveups {
 struct Parameters {
   // Target
   double scale = 1.0;
+  double fit = 0.0;
   bool flip = false;
+  std::string skin = "outer";
+  std::string faces;  // as check_faces reads them
+  std::string open = "auto";
   double L = 7.0;
+  double fidelity = 0.5;
   // Tiles
   double H_body = 3.0;
   double H_pin = 1.0;
@@ -116,7 +121,10 @@ struct ParameterInfo {
       member;
   double minimum = 0;  // numbers: the closed range
   double maximum = 0;
-  std::vector<std::string_view> choices = {};  // texts; none for a list of tiles
+  std::vector<std::string_view> choices = {};  // texts; none where `text` says what they are
+  // Texts without choices: "tiles" (listed_tiles), "faces" (check_faces), "opening"
+  // (check_opening).
+  std::string_view text = {};
 };
 
 // In the order in which they are shown.
@@ -137,6 +145,12 @@ void set_parameter(Parameters& parameters, std::string_view name, const Paramete
 // The tiles of a list like "T00012, T00345" (the first tile is T00001), numbered from 0, ascending.
 // Throws InvalidInput for anything else.
 std::vector<int> listed_tiles(std::string_view text);
+// Numbers or names of faces of a CAD part, or ranges of them: "Face3, 7-9"; none is good, too.
+// Throws InvalidInput for anything else.
+void check_faces(std::string_view text);
+// Where a closed part is opened: "auto", "largest", "none", or a plane: "z=0", "x>12.5", "y<-3".
+// Throws InvalidInput for anything else.
+void check_opening(std::string_view text);
 ParameterValue get_parameter(const Parameters& parameters, std::string_view name);
 bool operator==(const Parameters& a, const Parameters& b);
 
