@@ -161,8 +161,8 @@ def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
 
 
 def _read(path: Path, deflection: float, choice: Choice) -> tuple[int, Read]:
-    """In the child: how many faces there are, and what is chosen of them. Through Part, since the Import module
-    crashes on coloured STEP files (0.20.2)."""
+    """In the child: how many faces there are, and what is chosen of them. Through Part, since the Import
+    module crashes on coloured STEP files (0.20.2)."""
     _, part = freecad_session.load("Part")
     try:
         shape = part.read(str(path))

@@ -102,6 +102,8 @@ def _target_arguments(parser: argparse.ArgumentParser, folder_required: bool = T
                         help="a built-in name, or an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP file")
     _output_argument(parser, folder_required)
     _set_argument(parser)
+    parser.add_argument("--fit", metavar="LENGTH",
+                        help="scale the target so that its longest side is LENGTH mm")
     parser.add_argument("--config", type=Path, action="append", default=[], metavar="FILE.json",
                         help='parameters as { "name": value, ... }, with a note as "about"; may be '
                              "given several times: the last wins, and --set wins over all")
@@ -120,7 +122,8 @@ def _cuts_argument(parser: argparse.ArgumentParser) -> None:
 def _set_argument(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--set", dest="settings", action="append", default=[],
                         metavar="name=value",
-                        help="a parameter, or several; see 'curveups parameters'")
+                        help="a parameter, or several; see 'curveups parameters'. L=auto and H_body=auto "
+                             "choose the largest that do")
 
 
 def _one_setting_each(arguments: Sequence[str]) -> list[str]:

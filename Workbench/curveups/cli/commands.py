@@ -14,7 +14,7 @@ from ..output import Folder, require_folder_name, safe_name
 from ..progress import Interrupt, Reporter
 from ..project import Project, Results
 from ..report import check as check_report
-from ..stages import CHECKED, DESIGNED, PRINTED
+from ..stages import CHECKED, DESIGNED, PRINTED, sizes
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.stage import Job
 from ..stages.surface import find_source
@@ -48,7 +48,7 @@ def design(options: Any, session: Session) -> int:
     require_folder_name(options.output)
     cuts = read_cuts(options.cuts) if options.cuts else CutRequest()
     cuts = replace(cuts, suggested=options.auto_cuts)
-    project = _project(options, cuts, remesh=not options.no_remesh)
+    project = _project(options, cuts, session, not options.no_remesh)
     job = session.job
     if cuts.suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
@@ -64,7 +64,7 @@ def check(options: Any, session: Session) -> int:
         require_folder_name(options.output)
     cuts = read_cuts(options.cuts) if options.cuts else CutRequest()
     # Closed surfaces are looked at too, and told to be.
-    project = _project(options, replace(cuts, suggested=1), remesh=not options.no_remesh)
+    project = _project(options, replace(cuts, suggested=1), session, not options.no_remesh)
     project.give("cut request", cuts)
     results = project.run(CHECKED, session.job)
     if options.output:
@@ -79,7 +79,7 @@ def remesh(options: Any, session: Session) -> int:
     """curveups remesh"""
     require_folder_name(options.output)
     # A closed target can be cut later.
-    project = _project(options, CutRequest(suggested=1))
+    project = _project(options, CutRequest(suggested=1), session)
     target = project.run(("target",), session.job)["target"]
     write_obj(Folder(options.output), f"{project.name}-remeshed.obj", target.V, target.F)
     session.reporter.say(f"{len(target.F)} faces, mean edge {target.mean_edge:.3f} mm")
@@ -171,16 +171,40 @@ def _tell_of_cuts(results: Results, reporter: Reporter) -> None:
                  f"{len(found.applied) + len(found.proposed)} for as many, chosen anew")
 
 
-def _project(options: Any, cuts: CutRequest, remesh: bool = True) -> Project:
-    values = native.Parameters()
+def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = True) -> Project:
+    values, automatic = native.Parameters(), set()
+
+    def put(name: str, value: Any, where: str) -> None:
+        if name in sizes.AUTOMATIC and value == "auto":
+            automatic.add(name)
+        else:
+            automatic.discard(name)
+            _set(values, name, value, where)
+
     for path in options.config:
         for name, value in read_json_object(path).items():
             if name != "about":  # a note of the file's author
-                _set(values, name, value, str(path))
+                put(name, value, str(path))
     for name, text in _settings(options.settings):
-        _set(values, name, text, f"--set {name}")
+        put(name, text, f"--set {name}")
+    if options.fit is not None:
+        put("fit", options.fit, "--fit")
     source = find_source(options.target, remesh=remesh, will_be_cut=bool(cuts) or cuts.suggested > 0)
-    return Project(source.name, values, {"source": source, "cut request": cuts}, options.target)
+    project = Project(source.name, values, {"source": source, "cut request": cuts}, options.target)
+    if automatic:
+        _choose_sizes(project, cuts, automatic, session)
+    return project
+
+
+def _choose_sizes(project: Project, cuts: CutRequest, names: set[str], session: Session) -> None:
+    job = session.job
+    target = project.run(("target",), job)["target"]
+    values = project.parameters
+    with translated(project.where):
+        for name, value in sizes.choose(target, cuts, values, names, job, project.where).items():
+            values.set(name, value)
+            session.reporter.say(f"{name} = {value:g} mm is chosen")
+    project.parameters = values
 
 
 def _read_design(path: Path) -> Any:

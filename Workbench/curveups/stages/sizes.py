@@ -8,7 +8,7 @@ import math
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, Callable, Iterator, Optional, Sequence
+from typing import Any, Callable, Collection, Iterator, Optional, Sequence
 
 import numpy as np
 
@@ -21,6 +21,9 @@ from .stage import Inputs, Job, Result, Stage, digest
 # Lengths are tried up to this factor from the one that is set, as long as that makes no more tiles than
 # these or than there are, and thicknesses up to so many lengths.
 FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1500, 12, 2.0
+# As long as there are no more tiles than these a length is chosen; thicknesses between these lengths (the
+# paper's tiles have 3/7).
+MOST_CHOSEN, _THINNEST, _STOUTEST = 10_000, 1 / 7, 3 / 7
 _STRIDE = 6  # values of the series from one trial to the next, before the ends are narrowed down
 
 
@@ -101,6 +104,32 @@ class Trials:
         found = _last(values, lambda H_body: self(L, H_body).feasible)
         return None if found < 0 else values[found]
 
+    def largest_length(self, L: float, thickness: Callable[[float], float], fidelity: float,
+                       where: str) -> float:
+        """The largest feasible length at which the surface stays within `fidelity` (mm) of its facets, which
+        was tried; L: one that was tried. Raises CurveUpsError where there is none."""
+        low, high = _range("L")
+        values = [value for value in series(low, high) if LEAST_TILES <= self.tiles(value) <= MOST_CHOSEN]
+        if not values:
+            raise CurveUpsError("the surface is too large or too small for tiles", where,
+                                "check its unit (scale, fit)")
+
+        def near(value: float) -> bool:
+            return self(value, thickness(value)).sagitta <= fidelity
+
+        # It grows with the square of the length, as long as that is small against the curvature's radius.
+        sagitta = self(L, thickness(L)).sagitta
+        guess = L * math.sqrt(fidelity / sagitta) if sagitta > 0 else values[-1]
+        place = int(np.argmin(np.abs(np.log(np.array(values) / guess))))
+        while place > 0 and not near(values[place]):
+            place = max(0, place - _STRIDE // 2)
+        last = place + _reach(values[place:], near)
+        for place in range(last, -1, -1):
+            if near(values[place]) and self(values[place], thickness(values[place])).feasible:
+                return values[place]
+        raise CurveUpsError(f"no L does that keeps tiles within {fidelity:g} mm of the surface", where,
+                            "raise fidelity, or see 'curveups check'")
+
     def lengths(self, L: float) -> tuple[list[float], int]:
         """The series of lengths about L, and the place of L itself in it."""
         low, high = _range("L")
@@ -163,6 +192,34 @@ def _last(values: Sequence[float], good: Callable[[float], bool]) -> int:
 def _range(name: str) -> tuple[float, float]:
     row = next(row for row in native.parameter_table() if row.name == name)
     return float(row.minimum), float(row.maximum)
+
+
+AUTOMATIC = ("L", "H_body")  # parameters that may be "auto"
+
+
+def choose(target: Any, cuts: CutRequest, parameters: Any, names: Collection[str], job: Job,
+           where: str) -> dict[str, float]:
+    """The largest feasible values of those of AUTOMATIC that are named: lengths at which the surface stays
+    within `fidelity` of its tiles, thicknesses up to _STOUTEST lengths. A length is looked for with the
+    thickness that is set or, where that is to be chosen, with _THINNEST lengths. Raises CurveUpsError where
+    there is none, and Stopped."""
+    found: dict[str, float] = {}
+    trials = _trials(target, cuts, parameters, job)
+    L, H_body = parameters.get("L"), parameters.get("H_body")
+    if "L" in names:
+        if not _can_remesh(target, cuts):
+            raise CurveUpsError("L can't be auto where the mesh is given", where,
+                                "give cuts as polylines, or L as a number")
+        least = _range("H_body")[0]
+        thickness = (lambda L: max(_THINNEST * L, least)) if "H_body" in names else (lambda L: H_body)
+        L = found["L"] = trials.largest_length(L, thickness, parameters.get("fidelity"), where)
+    if "H_body" in names:
+        thickest = trials.largest_thickness(L, _STOUTEST * L)
+        if thickest is None:
+            raise CurveUpsError(f"no thickness up to {_STOUTEST * L:.3g} mm does for L = {L:g} mm", where,
+                                "see 'curveups check'")
+        found["H_body"] = thickest
+    return found
 
 
 @contextmanager

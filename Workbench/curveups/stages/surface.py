@@ -12,6 +12,7 @@ import numpy as np
 
 from ..cad_files import Read
 from ..cad_parts import Choice
+from ..errors import CurveUpsError
 from ..native import native
 from ..output import safe_name
 from .stage import Inputs, Job, Result, Stage, digest
@@ -20,9 +21,9 @@ from .stage import Inputs, Job, Result, Stage, digest
 @dataclass(frozen=True)
 class Source(Result):
     """Given by the user: a built-in target, a file, or an object of a document, which `read` makes
-    triangles of (largest deviation in the object's own unit, what of it is wanted). `stamp` tells states of a file or an
-    object apart. `remesh`: otherwise the mesh is taken as it is. `will_be_cut`: whether a closed surface
-    makes sense."""
+    triangles of (largest deviation in the object's own unit, what of it is wanted). `stamp` tells states of
+    a file or an object apart. `remesh`: otherwise the mesh is taken as it is. `will_be_cut`: whether a closed
+    surface makes sense."""
 
     name: str           # safe for file names
     built_in: str = ""
@@ -55,24 +56,40 @@ class Surface(Result):
 
 def _run(inputs: Inputs, job: Job) -> Surface:
     source, get = inputs["source"], inputs.parameters.get
-    # A tenth of what remeshing may move a vertex, in the target's own coordinates: they are scaled
-    # afterwards.
-    deflection = 0.0005 * get("L") / get("scale")
     choice = Choice(get("skin"), get("faces"), get("open"))
-    if source.read:
+
+    def read(scale: float) -> Read:
+        # A tenth of what remeshing may move a vertex, in the target's own coordinates: they are scaled
+        # afterwards.
+        deflection = 0.0005 * get("L") / scale
+        if source.built_in:
+            return Read(*native.builtin_target(source.built_in, min(max(deflection, 1e-4), 1.0)))
         job("reading the target")
-        found = source.read(deflection, choice)
-    elif source.built_in:
-        found = Read(*native.builtin_target(source.built_in, min(max(deflection, 1e-4), 1.0)))
-    else:
+        if source.read:
+            return source.read(deflection, choice)
         from .. import freecad_io  # only where FreeCAD is needed
 
-        job("reading the target")
-        found = freecad_io.read_target(Path(source.path), deflection, lambda: job("reading the target"),
-                                       choice)
-    V = np.ascontiguousarray(found.V, float) * get("scale")
+        return freecad_io.read_target(Path(source.path), deflection, lambda: job("reading the target"),
+                                      choice)
+
+    scale, fit = get("scale"), get("fit")
+    found = read(scale)
+    if fit:
+        scale = fit / _longest_side(found.V, inputs.where)
+        if scale > get("scale"):  # as fine as the larger one asks for
+            found = read(scale)
+            scale = fit / _longest_side(found.V, inputs.where)
+    V = np.ascontiguousarray(found.V, float) * scale
     F = np.ascontiguousarray(found.F[:, ::-1] if get("flip") else found.F, np.int32)
-    return Surface(V, F, found.notes, None if found.wall is None else found.wall * get("scale"))
+    notes = (*found.notes, f"scaled by {scale:.6g} to fit {fit:g} mm") if fit else found.notes
+    return Surface(V, F, notes, None if found.wall is None else found.wall * scale)
+
+
+def _longest_side(V: np.ndarray, where: str) -> float:
+    side = float(np.ptp(V, axis=0).max()) if len(V) else 0.0
+    if not np.isfinite(side) or side <= 0:
+        raise CurveUpsError("the surface has no size that could be scaled", where, "leave fit at 0")
+    return side
 
 
 STAGE = Stage("surface", ("source",), frozenset({"target"}), _run)
