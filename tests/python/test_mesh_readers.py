@@ -60,7 +60,8 @@ def off():
 def read(folder, name, content):
     path = folder / name
     path.write_bytes(content if isinstance(content, bytes) else content.encode())
-    return read_target(path, 0.01)
+    found = read_target(path, 0.01)
+    return found.V, found.F
 
 
 def expect_surface(found, tolerance=0.0):

@@ -288,8 +288,8 @@ def test_scaled_targets_are_divided_as_finely_as_their_tiles_ask(monkeypatch, tm
     """0.0005 L in the print, whatever the file's unit."""
     given = []
     (tmp_path / "a.step").write_text("ISO")
-    monkeypatch.setattr(freecad_io, "read_target", lambda path, deflection, _: given.append(deflection)
-                        or native.builtin_target("half-sphere", 1.0))
+    monkeypatch.setattr(freecad_io, "read_target", lambda path, deflection, *_: given.append(deflection)
+                        or cad_files.Read(*native.builtin_target("half-sphere", 1.0)))
 
     def read(target, scale):
         values = native.Parameters()

@@ -128,7 +128,8 @@ def gaping():
 
 
 PARTS = {function.__name__: function for function in (
-    bowl, rounded_bowl, lid, lid_sharp_inside, pipe, tee, loft, plate, block, ball, hollow, two_bodies, gaping)}
+    bowl, rounded_bowl, lid, lid_sharp_inside, pipe, tee, loft, plate, block, ball, hollow, two_bodies,
+    gaping)}
 
 if __name__ == "__main__":
     sys.exit(write(sys.argv[1], sys.argv[2:]))

@@ -46,7 +46,8 @@ class Briefly:
 
 
 def check_mesh(path, number):
-    found_V, found_F = freecad_io.read_target(path, 0.01)
+    found = freecad_io.read_target(path, 0.01)
+    found_V, found_F = found.V, found.F
     assert found_V.shape[1:] == (3,) and found_F.shape[1:] == (3,) and np.isfinite(found_V).all()
     assert found_F.min() >= 0 and found_F.max() < len(found_V)
     clean = native.clean_mesh(found_V, found_F, Briefly())
@@ -57,7 +58,8 @@ def check_mesh(path, number):
 
 
 def check_cad(path, number):
-    found_V, found_F = cad_files.read_cad(path, 0.5, time_limit=CAD_SECONDS)
+    found = cad_files.read_cad(path, 0.5, time_limit=CAD_SECONDS)
+    found_V, found_F = found.V, found.F
     assert np.isfinite(found_V).all() and found_F.min() >= 0 and found_F.max() < len(found_V)
 
 

@@ -22,8 +22,8 @@ class NewDesign(Command):
     name = "CurveUps_NewDesign"
     text = QT_TRANSLATE_NOOP("CurveUps_NewDesign", "New Design")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_NewDesign",
-                                "A design of the selected Part or Mesh object; of a file where none is "
-                                "selected")
+                                "A design of the selected Part or Mesh object, or of its selected faces; of "
+                                "a file where none is selected")
     shortcut = "C, N"
 
     def reason(self) -> str:
@@ -32,16 +32,17 @@ class NewDesign(Command):
     def run(self) -> None:
         source = selected_surface()
         if source is not None:
-            make_design(source.Document, named(source))
+            make_design(source.Document, named(source), selected_faces(source))
             return
         path = ask_for_file(translate(self.name, "Surface of the design"))
         if path:
             make_design(FreeCAD.ActiveDocument or FreeCAD.newDocument(), repr(path))
 
 
-def make_design(document: Any, source: str) -> Any:
-    """source: Python text for new_design. The design, with the parameters that the user wants new ones
-    to begin with; selected, and in view. Raises CurveUpsError, with nothing made."""
+def make_design(document: Any, source: str, faces: str = "") -> Any:
+    """source: Python text for new_design; faces: those of it that are wanted. The design, with the
+    parameters that the user wants new ones to begin with; selected, and in view. Raises CurveUpsError, with
+    nothing made."""
     document.openTransaction(translate("CurveUps_NewDesign", "New Design"))
     before = set(obj.Name for obj in document.Objects)
     try:
@@ -50,6 +51,8 @@ def make_design(document: Any, source: str) -> Any:
                       if obj.Name not in before and "CurveUpsVersion" in obj.PropertiesList)
         for name, value in remembered(design).items():
             FreeCADGui.doCommand(f"{named(design)}.{name} = {value!r}")
+        if faces:
+            FreeCADGui.doCommand(f"{named(design)}.Faces = {faces!r}")
     except BaseException:
         document.abortTransaction()
         raise
@@ -65,6 +68,13 @@ def selected_surface() -> Optional[Any]:
     """The one Mesh or Part object with faces that is selected, if there is just one."""
     found = [obj for obj in FreeCADGui.Selection.getSelection() if _has_faces(obj)]
     return found[0] if len(found) == 1 else None
+
+
+def selected_faces(obj: Any) -> str:
+    """The faces of an object that are selected, as the parameter `faces` has them; empty for all of it."""
+    names = [name for one in FreeCADGui.Selection.getSelectionEx() if one.Object is obj
+             for name in one.SubElementNames if name.startswith("Face")]
+    return ",".join(names)
 
 
 def _has_faces(obj: Any) -> bool:

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sizes that the program chooses: L and H_body as auto, a target scaled to a size."""
+
+import json
+
+import numpy as np
+import pytest
+
+from curveups.cad_files import Read
+from curveups.errors import CurveUpsError
+from curveups.native import native
+from curveups.project import Project
+from curveups.stages import sizes
+from curveups.stages.cut_request import CutRequest
+from curveups.stages.stage import Job
+from curveups.stages.surface import Source
+
+
+def dome(radius=60.0, parts=30):
+    steps = np.linspace(-25, 25, parts + 1)
+    V = np.array([(x, y, np.sqrt(radius ** 2 - x * x - y * y)) for y in steps for x in steps])
+    F = []
+    for j in range(parts):
+        for i in range(parts):
+            a = j * (parts + 1) + i
+            F += [(a, a + 1, a + parts + 2), (a, a + parts + 2, a + parts + 1)]
+    return V, np.array(F, np.int32)
+
+
+def project(V, F, **values):
+    parameters = native.Parameters()
+    for name, value in values.items():
+        parameters.set(name, value)
+    source = Source("made", stamp="made", will_be_cut=True, read=lambda deflection, choice: Read(V, F))
+    return Project("made", parameters, {"source": source, "cut request": CutRequest()}, "made")
+
+
+def chosen(of, *names):
+    target = of.run(("target",))["target"]
+    return sizes.choose(target, CutRequest(), of.parameters, names, Job(), "made")
+
+
+def test_the_largest_length_within_fidelity():
+    fidelity = 0.3
+    of = project(*dome(), fidelity=fidelity)
+    L = chosen(of, "L")["L"]
+    made = project(*dome(), L=L).run(("target", "feasibility"))
+    assert made["target"].sagitta <= fidelity and made["feasibility"].feasible
+    beyond = project(*dome(), L=1.2 * L).run(("target",))["target"]
+    assert beyond.sagitta > fidelity
+    assert chosen(project(*dome(), fidelity=2 * fidelity), "L")["L"] > L
+
+
+def test_thickness_and_both():
+    of = project(*dome(), L=8.0)
+    H_body = chosen(of, "H_body")["H_body"]
+    assert 8 / 7 <= H_body <= 8 * 3 / 7
+    assert project(*dome(), L=8.0, H_body=H_body).run(("feasibility",))["feasibility"].feasible
+    both = chosen(project(*dome(), fidelity=0.3), "L", "H_body")
+    assert both["H_body"] <= both["L"] * 3 / 7
+    assert project(*dome(), **both).run(("feasibility",))["feasibility"].feasible
+
+
+def test_a_fidelity_out_of_reach_is_refused():
+    V, F = dome(26 * 2 ** 0.5, 40)  # a steep rim
+    with pytest.raises(CurveUpsError, match="no L does"):
+        chosen(project(V, F, fidelity=1e-3), "L")
+
+
+def test_auto_on_the_command_line(curveups, cap, tmp_path):
+    ran = curveups("design", cap, "-o", tmp_path, "--set", "L=auto", "H_body=auto", "fidelity=0.4",
+                   "verify=off", "--no-solids")
+    assert ran.status == 0, ran.err
+    values = json.loads((tmp_path / "design.json").read_text())["parameters"]
+    assert f"L = {values['L']:g} mm is chosen" in ran.err
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert report["target"]["sagitta_mm"] <= 0.4
+    assert curveups("design", cap, "-o", tmp_path / "b", "--no-remesh", "--set", "L=auto").status == 2
+    assert curveups("design", cap, "-o", tmp_path / "b", "--set", "tau=auto").status == 2
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e-3, 1 / 25.4])
+def test_a_target_is_scaled_to_a_size(unit):
+    V, F = dome()
+    found = project(V * unit, F, fit=80.0).run(("surface",))["surface"]
+    assert np.ptp(found.V, axis=0).max() == pytest.approx(80, rel=1e-12)
+    assert any("to fit 80 mm" in note for note in found.notes)
+    assert np.allclose(found.V, project(V, F, fit=80.0).run(("surface",))["surface"].V)
+
+
+def test_built_ins_grow_without_facets():
+    parameters = native.Parameters()
+    parameters.set("fit", 960.0)
+    of = Project("half-sphere", parameters, {"source": Source("half-sphere", built_in="half-sphere"),
+                                             "cut request": CutRequest()})
+    V = of.run(("surface",))["surface"].V
+    assert np.ptp(V, axis=0).max() == pytest.approx(960, rel=1e-12)
+    assert len(V) > len(native.builtin_target("half-sphere", 0.0035)[0])
