@@ -116,7 +116,8 @@ def test_values_that_contradict_one_another_change_nothing(project):
 OTHER = {"number": lambda row, now: now * 0.9 if row.minimum <= now * 0.9 else now * 1.1 + 0.01,
          "integer": lambda row, now: now + 1, "switch": lambda row, now: not now,
          "choice": lambda row, now: next(c for c in row.choices if c != now),
-         "tiles": lambda row, now: "T00003"}
+         "tiles": lambda row, now: "T00003", "faces": lambda row, now: "Face1",
+         "opening": lambda row, now: "none"}
 
 
 def test_no_stage_reads_a_parameter_that_it_does_not_declare(project):

@@ -23,7 +23,7 @@ from .stage import Inputs, Job, Result, Stage, digest
 FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1500, 12, 2.0
 # As long as there are no more tiles than these a length is chosen; thicknesses between these lengths (the
 # paper's tiles have 3/7).
-MOST_CHOSEN, _THINNEST, _STOUTEST = 10_000, 1 / 7, 3 / 7
+MOST_CHOSEN, _THINNEST, _STOUTEST = 5000, 1 / 7, 3 / 7
 _STRIDE = 6  # values of the series from one trial to the next, before the ends are narrowed down
 
 
@@ -123,7 +123,7 @@ class Trials:
         place = int(np.argmin(np.abs(np.log(np.array(values) / guess))))
         while place > 0 and not near(values[place]):
             place = max(0, place - _STRIDE // 2)
-        last = place + _reach(values[place:], near)
+        last = place + _reach(values[place:], near) if near(values[place]) else -1
         for place in range(last, -1, -1):
             if near(values[place]) and self(values[place], thickness(values[place])).feasible:
                 return values[place]
