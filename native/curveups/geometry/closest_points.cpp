@@ -72,6 +72,14 @@ ClosestPoint ClosestPoints::operator()(const Vec3& query) const {
   return {at, static_cast<int>(triangle - impl_->triangles.cbegin()), (at - query).norm()};
 }
 
+Vec3 ClosestPoints::normal(int face) const {
+  const auto corner = [&](int k) {
+    const Kernel::Point_3& p = impl_->triangles[face][k];
+    return Vec3(p.x(), p.y(), p.z());
+  };
+  return (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+}
+
 Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface) {
   Eigen::VectorXd distance(points.rows());
   parallel_ranges(static_cast<int>(points.rows()), [&](int begin, int end) {

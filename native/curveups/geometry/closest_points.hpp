@@ -25,6 +25,8 @@ class ClosestPoints {
   ClosestPoints& operator=(ClosestPoints&&) noexcept;
 
   ClosestPoint operator()(const Vec3& query) const;
+  // Unit normal of a face of the mesh; zero where it has no area.
+  Vec3 normal(int face) const;
 
  private:
   struct Impl;

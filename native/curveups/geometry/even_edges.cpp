@@ -13,6 +13,9 @@ namespace {
 
 // Angles below this are not made by flips (rad).
 constexpr double least_angle = 0.35;
+// Faces with a smaller one (three boundary vertices on a line, which collapsing leaves) are flipped
+// away whatever the valences (rad).
+constexpr double cap_angle = 0.05;
 
 std::uint64_t pair_key(int a, int b) {
   return (static_cast<std::uint64_t>(std::min(a, b)) << 32) |
@@ -26,10 +29,11 @@ double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
 }
 
-// One damped step of all springs; interior vertices return to the surface.
-void relax_springs(IsotropicMesh& mesh, const MeshTopology& topology, double length,
-                   const std::vector<char>& on_boundary, const ClosestPoints& surface) {
-  Points3& V = mesh.mesh.V;
+// One damped step of all springs; the vertices that are free return to the surface, and moves that
+// would spoil a face are cut short.
+void relax_springs(const Triangles& F, SurfacePoints& points, const MeshTopology& topology,
+                   double length, const std::vector<char>& free, const ClosestPoints& surface) {
+  const Points3& V = points.V;
   Points3 move = Points3::Zero(V.rows(), 3);
   Eigen::VectorXd degree = Eigen::VectorXd::Zero(V.rows());
   for (const MeshEdge& edge : topology.edges) {
@@ -41,13 +45,18 @@ void relax_springs(IsotropicMesh& mesh, const MeshTopology& topology, double len
     degree[edge.v[0]] += 1;
     degree[edge.v[1]] += 1;
   }
+  SurfacePoints moved = points;
   parallel_ranges(static_cast<int>(V.rows()), [&](int begin, int end) {
     for (int v = begin; v < end; ++v) {
-      if (on_boundary[v] || mesh.fixed[v] || degree[v] == 0) continue;
+      if (!free[v] || degree[v] == 0) continue;
       const Vec3 p = V.row(v) + 0.8 / degree[v] * move.row(v);
-      V.row(v) = surface(p).point;
+      const ClosestPoint there = surface(p);
+      moved.V.row(v) = there.point;
+      moved.normal.row(v) = surface.normal(there.face);
     }
   });
+  cut_short(F, points, moved, surface);
+  points = std::move(moved);
 }
 
 }  // namespace
@@ -80,9 +89,12 @@ int flip_towards_regular(IsotropicMesh& mesh) {
     const double worst = std::min(smallest_angle(A, B, C), smallest_angle(B, A, D));
     const double flipped = std::min(smallest_angle(C, D, B), smallest_angle(D, C, A));
     const bool regular = after < before && flipped > std::min(least_angle, worst);
-    if (!regular && !(after == before && flipped > worst + 0.05)) continue;
+    const bool cap = worst < cap_angle && flipped > 2 * worst;
+    if (!regular && !cap && !(after == before && flipped > worst + 0.05)) continue;
     if (joined.count(pair_key(c, d)) != 0) continue;
-    const Vec3 normal = (B - A).cross(C - A).normalized() + (A - B).cross(D - B).normalized();
+    // By area where one is flat: its own normal means nothing.
+    const Vec3 first = (B - A).cross(C - A), second = (A - B).cross(D - B);
+    const Vec3 normal = cap ? Vec3(first + second) : first.normalized() + second.normalized();
     if ((D - C).cross(B - C).dot(normal) <= 0 || (C - D).cross(A - D).dot(normal) <= 0) continue;
     F.row(edge.face[0]) << c, d, b;
     F.row(edge.face[1]) << d, c, a;
@@ -98,19 +110,29 @@ int flip_towards_regular(IsotropicMesh& mesh) {
   return flips;
 }
 
-void even_edges(IsotropicMesh& mesh, double length, int passes, const ClosestPoints& surface) {
+SurfacePoints even_edges(IsotropicMesh& mesh, double length, int passes,
+                         const ClosestPoints& surface) {
   const int vertices = static_cast<int>(mesh.mesh.V.rows());
   MeshTopology topology = build_topology(mesh.mesh.F, vertices);
-  std::vector<char> on_boundary(vertices, 0);
+  std::vector<char> free(vertices, 1);
   for (const MeshEdge& edge : topology.edges) {
-    if (edge.boundary()) on_boundary[edge.v[0]] = on_boundary[edge.v[1]] = 1;
+    if (edge.boundary()) free[edge.v[0]] = free[edge.v[1]] = 0;
   }
+  SurfacePoints points{mesh.mesh.V, Points3(vertices, 3)};
+  parallel_ranges(vertices, [&](int begin, int end) {
+    for (int v = begin; v < end; ++v) {
+      if (mesh.fixed[v]) free[v] = 0;
+      points.normal.row(v) = surface.normal(surface(points.V.row(v)).face);
+    }
+  });
   for (int pass = 0; pass < passes; ++pass) {
-    relax_springs(mesh, topology, length, on_boundary, surface);
+    relax_springs(mesh.mesh.F, points, topology, length, free, surface);
+    mesh.mesh.V = points.V;
     if (pass % 4 == 3 && flip_towards_regular(mesh) > 0) {
       topology = build_topology(mesh.mesh.F, vertices);
     }
   }
+  return points;
 }
 
 }  // namespace curveups

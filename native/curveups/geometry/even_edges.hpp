@@ -3,7 +3,7 @@
 // long.
 #pragma once
 
-#include "curveups/geometry/closest_points.hpp"
+#include "curveups/geometry/face_guard.hpp"
 #include "curveups/geometry/isotropic_mesh.hpp"
 
 namespace curveups {
@@ -12,7 +12,9 @@ namespace curveups {
 int flip_towards_regular(IsotropicMesh& mesh);
 
 // `passes` rounds of springs of rest length `length` that move the vertices which are neither fixed
-// nor on the boundary, and put them back onto `surface`; flips in between.
-void even_edges(IsotropicMesh& mesh, double length, int passes, const ClosestPoints& surface);
+// nor on the boundary, and put them back onto `surface`; flips in between. No move spoils a face
+// (face_guard.hpp). Returns the vertices with the surface's normals.
+SurfacePoints even_edges(IsotropicMesh& mesh, double length, int passes,
+                         const ClosestPoints& surface);
 
 }  // namespace curveups

@@ -62,9 +62,11 @@ TriangleMesh remesh_component(const TriangleMesh& surface, const ClosestPoints& 
                               std::to_string(options.L) + " mm",
                           "choose a smaller L, or fill the hole");
     }
-    even_edges(mesh, options.L, 60, closest);
+    const SurfacePoints points = even_edges(mesh, options.L, 60, closest);
     const EdgeStatistics edges = edge_statistics(mesh.mesh);
-    const double error = std::abs(edges.mean / options.L - 1) + 2 * edges.deviation / edges.mean;
+    const auto unsound = static_cast<double>(unsound_faces(points, mesh.mesh.F).size());
+    const double error =  // faces that no tile can be weigh more than any unevenness
+        100 * unsound + std::abs(edges.mean / options.L - 1) + 2 * edges.deviation / edges.mean;
     if (best_error < 0 || error < best_error) {
       best = mesh;
       best_error = error;

@@ -23,7 +23,8 @@ struct RemeshResult {
 // Splits, collapses and flips edges (M. Botsch, L. Kobbelt, "A remeshing approach to
 // multiresolution modeling", SGP 2004), then evens the edges out by springs of equal rest length
 // that move vertices along the surface. Every component and every boundary loop stays; boundary
-// vertices stay on the input's boundary, its corners (turns above 40 degrees) stay vertices.
+// vertices stay on the input's boundary, its corners (turns above 40 degrees) stay vertices. Moves
+// that would flatten a face or turn it over are cut short.
 // Deterministic. Throws what build_topology and boundary_loops throw, InvalidInput (vertices not
 // finite, faces without area, edges longer than 300 L, L not positive or so small that more than
 // 200,000 faces would arise),

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/geometry/builtin_targets.hpp"
 #include "curveups/geometry/closest_points.hpp"
+#include "curveups/geometry/face_guard.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 #include "curveups/geometry/remesh.hpp"
 #include "support/meshes.hpp"
@@ -100,6 +102,127 @@ TEST(Remesh, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(one.mesh.V, three.mesh.V);
   EXPECT_EQ(one.mesh.F, three.mesh.F);
   EXPECT_EQ(one.sagitta, three.sagitta);
+}
+
+// Share of the worst face: twice its area over the square of its longest edge, seen from above.
+double worst_from_above(const TriangleMesh& mesh) {
+  double worst = 1;
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    worst = std::min(worst, soundness(mesh.V.row(mesh.F(f, 0)), mesh.V.row(mesh.F(f, 1)),
+                                      mesh.V.row(mesh.F(f, 2)), Vec3::UnitZ()));
+  }
+  return worst;
+}
+
+TEST(Remesh, RandomTrianglesKeepEveryFace) {
+  // Boundary vertices in a row, of which collapsing makes faces without area: one in six right
+  // triangles had one.
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> leg(3, 84), anywhere(0, 84);
+  int made = 0;
+  for (int k = 0; k < 1000; ++k) {
+    TriangleMesh mesh{Points3::Zero(3, 3), Triangles(1, 3)};
+    mesh.F << 0, 1, 2;
+    if (k % 2 == 0) {
+      mesh.V(1, 0) = leg(random);
+      mesh.V(2, 1) = leg(random);
+    } else {
+      for (int v = 0; v < 3; ++v) mesh.V.row(v) << anywhere(random), anywhere(random), 0;
+      if (face_area_vector(mesh, 0).z() < 0) mesh.F << 0, 2, 1;
+    }
+    // Slivers stay slivers: of them nothing is asked here.
+    if (worst_from_above(mesh) < 0.1) continue;
+    const RemeshResult result = remesh(mesh, {7});
+    EXPECT_GT(worst_from_above(result.mesh), 0.02) << "triangle " << k << "\n" << mesh.V;
+    const double area = surface_area(mesh);  // corners of 140 degrees and more are no corners
+    if (area > 300) {
+      EXPECT_NEAR(surface_area(result.mesh), area, 0.03 * area);
+    }
+    ++made;
+  }
+  EXPECT_GT(made, 700);
+}
+
+TEST(Remesh, RandomSheetsKeepEveryFace) {
+  // Graphs over stars: corners that jut out and in, facets of all sizes, waves up to slope 1.
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int made = 0;
+  for (int k = 0; k < 200; ++k) {
+    const int spokes = 5 + static_cast<int>(8 * unit(random)),
+              rings = 1 + static_cast<int>(3 * unit(random));
+    const double wave = 12 * unit(random), length = 20 + 40 * unit(random);
+    TriangleMesh mesh{Points3(1 + spokes * rings, 3), Triangles(spokes * (2 * rings - 1), 3)};
+    mesh.V.row(0).setZero();
+    int row = 0;
+    for (int s = 0; s < spokes; ++s) {
+      const double reach = 12 + 35 * unit(random);
+      const int next = (s + 1) % spokes;
+      for (int r = 0; r < rings; ++r) {
+        const double a = 2 * M_PI * s / spokes, d = reach * (r + 1) / rings;
+        const double x = d * std::cos(a), y = d * std::sin(a);
+        mesh.V.row(1 + s * rings + r) << x, y,
+            wave * std::sin(x / length) * std::cos(1.3 * y / length);
+        const int here = 1 + s * rings + r, there = 1 + next * rings + r;
+        if (r == 0) {
+          mesh.F.row(row++) << 0, here, there;
+        } else {
+          mesh.F.row(row++) << here - 1, here, there;
+          mesh.F.row(row++) << here - 1, there, there - 1;
+        }
+      }
+    }
+    ASSERT_EQ(row, mesh.F.rows());
+    if (worst_from_above(mesh) < 0.1) continue;
+    const RemeshResult result = remesh(mesh, {7});
+    EXPECT_GT(worst_from_above(result.mesh), 0.01) << "sheet " << k;
+    EXPECT_TRUE(check_mesh(result.mesh, 7, false).empty()) << "sheet " << k;
+    ++made;
+  }
+  EXPECT_GT(made, 100);
+}
+
+TEST(Remesh, LargeHalfSphereHasNoFoldedFace) {
+  // Of 192 mm radius, 11,000 tiles.
+  TriangleMesh target = builtin_target("half-sphere", 0.05);
+  target.V *= 4;
+  const RemeshResult result = remesh(target, {7});
+  EXPECT_GT(result.mesh.F.rows(), 10000);
+  for (int f = 0; f < result.mesh.F.rows(); ++f) {
+    const Vec3 a = result.mesh.V.row(result.mesh.F(f, 0)),
+               b = result.mesh.V.row(result.mesh.F(f, 1)),
+               c = result.mesh.V.row(result.mesh.F(f, 2));
+    ASSERT_GT(soundness(a, b, c, a + b + c), 0.1) << "face " << f;
+  }
+}
+
+TEST(FaceGuard, CutsMovesShortAndLetsOthersMend) {
+  // Four faces around a vertex of the plane square.
+  TriangleMesh square{Points3(5, 3), Triangles(4, 3)};
+  square.V << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 0;
+  square.F << 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4;
+  const ClosestPoints surface(square);
+  SurfacePoints before{square.V, Points3::Zero(5, 3)};
+  before.normal.col(2).setOnes();
+  SurfacePoints after = before;
+  after.V.row(4) << 0.7, 0.6, 0;
+  SurfacePoints moved = after;
+  cut_short(square.F, before, moved, surface);
+  EXPECT_EQ(moved.V, after.V);  // spoils nothing
+  after.V.row(4) << 2, 0.5, 0;  // past an edge
+  cut_short(square.F, before, after, surface);
+  EXPECT_TRUE(unsound_faces(after, square.F).empty());
+  EXPECT_GT(after.V(4, 0), 0.6);
+  EXPECT_EQ(after.V.topRows(4), before.V.topRows(4));
+  before.V.row(4) << 1.2, 0.5, 0;  // turned over: moves back are free, on the way out none is
+  EXPECT_EQ(unsound_faces(before, square.F), std::vector<int>(1, 1));
+  after = before;
+  after.V.row(4) << 0.8, 0.5, 0;
+  cut_short(square.F, before, after, surface);
+  EXPECT_EQ(after.V(4, 0), 0.8);
+  after.V.row(4) << 1.4, 0.5, 0;
+  cut_short(square.F, before, after, surface);
+  EXPECT_LE(after.V(4, 0), 1.2);
 }
 
 TEST(Remesh, StopsAndRefuses) {
