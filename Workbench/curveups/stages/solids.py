@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Mapping, Optional, Sequence
 
+from ..errors import tile_list
 from ..native import native
 from .stage import Inputs, Job, Result, Row, Stage, advice_of
 
@@ -129,10 +130,12 @@ def _check(inputs: Inputs, job: Job) -> Check:
     solids = {"tiles": int(model.tile_count), "invalid": len(unsound), "volume_cm3": volumes["tiles"],
               "min_clearance_flat_mm": clearance, "max_overlap_actuated_mm3": overlap}
     printer = read_printer(inputs.parameters.get("printer"))
-    return Check(printed, solids, tuple(reasons), tuple(_printer_warnings(model, box, clearance, printer)))
+    warned = (*_printer_warnings(model, box, clearance, printer), *_fit_warnings(inputs.parameters, printer))
+    reasons = [*reasons, *too_thin(inputs["figures"].relaxed, printer)]
+    return Check(printed, solids, tuple(reasons), warned)
 
 
-CHECK = Stage("check", ("solids",), frozenset({"check"}), _check, on_stop=lambda stage, inputs: Check())
+CHECK = Stage("check", ("solids", "figures"), frozenset({"check", "tiles"}), _check, on_stop=lambda stage, inputs: Check())
 
 
 def _printer_warnings(model: Any, box: Sequence[float], clearance: float, printer: dict
@@ -158,8 +161,28 @@ def _printer_warnings(model: Any, box: Sequence[float], clearance: float, printe
     return warnings
 
 
+def too_thin(relaxed: Sequence[Mapping[str, Any]], printer: dict) -> tuple[str, ...]:
+    """Why bounds that gave way are beyond a printer, where they are. relaxed: as in report.json."""
+    thin = [bound for bound in relaxed
+            if bound["what"] == "p_min" and bound["to"] < printer["smallest_feature_mm"]]
+    if not thin:
+        return ()
+    return (f"p_min gave way to {min(bound['to'] for bound in thin):.3g} mm at "
+            f"{tile_list(sorted({bound['tile'] for bound in thin}))}, below what a {printer['name']} makes "
+            f"({printer['smallest_feature_mm']:g} mm): raise p_floor",)
+
+
+def _fit_warnings(parameters: Any, printer: dict) -> list[dict[str, Any]]:
+    """Walls that meet without bumps in between are as far apart as they stand back."""
+    if parameters.get("bumps") == "bumps" or parameters.get("wall_growth") >= printer["growth_mm"]:
+        return []
+    return [{"what": f"walls stand back by {parameters.get('wall_growth'):g} mm for what prints grow; a "
+                     f"{printer['name']} grows walls by {printer['growth_mm']:g} mm: raise wall_growth",
+             "kind": "growth", "tiles": []}]
+
+
 def read_printer(name: str) -> dict:
-    """What is known of a printer: bed, resolution, smallest gap and feature, sources."""
+    """What is known of a printer: bed, resolution, smallest gap and feature, growth of walls, sources."""
     return json.loads((PRINTERS / f"{name}.json").read_text(encoding="utf-8"))
 
 

@@ -63,12 +63,9 @@ class Planner {
   BumpPlan run() {
     const int count = static_cast<int>(tiles_.contacts.size());
     plan_.recess = Array3::Zero(tiles_.tile_count(), 3);
-    if (p_.bumps == "none") {
-      build_bodies();
-      return finish();
-    }
     for (const Contact& contact : tiles_.contacts) set_recess(contact, wall_recess(p_));
     build_bodies();
+    if (p_.bumps == "none") return finish();
     centres_.resize(count);
     shape_.resize(count);
     shrink_.assign(count, 0);
@@ -83,7 +80,7 @@ class Planner {
     for (int k = 0; k < count; ++k) {
       if (reason_[k].empty()) continue;
       plan_.bare.push_back({k, reason_[k]});
-      set_recess(tiles_.contacts[k], 0);
+      set_recess(tiles_.contacts[k], std::min(wall_recess(p_), p_.wall_growth));
     }
     if (!plan_.bare.empty()) build_bodies();
     return finish();
@@ -344,14 +341,26 @@ BumpPlan plan_bumps(const DesignGeometry& geometry, const FlatPoses& poses,
   return Planner(geometry, poses, parameters).run();
 }
 
-std::vector<Points3> bump_tips(const DesignGeometry& geometry, const FlatPoses& poses,
-                               const Parameters& parameters) {
-  const TileMesh& tiles = geometry.tiles;
-  const BumpPlan plan = plan_bumps(geometry, poses, parameters);
+double sliding_play(const BumpPlan& plan, const TileMesh& tiles) {
+  // Of each contact its bumps' and its hollows' radius: all alike.
+  std::vector<std::array<double, 2>> radius(tiles.contacts.size(), {0, 0});
+  for (const std::vector<WallCap>& caps : plan.of_tile) {
+    for (const WallCap& cap : caps) radius[cap.contact][cap.bump ? 0 : 1] = cap.radius;
+  }
+  double play = 0;
+  for (const auto& [bump, hollow] : radius) play = std::max(play, hollow - bump);
+  return play;
+}
+
+std::vector<Points3> bump_tips(const BumpPlan& plan, const TileMesh& tiles) {
   std::vector<std::vector<Vec3>> of_contact(tiles.contacts.size());
+  std::vector<char> hollowed(tiles.contacts.size(), 0);
+  for (const std::vector<WallCap>& caps : plan.of_tile) {
+    for (const WallCap& cap : caps) hollowed[cap.contact] |= !cap.bump;
+  }
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (const WallCap& cap : plan.of_tile[i]) {
-      if (!cap.bump) continue;
+      if (hollowed[cap.contact]) continue;
       of_contact[cap.contact].push_back(
           tiles.frame[i].to_world(cap.centre + cap.height * cap.axis));
     }

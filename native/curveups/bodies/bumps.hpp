@@ -35,17 +35,22 @@ struct BumpPlan {
 
 // The bumps of an interface (at least three, not on a line) are shared out between its two walls in
 // turn, so that they interleave; both walls stand back by half the height, so that every apex just
-// touches the wall that faces it when actuated. With "dimples" nothing is recessed and the facing
-// wall has a hollow concentric with each bump. Where three do not fit the diameter shrinks, to half
-// at most; interfaces that are too small even so, or whose bumps would touch a neighbour in the
-// flat layout, stay bare and are not recessed. Throws InfeasibleDesign, naming the tiles, where
-// recessing or truncation leaves a tile without front or back.
+// touches the wall that faces it when actuated. With "dimples" the facing wall has a hollow
+// concentric with each bump, and walls meet: they stand back by wall_growth only, as bare ones do.
+// Where three do not fit the diameter shrinks, to half at most; interfaces that are too small even
+// so, or whose bumps would touch a neighbour in the flat layout, stay bare. Throws
+// InfeasibleDesign, naming the tiles, where recessing or truncation leaves a tile without front or
+// back.
 BumpPlan plan_bumps(const DesignGeometry& geometry, const FlatPoses& poses,
                     const Parameters& parameters);
 
-// Per contact the apexes of its bumps in the actuated configuration (world): where its tiles touch.
-// Throws what plan_bumps throws.
-std::vector<Points3> bump_tips(const DesignGeometry& geometry, const FlatPoses& poses,
-                               const Parameters& parameters);
+// Per contact the apexes of its bumps in the actuated configuration (world) where its tiles touch
+// there: none where it stays bare, nor where bumps sink into dimples with clearance and the walls
+// touch.
+std::vector<Points3> bump_tips(const BumpPlan& plan, const TileMesh& tiles);
+
+// How far tiles whose walls touch can slide before bumps stop at the rims of their dimples, mm, at
+// the contact with the most play; 0 without dimples.
+double sliding_play(const BumpPlan& plan, const TileMesh& tiles);
 
 }  // namespace curveups

@@ -129,6 +129,7 @@ ConstraintReport check_constraints(const DesignGeometry& geometry, const FlatCor
   report.max_gap_violation_mm = p.d_gap_min - least_gap;
 
   const PinBounds& bounds = geometry.pin_bounds;
+  report.relaxed = bounds.relaxed;
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (int k = 0; k < 6; ++k) {
       report.max_pin_bound_violation_mm =

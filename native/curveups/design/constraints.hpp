@@ -14,7 +14,8 @@ struct ConstraintReport {
   double max_rigidity_mm = 0;       // largest difference of flat and actuated edge lengths
   double max_gap_violation_mm = 0;  // Eq. 7, both sides, both directions, and the clearance of
                                     // any two tiles (separated by one edge normal)
-  double max_pin_bound_violation_mm = 0;        // bounds and keep-outs
+  double max_pin_bound_violation_mm = 0;        // bounds, those of `relaxed` as relaxed; keep-outs
+  std::vector<RelaxedBound> relaxed;            // PinBounds::relaxed
   double max_pin_area_violation_mm2 = 0;        // below what is required of the side (PinBounds)
   std::vector<SmallPin> small_pins;             // sides below A_pin_min, with the area they have
   std::vector<std::array<int, 2>> close_pairs;  // nearer than d_gap_min - tolerance::constraint

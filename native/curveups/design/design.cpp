@@ -23,6 +23,7 @@ DesignGeometry make_geometry(const TriangleMesh& mesh, const Edges& cuts,
   geometry.truncation = truncate_at_vertices(geometry.tiles);
   geometry.patches = compute_contact_patches(geometry.tiles, geometry.truncation);
   separate_remote_tiles(geometry.tiles, geometry.patches, geometry.truncation);
+  separate_remote_front_pins(geometry.tiles, parameters.H_pin, geometry.truncation);
   geometry.pin_bounds = compute_pin_bounds(geometry.tiles, geometry.truncation, parameters);
   return geometry;
 }

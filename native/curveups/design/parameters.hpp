@@ -27,6 +27,7 @@ struct Parameters {
   // Layout
   double d_gap_min = 0.6;
   double p_min = 0.6;
+  double p_floor = 0.3;
   double p_max = 3.0;
   double A_pin_min = 4.0;
   double A_pin_floor = 1.0;
@@ -45,6 +46,7 @@ struct Parameters {
   int bump_rows = 2;
   bool bump_recess = true;
   double dimple_clearance = 0.1;
+  double wall_growth = 0.05;
   // Support
   std::string support = "soluble";
   double support_drop = 0.3;
@@ -69,6 +71,8 @@ struct Parameters {
   double shear_modulus_back = 0.72;
   double thickness_front = 0.5;
   double thickness_back = 0.5;
+  double elongation_at_break = 600.0;
+  double glue_strength = 0.7;
   std::string membrane_model = "tension-field";
   double mesh_size = 0.65;
   double friction_coefficient = 0.5;

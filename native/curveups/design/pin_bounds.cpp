@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace curveups {
 namespace {
@@ -144,13 +145,26 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
     for (Side side : {Side::front, Side::back}) {
       auto with = [&](double p_min) { return pin_room(tiles, truncation, p, i, side, p_min); };
       PinRoom room = with(p.p_min);
-      if (room.area < p.A_pin_floor) {
+      if (room.area < p.A_pin_floor && p.p_floor < p.p_min) {
         double low = 0.1 * p.p_min, high = p.p_min;
         for (int k = 0; k < 30; ++k) {
           const double middle = 0.5 * (low + high);
           (with(middle).area >= 1.02 * p.A_pin_floor ? low : high) = middle;
         }
-        room = with(low);
+        const double lowered = std::max(low, p.p_floor);
+        const PinRoom asked = std::exchange(room, with(lowered));
+        for (int t = 0; t < 3; ++t) {
+          // Where facing pins bound the inset, p_min does not.
+          if (room.lower[t] < asked.lower[t]) {
+            out.relaxed.push_back({"p_min", i, side, t, p.p_min, lowered});
+          }
+        }
+      }
+      for (int t = 0; t < 3; ++t) {
+        const double upper = upper_bound(tiles, p, i, side, t);
+        if (room.upper[t] > upper) {
+          out.relaxed.push_back({"p_max", i, side, t, upper, room.upper[t]});
+        }
       }
       for (int t = 0; t < 3; ++t) {
         out.lower(i, inset_index(side, t)) = room.lower[t];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "curveups/design/pins.hpp"
@@ -37,11 +38,21 @@ struct SmallPin {
   double area;  // mm2: the most its bounds allow, or what it has in a finished design
 };
 
+// A bound of an inset that gave way where nothing would have been feasible.
+struct RelaxedBound {
+  std::string what;  // the parameter: "p_min", or "p_max" for what bounds an inset from above
+  int tile;
+  Side side;
+  int edge;
+  double from, to;  // mm
+};
+
 struct PinBounds {
   Array6 lower, upper;  // mm
   std::vector<PinKeepout> keepouts;
   Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> least_area;  // per tile and side, mm2
-  std::vector<SmallPin> small;  // sides with least_area below A_pin_min
+  std::vector<SmallPin> small;        // sides with least_area below A_pin_min
+  std::vector<RelaxedBound> relaxed;  // by tile, side and edge
 };
 
 // Bounds of every inset: p_min and p_max (p_min counted from the recessed edge where walls are
@@ -49,8 +60,8 @@ struct PinBounds {
 // the convex side the membrane would cut into the tile's edge), and corners clear of every
 // truncation plane. A side whose bounds allow less than A_pin_min is listed and gets what is
 // possible as its least_area; where not even A_pin_floor is possible its p_min is lowered as far as
-// it must be (to a tenth at most). Where lower and upper contradict one another lower wins: pins
-// that meet are worse than a membrane that touches an edge.
+// it must be, to p_floor at most. Where lower and upper contradict one another lower wins: pins
+// that meet are worse than a membrane that touches an edge. What was relaxed is listed.
 PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation,
                              const Parameters& parameters);
 

@@ -14,7 +14,8 @@ std::array<double, 3> insets(Side side, const double* q) {
 }  // namespace
 
 double wall_recess(const Parameters& parameters) {
-  return parameters.bumps == "bumps" && parameters.bump_recess ? 0.5 * parameters.bump_height : 0.0;
+  if (parameters.bumps != "bumps") return parameters.wall_growth;
+  return parameters.bump_recess ? 0.5 * parameters.bump_height : 0.0;
 }
 
 std::array<Vec2, 3> pin_corners(const TileMesh& tiles, int tile, Side side, const double* q) {

@@ -127,17 +127,10 @@ void keep_back_edge(const ContactPatch& patch, double share, std::vector<Vec3>& 
   }
 }
 
-}  // namespace
-
-void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& patches,
-                           Truncation& truncation) {
-  const int count = tiles.tile_count();
-  std::vector<Corners> corners(count);
-  std::vector<std::array<Plane, 5>> planes(count);
+std::vector<std::array<int, 2>> near_pairs(const std::vector<Corners>& corners) {
+  const Eigen::Index count = static_cast<Eigen::Index>(corners.size());
   Points3 low(count, 3), high(count, 3);
-  for (int i = 0; i < count; ++i) {
-    corners[i] = world_corners(tiles, i);
-    planes[i] = face_planes(corners[i]);
+  for (Eigen::Index i = 0; i < count; ++i) {
     Vec3 least = corners[i][0], most = corners[i][0];
     for (const Vec3& p : corners[i]) {
       least = least.cwiseMin(p);
@@ -146,9 +139,72 @@ void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& pat
     low.row(i) = least;
     high.row(i) = most;
   }
+  return overlapping_boxes(low, high);
+}
+
+// Keeps the first tile behind the plane (world) and the second before it.
+void bound_both(const TileMesh& tiles, const std::array<int, 2>& pair, const Plane& plane,
+                std::vector<std::vector<TruncationPlane>>& planes) {
+  for (int s = 0; s < 2; ++s) {
+    const TileFrame& frame = tiles.frame[pair[s]];
+    const double sign = s == 0 ? 1.0 : -1.0;
+    const Vec3 normal = frame.direction_to_local(sign * plane.normal);
+    const double offset = sign * (plane.offset - plane.normal.dot(frame.origin));
+    planes[pair[s]].push_back({{normal, offset}, pair[1 - s], -1, 4});
+  }
+}
+
+// The plane in the middle of where two prisms overlap least, of all separating axes of prisms.
+// False where they do not overlap.
+bool middle_plane(const Corners& a, const Corners& b, Plane& plane) {
+  double least = std::numeric_limits<double>::infinity();
+  auto test = [&](Vec3 axis) {
+    const double norm = axis.norm();
+    if (norm < 1e-9) return;
+    axis /= norm;
+    double a_low = std::numeric_limits<double>::infinity(), a_high = -a_low, b_low = a_low,
+           b_high = -a_low;
+    for (int k = 0; k < 6; ++k) {
+      const double in_a = axis.dot(a[k]), in_b = axis.dot(b[k]);
+      a_low = std::min(a_low, in_a);
+      a_high = std::max(a_high, in_a);
+      b_low = std::min(b_low, in_b);
+      b_high = std::max(b_high, in_b);
+    }
+    if (a_high - b_low < least) {
+      least = a_high - b_low;
+      plane = {axis, 0.5 * (a_high + b_low)};
+    }
+    if (b_high - a_low < least) {
+      least = b_high - a_low;
+      plane = {-axis, -0.5 * (b_high + a_low)};
+    }
+  };
+  for (const Plane& face : face_planes(a)) test(face.normal);
+  for (const Plane& face : face_planes(b)) test(face.normal);
+  auto edges = [](const Corners& c) {
+    return std::array<Vec3, 4>{c[1] - c[0], c[2] - c[1], c[0] - c[2], c[3] - c[0]};
+  };
+  for (const Vec3& p : edges(a)) {
+    for (const Vec3& q : edges(b)) test(p.cross(q));
+  }
+  return least > tolerance::snap;
+}
+
+}  // namespace
+
+void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& patches,
+                           Truncation& truncation) {
+  const int count = tiles.tile_count();
+  std::vector<Corners> corners(count);
+  std::vector<std::array<Plane, 5>> planes(count);
+  for (int i = 0; i < count; ++i) {
+    corners[i] = world_corners(tiles, i);
+    planes[i] = face_planes(corners[i]);
+  }
   std::vector<std::vector<int>> patches_of(count);
   bool listed = false;
-  for (const std::array<int, 2>& pair : overlapping_boxes(low, high)) {
+  for (const std::array<int, 2>& pair : near_pairs(corners)) {
     const auto [i, j] = pair;
     if (share_vertex(tiles.mesh.F, i, j)) continue;
     if (apart(planes[i], corners[j]) || apart(planes[j], corners[i])) continue;
@@ -160,8 +216,9 @@ void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& pat
       listed = true;
     }
     Plane plane{Vec3::Zero(), 0};
-    bool found = false;
+    bool found = false, whole = true;
     for (double share : {1.0, 0.75, 0.5, 0.25}) {
+      whole = share == 1.0;
       std::array<Kept, 2> keep;
       for (int s = 0; s < 2; ++s) {
         const Corners& own = corners[pair[s]];
@@ -178,15 +235,31 @@ void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& pat
       continue;
     }
     ++truncation.pairs_of_type[4];
+    if (!whole) truncation.shortened.push_back(pair);
+    bound_both(tiles, pair, plane, truncation.of_tile);
     for (int s = 0; s < 2; ++s) {
-      const TileFrame& frame = tiles.frame[pair[s]];
       const double sign = s == 0 ? 1.0 : -1.0;
-      const Vec3 normal = frame.direction_to_local(sign * plane.normal);
-      const double offset = sign * (plane.offset - plane.normal.dot(frame.origin));
-      truncation.of_tile[pair[s]].push_back({{normal, offset}, pair[1 - s], -1, 4});
       const Plane world{sign * plane.normal, sign * plane.offset};
       for (int k : patches_of[pair[s]]) clip_patch(patches[k], world);
     }
+  }
+}
+
+void separate_remote_front_pins(const TileMesh& tiles, double H_pin, Truncation& truncation) {
+  const int count = tiles.tile_count();
+  std::vector<Corners> corners(count);  // the pins' tops, then their feet
+  for (int i = 0; i < count; ++i) {
+    for (int t = 0; t < 3; ++t) {
+      const Vec2& p = tiles.front[i][t];
+      corners[i][t] = tiles.frame[i].to_world(Vec3(p.x(), p.y(), H_pin));
+      corners[i][t + 3] = tiles.frame[i].to_world(Vec3(p.x(), p.y(), 0));
+    }
+  }
+  Plane plane{Vec3::Zero(), 0};
+  for (const std::array<int, 2>& pair : near_pairs(corners)) {
+    if (share_vertex(tiles.mesh.F, pair[0], pair[1])) continue;
+    if (!middle_plane(corners[pair[0]], corners[pair[1]], plane)) continue;
+    bound_both(tiles, pair, plane, truncation.front_pins);
   }
 }
 

@@ -34,6 +34,7 @@ std::vector<TargetFinding> check_target(const TriangleMesh& mesh, const Edges& c
   Truncation truncation = truncate_at_vertices(tiles);
   std::vector<ContactPatch> patches = compute_contact_patches(tiles, truncation);
   separate_remote_tiles(tiles, patches, truncation);
+  separate_remote_front_pins(tiles, parameters.H_pin, truncation);
   if (!truncation.unresolved.empty()) {
     std::vector<int> overlapping;
     for (const auto& pair : truncation.unresolved) {
@@ -115,14 +116,9 @@ std::vector<std::string> broken_constraints(const DesignFigures& figures, double
                       ")");
   }
   if (!figures.unresolved.empty()) {
-    std::vector<int> tiles;
-    for (const std::array<int, 2>& pair : figures.unresolved) {
-      tiles.insert(tiles.end(), pair.begin(), pair.end());
-    }
-    sort_unique(tiles);
     reasons.push_back(std::to_string(figures.unresolved.size()) +
                       " pairs of tiles overlap when actuated and no plane parts them (" +
-                      tile_names(tiles) + ")");
+                      listed(figures.unresolved, 6, pair_name) + ")");
   }
   return reasons;
 }
@@ -139,9 +135,13 @@ DesignFigures evaluate_design(const Design& design) {
   }
   figures.truncation_types = geometry.truncation.pairs_of_type;
   figures.unresolved = geometry.truncation.unresolved;
+  figures.shortened = geometry.truncation.shortened;
   figures.actuated_area = geometry.tiles.area.sum();
   figures.flat_area = flat_area(geometry, design.T);
   figures.constraints = check_constraints(geometry, design.T, design.q, design.parameters);
+  const Parameters& p = design.parameters;
+  const double standing = p.bumps == "none" ? 0.0 : p.bump_height - 2 * wall_recess(p);
+  figures.flat_clearance = p.d_gap_min - std::max(0.0, standing);
   figures.reasons = broken_constraints(figures, design.parameters.A_pin_floor);
   return figures;
 }

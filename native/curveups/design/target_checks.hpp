@@ -31,6 +31,10 @@ struct DesignFigures {
   int three_point_contacts = 0;
   std::array<int, 5> truncation_types{};  // pairs settled by each type, from 1
   std::vector<std::array<int, 2>> unresolved;
+  std::vector<std::array<int, 2>> shortened;  // Truncation::shortened
+  // What bumps leave of d_gap_min between flat tiles, mm: all of it where walls are recessed for
+  // them.
+  double flat_clearance = 0;
   double actuated_area = 0, flat_area = 0;  // mm2
   ConstraintReport constraints;
   std::vector<std::string> reasons;  // why these make it not valid, in words; none: they do not

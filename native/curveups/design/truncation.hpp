@@ -25,6 +25,8 @@ struct Truncation {
   std::array<int, 5> pairs_of_type{};          // pairs settled by each type, from 1
   std::vector<std::array<int, 2>> unresolved;  // pairs that no plane separates without losing a
                                                // contact point: an error of the target
+  std::vector<std::array<int, 2>> shortened;   // pairs without a common vertex for whose separation
+                                               // interfaces of one of them had to give way
 };
 
 // Planes for every pair of tiles that share a front vertex but no edge (interior vertices, boundary

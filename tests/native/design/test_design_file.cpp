@@ -51,6 +51,13 @@ std::string with(std::string text, const std::string& from, const std::string& t
   return text.replace(at, from.size(), to);
 }
 
+// Designs of before it keep the walls that their pins were laid out for.
+TEST(DesignFile, WithoutWallGrowthWallsDoNotStandBack) {
+  const std::string text = write_design(sample());
+  EXPECT_EQ(read_design(text).parameters.wall_growth, Parameters{}.wall_growth);
+  EXPECT_EQ(read_design(with(text, "\"wall_growth\"", "\"density\"")).parameters.wall_growth, 0);
+}
+
 TEST(DesignFile, NamesTheFieldThatIsBroken) {
   const std::string text = write_design(sample());
   const std::string first_face = "\"F\": [[0,1,4]";

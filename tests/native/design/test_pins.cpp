@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "curveups/design/design.hpp"
 #include "curveups/design/pin_bounds.hpp"
 #include "support/meshes.hpp"
@@ -13,6 +15,7 @@ const Edges no_cuts(0, 2);
 Parameters without_bumps() {
   Parameters p;
   p.bumps = "none";
+  p.wall_growth = 0;
   return p;
 }
 
@@ -66,6 +69,11 @@ TEST(Pins, PMinCountsFromTheRecessedEdge) {
   EXPECT_EQ(geometry.pin_bounds.lower(0, inset_index(Side::front, next3(t))), p.p_min);
   p.bump_recess = false;
   EXPECT_EQ(wall_recess(p), 0);
+  // Walls that meet stand back by what prints grow.
+  for (const char* bumps : {"dimples", "none"}) {
+    p.bumps = bumps;
+    EXPECT_EQ(wall_recess(p), p.wall_growth);
+  }
 }
 
 TEST(Pins, SidesThatCannotReachTheAreaAreNamedWithTheirLargest) {
@@ -84,6 +92,73 @@ TEST(Pins, SidesThatCannotReachTheAreaAreNamedWithTheirLargest) {
     EXPECT_LE(pin.area,
               pin_area(tiles, pin.tile, pin.side, bounds.lower.row(pin.tile).data()) + 1e-9);
   }
+}
+
+// p_min gives way where folds leave less than A_pin_floor, never beyond p_floor, and is listed.
+TEST(Pins, WhatGivesWayIsListedAndKeepsTheFloor) {
+  Parameters p = without_bumps();
+  const TileMesh tiles = make_tile_mesh(test::cone(), no_cuts, p.H_body);
+  const Truncation truncation = truncate_at_vertices(tiles);
+  const int tile = 0;
+  auto area_with = [&](double p_min) {
+    return pin_room(tiles, truncation, p, tile, Side::back, p_min).area;
+  };
+  const double asked = area_with(p.p_min), most = area_with(p.p_floor);
+  ASSERT_GT(most, 1.1 * asked);
+  p.A_pin_min = 2 * most;
+  auto of_tile = [&](const PinBounds& bounds) {
+    std::vector<RelaxedBound> out;
+    for (const RelaxedBound& bound : bounds.relaxed) {
+      if (bound.tile == tile && bound.side == Side::back && bound.what == "p_min") {
+        out.push_back(bound);
+      }
+    }
+    return out;
+  };
+  p.A_pin_floor = 0.9 * asked;
+  EXPECT_TRUE(of_tile(compute_pin_bounds(tiles, truncation, p)).empty());
+  p.A_pin_floor = 0.5 * (asked + most);
+  const PinBounds enough = compute_pin_bounds(tiles, truncation, p);
+  ASSERT_EQ(of_tile(enough).size(), 3u);
+  for (const RelaxedBound& bound : of_tile(enough)) {
+    EXPECT_EQ(bound.from, p.p_min);
+    EXPECT_GT(bound.to, p.p_floor);
+    EXPECT_LT(bound.to, p.p_min);
+    EXPECT_EQ(enough.lower(tile, inset_index(Side::back, bound.edge)), bound.to);
+  }
+  EXPECT_GE(pin_room(tiles, truncation, p, tile, Side::back, of_tile(enough)[0].to).area,
+            p.A_pin_floor);
+  // Where even the floor does not do, the side is named as too small and the floor holds.
+  p.A_pin_floor = 1.5 * most;
+  const PinBounds short_of_it = compute_pin_bounds(tiles, truncation, p);
+  ASSERT_EQ(of_tile(short_of_it).size(), 3u);
+  for (const RelaxedBound& bound : of_tile(short_of_it)) EXPECT_EQ(bound.to, p.p_floor);
+  EXPECT_GE(short_of_it.lower.minCoeff(), p.p_floor);
+  EXPECT_TRUE(
+      std::any_of(short_of_it.small.begin(), short_of_it.small.end(), [&](const SmallPin& pin) {
+        return pin.tile == tile && pin.side == Side::back && std::abs(pin.area - most) < 1e-9;
+      }));
+  // What is measured against the relaxed bounds is told with them.
+  p.p_floor = p.p_min;
+  EXPECT_TRUE(of_tile(compute_pin_bounds(tiles, truncation, p)).empty());
+}
+
+// On a convex fold sharper than pins can be drawn in for: lower wins, and that is listed.
+TEST(Pins, UpperBoundsThatContradictLowerOnesGiveWay) {
+  const Parameters p = without_bumps();
+  const DesignGeometry geometry = make_geometry(test::hinge(2.2, 20), no_cuts, p);
+  const Contact& contact = geometry.tiles.contacts[0];
+  bool listed = false;
+  for (const RelaxedBound& bound : geometry.pin_bounds.relaxed) {
+    if (bound.what != "p_max" || bound.tile != 0) continue;
+    listed = true;
+    EXPECT_EQ(bound.edge, contact.side[0]);
+    EXPECT_EQ(bound.side, Side::front);
+    EXPECT_NEAR(bound.from, p.H_pin / std::tan(1.1) - p.pin_clearance, 1e-12);
+    EXPECT_EQ(bound.to, geometry.pin_bounds.upper(0, inset_index(Side::front, bound.edge)));
+    EXPECT_GT(bound.to, bound.from);
+  }
+  EXPECT_TRUE(listed);
 }
 
 TEST(Pins, KeepoutsHoldCornersInsideTruncationPlanes) {

@@ -117,6 +117,38 @@ TEST(RemoteOverlaps, LipsOfASlitOnARidgeAreSeparated) {
               1e-9);
 }
 
+// Two flat patches face to face: front pins of 1 mm need 2 mm.
+TEST(RemoteOverlaps, FrontPinsOfSheetsThatFaceOneAnotherAreParted) {
+  const TriangleMesh patch = test::flat_patch(2);
+  const int n = static_cast<int>(patch.V.rows()), m = static_cast<int>(patch.F.rows());
+  TriangleMesh both;
+  both.V.resize(2 * n, 3);
+  both.F.resize(2 * m, 3);
+  both.V << patch.V, patch.V;
+  both.F << patch.F, patch.F.array() + n;
+  both.F.bottomRows(m).col(1).swap(both.F.bottomRows(m).col(2));  // facing down
+  auto planes = [&](double apart) {
+    both.V.bottomRows(n).col(2).setConstant(apart);
+    const TileMesh tiles = make_tile_mesh(both, no_cuts, 3);
+    Truncation truncation = truncate_at_vertices(tiles);
+    separate_remote_front_pins(tiles, 1, truncation);
+    int count = 0;
+    for (int i = 0; i < tiles.tile_count(); ++i) {
+      for (const TruncationPlane& t : truncation.front_pins[i]) {
+        ++count;
+        // Half-way, in the tile's frame.
+        EXPECT_NEAR(std::abs(t.plane.normal.z()), 1, 1e-9);
+        EXPECT_NEAR(t.plane.offset * t.plane.normal.z(), 0.5 * apart, 1e-9);
+        EXPECT_NE(t.other < m, i < m);
+      }
+      EXPECT_TRUE(truncation.of_tile[i].empty());  // bodies stay
+    }
+    return count;
+  };
+  EXPECT_GT(planes(1.6), 0);
+  EXPECT_EQ(planes(2.1), 0);
+}
+
 TEST(RemoteOverlaps, SheetsNearerThanTwoBodiesAreAnErrorOfTheTarget) {
   // Two flat patches back to back, 4 mm apart, with bodies of 3 mm: contacts reach to the back.
   const TriangleMesh patch = test::flat_patch(2);
