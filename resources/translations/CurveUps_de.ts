@@ -56,6 +56,10 @@
       <translation>Abstand, den Zapfen an scharfen Falten von gegenüberliegenden Zapfen und Kappungsebenen halten. Von 0 bis 5 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
+      <source>Elongation at which membranes break, by their maker; a warning tells where they pass it. From 1 to 5000 %. Takes effect with Verify.</source>
+      <translation>Dehnung, bei der Membranen laut Hersteller reißen; eine Warnung sagt, wo sie darüber liegen. Von 1 bis 5000 %. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
       <source>Energy of the membranes: tension-field (they wrinkle where squeezed) or plain neo-Hookean. Takes effect with Verify.</source>
       <translation>Energie der Membranen: Zugfeld (sie werfen Falten, wo sie gestaucht werden) oder einfach neo-hookesch. Wirkt mit „Prüfen“.</translation>
     </message>
@@ -88,6 +92,10 @@
       <translation>Wie weit die Platte unter den oberen Zapfenenden bleibt (Kleber). Von 0 bis 50 mm. Wirkt sofort.</translation>
     </message>
     <message>
+      <source>How far walls that meet without bumps in between stand back, as prints grow (XY offset). From 0 to 1 mm. Takes effect at once.</source>
+      <translation>Wie weit Wände zurückstehen, die ohne Noppen dazwischen aneinanderliegen, da Drucke wachsen (XY-Versatz). Von 0 bis 1 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
       <source>Largest distance of the target from its tiles where L is auto. From 0.001 to 100 mm. Takes effect with Solve.</source>
       <translation>Größter Abstand der Zielfläche von ihren Kacheln, wenn L auto ist. Von 0.001 bis 100 mm. Wirkt mit „Lösen“.</translation>
     </message>
@@ -104,8 +112,8 @@
       <translation>Kleinste Fläche eines Zapfenendes, damit der Kleber hält. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Least distance between any two tiles in the flat layout. From 0 to 20 mm. Takes effect with Solve.</source>
-      <translation>Kleinster Abstand zweier Kacheln in der Abwicklung. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
+      <source>Least distance between any two tiles when flat; bumps on unrecessed walls stand into it. From 0 to 20 mm. Takes effect with Solve.</source>
+      <translation>Kleinster Abstand zweier Kacheln in der Abwicklung; Noppen auf Wänden, die nicht zurückstehen, ragen hinein. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Least inset of a pin's edge from its face's (recessed) edge. From 0 to 20 mm. Takes effect with Solve.</source>
@@ -154,6 +162,10 @@
     <message>
       <source>Shear modulus of the front membrane (latex). From 0.001 to 1000 MPa. Takes effect with Verify.</source>
       <translation>Schubmodul der vorderen Membran (Latex). Von 0.001 bis 1000 MPa. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Shear stress that the glue between membranes and print holds: pins and anchors are compared. From 0.001 to 100 MPa. Takes effect with Verify.</source>
+      <translation>Scherspannung, die der Kleber zwischen Membranen und Druck hält: Zapfen und Anker werden damit verglichen. Von 0.001 bis 100 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Stretch of the membranes when glued; 3 is nine times the area. From 1.05 to 8. Takes effect with Solve.</source>
@@ -226,6 +238,10 @@
     <message>
       <source>What of a closed CAD part is left out: auto or largest (its largest planar face), the faces in a plane (z=0), all on one side of it (z&gt;0 keeps what is above), or none. Takes effect with Solve.</source>
       <translation>Was von einem geschlossenen CAD-Teil weggelassen wird: auto oder largest (seine größte ebene Fläche), die Flächen in einer Ebene (z=0), alles auf einer Seite davon (z&gt;0 behält, was darüber liegt), oder none. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Where folds leave no room p_min gives way, never below this: the printer's smallest feature. From 0 to 20 mm. Takes effect with Solve.</source>
+      <translation>Wo Falten keinen Platz lassen, gibt p_min nach, doch nie unter diesen Wert: das kleinste Merkmal des Druckers. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Which side of a CAD part that is drawn with a wall becomes the target. Takes effect with Solve.</source>

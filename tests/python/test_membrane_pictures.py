@@ -64,7 +64,7 @@ def test_the_page_shows_both_membranes_where_they_were_computed(designed):
     found = results["verification"]
     page = html.build_html(results, {**build_report(results, [], False, {}, {}), "warnings": []})
     assert "<h2>Membranes</h2>" in page and "data:image/png;base64," in page
-    assert f"the largest stretch is {found.blocks['physics']['largest_stretch']:.4g}" in page
+    assert f"stretched by {found.blocks['physics']['stretch_99']:.4g} at most" in page
     assert [p.heading for p in found.pictures()] == ["Contact forces", "", "Membranes"]
     assert verification.Verification(note="verification was off").pictures() == ()
     assert "<h2>Membranes</h2>" in (designed.folder / "report.html").read_text(encoding="utf-8")

@@ -8,6 +8,7 @@ import zipfile
 from pathlib import Path
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from running import dome
 
@@ -17,11 +18,11 @@ from curveups.errors import NOT_WRITTEN, CurveUpsError
 from curveups.native import native
 from curveups.output import Folder, safe_name
 from curveups.project import Project
-from curveups.stages import suggestions, verification
+from curveups.stages import anchoring, solids, suggestions, verification
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.design import Figures
 from curveups.stages.solids import Check
-from curveups.stages.stage import Job
+from curveups.stages.stage import Inputs, Job
 from curveups.stages.surface import find_source
 from curveups.verdict import Verdict, judge
 
@@ -282,6 +283,49 @@ def test_a_layout_that_did_not_settle_counts_only_with_a_violation():
 def test_a_reason_of_any_result_makes_a_design_not_valid():
     verdict, _ = judged(unsettled="", reasons=["solids meet in the flat layout"])
     assert verdict == Verdict(False, ("solids meet in the flat layout",))
+
+
+def bound(what="p_min", tile=4, start=0.6, end=0.35):
+    return {"what": what, "tile": tile, "side": "back", "edge": 1, "from": start, "to": end}
+
+
+def test_bounds_that_gave_way_are_told_and_a_printer_that_cannot_make_them_is_a_reason():
+    """Those of one kind in one warning, by the one that went farthest; and all of them in report.json."""
+    given = (bound(), bound(tile=7, end=0.45), bound("p_max", 2, 0.4, 0.7))
+    figures = Figures(1, 0, {}, (), (), (), (), "", relaxed=given)
+    assert figures.report()["relaxed"] == list(given)
+    said = [entry for entry in figures.warnings() if entry["kind"] == "relaxed"]
+    assert [entry["tiles"] for entry in said] == [[2], [4, 7]]
+    assert "from 0.6 to 0.35 mm at the back of T00005" in said[1]["what"] and "2 edges" in said[1]["what"]
+    fdm, polyjet = (solids.too_thin(given, solids.read_printer(name)) for name in ("fdm", "polyjet"))
+    assert polyjet == () and len(fdm) == 1 and "T00005" in fdm[0] and "T00008" not in fdm[0]
+
+
+def test_interfaces_that_were_shortened_and_gaps_that_bumps_narrow_are_told():
+    figures = Figures(1, 0, {}, (), (), (), (), "", shortened=((3, 90),), flat_gap=(0.45, 0.6))
+    told = {entry["kind"]: entry for entry in figures.warnings()}
+    assert told["shortened"]["tiles"] == [3, 90] and "T00004-T00091" in told["shortened"]["what"]
+    assert "0.45 of 0.6 mm" in told["flat_gap"]["what"]
+    assert Figures(1, 0, {}, (), (), (), (), "", flat_gap=(0.6, 0.6)).warnings() == []
+
+
+def test_what_the_surplus_membrane_asks_of_anchors():
+    """A sheet stretched alike in both directions, on an anchor every 14 mm with a radius of 4."""
+    values = native.Parameters()
+    inputs = Inputs(values, {})
+    found = anchoring.STAGE.run(inputs, Job())
+    block = found.report()["anchors"]
+    tension = 0.72 * 0.5 * (1 - 3.0 ** -6)
+    assert block["surplus_tension_n_per_mm"] == pytest.approx([tension] * 2)
+    assert block["pull_n"] == pytest.approx([14 * tension] * 2)
+    assert block["glue_shear_mpa"] == pytest.approx([14 * tension / (16 * np.pi)] * 2)
+    assert found.warnings() == ()
+    values.set("anchor_radius", 1.0)
+    values.set("thickness_back", 2.0)
+    said = anchoring.STAGE.run(inputs, Job()).warnings()
+    assert len(said) == 1 and "raise anchor_radius" in said[0]["what"]
+    values.set("anchors", False)
+    assert anchoring.STAGE.run(inputs, Job()).report() == {}
 
 
 def test_scaled_targets_are_divided_as_finely_as_their_tiles_ask(monkeypatch, tmp_path):

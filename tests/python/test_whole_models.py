@@ -54,6 +54,16 @@ def test_a_model_that_rests_on_the_ground_is_valid(curveups, tmp_path):
     assert report["unilateral"]["largest_floor"] > 3 * report["unilateral"]["floor"]
 
 
+@pytest.mark.parametrize("held", ["", "T00331"])
+def test_a_model_that_is_held_is_valid(curveups, tmp_path, held):
+    ran = curveups("design", "half-sphere", "-o", tmp_path, "--no-solids", "--quiet", "--set", "L=7.5",
+                   "gravity=held", f"held_tiles={held}")
+    report = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
+    assert ran.status == 0 and report["valid"] is True, report["reasons"]
+    assert report["unilateral"]["feasible_at_bump_tips"] is True
+    assert report["unilateral"]["largest_floor_at_bump_tips"] >= 0.99 * report["unilateral"]["floor"]
+
+
 @pytest.fixture(scope="module", params=SMALL)
 def whole(request, curveups, tmp_path_factory):
     """The folder of a finished model and its report."""

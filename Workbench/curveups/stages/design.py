@@ -78,14 +78,15 @@ class Figures(Result):
             found.append(_relaxed_warning(what, [bound for bound in self.relaxed if bound["what"] == what]))
         left, asked = self.flat_gap
         if left < asked:
-            found.append({"what": f"bumps stand into the gap between flat tiles, as walls are not recessed for "
-                                  f"their height: {left:.3g} of {asked:.3g} mm (d_gap_min) are left",
+            found.append({"what": "bumps stand into the gap between flat tiles, as walls are not recessed "
+                                  f"for their height: {left:.3g} of {asked:.3g} mm (d_gap_min) are left",
                           "kind": "flat_gap", "tiles": []})
         if self.shortened:
-            found.append({"what": f"{len(self.shortened)} pairs of tiles without a common corner would overlap when "
-                                  "actuated; interfaces were shortened to part them: "
-                                  + ", ".join(f"{tile_name(a)}-{tile_name(b)}" for a, b in self.shortened[:6]),
-                          "kind": "shortened", "tiles": sorted({t for pair in self.shortened for t in pair})})
+            names = ", ".join(f"{tile_name(a)}-{tile_name(b)}" for a, b in self.shortened[:6])
+            found.append({"what": f"{len(self.shortened)} pairs of tiles without a common corner would "
+                                  f"overlap when actuated; interfaces were shortened to part them: {names}",
+                          "kind": "shortened",
+                          "tiles": sorted({tile for pair in self.shortened for tile in pair})})
         if self.hinges:
             found.append({"what": f"{len(self.hinges)} contacts are only a hinge: nothing but the front "
                                   "edge touches",

@@ -135,7 +135,8 @@ def _check(inputs: Inputs, job: Job) -> Check:
     return Check(printed, solids, tuple(reasons), warned)
 
 
-CHECK = Stage("check", ("solids", "figures"), frozenset({"check", "tiles"}), _check, on_stop=lambda stage, inputs: Check())
+CHECK = Stage("check", ("solids", "figures"), frozenset({"check", "tiles"}), _check,
+              on_stop=lambda stage, inputs: Check())
 
 
 def _printer_warnings(model: Any, box: Sequence[float], clearance: float, printer: dict

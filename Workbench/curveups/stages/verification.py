@@ -12,7 +12,7 @@ from ..errors import CurveUpsError
 from ..native import native
 from .stage import Inputs, Job, Picture, Result, Row, Stage, advice_of
 
-BLOCKS = ("physics", "contact_forces", "unilateral")
+BLOCKS = ("physics", "contact_forces", "unilateral", "glue")
 SIDE_ARRAYS = ("flat", "triangles", "stretch", "tension")
 
 
@@ -62,7 +62,7 @@ class Verification(Result):
             return ()
         pairs, friction = self.arrays["contact_tiles"], np.zeros(len(self.design.F))
         for column in range(2):
-            np.maximum.at(friction, pairs[:, column], self.arrays["contact_friction_ratio"])
+            np.fmax.at(friction, pairs[:, column], self.arrays["contact_friction_ratio"])
         weak = self.weak_contacts
         marked = " Contacts below f_min are marked." if weak else ""
         forces = {"design": self.design, "values": self.arrays["tile_normal_force"], "label": "N",
@@ -81,9 +81,9 @@ class Verification(Result):
             "Membranes",
             "The larger principal stretch of both membranes when actuated (tau = "
             f"{self.design.parameters.get('tau'):g} before), on the flat layout seen from the front. The "
-            "scale leaves out the hundredth at either end; the largest stretch is "
-            f"{self.blocks['physics']['largest_stretch']:.4g}. Wrinkled places are tinted, slack ones grey, "
-            "and the pins, to which the membranes are glued, are left white.",
+            "scale leaves out the hundredth at either end; all but a hundredth of the area is stretched by "
+            f"{self.blocks['physics'].get('stretch_99', 0.0):.4g} at most. Wrinkled places are tinted, slack "
+            "ones grey, and the pins, to which the membranes are glued, are left white.",
             "stretch", {"membranes": self.membranes}),)
 
 

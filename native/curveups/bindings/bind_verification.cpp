@@ -28,10 +28,12 @@ py::dict physics_block(const PhysicsFigures& f) {
   out["wrinkled_fraction"] = f.wrinkled_fraction;
   out["slack_fraction"] = f.slack_fraction;
   out["largest_stretch"] = f.largest_stretch;
+  out["stretch_99"] = f.stretch_99;
   out["force_balance"] = f.force_balance;
   out["torque_balance"] = f.torque_balance;
   out["normal_force_error"] = f.normal_force_error;
   out["largest_normal_force_error"] = f.largest_normal_force_error;
+  out["least_force_error"] = f.least_force_error;
   out["membrane_clearance_mm"] = f.clearance_mm;
   out["mean_tile_force"] = f.mean_tile_force;
   return out;
@@ -67,12 +69,28 @@ py::dict unilateral_block(const UnilateralFigures& f) {
   out["status_unlimited_friction"] = status_name(f.unlimited_status);
   out["largest_floor_unlimited_friction"] = f.unlimited_largest_floor;
   if (f.tips_status) {
-    out["feasible_at_bump_tips"] = *f.tips_status == SolveStatus::converged;
+    out["feasible_at_bump_tips"] = f.feasible_at_tips;
     out["status_at_bump_tips"] = status_name(*f.tips_status);
     out["largest_floor_at_bump_tips"] = f.tips_largest_floor;
   } else {
     out["feasible_at_bump_tips"] = py::none();
   }
+  if (f.sliding_play) out["sliding_play_mm"] = *f.sliding_play;
+  return out;
+}
+
+py::dict glue_block(const LargestGlueLoads& glue) {
+  py::dict out;
+  auto where = [&](const char* name, const GlueLoad& load) {
+    py::dict place;
+    place["tile"] = load.tile;
+    place["side"] = load.side == Side::front ? "front" : "back";
+    out[name] = place;
+  };
+  out["shear_max_mpa"] = glue.shear.shear;
+  where("shear_at", glue.shear);
+  out["peel_max_n_per_mm"] = glue.peel.peel;
+  where("peel_at", glue.peel);
   return out;
 }
 
@@ -82,6 +100,7 @@ py::dict blocks(const VerificationReport& report) {
   out["physics"] = physics_block(report.physics);
   out["contact_forces"] = contact_block(report.contact_forces);
   out["unilateral"] = unilateral_block(report.unilateral);
+  out["glue"] = glue_block(report.glue);
   return out;
 }
 
@@ -123,7 +142,7 @@ void bind_verification(py::module_& module) {
       .def_readonly("valid", &VerificationReport::valid)
       .def_readonly("reasons", &VerificationReport::reasons)
       .def_property_readonly("warnings", &warnings)
-      .def_property_readonly("blocks", &blocks, "physics, contact_forces, unilateral.")
+      .def_property_readonly("blocks", &blocks, "physics, contact_forces, unilateral, glue.")
       .def("to_dict", &to_dict, "The blocks with valid, reasons and warnings.")
       .def_property_readonly(
           "contact_tiles",

@@ -37,7 +37,6 @@ DesignForces::DesignForces(const DesignGeometry& geometry, const Parameters& par
 
 void DesignForces::take_geometry(const DesignGeometry& geometry) {
   geometry_ = &geometry;
-  gravity_ = gravity_load(geometry, parameters_);
   system_.emplace(make_balance_system(geometry, parameters_));
 }
 
@@ -86,7 +85,7 @@ void DesignForces::solve_membranes(bool fresh, const Progress& progress) {
 }
 
 void DesignForces::solve_contacts() {
-  loads_ = gravity_.weight;
+  loads_ = weights(*geometry_, poses_, q_, parameters_);
   for (Side side : sides) {
     const SolvedMembrane& m = membrane(side);
     // Rounding alone may keep a membrane from the last digits of its tolerance.

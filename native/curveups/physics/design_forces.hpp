@@ -51,7 +51,6 @@ class DesignForces {
   FlatPoses poses_;
   Array6 q_;
   std::array<SolvedMembrane, 2> membranes_;
-  GravityLoad gravity_;
   std::optional<BalanceSystem> system_;
   Wrenches loads_;
   ContactForces forces_;

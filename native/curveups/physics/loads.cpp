@@ -2,60 +2,170 @@
 #include "curveups/physics/loads.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "curveups/bodies/bumps.hpp"
+#include "curveups/physics/membrane_domain.hpp"
 
 namespace curveups {
 namespace {
 
 constexpr double standard_gravity = 9.80665;  // m / s2
+constexpr double kilograms = 1e-6;            // of a mm3 at 1 g / cm3
+constexpr double membrane_density = 0.93;  // g / cm3: natural rubber (thermopedia.com/content/1105)
+
+Vec3 downwards(const Parameters& parameters) {
+  return Vec3(parameters.gravity_x, parameters.gravity_y, parameters.gravity_z).normalized();
+}
+
+// Per tile the number of its piece.
+std::vector<int> pieces(const TileMesh& tiles) {
+  std::vector<char> joined(tiles.topology.edges.size(), 0);
+  for (const Contact& contact : tiles.contacts) joined[contact.edge] = 1;
+  return face_components(tiles.topology, joined);
+}
+
+class Weights {
+ public:
+  Weights(const TileMesh& tiles, const Vec3& down)
+      : down_(down), centres_(tile_centres(tiles)), out_(Wrenches::Zero(tiles.tile_count(), 6)) {}
+
+  // mm3 of g / cm3 at a place (world).
+  void add(int tile, double volume, double density, const Vec3& place) {
+    const Vec3 force = down_ * (density * kilograms * volume * standard_gravity);
+    out_.row(tile).head<3>() += force.transpose();
+    out_.row(tile).tail<3>() += (place - centres_.row(tile).transpose()).cross(force).transpose();
+  }
+  const Wrenches& result() const { return out_; }
+
+ private:
+  Vec3 down_;
+  Points3 centres_;
+  Wrenches out_;
+};
+
+double cap_volume(const WallCap& cap) {
+  return M_PI / 6 * cap.height * (3 * cap.radius * cap.radius + cap.height * cap.height);
+}
+
+double area_of(const MembranePatch& patch, const Points2& corners) {
+  double twice = 0;
+  for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+    const Vec2 a = corners.row(patch.corners[k]),
+               b = corners.row(patch.corners[(k + 1) % patch.corners.size()]);
+    twice += wedge(a, b);
+  }
+  return 0.5 * twice;
+}
+
+// Of one side's membrane, at the middle of the pin tops.
+void add_membrane(const TileMesh& tiles, const FlatPoses& poses, const Array6& q,
+                  const Parameters& p, Side side, Weights& out) {
+  const double rest = side == Side::front ? p.thickness_front : p.thickness_back;
+  const double thickness = rest / (p.tau * p.tau);  // where it is stretched, in the layout
+  const Points3 tops = actuated_pin_corners(tiles, q, side, p.H_pin);
+  auto add = [&](int tile, double area) {
+    const Vec3 middle = tops.middleRows<3>(3 * tile).colwise().mean().transpose();
+    out.add(tile, area * thickness, membrane_density, middle);
+  };
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    add(i, std::max(0.0, pin_area(tiles, i, side, q.row(i).data())));
+  }
+  const Points2 flat = flat_pin_corners(tiles, poses, q, side);
+  for (const MembranePatch& patch : make_membrane_domain(tiles, side).patches) {
+    const std::vector<int> around = tiles_of(patch);
+    const double share = area_of(patch, flat) / static_cast<double>(around.size());
+    for (int tile : around) add(tile, share);
+  }
+}
 
 }  // namespace
 
-GravityLoad gravity_load(const DesignGeometry& geometry, const Parameters& parameters) {
+Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
+                 const Parameters& p) {
+  const TileMesh& tiles = geometry.tiles;
+  Weights out(tiles, downwards(p));
+  if (p.gravity == "off") return Wrenches::Zero(tiles.tile_count(), 6);
+  const BumpPlan plan = plan_bumps(geometry, poses, p);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    const TileFrame& frame = tiles.frame[i];
+    auto add = [&](double volume, const Vec3& place) {
+      out.add(i, volume, p.density, frame.to_world(place));
+    };
+    add(volume(plan.body[i]), centroid(plan.body[i]));
+    for (const WallCap& cap : plan.of_tile[i]) {
+      add((cap.bump ? 1 : -1) * cap_volume(cap), cap.centre);
+    }
+    for (Side side : {Side::front, Side::back}) {
+      const std::array<Vec2, 3> pin = pin_corners(tiles, i, side, q.row(i).data());
+      const Vec2 middle = (pin[0] + pin[1] + pin[2]) / 3;
+      const double level =
+          pin_top_level(tiles, side, p.H_pin) + (side == Side::front ? -0.5 : 0.5) * p.H_pin;
+      add(std::max(0.0, pin_area(tiles, i, side, q.row(i).data())) * p.H_pin,
+          Vec3(middle.x(), middle.y(), level));
+    }
+  }
+  for (Side side : {Side::front, Side::back}) add_membrane(tiles, poses, q, p, side, out);
+  return out.result();
+}
+
+std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& parameters) {
+  if (parameters.gravity != "held") return {};
+  std::vector<int> held = listed_tiles(parameters.held_tiles);
+  if (!held.empty()) return held;
+  const TileMesh& tiles = geometry.tiles;
+  const Vec3 down = downwards(parameters);
+  const Points3 centres = tile_centres(tiles);
+  const std::vector<int> piece = pieces(tiles);
+  held.assign(piece.empty() ? 0 : *std::max_element(piece.begin(), piece.end()) + 1, -1);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    int& best = held[piece[i]];
+    if (best < 0 || down.dot(centres.row(i)) > down.dot(centres.row(best))) best = i;
+  }
+  std::sort(held.begin(), held.end());
+  return held;
+}
+
+std::vector<ContactPoint> ground_points(const DesignGeometry& geometry,
+                                        const Parameters& parameters) {
+  if (parameters.gravity != "resting") return {};
   const TileMesh& tiles = geometry.tiles;
   const int count = tiles.tile_count();
-  GravityLoad load;
-  load.weight = Wrenches::Zero(count, 6);
-  if (parameters.gravity == "off") return load;
-  const Vec3 down =
-      Vec3(parameters.gravity_x, parameters.gravity_y, parameters.gravity_z).normalized();
-  const Points3 centres = tile_centres(tiles);
+  const Vec3 down = downwards(parameters);
   std::vector<std::vector<Vec3>> corners(count);
   double lowest = -1e300;
   for (int i = 0; i < count; ++i) {
-    const ConvexBody body = tile_body(tiles, geometry.truncation, i);
-    // g / cm3 = 1e-6 kg / mm3.
-    const Vec3 force = down * (parameters.density * 1e-6 * volume(body) * standard_gravity);
-    const Vec3 arm = tiles.frame[i].to_world(centroid(body)) - centres.row(i).transpose();
-    load.weight.row(i) << force.transpose(), arm.cross(force).transpose();
-    for (const Vec3& p : body.points) {
+    for (const Vec3& p : tile_body(tiles, geometry.truncation, i).points) {
       corners[i].push_back(tiles.frame[i].to_world(p));
       lowest = std::max(lowest, down.dot(corners[i].back()));
     }
   }
-  if (parameters.gravity == "resting") {
-    for (int i = 0; i < count; ++i) {
-      for (const Vec3& p : corners[i]) {
-        if (down.dot(p) > lowest - parameters.L / 20)
-          load.ground.push_back({p, -down, {-1, i}, -1});
-      }
+  std::vector<ContactPoint> ground;
+  for (int i = 0; i < count; ++i) {
+    for (const Vec3& p : corners[i]) {
+      if (down.dot(p) > lowest - parameters.L / 20) ground.push_back({p, -down, {-1, i}, -1});
     }
-    return load;
   }
-  load.held = listed_tiles(parameters.held_tiles);
-  if (load.held.empty()) {
-    std::vector<char> joined(tiles.topology.edges.size(), 0);
-    for (const Contact& contact : tiles.contacts) joined[contact.edge] = 1;
-    const std::vector<int> piece = face_components(tiles.topology, joined);
-    const int pieces = count > 0 ? *std::max_element(piece.begin(), piece.end()) + 1 : 0;
-    std::vector<int> lowest_tile(pieces, -1);
-    for (int i = 0; i < count; ++i) {
-      int& best = lowest_tile[piece[i]];
-      if (best < 0 || down.dot(centres.row(i)) > down.dot(centres.row(best))) best = i;
-    }
-    load.held = lowest_tile;
+  return ground;
+}
+
+std::vector<int> pieces_in_the_air(const DesignGeometry& geometry, const Parameters& parameters) {
+  if (parameters.gravity == "off") return {};
+  const std::vector<int> piece = pieces(geometry.tiles);
+  std::vector<int> first;
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    if (piece[i] == static_cast<int>(first.size())) first.push_back(static_cast<int>(i));
   }
-  std::sort(load.held.begin(), load.held.end());
-  return load;
+  std::vector<char> carried(first.size(), 0);
+  for (int tile : held_tiles(geometry, parameters)) carried[piece[tile]] = 1;
+  for (const ContactPoint& point : ground_points(geometry, parameters)) {
+    carried[piece[point.tile[1]]] = 1;
+  }
+  std::vector<int> out;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    if (!carried[k]) out.push_back(first[k]);
+  }
+  return out;
 }
 
 }  // namespace curveups

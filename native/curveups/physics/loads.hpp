@@ -7,16 +7,23 @@
 
 namespace curveups {
 
-struct GravityLoad {
-  Wrenches weight;                   // M x 6, N and N mm about the tiles' centres
-  std::vector<int> held;             // ascending; empty unless the piece is held
-  std::vector<ContactPoint> ground;  // empty unless it rests on a plane
-};
+// M x 6, N and N mm about the tiles' centres: what is printed, by parameter density, with pins and
+// bumps (recessed as printed), and the membranes, each free part shared by the tiles around it and
+// hanging at their pins' tops. Zero without gravity. Throws what plan_bumps throws.
+Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
+                 const Parameters& parameters);
 
-// Parameters gravity, density (g / cm3) and direction. "held": by held_tiles, by default the
-// lowest one of every piece. "resting": on a plane across the direction through the lowest corner;
-// every corner of a tile's body within L / 20 of it touches. No gravity: zero weight, nothing held.
-// Pins, bumps and membranes weigh nothing here.
-GravityLoad gravity_load(const DesignGeometry& geometry, const Parameters& parameters);
+// The tiles that carry the piece where gravity is held, ascending: held_tiles, by default the
+// lowest one of every piece. None otherwise.
+std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& parameters);
+
+// Where gravity is resting: on a plane across its direction through the lowest corner of the tiles'
+// bodies; every corner within L / 20 of it touches. None otherwise.
+std::vector<ContactPoint> ground_points(const DesignGeometry& geometry,
+                                        const Parameters& parameters);
+
+// The first tile of every piece (tiles joined by contacts) that neither is held nor touches the
+// ground, ascending; none without gravity.
+std::vector<int> pieces_in_the_air(const DesignGeometry& geometry, const Parameters& parameters);
 
 }  // namespace curveups

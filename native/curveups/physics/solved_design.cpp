@@ -28,26 +28,50 @@ Wrenches sum_wrenches(const std::array<MembraneSolution, 2>& membranes, const Po
 
 // Half of what the extrapolation changes: on the designs it was compared with finer meshes on, the
 // extrapolated normal forces were within a fifth of it.
-void estimate_error(const Points3& fine_forces, SolvedDesign& solved) {
+void estimate_error(const std::vector<ContactPoint>& points, const Points3& fine_forces,
+                    SolvedDesign& solved) {
   const ContactForces& forces = solved.forces;
-  const Eigen::ArrayXd error = 0.5 * (forces.force.col(0) - fine_forces.col(0)).array().abs();
+  const Eigen::ArrayXd force = forces.force.col(0).array(),
+                       error = 0.5 * (force - fine_forces.col(0).array()).abs();
   if (error.size() == 0 || !(forces.normal_mean > 0)) return;
   solved.normal_force_error = error.mean() / forces.normal_mean;
   solved.largest_normal_force_error = error.maxCoeff() / forces.normal_mean;
+  // The ground's points only have to push, however weakly.
+  const Eigen::Index between_tiles = std::count_if(
+      points.begin(), points.end(), [](const ContactPoint& p) { return p.contact >= 0; });
+  solved.least_force_error =
+      error_of_least(force.head(between_tiles), error.head(between_tiles)) / forces.normal_mean;
 }
 
 }  // namespace
 
+double error_of_least(const Eigen::ArrayXd& force, const Eigen::ArrayXd& error) {
+  return force.size() > 0 ? force.minCoeff() - (force - error).minCoeff() : 0.0;
+}
+
+std::vector<ContactPoint> contact_corners(const DesignGeometry& geometry,
+                                          const Parameters& parameters) {
+  std::vector<ContactPoint> points = interface_points(geometry.tiles, geometry.patches);
+  const std::vector<int> held = held_tiles(geometry, parameters);
+  auto is_held = [&](int tile) { return std::binary_search(held.begin(), held.end(), tile); };
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const ContactPoint& point) {
+                                return is_held(point.tile[0]) && is_held(point.tile[1]);
+                              }),
+               points.end());
+  return points;
+}
+
 BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters,
                                   std::vector<ContactPoint> points) {
-  const GravityLoad gravity = gravity_load(geometry, parameters);
-  points.insert(points.end(), gravity.ground.begin(), gravity.ground.end());
-  return BalanceSystem(std::move(points), tile_centres(geometry.tiles), parameters.L, gravity.held);
+  const std::vector<ContactPoint> ground = ground_points(geometry, parameters);
+  points.insert(points.end(), ground.begin(), ground.end());
+  return BalanceSystem(std::move(points), tile_centres(geometry.tiles), parameters.L,
+                       held_tiles(geometry, parameters));
 }
 
 BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters) {
-  return make_balance_system(geometry, parameters,
-                             interface_points(geometry.tiles, geometry.patches));
+  return make_balance_system(geometry, parameters, contact_corners(geometry, parameters));
 }
 
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
@@ -55,18 +79,19 @@ SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
   const Parameters& parameters = design.parameters;
   SolvedDesign solved;
   solved.design = design;
-  solved.membranes = solve_membranes(geometry, fit_poses(geometry.tiles, design.T), design.q,
-                                     parameters, progress);
+  const FlatPoses poses = fit_poses(geometry.tiles, design.T);
+  solved.membranes = solve_membranes(geometry, poses, design.q, parameters, progress);
   const Points3 centres = tile_centres(geometry.tiles);
   const Wrenches fine = sum_wrenches(solved.membranes, centres, &MembraneSolution::forces);
   solved.elastic = extrapolate<Wrenches>(
       fine, sum_wrenches(solved.membranes, centres, &MembraneSolution::coarse_forces));
-  const Wrenches weight = gravity_load(geometry, parameters).weight;
+  const Wrenches weight = weights(geometry, poses, design.q, parameters);
   solved.loads = solved.elastic + weight;
   BalanceSystem system = make_balance_system(geometry, parameters);
   solved.forces = solve_contact_forces(system, solved.loads);
-  estimate_error(solve_contact_forces(system, fine + weight).force, solved);
-  solved.f_min_ratio = std::max(parameters.f_min_ratio, solved.normal_force_error);
+  estimate_error(system.points(), solve_contact_forces(system, fine + weight).force, solved);
+  solved.f_min_ratio =
+      std::max({parameters.f_min_ratio, solved.normal_force_error, solved.least_force_error});
   return solved;
 }
 

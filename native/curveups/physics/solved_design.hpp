@@ -19,21 +19,30 @@ struct SolvedDesign {
   Wrenches elastic;      // of the membranes on the tiles, extrapolated from both meshes
   Wrenches loads;        // these and gravity
   ContactForces forces;  // least squares, under these loads
-  // Estimated error of normal forces by the mesh, relative to their mean: mean over the points and
-  // largest.
-  double normal_force_error = 0, largest_normal_force_error = 0;
+  // Estimated error of normal forces by the mesh, relative to their mean: mean over the points,
+  // largest, and of the least normal force.
+  double normal_force_error = 0, largest_normal_force_error = 0, least_force_error = 0;
   double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the error where larger
 };
+
+// How much the least of the forces may be overestimated where each is uncertain by its own error:
+// min n - min (n - error). A least force of this size at least leaves every point pushing within
+// its error, which the mean of the errors does not. Same sizes; 0 without forces.
+double error_of_least(const Eigen::ArrayXd& force, const Eigen::ArrayXd& error);
 
 // geometry: make_geometry's of the design. Throws what solve_membranes and solve_contact_forces
 // throw, Cancelled.
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
                           const Progress& progress);
 
+// The corners of the interfaces at which a design's tiles hold one another: not those between two
+// tiles that are held, whose forces are whoever holds them's business.
+std::vector<ContactPoint> contact_corners(const DesignGeometry& geometry,
+                                          const Parameters& parameters);
 // The balance of a design's tiles at these contact points and on the ground, not factorized yet.
 BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters,
                                   std::vector<ContactPoint> points);
-// At the corners of the interfaces.
+// At the contact corners.
 BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters);
 
 // Holds one solution at most. Whoever takes it owns it and nobody gets it a second time; a design

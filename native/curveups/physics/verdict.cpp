@@ -46,6 +46,13 @@ void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
     report.reasons.push_back("contacts can't hold " + names(in.forces.unbalanced_tiles) +
                              ": a hinge or nothing at all carries them");
   }
+  for (int tile : in.in_the_air) {
+    report.reasons.push_back(
+        "nothing carries the piece of " + tile_name(tile) +
+        (in.parameters.gravity == "held"
+             ? ": held_tiles names none of its tiles"
+             : ": it does not reach the ground, where the lowest piece rests"));
+  }
   if (in.floor_from_mesh) {
     report.warnings.push_back(
         {"f_min is the estimated error of the membrane mesh, which is more than "
@@ -54,31 +61,61 @@ void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
   }
 }
 
+// What one unilateral problem lacks; empty where it reaches f_min. where: "" or " at bumps' tips".
+std::string lack_of_push(const UnilateralFigures& u, SolveStatus status, double largest_floor,
+                         bool feasible, const std::string& where, const UnilateralResult& result,
+                         const BalanceSystem& system) {
+  if (feasible) return "";
+  const std::string mu = number(u.friction_coefficient);
+  const std::string first = ", first at " + names(critical_contacts(result, system));
+  if (status == SolveStatus::infeasible) {
+    return "with a friction coefficient of " + mu + " no pushing forces" + where +
+           " balance the tiles: " + number(-largest_floor) + " N of pull would be needed" + first;
+  }
+  if (status == SolveStatus::unfinished) {
+    return "whether pushing forces" + where + " within friction " + mu +
+           " balance the tiles could not be shown";
+  }
+  return "pushing forces" + where + " within friction " + mu + " leave a least normal force of " +
+         number(largest_floor) + " N, less than f_min = " + number(u.floor) + " N" + first;
+}
+
 void judge_unilateral(const VerdictInput& in, VerificationReport& report) {
   const UnilateralFigures& u = report.unilateral;
-  const std::string mu = number(u.friction_coefficient);
-  const std::string where = names(critical_contacts(in.coulomb, in.system));
-  if (u.status == SolveStatus::infeasible) {
-    std::string reason = "with a friction coefficient of " + mu +
-                         " no pushing forces balance the tiles: " + number(-u.largest_floor) +
-                         " N of pull would be needed, first at " + where;
-    if (u.unlimited_status == SolveStatus::converged) reason += "; with enough friction they do";
-    report.reasons.push_back(reason);
-  } else if (u.status == SolveStatus::unfinished) {
-    report.reasons.push_back("whether pushing forces within friction " + mu +
-                             " balance the tiles could not be shown");
-  } else if (!u.feasible) {
-    report.reasons.push_back("pushing forces within friction " + mu +
-                             " leave a least normal force of " + number(u.largest_floor) +
-                             " N, less than f_min = " + number(u.floor) + " N, first at " + where);
+  std::string reason =
+      lack_of_push(u, u.status, u.largest_floor, u.feasible, "", in.coulomb, in.system);
+  if (u.status == SolveStatus::infeasible && u.unlimited_status == SolveStatus::converged) {
+    reason += "; with enough friction they do";
+    if (u.sliding_play) {
+      reason += ", and dimples stop what slides after " + number(*u.sliding_play) + " mm at most";
+    }
   }
-  if (u.tips_status && *u.tips_status != SolveStatus::converged) {
-    report.reasons.push_back(
-        *u.tips_status == SolveStatus::infeasible
-            ? "touching at their bumps only, tiles can't balance by pushing within friction " + mu +
-                  ": " + number(-u.tips_largest_floor) + " N of pull would be needed, first at " +
-                  names(critical_contacts(*in.tips, *in.tips_system))
-            : "whether tiles balance on their bumps within friction " + mu + " could not be shown");
+  if (!reason.empty()) report.reasons.push_back(reason);
+  if (!in.tips) return;
+  reason = lack_of_push(u, *u.tips_status, u.tips_largest_floor, u.feasible_at_tips,
+                        " at bumps' tips", *in.tips, *in.tips_system);
+  if (!reason.empty()) report.reasons.push_back(reason);
+}
+
+const char* name_of(Side side) { return side == Side::front ? "front" : "back"; }
+
+// What the sheets and the glue on pins hold, by their makers. A warning: neither is computed.
+void judge_materials(const VerdictInput& in, VerificationReport& report) {
+  const double elongation = 100 * (report.physics.stretch_99 - 1);
+  if (elongation > in.parameters.elongation_at_break) {
+    report.warnings.push_back({"more than 1 % of the membranes is stretched by " +
+                                   number(elongation) + " % or more, beyond elongation_at_break (" +
+                                   number(in.parameters.elongation_at_break) +
+                                   " %): they tear; lower tau",
+                               {}});
+  }
+  const GlueLoad& load = report.glue.shear;
+  if (load.shear > in.parameters.glue_strength) {
+    report.warnings.push_back(
+        {"the glue on the " + std::string(name_of(load.side)) + " pin of " + tile_name(load.tile) +
+             " carries " + number(load.shear) + " MPa of shear, more than glue_strength (" +
+             number(in.parameters.glue_strength) + " MPa): raise A_pin_min or lower tau",
+         {load.tile}});
   }
 }
 
@@ -114,6 +151,7 @@ void give_verdict(const VerdictInput& input, VerificationReport& report) {
   judge_least_squares(input, report);
   judge_unilateral(input, report);
   judge_membranes(input, report);
+  judge_materials(input, report);
   report.valid = report.reasons.empty();
 }
 

@@ -10,7 +10,8 @@ namespace curveups {
 // A contact point presses with f_min at least.
 inline bool presses(double normal_force, double f_min) { return normal_force >= f_min; }
 
-// Pushing forces within friction reach f_min at every point, as far as the cone program tells.
+// Pushing forces within friction reach f_min at every point, as far as the cone program tells: the
+// same wherever tiles touch, at the interfaces' corners and at bumps' tips.
 // scale: the unit of forces that the program was solved in.
 inline bool floor_is_reached(double largest_floor, double f_min, double scale) {
   return largest_floor >= f_min - UnilateralOptions{}.tolerance * scale;
@@ -31,6 +32,8 @@ struct VerdictInput {
   std::array<MembraneClearance, 2> clearance;
   std::array<std::vector<int>, 2> slack_tiles;  // front, back: beside slack membrane
   bool floor_from_mesh;                         // f_min is the mesh's error, not f_min_ratio
+  const Parameters& parameters;
+  std::vector<int> in_the_air;  // pieces_in_the_air
 };
 
 // Fills valid, reasons and warnings of a report whose figures are complete.

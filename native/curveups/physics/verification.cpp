@@ -9,6 +9,8 @@
 #include "curveups/bodies/bumps.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/physics/membrane_figures.hpp"
+#include "curveups/physics/touch_points.hpp"
 #include "curveups/physics/verdict.hpp"
 
 namespace curveups {
@@ -24,43 +26,6 @@ void check_arrays(const Design& design, const TileMesh& tiles) {
   if (!design.T.allFinite() || !design.q.allFinite()) {
     throw InvalidInput("the design holds a number that is not finite", "give finite numbers");
   }
-}
-
-// Rest areas of one side's membrane, all of it and by patch of its domain, mm2.
-struct MembraneAreas {
-  double all = 0, wrinkled = 0, slack = 0;  // wrinkled: or slack
-  std::vector<double> patch, slack_patch;
-};
-
-MembraneAreas measure_areas(const MembraneSolution& m) {
-  MembraneAreas areas;
-  areas.patch.assign(m.domain.patches.size(), 0);
-  areas.slack_patch = areas.patch;
-  for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
-    const auto [a, b, c] = m.mesh.triangles[t];
-    const Vec2 p = m.flat.row(a), q = m.flat.row(b), r = m.flat.row(c);
-    const double part = wedge(q - p, r - p);
-    areas.all += part;
-    areas.patch[m.mesh.patch[t]] += part;
-    if (m.stretch[t].tension != MembraneTension::taut) areas.wrinkled += part;
-    if (m.stretch[t].tension == MembraneTension::slack) {
-      areas.slack += part;
-      areas.slack_patch[m.mesh.patch[t]] += part;
-    }
-  }
-  return areas;
-}
-
-// Tiles beside patches of which more than a tenth is slack, ascending.
-std::vector<int> tiles_beside_slack(const MembraneSolution& m, const MembraneAreas& areas) {
-  std::vector<int> tiles;
-  for (std::size_t p = 0; p < areas.patch.size(); ++p) {
-    if (areas.slack_patch[p] <= 0.1 * areas.patch[p]) continue;
-    for (int tile : tiles_of(m.domain.patches[p])) tiles.push_back(tile);
-  }
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
-  return tiles;
 }
 
 MembranePicture picture_of(const MembraneSolution& m) {
@@ -106,6 +71,7 @@ std::array<std::vector<int>, 2> describe_membranes(const Membranes& membranes,
     f.wrinkled_fraction = both.wrinkled / both.all;
     f.slack_fraction = both.slack / both.all;
   }
+  f.stretch_99 = stretch_of_all_but(0.01, membranes);
   const WrenchBalance balance = wrench_balance(report.elastic, centres, L);
   f.force_balance = balance.force;
   f.torque_balance = balance.torque;
@@ -205,27 +171,13 @@ UnilateralFigures describe_programs(const Programs& programs, bool with_tips, do
   if (with_tips) {
     u.tips_status = programs.tips.solve.status;
     u.tips_largest_floor = programs.tips.largest_floor;
+    u.feasible_at_tips = u.tips_status == SolveStatus::converged &&
+                         floor_is_reached(u.tips_largest_floor, f_min, scale);
   }
   return u;
 }
 
 }  // namespace
-
-std::vector<ContactPoint> contact_points_at_tips(const DesignGeometry& geometry,
-                                                 const std::vector<Points3>& tips) {
-  std::vector<ContactPoint> points;
-  for (const ContactPoint& corner : interface_points(geometry.tiles, geometry.patches)) {
-    const Points3& here = tips[corner.contact];
-    if (here.rows() == 0) {
-      points.push_back(corner);
-    } else if (points.empty() || points.back().contact != corner.contact) {
-      for (int p = 0; p < here.rows(); ++p) {
-        points.push_back({here.row(p).transpose(), corner.normal, corner.tile, corner.contact});
-      }
-    }
-  }
-  return points;
-}
 
 VerificationReport verify_design(const Design& design, SolutionStore* store,
                                  const Progress& progress) {
@@ -233,7 +185,8 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, parameters);
   const TileMesh& tiles = geometry.tiles;
   check_arrays(design, tiles);
-  const std::vector<Points3> tips = bump_tips(geometry, fit_poses(tiles, design.T), parameters);
+  const BumpPlan plan = plan_bumps(geometry, fit_poses(tiles, design.T), parameters);
+  const std::vector<Points3> tips = bump_tips(plan, tiles);
   VerificationReport report;
   SolvedDesign solved;
   try {
@@ -246,8 +199,11 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   report.elastic = solved.elastic;
   report.physics.normal_force_error = solved.normal_force_error;
   report.physics.largest_normal_force_error = solved.largest_normal_force_error;
+  report.physics.least_force_error = solved.least_force_error;
   const std::array<std::vector<int>, 2> slack_tiles =
       describe_membranes(solved.membranes, tile_centres(tiles), parameters.L, report);
+
+  report.glue = largest_glue_loads(tiles, design.q, solved.membranes);
 
   const ContactForces& forces = solved.forces;
   const double f_min = solved.f_min_ratio * std::max(0.0, forces.normal_mean);
@@ -257,8 +213,8 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
 
   std::optional<BalanceSystem> tips_system;
   if (std::any_of(tips.begin(), tips.end(), [](const Points3& at) { return at.rows() > 0; })) {
-    tips_system.emplace(
-        make_balance_system(geometry, parameters, contact_points_at_tips(geometry, tips)));
+    tips_system.emplace(make_balance_system(
+        geometry, parameters, tie_to_corners(contact_corners(geometry, parameters), tips).points));
   }
   const double scale =
       forces.normal_mean > 0 ? forces.normal_mean : std::max(report.physics.mean_tile_force, 1e-12);
@@ -269,9 +225,11 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
       std::min(programs.clearance[0].distance, programs.clearance[1].distance);
   report.unilateral = describe_programs(programs, tips_system.has_value(), f_min,
                                         parameters.friction_coefficient, scale);
+  if (parameters.bumps == "dimples") report.unilateral.sliding_play = sliding_play(plan, tiles);
   give_verdict({system, forces, programs.coulomb, tips_system ? &programs.tips : nullptr,
                 tips_system ? &*tips_system : nullptr, programs.clearance, slack_tiles,
-                solved.f_min_ratio > parameters.f_min_ratio},
+                solved.f_min_ratio > parameters.f_min_ratio, parameters,
+                pieces_in_the_air(geometry, parameters)},
                report);
   if (store) store->put(std::move(solved));
   return report;

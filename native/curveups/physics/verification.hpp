@@ -17,9 +17,4 @@ namespace curveups {
 VerificationReport verify_design(const Design& design, SolutionStore* store,
                                  const Progress& progress);
 
-// The points at which tiles touch when contacts have tips (per contact n x 3, world; 0 x 3: the
-// contact touches at the interface's corners).
-std::vector<ContactPoint> contact_points_at_tips(const DesignGeometry& geometry,
-                                                 const std::vector<Points3>& tips);
-
 }  // namespace curveups

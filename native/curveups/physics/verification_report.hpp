@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "curveups/physics/elastic_forces.hpp"
+#include "curveups/physics/membrane_figures.hpp"
 #include "curveups/physics/unilateral.hpp"
 
 namespace curveups {
@@ -26,12 +26,14 @@ struct PhysicsFigures {
   bool converged = false;
   double wrinkled_fraction = 0;  // of the membranes' rest area: wrinkled or slack
   double slack_fraction = 0;
-  double largest_stretch = 0;
+  double largest_stretch = 0;  // of a triangle: at a pin corner, and larger on finer meshes
+  double stretch_99 = 0;       // 99 % of the rest area is stretched less: converges
   double force_balance = 0, torque_balance = 0;  // see wrench_balance
   double normal_force_error = 0;  // estimated, mean over the points, relative to normal_mean
   double largest_normal_force_error = 0;
-  double clearance_mm = 0;     // membranes to bodies
-  double mean_tile_force = 0;  // N
+  double least_force_error = 0;  // of the least normal force (error_of_least), likewise relative
+  double clearance_mm = 0;       // membranes to bodies
+  double mean_tile_force = 0;    // N
 };
 
 struct ContactFigures {
@@ -50,9 +52,12 @@ struct UnilateralFigures {
   double largest_floor = 0;  // N
   SolveStatus unlimited_status = SolveStatus::unfinished;
   double unlimited_largest_floor = 0;
-  // At the bumps' tips, by pushing alone.
+  // The same at the bumps' tips.
   std::optional<SolveStatus> tips_status;
+  bool feasible_at_tips = false;
   double tips_largest_floor = 0;
+  // Dimples: how far walls can slide on one another before these hold them, mm.
+  std::optional<double> sliding_play;
 };
 
 // Arrays for pictures.
@@ -74,6 +79,7 @@ struct VerificationReport {
   PhysicsFigures physics;
   ContactFigures contact_forces;
   UnilateralFigures unilateral;
+  LargestGlueLoads glue;
 
   std::vector<std::array<int, 2>> contact_tiles;  // per contact
   Eigen::VectorXd contact_normal_min, contact_normal_mean, contact_friction_ratio;

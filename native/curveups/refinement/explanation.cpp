@@ -21,33 +21,34 @@ std::vector<int> with_neighbours(const TileMesh& tiles, const std::array<int, 2>
 // With what is short in the words of `reason`.
 std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& points,
                                            const Judgement& judgement,
-                                           const std::vector<int>& critical_points) {
+                                           const CriticalPairs& critical) {
   std::vector<BlockedContact> out;
-  auto add = [&](const ContactPoint& point, double force) {
+  auto add = [&](const std::array<int, 2>& tiles, double force) {
     const auto known = std::find_if(out.begin(), out.end(), [&](const BlockedContact& contact) {
-      return contact.tiles == point.tile;
+      return contact.tiles == tiles;
     });
     if (known == out.end()) {
-      out.push_back({point.tile, force, "", "", {}});
+      out.push_back({tiles, force, "", "", {}});
     } else {
       known->least_force = std::min(known->least_force, force);
     }
   };
   for (std::size_t p = 0; p < points.size(); ++p) {
     const double force = judgement.normal(static_cast<Eigen::Index>(p)) / judgement.f_min;
-    if (points[p].contact >= 0 && force < 1) add(points[p], force);
+    if (points[p].contact >= 0 && force < 1) add(points[p].tile, force);
   }
-  const bool by_floor = out.empty() && judgement.floor < 1;
-  for (std::size_t k = 0; by_floor && k < critical_points.size(); ++k) {
-    const ContactPoint& point = points[critical_points[k]];
-    if (point.contact >= 0) add(point, judgement.floor);
+  std::string what = " has ";
+  for (Touching where : touchings) {
+    if (!out.empty() || !judgement.is_short_of(where)) continue;
+    what = where == Touching::at_tips ? " keeps pushing forces within friction at bumps' tips at "
+                                      : " keeps pushing forces within friction at ";
+    const int k = static_cast<int>(where);
+    for (const std::array<int, 2>& pair : critical[k]) add(pair, judgement.floor[k]);
   }
   for (BlockedContact& contact : out) {
     char share[32];
     std::snprintf(share, sizeof share, "%.2f", contact.least_force);
-    contact.reason = "contact " + pair_name(contact.tiles) +
-                     (by_floor ? " keeps pushing forces within friction at " : " has ") + share +
-                     " of f_min";
+    contact.reason = "contact " + pair_name(contact.tiles) + what + share + " of f_min";
   }
   return out;
 }
@@ -57,9 +58,9 @@ std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& poin
 std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
                                                   const std::vector<ContactPoint>& points,
                                                   const Judgement& judgement,
-                                                  const std::vector<int>& critical_points,
+                                                  const CriticalPairs& critical,
                                                   const std::vector<Obstacle>& obstacles) {
-  std::vector<BlockedContact> out = short_contacts(points, judgement, critical_points);
+  std::vector<BlockedContact> out = short_contacts(points, judgement, critical);
   for (BlockedContact& contact : out) {
     const std::vector<int> near = with_neighbours(tiles, contact.tiles);
     const auto found =

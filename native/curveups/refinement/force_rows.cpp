@@ -42,8 +42,8 @@ MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& track
   const TileMesh& tiles = place.geometry().tiles;
   const std::vector<ContactPoint>& points = tracked.points();
   std::vector<char> near(tiles.tile_count(), 0), chosen(target.places().rows(), 0);
-  auto mark = [&](const ContactPoint& point) {
-    for (int tile : point.tile) {
+  auto mark = [&](const std::array<int, 2>& pair) {
+    for (int tile : pair) {
       if (tile < 0) continue;
       near[tile] = 1;
       for (int t = 0; t < 3; ++t) {
@@ -53,10 +53,12 @@ MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& track
   };
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (points[p].contact < 0) continue;
-    if (now.normal(static_cast<Eigen::Index>(p)) < options.goal * now.f_min) mark(points[p]);
+    if (now.normal(static_cast<Eigen::Index>(p)) < options.goal * now.f_min) {
+      mark(points[p].tile);
+    }
   }
-  if (tracked.floor_is_active()) {
-    for (int p : tracked.floor().critical_points) mark(points[p]);
+  for (Touching where : touchings) {
+    for (const std::array<int, 2>& pair : tracked.critical_pairs(where)) mark(pair);
   }
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (int t = 0; t < 3 && near[i]; ++t) chosen[tiles.mesh.F(i, t)] = 1;
@@ -102,10 +104,15 @@ std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& trac
     const double value = (now.normal(chosen[r]) - goal * now.f_min) / now.mean;
     rows.push_back(make_row(place, value, 1 / now.mean, gradients[r], moving));
   }
-  if (tracked.floor_is_active() && tracked.floor().solve.status != SolveStatus::unfinished) {
-    const double value = (now.floor - options.floor_goal) * now.f_min / now.mean;
-    rows.push_back(make_row(place, value, 1 / now.mean,
-                            floor_gradient(tracked.forces(), tracked.floor(), patches), moving));
+  for (Touching where : touchings) {
+    const int k = static_cast<int>(where);
+    if (!tracked.floor_is_active(where) ||
+        tracked.floors()[k].solve.status == SolveStatus::unfinished) {
+      continue;
+    }
+    const double value = (now.floor[k] - options.floor_goal) * now.f_min / now.mean;
+    rows.push_back(
+        make_row(place, value, 1 / now.mean, tracked.gradient_of_floor(where, patches), moving));
   }
   return rows;
 }

@@ -17,8 +17,8 @@ MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& track
                                 const Judgement& now, const RepairOptions& options,
                                 const TargetDistance& target);
 
-// A row per point below the active force, whose goal is `goal` times f_min, and one for the floor
-// where that is active. moving may be null.
+// A row per point below the active force, whose goal is `goal` times f_min, and one for each
+// floor that is active. moving may be null.
 std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& tracked,
                                  const Judgement& now, const RepairOptions& options, double goal,
                                  const MovingVertices* moving);

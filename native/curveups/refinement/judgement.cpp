@@ -9,7 +9,7 @@
 namespace curveups {
 
 Judgement judge(const std::vector<ContactPoint>& points, const Eigen::VectorXd& normal,
-                double floor, double f_min_ratio, const RepairOptions& options) {
+                const Floors& floors, double f_min_ratio, const RepairOptions& options) {
   Judgement out;
   out.normal = normal;
   int count = 0;
@@ -38,8 +38,10 @@ Judgement judge(const std::vector<ContactPoint>& points, const Eigen::VectorXd& 
                                                 static_cast<Eigen::Index>(of_contacts.size()));
   out.missing_squares =
       f_min_ratio * f_min_ratio * MissingForce(options.penalty_goal).value(forces);
-  out.floor = floor / out.f_min;
-  if (out.floor < options.floor_goal) out.missing += options.floor_goal - out.floor;
+  for (std::size_t k = 0; k < floors.size(); ++k) {
+    out.floor[k] = floors[k] / out.f_min;
+    if (out.floor[k] < options.floor_goal) out.missing += options.floor_goal - out.floor[k];
+  }
   return out;
 }
 

@@ -2,7 +2,9 @@
 // How well a design holds together, in one comparable value.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "curveups/physics/contact_forces.hpp"
@@ -10,6 +12,15 @@
 #include "curveups/refinement/repair_options.hpp"
 
 namespace curveups {
+
+// Where pushing forces within friction are asked for f_min: at the interfaces' corners, and at the
+// bumps' tips where tiles carry bumps. One rule for both (verdict.hpp).
+enum class Touching { at_corners = 0, at_tips = 1 };
+inline constexpr std::array<Touching, 2> touchings = {Touching::at_corners, Touching::at_tips};
+// By Touching; NaN where it was not computed.
+using Floors = std::array<double, 2>;
+inline constexpr Floors no_floors = {std::numeric_limits<double>::quiet_NaN(),
+                                     std::numeric_limits<double>::quiet_NaN()};
 
 struct Judgement {
   Eigen::VectorXd normal;  // per contact point, N
@@ -19,14 +30,20 @@ struct Judgement {
   double least = 0;        // in units of f_min
   double missing = 0;  // sum of what points and the floor lack of their goals, in units of f_min
   double missing_squares = 0;  // of what points lack of the penalty's goal, in units of the mean
-  double floor = 0;            // largest floor in units of f_min; NaN where it was not computed
+  Floors floor = no_floors;    // largest floors in units of f_min
   double depth = 0;            // to which a membrane cuts into a body, mm, where it was looked at
 
   // As verification judges (verdict.hpp), what was not looked at left out.
   bool valid() const {
-    return weak == 0 && (std::isnan(floor) || floor_is_reached(floor, 1, mean / f_min)) &&
+    return weak == 0 && !is_short_of(Touching::at_corners) && !is_short_of(Touching::at_tips) &&
            is_clear(-depth);
   }
+  bool is_short_of(Touching where) const {
+    const double largest = floor[static_cast<int>(where)];
+    return !std::isnan(largest) && !floor_is_reached(largest, 1, mean / f_min);
+  }
+  // NaN where none was computed.
+  double least_floor() const { return std::fmin(floor[0], floor[1]); }
   bool better_than(const Judgement& other) const {
     if (valid() != other.valid()) return valid();
     if (weak != other.weak) return weak < other.weak;
@@ -34,8 +51,8 @@ struct Judgement {
   }
 };
 
-// floor: N, or NaN. Throws InfeasibleDesign where membranes don't press the tiles together.
+// floors: N. Throws InfeasibleDesign where membranes don't press the tiles together.
 Judgement judge(const std::vector<ContactPoint>& points, const Eigen::VectorXd& normal,
-                double floor, double f_min_ratio, const RepairOptions& options);
+                const Floors& floors, double f_min_ratio, const RepairOptions& options);
 
 }  // namespace curveups

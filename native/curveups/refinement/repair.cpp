@@ -31,12 +31,12 @@ class Repair {
   RepairResult run();
 
  private:
-  // On a fresh mesh; points of the judgement, and those that hold its floor down.
+  // On a fresh mesh; points of the judgement, and contacts that hold its floors down.
   struct Judged {
     Iterate place;
     Judgement judgement;
     std::vector<ContactPoint> points;
-    std::vector<int> critical_points;
+    CriticalPairs critical;
   };
 
   bool penalty() const { return parameters_.tightness == "penalty"; }
@@ -211,7 +211,7 @@ bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const
 // One accepted step, or false where none lifts the weak forces any more.
 bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices) {
   const Iterate from = here_;
-  const UnilateralResult floor = tracked_.floor();
+  const std::array<UnilateralResult, 2> floors = tracked_.floors();
   MovingVertices chosen;
   if (with_vertices) chosen = vertices_to_move(here_, tracked_, now, options_, target_);
   const MovingVertices* moving = chosen.count() > 0 ? &chosen : nullptr;
@@ -233,12 +233,13 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
     double largest = move.cwiseAbs().maxCoeff();
     if (moving) largest = std::max(largest, last_step_.vertex_step.cwiseAbs().maxCoeff());
     now = next;
-    result.steps.push_back({now.weak, now.least, now.floor, largest, moving != nullptr, false});
+    result.steps.push_back(
+        {now.weak, now.least, now.least_floor(), largest, moving != nullptr, false});
     trust_radius_ = std::min(2 * trust_radius_, options_.trust_radius);
     return true;
   }
   here_ = from;
-  tracked_.move_back(here_, floor);
+  tracked_.move_back(here_, floors);
   return false;
 }
 
@@ -259,14 +260,14 @@ bool Repair::draw_pins_out() {
   }
   here_ = from;
   caps_ = caps;
-  tracked_.move_back(here_, tracked_.floor());
+  tracked_.move_back(here_, tracked_.floors());
   return false;
 }
 
 // Near enough to the goals for a fresh mesh to judge.
 bool Repair::reached(const Judgement& now) const {
   return !penalty() && now.least >= options_.goal - 0.1 &&
-         !(now.floor < options_.floor_goal - 0.05);
+         !(now.least_floor() < options_.floor_goal - 0.05);
 }
 
 // Steps until the goals are reached or nothing helps. Returns whether there was one.
@@ -307,10 +308,13 @@ void Repair::search(RepairResult& result) {
   while (true) {
     Judgement now = judge_fresh();
     if (!best_) first_weak_ = now.weak;
-    result.steps.push_back({now.weak, now.least, now.floor, 0, false, true});
+    result.steps.push_back({now.weak, now.least, now.least_floor(), 0, false, true});
     if (!best_ || now.better_than(best_->judgement)) {
-      best_ = Judged{here_, now, make_balance_system(here_.geometry(), parameters_).points(),
-                     tracked_.floor().critical_points};
+      best_ = Judged{here_,
+                     now,
+                     make_balance_system(here_.geometry(), parameters_).points(),
+                     {tracked_.critical_pairs(Touching::at_corners),
+                      tracked_.critical_pairs(Touching::at_tips)}};
     }
     tell(now);
     if (now.valid()) {
@@ -321,7 +325,7 @@ void Repair::search(RepairResult& result) {
         static_cast<int>(result.steps.size()) <= options_.max_steps && draw_pins_out();
     if (drawn) {
       now = tracked_.judge();
-      result.steps.push_back({now.weak, now.least, now.floor, 0, false, false});
+      result.steps.push_back({now.weak, now.least, now.least_floor(), 0, false, false});
     }
     if (!improve(result, now) && !drawn) return;
   }
@@ -342,7 +346,7 @@ RepairResult Repair::run() {
   here_ = best_ ? best_->place : given_;
   if (result.solve.status == SolveStatus::unfinished) {
     result.blocked = explain_weak_contacts(here_.geometry().tiles, best_->points, best_->judgement,
-                                           best_->critical_points, last_step_.obstacles);
+                                           best_->critical, last_step_.obstacles);
     result.suggestions = suggest_remedies(result.blocked);
     if (!breakdown.empty()) result.suggestions.push_back(breakdown);
   }

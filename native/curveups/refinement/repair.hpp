@@ -28,8 +28,9 @@ namespace curveups {
 struct RepairStep {
   int weak_points;      // normal force below f_min
   double least_force;   // in units of f_min
-  double least_floor;   // largest floor of the unilateral problem, in units of f_min; NaN where it
-                        // was not looked at (points are weak, and it was not the reason)
+  double least_floor;   // the lesser of the largest floors of the unilateral problem, at corners
+                        // and at bumps' tips, in units of f_min; NaN where neither was looked
+                        // at (points are weak, and they were not the reason)
   double largest_move;  // of an unknown in this step, mm
   bool vertices;        // whether vertices moved
   bool fresh_mesh;      // judged on a fresh, extrapolated mesh
@@ -51,13 +52,14 @@ struct RepairResult {
 using RepairCallback =
     std::function<bool(const FlatCorners&, const Array6&, double weak_points, double violation)>;
 
-// Valid: least-squares normal forces at every contact point and the largest floor of the unilateral
-// problem >= f_min, no membrane cuts into a body, and all constraints of the layout are kept. Where
-// vertices move the result's target is the given design's target, or its mesh. Cancelled through
-// progress it is stopped and keeps the best so far. store: asked for what verification has solved
-// of this very design, and left with what is solved of a valid result; or null. Throws what
-// make_geometry throws, InvalidInput for arrays that disagree, InfeasibleDesign where the layout's
-// constraints can't be restored or membranes fold over even so, SolverFailure.
+// Valid: least-squares normal forces at every contact point and the largest floors of the
+// unilateral problem, at the interfaces' corners and at bumps' tips, >= f_min, no membrane cuts
+// into a body, and all constraints of the layout are kept. Where vertices move the result's target
+// is the given design's target, or its mesh. Cancelled through progress it is stopped and keeps the
+// best so far. store: asked for what verification has solved of this very design, and left with
+// what is solved of a valid result; or null. Throws what make_geometry throws, InvalidInput for
+// arrays that disagree, InfeasibleDesign where the layout's constraints can't be restored or
+// membranes fold over even so, SolverFailure.
 RepairResult repair_design(const Design& design, const RepairOptions& options, SolutionStore* store,
                            const Progress& progress, const RepairCallback& callback = {});
 

@@ -11,11 +11,11 @@ struct RepairOptions {
   double goal = 1.5;
   double active = 2.0;
   double penalty_goal = 1.1;  // times f_min, where tightness is a penalty
-  // The same for the largest floor of the unilateral problem, which is one number.
+  // The same for the largest floors of the unilateral problem, each of which is one number.
   double floor_goal = 1.2;
   // Vertices stay within this times L of their places in the target, by coordinate.
   double largest_displacement = 0.1;
-  int max_steps = 30;
+  int max_steps = 60;
 };
 
 }  // namespace curveups

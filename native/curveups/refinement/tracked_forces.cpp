@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/refinement/tracked_forces.hpp"
 
-#include <limits>
+#include <algorithm>
 
-#include "curveups/core/errors.hpp"
+#include "curveups/bodies/bumps.hpp"
 #include "curveups/physics/verdict.hpp"
 
 namespace curveups {
-
-namespace {
-constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
-}
 
 std::vector<Touch> find_touches(const DesignGeometry& geometry, const SolvedDesign& solved,
                                 const Parameters& parameters) {
@@ -31,29 +27,52 @@ TrackedForces::TrackedForces(const Parameters& parameters, const RepairOptions& 
       progress_(progress),
       f_min_ratio_(parameters.f_min_ratio) {}
 
-UnilateralResult TrackedForces::unilateral(const DesignGeometry& geometry,
-                                           const Wrenches& loads) const {
-  BalanceSystem system = make_balance_system(geometry, parameters_);
+// The contact points of one of the two problems, without those on the ground.
+std::vector<ContactPoint> TrackedForces::points_at(const DesignGeometry& geometry,
+                                                   Touching where) const {
+  return where == Touching::at_tips ? touch_.points : contact_corners(geometry, parameters_);
+}
+
+UnilateralResult TrackedForces::unilateral(const DesignGeometry& geometry, const Wrenches& loads,
+                                           double scale, Touching where) const {
+  BalanceSystem system = make_balance_system(geometry, parameters_, points_at(geometry, where));
   const ContactForces start = solve_contact_forces(system, loads);
   UnilateralOptions options;
   options.friction_coefficient = parameters_.friction_coefficient;
-  options.scale = start.normal_mean;
+  options.scale = scale;
   return solve_unilateral(system, loads, start.force, options, progress_);
+}
+
+void TrackedForces::plan_tips(const Iterate& place) {
+  const TileMesh& tiles = place.geometry().tiles;
+  const std::vector<Points3> tips =
+      bump_tips(plan_bumps(place.geometry(), place.poses(), parameters_), tiles);
+  has_tips_ =
+      std::any_of(tips.begin(), tips.end(), [](const Points3& at) { return at.rows() > 0; });
+  if (has_tips_) touch_ = tie_to_corners(contact_corners(place.geometry(), parameters_), tips);
 }
 
 Judgement TrackedForces::judge_fresh(const Iterate& place, const SolvedDesign& fresh) {
   f_min_ratio_ = fresh.f_min_ratio;
+  plan_tips(place);
   const BalanceSystem system = make_balance_system(place.geometry(), parameters_);
   const Eigen::VectorXd normal = fresh.forces.force.col(0);
-  auto judged = [&](bool with_floor) {
-    const double floor =
-        with_floor ? unilateral(place.geometry(), fresh.loads).largest_floor : not_computed;
-    return curveups::judge(system.points(), normal, floor, f_min_ratio_, options_);
+  Floors floors = no_floors;
+  auto judged = [&] {
+    return curveups::judge(system.points(), normal, floors, f_min_ratio_, options_);
   };
-  Judgement now = judged(floor_is_active_);
-  if (now.weak == 0 && !floor_is_active_) {
-    now = judged(true);
-    floor_is_active_ = !now.valid();
+  const bool weak = judged().weak > 0;
+  for (Touching where : touchings) {
+    const int k = static_cast<int>(where);
+    const bool exists = where == Touching::at_corners || has_tips_;
+    active_[k] = active_[k] && exists;
+    if (!exists || (weak && !active_[k])) continue;
+    floors[k] =
+        unilateral(place.geometry(), fresh.loads, fresh.forces.normal_mean, where).largest_floor;
+  }
+  const Judgement now = judged();
+  for (Touching where : touchings) {
+    if (!weak && now.is_short_of(where)) active_[static_cast<int>(where)] = true;
   }
   return now;
 }
@@ -65,28 +84,65 @@ void TrackedForces::follow(const Iterate& place, SolvedDesign& fresh, const Judg
                                     std::move(fresh.membranes[1].coarse)},
       place.poses(), place.insets());
   correction_ = judged.normal - forces_->contact_forces().force.col(0);
-  if (floor_is_active_) {
-    floor_ = unilateral(place.geometry(), forces_->loads());
-    floor_correction_ = judged.floor * judged.f_min - floor_.largest_floor;
+  solve_active_floors();
+  for (std::size_t k = 0; k < floors_.size(); ++k) {
+    if (active_[k]) {
+      floor_correction_[k] = judged.floor[k] * judged.f_min - floors_[k].largest_floor;
+    }
+  }
+}
+
+void TrackedForces::solve_active_floors() {
+  for (Touching where : touchings) {
+    const int k = static_cast<int>(where);
+    if (!active_[k]) continue;
+    floors_[k] = unilateral(forces_->geometry(), forces_->loads(),
+                            forces_->contact_forces().normal_mean, where);
   }
 }
 
 void TrackedForces::move(const Iterate& place) {
   forces_->move(place.geometry(), place.poses(), place.insets(), progress_);
+  // Where a corner came or went tips are planned anew.
+  if (has_tips_ && !follow_corners(contact_corners(place.geometry(), parameters_), touch_)) {
+    plan_tips(place);
+  }
 }
 
-void TrackedForces::move_back(const Iterate& place, const UnilateralResult& floor) {
-  floor_ = floor;
+void TrackedForces::move_back(const Iterate& place, const std::array<UnilateralResult, 2>& floors) {
+  floors_ = floors;
   move(place);
 }
 
 Judgement TrackedForces::judge() {
-  if (floor_is_active_) floor_ = unilateral(forces_->geometry(), forces_->loads());
-  const double floor = floor_is_active_ ? floor_.largest_floor + floor_correction_ : not_computed;
+  solve_active_floors();
+  Floors floors = no_floors;
+  for (std::size_t k = 0; k < floors.size(); ++k) {
+    if (active_[k]) floors[k] = floors_[k].largest_floor + floor_correction_[k];
+  }
   Eigen::VectorXd normal = forces_->contact_forces().force.col(0);
   // Where a contact point came or went with the vertices the next fresh mesh has to tell.
   if (normal.size() == correction_.size()) normal += correction_;
-  return curveups::judge(points(), normal, floor, f_min_ratio_, options_);
+  return curveups::judge(points(), normal, floors, f_min_ratio_, options_);
+}
+
+std::vector<std::array<int, 2>> TrackedForces::critical_pairs(Touching where) const {
+  if (!floor_is_active(where)) return {};
+  const std::vector<ContactPoint> points = points_at(forces_->geometry(), where);
+  std::vector<std::array<int, 2>> pairs;
+  for (int p : floors_[static_cast<int>(where)].critical_points) {
+    if (p < static_cast<int>(points.size())) pairs.push_back(points[p].tile);
+  }
+  return pairs;
+}
+
+ForceGradient TrackedForces::gradient_of_floor(Touching where,
+                                               const std::vector<VertexPatch>& vertices) const {
+  const DesignGeometry& geometry = forces_->geometry();
+  const BalanceSystem system =
+      make_balance_system(geometry, parameters_, points_at(geometry, where));
+  return floor_gradient(*forces_, system, where == Touching::at_tips ? &touch_ : nullptr,
+                        floors_[static_cast<int>(where)], vertices);
 }
 
 }  // namespace curveups

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "curveups/bodies/bumps.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/physics/design_forces.hpp"
+#include "curveups/physics/touch_points.hpp"
 #include "curveups/physics/verification.hpp"
 #include "support/designs.hpp"
 #include "support/meshes.hpp"
@@ -129,6 +133,7 @@ TEST(Verify, BumpTipsAreContactPoints) {
   const Design design = dome();
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
   const SolvedDesign solved = solve_design(geometry, design, {});
+  const std::vector<ContactPoint> points = contact_corners(geometry, design.parameters);
   std::vector<Points3> corners, middle;
   for (const ContactPatch& patch : geometry.patches) {
     Points3 at(patch.point_count, 3);
@@ -138,7 +143,7 @@ TEST(Verify, BumpTipsAreContactPoints) {
   }
   auto solve = [&](const std::vector<Points3>& tips) {
     BalanceSystem system =
-        make_balance_system(geometry, design.parameters, contact_points_at_tips(geometry, tips));
+        make_balance_system(geometry, design.parameters, tie_to_corners(points, tips).points);
     UnilateralOptions options;
     options.friction_coefficient = design.parameters.friction_coefficient;
     options.scale = solved.forces.normal_mean;
@@ -153,8 +158,7 @@ TEST(Verify, BumpTipsAreContactPoints) {
   EXPECT_NE(solve(middle).solve.status, SolveStatus::converged);
   // Contacts without tips touch at their corners.
   const std::vector<Points3> none(corners.size(), Points3(0, 3));
-  EXPECT_EQ(contact_points_at_tips(geometry, none).size(),
-            interface_points(geometry.tiles, geometry.patches).size());
+  EXPECT_EQ(tie_to_corners(points, none).points.size(), points.size());
 }
 
 // Verification asks the bodies itself where printed tiles touch.
@@ -167,30 +171,111 @@ TEST(Verify, TilesWithBumpsAreJudgedAtTheirTips) {
   EXPECT_FALSE(verify_design(design, {}, {}).unilateral.tips_status);
 }
 
-TEST(Verify, GravityIsCarriedByHeldTilesOrByThePlane) {
+// Walls meet where bumps sink into dimples: the interfaces' corners touch, not the tips.
+TEST(Verify, TilesWithDimplesAreJudgedAtTheirWalls) {
   Design design = dome();
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  const FlatPoses poses = fit_poses(geometry.tiles, design.T);
+  design.parameters.bumps = "dimples";
+  const BumpPlan plan = plan_bumps(geometry, poses, design.parameters);
+  ASSERT_LT(plan.bare.size(), geometry.tiles.contacts.size());
+  for (const Points3& tips : bump_tips(plan, geometry.tiles)) EXPECT_EQ(tips.rows(), 0);
+  const VerificationReport dimples = verify_design(design, {}, {});
+  EXPECT_FALSE(dimples.unilateral.tips_status);
+  ASSERT_TRUE(dimples.unilateral.sliding_play);
+  // Rim to rim: a bump's sphere grown by the clearance, at the height of the wall.
+  const double r = 0.5 * design.parameters.bump_diameter, h = design.parameters.bump_height,
+               R = (r * r + h * h) / (2 * h), c = design.parameters.dimple_clearance;
+  EXPECT_NEAR(*dimples.unilateral.sliding_play,
+              std::sqrt((R + c) * (R + c) - (R - h) * (R - h)) - r, 0.3 * c);
+  EXPECT_GT(*dimples.unilateral.sliding_play, c);
+  // The membranes know nothing of it, and the walls' corners are those of plain walls.
+  design.parameters.bumps = "none";
+  const VerificationReport none = verify_design(design, {}, {});
+  EXPECT_EQ(dimples.unilateral.largest_floor, none.unilateral.largest_floor);
+  EXPECT_EQ(dimples.contact_forces.normal_min, none.contact_forces.normal_min);
+  EXPECT_FALSE(none.unilateral.sliding_play);
+  // What slides apart without friction is said to be stopped by them.
+  design.parameters.bumps = "dimples";
+  design.parameters.friction_coefficient = 0.01;
   design.parameters.gravity = "held";
-  design.parameters.density = 1.18;
-  const VerificationReport light = verify_design(design, {}, {});
-  EXPECT_LT(light.contact_forces.imbalance, 1e-9);
-  design.parameters.held_tiles = "T00001, T00004,T00008";
-  const VerificationReport held = verify_design(design, {}, {});
-  EXPECT_LT(held.contact_forces.imbalance, 1e-9);
-  // One end of the dome carries it in another way than the other.
-  EXPECT_NE(held.contact_forces.normal_min, light.contact_forces.normal_min);
-  design.parameters.held_tiles = "T00055";
-  EXPECT_THROW(verify_design(design, {}, {}), InvalidInput);
-  design.parameters.held_tiles = "";
-  // A density far beyond any material pulls the piece apart.
-  design.parameters.density = 30;
-  design.parameters.shear_modulus_front = design.parameters.shear_modulus_back = 1e-3;
-  const VerificationReport heavy = verify_design(design, {}, {});
-  EXPECT_FALSE(heavy.valid);
-  design.parameters = dome().parameters;
-  design.parameters.gravity = "resting";
-  const VerificationReport resting = verify_design(design, {}, {});
-  EXPECT_LT(resting.contact_forces.imbalance, 1e-6);
-  EXPECT_EQ(resting.unilateral.status, SolveStatus::converged);
+  const VerificationReport slippery = verify_design(design, {}, {});
+  ASSERT_EQ(slippery.unilateral.status, SolveStatus::infeasible);
+  ASSERT_EQ(slippery.unilateral.unlimited_status, SolveStatus::converged);
+  EXPECT_TRUE(mentions(slippery, "dimples stop what slides after"));
+}
+
+// The floor at tips is that at corners: f_min, and a design that only balances there is not valid.
+TEST(Verify, TipsHaveToPressAsCornersDo) {
+  Design design = dome();
+  const VerificationReport r = verify_design(design, {}, {});
+  ASSERT_TRUE(r.valid);
+  EXPECT_TRUE(r.unilateral.feasible_at_tips);
+  // Heavy at one end: tips, nearer to one another than corners, lose first.
+  design.parameters.gravity = "held";
+  bool found = false;
+  for (double density = 2; density <= 30 && !found; density *= 1.25) {
+    design.parameters.density = density;
+    const VerificationReport heavy = verify_design(design, {}, {});
+    const UnilateralFigures& u = heavy.unilateral;
+    EXPECT_EQ(u.feasible_at_tips, *u.tips_status == SolveStatus::converged &&
+                                      u.tips_largest_floor >= u.floor - 1e-3 * u.floor);
+    EXPECT_EQ(mentions(heavy, "at bumps' tips"), !u.feasible_at_tips);
+    found = u.feasible && !u.feasible_at_tips;
+    EXPECT_FALSE(found && heavy.valid);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(Verify, TheErrorBehindFMinIsThatOfTheLeastForce) {
+  Eigen::ArrayXd force(4), error(4);
+  force << 1.0, 0.3, 0.35, 2.0;
+  error << 0.01, 0.02, 0.2, 0.5;
+  // The second point is the least, the third may be: 0.35 - 0.2.
+  EXPECT_NEAR(error_of_least(force, error), 0.3 - 0.15, 1e-12);
+  EXPECT_EQ(error_of_least(force, Eigen::ArrayXd::Zero(4)), 0);
+  const VerificationReport r = verify_design(dome(), {}, {});
+  EXPECT_GT(r.physics.least_force_error, 0);
+  EXPECT_LE(r.physics.least_force_error, r.physics.largest_normal_force_error + 1e-12);
+  // Asked for less than that, f_min is the larger of the errors.
+  Design design = dome();
+  design.parameters.f_min_ratio = 1e-4;
+  const VerificationReport low = verify_design(design, {}, {});
+  EXPECT_NEAR(low.contact_forces.f_min / low.contact_forces.normal_mean,
+              std::max(low.physics.least_force_error, low.physics.normal_force_error), 1e-12);
+}
+
+// Glue on a pin carries what the sheet pulls along its outline.
+TEST(Verify, GlueIsLoadedAlongPinsAndSaidWhereItIsWeak) {
+  Design design = dome();
+  const VerificationReport r = verify_design(design, {}, {});
+  const GlueLoad& shear = r.glue.shear;
+  ASSERT_GE(shear.tile, 0);
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  const double* q = design.q.row(shear.tile).data();
+  const auto corner = pin_corners(geometry.tiles, shear.tile, shear.side, q);
+  double around = 0;
+  for (int t = 0; t < 3; ++t) around += (corner[next3(t)] - corner[t]).norm();
+  // A sheet stretched by 3 in both directions pulls with G h (1 - 3^-6) on every mm.
+  const double even = 0.72 * 0.5 * (1 - std::pow(3.0, -6));
+  const double area = pin_area(geometry.tiles, shear.tile, shear.side, q);
+  EXPECT_GT(shear.shear, 0.5 * even * around / area);
+  EXPECT_LT(shear.shear, 2.0 * even * around / area);
+  EXPECT_GT(r.glue.peel.peel, 0);
+  EXPECT_LT(r.glue.peel.peel, 2 * even);
+  auto warned = [](const VerificationReport& report, const std::string& text) {
+    return std::any_of(report.warnings.begin(), report.warnings.end(), [&](const Warning& warning) {
+      return warning.what.find(text) != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(warned(r, "glue_strength"));
+  EXPECT_FALSE(warned(r, "elongation_at_break"));
+  design.parameters.glue_strength = 0.9 * shear.shear;
+  design.parameters.elongation_at_break = 100 * (r.physics.stretch_99 - 1) - 1;
+  const VerificationReport weak = verify_design(design, {}, {});
+  EXPECT_TRUE(warned(weak, "glue_strength"));
+  EXPECT_TRUE(warned(weak, "elongation_at_break"));
+  EXPECT_TRUE(weak.valid);  // warnings
 }
 
 TEST(Verify, AMembraneThatCutsIntoABodyIsNotValid) {

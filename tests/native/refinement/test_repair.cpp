@@ -158,6 +158,7 @@ TEST(Repair, MovesVerticesWherePosesAndPinsDoNotDo) {
 
 TEST(Repair, LiftsTheFloorOfTheUnilateralProblem) {
   Design design = laid_out(test::saddle(4));
+  design.parameters.bumps = "none";  // which would touch at their tips
   // The friction that is only just not enough.
   VerificationReport before;
   double& friction = design.parameters.friction_coefficient;
@@ -173,6 +174,31 @@ TEST(Repair, LiftsTheFloorOfTheUnilateralProblem) {
   EXPECT_GE(result.steps.back().least_floor, 1);
   expect_constraints_kept(result.design);
   EXPECT_TRUE(verify_design(result.design, {}, {}).unilateral.feasible);
+}
+
+// Bumps' tips are contact points as corners are: a design that lacks only there is repaired too.
+TEST(Repair, LiftsTheFloorAtBumpTips) {
+  Design design = laid_out(test::saddle(4));
+  design.parameters.gravity = "held";
+  VerificationReport before;
+  auto lacks_at_tips_alone = [&] {
+    before = verify_design(design, {}, {});
+    return before.contact_forces.points_below_f_min == 0 && before.unilateral.feasible &&
+           !before.unilateral.feasible_at_tips;
+  };
+  // A small piece of a heavy metal: up to what only tips can't carry.
+  double& density = design.parameters.density;
+  for (density = 1; density < 1e4 && !lacks_at_tips_alone();) density *= 1.15;
+  ASSERT_LT(density, 1e4);
+  const RepairResult result = repair_design(design, {}, nullptr, {});
+  EXPECT_EQ(result.solve.status, SolveStatus::converged);
+  EXPECT_LT(result.steps.front().least_floor, 1);
+  EXPECT_GE(result.steps.back().least_floor, 1);
+  EXPECT_GT(result.largest_move, 0);
+  expect_constraints_kept(result.design);
+  const VerificationReport after = verify_design(result.design, {}, {});
+  EXPECT_TRUE(after.unilateral.feasible_at_tips);
+  EXPECT_TRUE(after.valid);
 }
 
 TEST(Repair, DrawsPinsOutWhereAMembraneCutsIntoABody) {

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the surplus of the membranes asks of the anchors, from the parameters alone.
+
+Before the surplus is cut off it pulls at the outline (paper, section 6.2), there with all the tension of
+a sheet that is stretched alike in both directions: T = G h (1 - tau^-6) N/mm, from the neo-Hookean Cauchy
+stress G (tau^2 - tau^-4) on the thickness h / tau^2. An anchor takes that along its spacing, with the glue
+on one of its ends for each sheet.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any, Mapping, Sequence
+
+from .stage import Inputs, Job, Result, Stage
+
+SIDES = ("front", "back")
+
+
+@dataclass(frozen=True)
+class Anchoring(Result):
+    """Pull (N) and shear (MPa) of the glue of one anchor, front and back; nothing without anchors."""
+
+    block: Mapping[str, Any] = field(default_factory=dict)
+    strength: float = math.inf  # MPa
+
+    def report(self) -> dict[str, Any]:
+        return {"anchors": dict(self.block)} if self.block else {}
+
+    def warnings(self) -> Sequence[dict]:
+        worst = max(self.block.get("glue_shear_mpa", (0.0,)))
+        if worst <= self.strength:
+            return ()
+        return ({"what": f"the surplus membrane pulls with {max(self.block['pull_n']):.3g} N at an anchor, "
+                         f"whose glue then carries {worst:.3g} MPa of shear, more than glue_strength "
+                         f"({self.strength:g} MPa): raise anchor_radius or lower anchor_spacing",
+                 "kind": "anchor", "tiles": []},)
+
+
+def surplus_tension(modulus: float, thickness: float, tau: float) -> float:
+    """N/mm along the rim of a sheet stretched by tau in both directions."""
+    return modulus * thickness * (1.0 - tau ** -6)
+
+
+def _run(inputs: Inputs, job: Job) -> Anchoring:
+    get = inputs.parameters.get
+    if not get("anchors"):
+        return Anchoring()
+    tension = [surplus_tension(get(f"shear_modulus_{side}"), get(f"thickness_{side}"), get("tau"))
+               for side in SIDES]
+    pull = [get("anchor_spacing") * each for each in tension]
+    area = math.pi * get("anchor_radius") ** 2
+    return Anchoring({"surplus_tension_n_per_mm": tension, "pull_n": pull,
+                      "glue_shear_mpa": [each / area for each in pull]}, get("glue_strength"))
+
+
+STAGE = Stage("anchoring", (), frozenset({"layout", "support", "physics"}), _run,
+              on_stop=lambda stage, inputs: Anchoring())

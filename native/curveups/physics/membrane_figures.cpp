@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/membrane_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace curveups {
+namespace {
+
+// Twice the area of a triangle in the flat layout.
+double flat_measure(const MembraneSolution& m, std::size_t t) {
+  const auto [a, b, c] = m.mesh.triangles[t];
+  const Vec2 p = m.flat.row(a), q = m.flat.row(b), r = m.flat.row(c);
+  return wedge(q - p, r - p);
+}
+
+}  // namespace
+
+MembraneAreas measure_areas(const MembraneSolution& m) {
+  MembraneAreas areas;
+  areas.patch.assign(m.domain.patches.size(), 0);
+  areas.slack_patch = areas.patch;
+  for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
+    const double part = flat_measure(m, t);
+    areas.all += part;
+    areas.patch[m.mesh.patch[t]] += part;
+    if (m.stretch[t].tension != MembraneTension::taut) areas.wrinkled += part;
+    if (m.stretch[t].tension == MembraneTension::slack) {
+      areas.slack += part;
+      areas.slack_patch[m.mesh.patch[t]] += part;
+    }
+  }
+  return areas;
+}
+
+std::vector<int> tiles_beside_slack(const MembraneSolution& m, const MembraneAreas& areas) {
+  std::vector<int> tiles;
+  for (std::size_t p = 0; p < areas.patch.size(); ++p) {
+    if (areas.slack_patch[p] <= 0.1 * areas.patch[p]) continue;
+    for (int tile : tiles_of(m.domain.patches[p])) tiles.push_back(tile);
+  }
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  return tiles;
+}
+
+double stretch_of_all_but(double share, const std::array<MembraneSolution, 2>& membranes) {
+  std::vector<std::pair<double, double>> parts;  // stretch, area
+  double all = 0;
+  for (const MembraneSolution& m : membranes) {
+    for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
+      parts.emplace_back(m.stretch[t].larger, flat_measure(m, t));
+      all += parts.back().second;
+    }
+  }
+  std::sort(parts.begin(), parts.end());
+  double above = 0;
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    above += part->second;
+    if (above > share * all) return part->first;
+  }
+  return parts.empty() ? 0.0 : parts.front().first;
+}
+
+LargestGlueLoads largest_glue_loads(const TileMesh& tiles, const Array6& q,
+                                    const std::array<MembraneSolution, 2>& membranes) {
+  LargestGlueLoads out;
+  const int count = tiles.tile_count();
+  for (Side side : {Side::front, Side::back}) {
+    const MembraneSolution& m = membranes[static_cast<int>(side)];
+    const double outward = side == Side::front ? 1.0 : -1.0;
+    std::vector<double> along(count, 0), off(count, 0);  // N
+    for (int v = 0; v < m.mesh.vertex_count(); ++v) {
+      const int tile = m.mesh.pin[v];
+      if (tile < 0) continue;
+      // The membrane pulls where its energy falls.
+      const Vec3 pull = -m.state.gradient.row(v).transpose();
+      const Vec3 normal = outward * tiles.frame[tile].z;
+      const double lifting = pull.dot(normal);
+      along[tile] += (pull - lifting * normal).norm();
+      off[tile] += std::max(0.0, lifting);
+    }
+    for (int i = 0; i < count; ++i) {
+      const double area = pin_area(tiles, i, side, q.row(i).data());
+      const std::array<Vec2, 3> corner = pin_corners(tiles, i, side, q.row(i).data());
+      double around = 0;
+      for (int t = 0; t < 3; ++t) around += (corner[next3(t)] - corner[t]).norm();
+      if (!(area > 0)) continue;
+      const GlueLoad load{i, side, along[i] / area, off[i] / around};
+      if (load.shear > out.shear.shear) out.shear = load;
+      if (load.peel > out.peel.peel) out.peel = load;
+    }
+  }
+  return out;
+}
+
+}  // namespace curveups

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a solved membrane is judged by besides its forces: where it is slack, how far it is
+// stretched and what it asks of the glue that holds it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "curveups/design/design.hpp"
+#include "curveups/physics/membrane_solution.hpp"
+
+namespace curveups {
+
+// Rest areas of one side's membrane, all of it and by patch of its domain, mm2.
+struct MembraneAreas {
+  double all = 0, wrinkled = 0, slack = 0;  // wrinkled: or slack
+  std::vector<double> patch, slack_patch;
+};
+
+MembraneAreas measure_areas(const MembraneSolution& membrane);
+
+// Tiles beside patches of which more than a tenth is slack, ascending.
+std::vector<int> tiles_beside_slack(const MembraneSolution& membrane, const MembraneAreas& areas);
+
+// The larger principal stretch that all but this share of both membranes' rest area stays below.
+// The largest of all is that of the triangle at some pin corner, a singularity (an angle of some
+// 300 degrees with held sides): it grows without bound as meshes get finer, this does not. 0
+// without triangles.
+double stretch_of_all_but(double share, const std::array<MembraneSolution, 2>& membranes);
+
+// What the glue on one pin holds, as the membrane pulls at the pin's outline all around. Pulls on
+// opposite sides do not cancel: each is carried where it acts.
+struct GlueLoad {
+  int tile = -1;
+  Side side = Side::front;
+  double shear = 0;  // MPa: pull along the pin's top over its area
+  double peel = 0;   // N / mm: pull off the top over its circumference, where it is off
+};
+
+// The largest shear and the largest peel of all pins. q: the design's insets.
+struct LargestGlueLoads {
+  GlueLoad shear, peel;
+};
+LargestGlueLoads largest_glue_loads(const TileMesh& tiles, const Array6& q,
+                                    const std::array<MembraneSolution, 2>& membranes);
+
+}  // namespace curveups

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where tiles touch that carry bumps: at the tips of these. Bumps stand where they fit on an
+// interface (bump_tips), in steps and pieces; while vertices move a little, tips are taken to stay
+// at the same place of their interface: a fixed affine combination of its corners, and a fixed
+// height over its plane.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "curveups/physics/balance_system.hpp"
+
+namespace curveups {
+
+struct TouchPoints {
+  // points[p] = sum_l weight[l] corners[first + l].position + height * corners[first].normal
+  struct Tie {
+    int first, count;
+    std::array<double, 4> weight;
+    double height;  // mm
+  };
+  std::vector<ContactPoint> points;
+  std::vector<Tie> tie;
+};
+
+// corners: contact points at the corners of interfaces, those of a contact side by side. tips: per
+// contact n x 3 (world); 0 x 3: nothing stands there, and the contact touches at its corners.
+TouchPoints tie_to_corners(const std::vector<ContactPoint>& corners,
+                           const std::vector<Points3>& tips);
+
+// The points where the same corners are elsewhere. False, and the points as they were, where
+// corners came or went.
+bool follow_corners(const std::vector<ContactPoint>& corners, TouchPoints& touch);
+
+}  // namespace curveups

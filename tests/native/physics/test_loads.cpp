@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/physics/loads.hpp"
+#include "curveups/physics/verification.hpp"
+#include "support/designs.hpp"
+#include "support/meshes.hpp"
+
+namespace curveups {
+namespace {
+
+using test::hexagon;
+using test::spread_design;
+
+Design dome() { return spread_design(hexagon(3, test::cap_height), 1.35, 1.2); }
+
+bool mentions(const VerificationReport& report, const std::string& text) {
+  for (const std::string& reason : report.reasons) {
+    if (reason.find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+TEST(Loads, WeightCountsPinsBumpsAndMembranes) {
+  Design design = dome();
+  Parameters& p = design.parameters;
+  p.gravity = "held";
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, p);
+  const FlatPoses poses = fit_poses(geometry.tiles, design.T);
+  auto weight = [&] { return -weights(geometry, poses, design.q, p).col(2).sum(); };
+  const double all = weight();
+  double bodies = 0, pins = 0;
+  for (int i = 0; i < geometry.tiles.tile_count(); ++i) {
+    bodies += volume(tile_body(geometry.tiles, geometry.truncation, i));
+    for (Side side : {Side::front, Side::back}) {
+      pins += p.H_pin * pin_area(geometry.tiles, i, side, design.q.row(i).data());
+    }
+  }
+  const double newtons = 9.80665e-6 * p.density;
+  p.thickness_front = p.thickness_back = 0.01;
+  const double light = weight();
+  EXPECT_LT(light, newtons * (bodies + pins));  // recesses take more than bumps bring
+  EXPECT_GT(light, 0.85 * newtons * (bodies + pins));
+  p.bumps = "none";
+  p.wall_growth = 0;
+  EXPECT_NEAR(weight() / (newtons * (bodies + pins)), 1, 5e-3);  // and sheets of 0.01 mm
+  EXPECT_GT(all, light);
+  // 0.5 mm stretched by tau on the layout's area.
+  const double sheets =
+      9.80665e-6 * 0.93 * 2 * 0.49 / (p.tau * p.tau) * flat_area(geometry, design.T);
+  EXPECT_NEAR((all - light) / sheets, 1, 0.15);
+}
+
+TEST(Loads, APieceThatNothingCarriesIsSaid) {
+  // Two domes, one above the other's height, in one mesh.
+  const TriangleMesh one = hexagon(1, test::cap_height);
+  const int n = static_cast<int>(one.V.rows()), m = static_cast<int>(one.F.rows());
+  TriangleMesh both;
+  both.V.resize(2 * n, 3);
+  both.F.resize(2 * m, 3);
+  both.V << one.V, one.V;
+  both.V.bottomRows(n).rowwise() += Eigen::RowVector3d(60, 0, 20);
+  both.F << one.F, one.F.array() + n;
+  Design design = spread_design(both, 1.35, 1.2);
+  design.parameters.gravity = "resting";
+  const VerificationReport resting = verify_design(design, {}, {});
+  EXPECT_FALSE(resting.valid);
+  EXPECT_TRUE(mentions(resting, "nothing carries the piece of " + tile_name(m)));
+  design.parameters.gravity = "held";
+  design.parameters.held_tiles = "T00001";
+  EXPECT_TRUE(mentions(verify_design(design, {}, {}), "nothing carries the piece of"));
+  design.parameters.held_tiles = "";
+  EXPECT_FALSE(mentions(verify_design(design, {}, {}), "nothing carries the piece of"));
+}
+
+TEST(Loads, GravityIsCarriedByHeldTilesOrByThePlane) {
+  Design design = dome();
+  design.parameters.gravity = "held";
+  design.parameters.density = 1.18;
+  const VerificationReport light = verify_design(design, {}, {});
+  EXPECT_LT(light.contact_forces.imbalance, 1e-9);
+  design.parameters.held_tiles = "T00001, T00004,T00008";
+  const VerificationReport held = verify_design(design, {}, {});
+  EXPECT_LT(held.contact_forces.imbalance, 1e-9);
+  // One end of the dome carries it in another way than the other.
+  EXPECT_NE(held.contact_forces.normal_min, light.contact_forces.normal_min);
+  // What holds two neighbours holds them together as well: nothing is asked of their contact.
+  const std::array<int, 2> pair = light.contact_tiles[0];
+  design.parameters.held_tiles = tile_name(pair[0]) + "," + tile_name(pair[1]);
+  const VerificationReport both = verify_design(design, {}, {});
+  EXPECT_TRUE(std::isnan(both.contact_normal_min(0)));
+  EXPECT_GT(both.contact_forces.points, 0);
+  EXPECT_LT(both.contact_forces.points, light.contact_forces.points);
+  EXPECT_TRUE(std::find(both.contact_forces.invalid_contacts.begin(),
+                        both.contact_forces.invalid_contacts.end(),
+                        pair) == both.contact_forces.invalid_contacts.end());
+  design.parameters.held_tiles = "T00055";
+  EXPECT_THROW(verify_design(design, {}, {}), InvalidInput);
+  design.parameters.held_tiles = "";
+  // A density far beyond any material pulls the piece apart.
+  design.parameters.density = 30;
+  design.parameters.shear_modulus_front = design.parameters.shear_modulus_back = 1e-3;
+  const VerificationReport heavy = verify_design(design, {}, {});
+  EXPECT_FALSE(heavy.valid);
+  design.parameters = dome().parameters;
+  design.parameters.gravity = "resting";
+  const VerificationReport resting = verify_design(design, {}, {});
+  EXPECT_LT(resting.contact_forces.imbalance, 1e-6);
+  EXPECT_EQ(resting.unilateral.status, SolveStatus::converged);
+}
+
+}  // namespace
+}  // namespace curveups
