@@ -8,6 +8,8 @@ from collections import Counter
 from pathlib import Path
 from xml.etree import ElementTree
 
+from step_rules import wrong_step_files
+
 
 def read_back(folder: Path, report: dict, check: bool = False, solids: bool = True) -> list[str]:
     """What is wrong with the files of a finished design; `check`: BRepCheck on every solid as well;
@@ -32,6 +34,8 @@ def read_back(folder: Path, report: dict, check: bool = False, solids: bool = Tr
         facets = mesh.Mesh(str(folder / f"{report['name']}-{kind}.stl"))
         if not facets.isSolid():
             wrong.append(f"{kind}.stl is not watertight")
+        if facets.hasSelfIntersections():
+            wrong.append(f"{kind}.stl intersects itself")
         components = facets.countComponents()
         if kind == "tiles" and components != report["tiles"]:
             wrong.append(f"tiles.stl has {components} components")
@@ -41,6 +45,8 @@ def read_back(folder: Path, report: dict, check: bool = False, solids: bool = Tr
         wrong.append(f"the STL files have {bodies} components")
     wrong += step("print", bodies, 1000 * sum(volumes.values()), False)  # the others' bodies again
     wrong += step("actuated", report["tiles"], None, check)
+    if solids:
+        wrong += wrong_step_files(sorted(folder.glob(f"{report['name']}-*.step")))
     return wrong + _wrong_3mf(folder / f"{report['name']}-print.3mf", bodies)
 
 

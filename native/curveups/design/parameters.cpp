@@ -95,7 +95,11 @@ std::vector<ParameterInfo> make_table() {
     {"support", "", "Support",
      "What keeps the layout together after printing: soluble slab, breakaway bridges or none.",
      layout | support, &P::support, 0, 0, {"soluble", "breakaway", "none"}},
-    {"support_drop", "mm", "Support", "How far the slab stays below the upper pin tops (glue).",
+    {"orientation", "", "Support",
+     "Which way up it is printed; front-down: breakaway bridges span between walls that stand.",
+     support, &P::orientation, 0, 0, {"front-up", "front-down"}},
+    {"support_drop", "mm", "Support",
+     "How far the slab stays below the front pin tops, so that glue on these does not reach it.",
      support, &P::support_drop, 0, 50},
     {"support_margin", "mm", "Support", "Width of the slab around tiles and anchors.",
      layout | support, &P::support_margin, 0.2, 50},
@@ -103,7 +107,7 @@ std::vector<ParameterInfo> make_table() {
      support, &P::bridge_width, 0.1, 20},
     {"bridge_thickness", "mm", "Support", "Thickness of a breakaway bridge.",
      support, &P::bridge_thickness, 0.1, 20},
-    {"bridge_notch", "mm", "Support", "Depth of the notch at which a bridge breaks.",
+    {"bridge_notch", "mm", "Support", "Half the depth of the notches at which a bridge breaks.",
      support, &P::bridge_notch, 0, 10},
     {"bridge_depth", "mm", "Support", "How deep a bridge enters each body.",
      support, &P::bridge_depth, 0, 5},
@@ -115,7 +119,7 @@ std::vector<ParameterInfo> make_table() {
      support, &P::anchor_spacing, 1, 500},
     {"anchor_distance", "mm", "Anchors", "Distance of the anchors from the layout's outline.",
      layout | support, &P::anchor_distance, 0.2, 200},
-    {"engrave", "", "Anchors", "Engraves name, version and piece on one anchor of each piece.",
+    {"engrave", "", "Anchors", "Engraves name, piece, version and side on a tab of one anchor of each piece.",
      support, &P::engrave},
     {"engrave_depth", "mm", "Anchors", "Depth of the engraving.",
      support, &P::engrave_depth, 0.05, 10},
@@ -125,6 +129,9 @@ std::vector<ParameterInfo> make_table() {
      files, &P::mesh_deviation, 1e-4, 1},
     {"mesh_bumps", "", "Files", "Whether STL and 3MF have the bumps.",
      files, &P::mesh_bumps},
+    {"step_structure", "", "Files",
+     "STEP files as an assembly with a part per body, or as one part with a solid per body.",
+     files, &P::step_structure, 0, 0, {"assembly", "one-part"}},
     {"shear_modulus_front", "MPa", "Physics", "Shear modulus of the front membrane (latex).",
      physics, &P::shear_modulus_front, 1e-3, 1e3},
     {"shear_modulus_back", "MPa", "Physics", "Shear modulus of the back membrane (latex).",
@@ -431,14 +438,20 @@ void check_parameters(const Parameters& p) {
         "support_drop (" + number(p.support_drop) + " mm) leaves no support",
         "give less than the whole height, " + number(2 * p.H_pin + p.H_body) + " mm");
   }
+  if (p.support == "soluble" && p.orientation == "front-down") {
+    throw InvalidInput(
+        "a soluble slab can't be printed front side down: it lies on the bed beside "
+        "the back pins",
+        "set orientation to front-up, or support to breakaway");
+  }
   if (p.anchors && p.anchor_spacing < 2 * p.anchor_radius + p.d_gap_min) {
     throw InvalidInput("anchors of radius " + number(p.anchor_radius) +
                            " mm overlap at a spacing of " + number(p.anchor_spacing) + " mm",
                        "raise anchor_spacing or lower anchor_radius");
   }
-  if (p.anchors && p.engrave && p.engrave_depth >= 2 * p.H_pin + p.H_body) {
-    throw InvalidInput("engrave_depth (" + number(p.engrave_depth) + " mm) pierces the anchor",
-                       "give less than its height, " + number(2 * p.H_pin + p.H_body) + " mm");
+  if (p.anchors && p.engrave && p.engrave_depth >= p.H_pin + p.H_body) {
+    throw InvalidInput("engrave_depth (" + number(p.engrave_depth) + " mm) pierces the label",
+                       "give less than its thickness, " + number(p.H_pin + p.H_body) + " mm");
   }
 }
 

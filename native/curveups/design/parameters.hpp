@@ -49,6 +49,7 @@ struct Parameters {
   double wall_growth = 0.05;
   // Support
   std::string support = "soluble";
+  std::string orientation = "front-up";
   double support_drop = 0.3;
   double support_margin = 2.0;
   double bridge_width = 0.8;
@@ -66,6 +67,7 @@ struct Parameters {
   std::string printer = "polyjet";
   double mesh_deviation = 0.02;
   bool mesh_bumps = true;
+  std::string step_structure = "assembly";
   // Physics
   double shear_modulus_front = 0.72;
   double shear_modulus_back = 0.72;

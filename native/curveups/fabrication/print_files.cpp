@@ -18,7 +18,10 @@ std::vector<BodyMesh> meshes_of(const PrintModel& model, const std::string& kind
 
 void write_step(const PrintModel& model, const std::string& kind, const std::string& path,
                 const Progress& progress) {
-  write_step(model.bodies(kind), model.name + "-" + kind, path, progress);
+  const StepStructure structure = model.parameters.step_structure == "one-part"
+                                      ? StepStructure::one_part
+                                      : StepStructure::assembly;
+  write_step(model.bodies(kind), model.name + "-" + kind, structure, path, progress);
 }
 
 void write_stl(const PrintModel& model, const std::string& kind, const std::string& path,

@@ -5,6 +5,7 @@
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/core/tolerances.hpp"
 #include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/palette.hpp"
 #include "curveups/fabrication/step_solid.hpp"
@@ -14,10 +15,11 @@ namespace {
 
 constexpr std::size_t bodies_at_once = 64;  // between two calls of the progress sink
 
-// The assembly around the solids.
-class Assembly {
+// The products around the solids.
+class Products {
  public:
-  Assembly(StepText& step, const std::string& title) : step_(step) {
+  Products(StepText& step, const std::string& title, StepStructure structure)
+      : step_(step), title_(title) {
     const StepId application =
         step_.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
     step_.add("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,",
@@ -26,24 +28,28 @@ class Assembly {
     definition_context_ =
         step_.add("PRODUCT_DEFINITION_CONTEXT('part definition',", application, ",'design')");
     add_units();
-    // A part's frame and the place in the assembly that it goes to: bodies stand where they are.
+    part_space_ = add_space("parts");
     part_frame_ = add_frame();
-    const StepId assembly_frame = add_frame();
-    stay_ = step_.add("ITEM_DEFINED_TRANSFORMATION('','',", part_frame_, ",", assembly_frame, ")");
+    if (structure == StepStructure::one_part) return;
+    // The place in the assembly that a part's frame goes to: bodies stand where they are. What a
+    // transformation relates are two spaces, not one with itself (the schema's rule WR1).
+    const StepId space = add_space("assembly"), frame = add_frame();
+    stay_ = step_.add("ITEM_DEFINED_TRANSFORMATION('','',", part_frame_, ",", frame, ")");
     const std::string name = step_string(title);
-    root_shape_ = step_.add("SHAPE_REPRESENTATION(", name, ",(", assembly_frame, "),", space_, ")");
-    root_ = add_product(name, root_shape_);
+    root_shape_ = step_.add("SHAPE_REPRESENTATION(", name, ",(", frame, "),", space, ")");
+    root_ = add_product(name, name, root_shape_);
   }
 
+  // A part of the assembly. Names of two bodies of a file differ, so that ids do, too.
   void add_part(const PrintBody& body) {
-    const StepId solid = add_step_solid(step_, body);
+    const StepId solid = add_solid(body);
     const std::string name = step_string(body.name);
     const StepId shape = step_.add("ADVANCED_BREP_SHAPE_REPRESENTATION(", name, ",(", part_frame_,
-                                   ",", solid, "),", space_, ")");
-    const StepId part = add_product(name, shape);
+                                   ",", solid, "),", part_space_, ")");
+    const StepId part = add_product(step_string(title_ + "/" + body.name), name, shape);
     const StepId usage =
-        step_.add("NEXT_ASSEMBLY_USAGE_OCCURRENCE('", std::to_string(styled_.size() + 1), "',",
-                  name, ",'',", root_, ",", part, ",$)");
+        step_.add("NEXT_ASSEMBLY_USAGE_OCCURRENCE('", std::to_string(styled_.size()), "',", name,
+                  ",'',", root_, ",", part, ",$)");
     const StepId placed =
         step_.add("PRODUCT_DEFINITION_SHAPE('Placement','Placement of an item',", usage, ")");
     const StepId relation =
@@ -52,13 +58,30 @@ class Assembly {
                   "TRANSFORMATION(",
                   stay_, ")SHAPE_REPRESENTATION_RELATIONSHIP())");
     step_.add("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(", relation, ",", placed, ")");
+  }
+
+  // A solid with its colour.
+  StepId add_solid(const PrintBody& body) {
+    const StepId solid = add_step_solid(step_, body);
+    solids_.push_back(solid);
     styled_.push_back(step_.add("STYLED_ITEM('color',(", style(body.kind), "),", solid, ")"));
+    return solid;
+  }
+
+  // The one part that all solids are.
+  void add_whole() {
+    const std::string name = step_string(title_);
+    std::vector<StepId> items{part_frame_};
+    items.insert(items.end(), solids_.begin(), solids_.end());
+    add_product(
+        name, name,
+        step_.add("ADVANCED_BREP_SHAPE_REPRESENTATION(", name, ",", items, ",", part_space_, ")"));
   }
 
   void finish() {
     step_.add("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,", products_, ")");
-    step_.add("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',", styled_, ",", space_,
-              ")");
+    step_.add("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',", styled_, ",",
+              part_space_, ")");
   }
 
  private:
@@ -66,12 +89,16 @@ class Assembly {
     const StepId length = step_.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
     const StepId angle = step_.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
     const StepId solid = step_.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
-    const StepId accuracy = step_.add("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),",
-                                      length, ",'distance_accuracy_value','confusion accuracy')");
-    space_ = step_.add("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((",
-                       accuracy, "))GLOBAL_UNIT_ASSIGNED_CONTEXT((", length, ",", angle, ",", solid,
-                       "))REPRESENTATION_CONTEXT('Context #1','3D Context with UNIT and "
-                       "UNCERTAINTY'))");
+    units_ = {length, angle, solid};
+    // Corners may lie that far off the planes that meet there.
+    accuracy_ = step_.add("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(", tolerance::snap, "),",
+                          length, ",'distance_accuracy_value','confusion accuracy')");
+  }
+
+  StepId add_space(const char* name) {
+    return step_.add("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((",
+                     accuracy_, "))GLOBAL_UNIT_ASSIGNED_CONTEXT(", units_,
+                     ")REPRESENTATION_CONTEXT('", name, "','3D'))");
   }
 
   StepId add_frame() {
@@ -81,9 +108,9 @@ class Assembly {
     return step_.add("AXIS2_PLACEMENT_3D('',", origin, ",", z, ",", x, ")");
   }
 
-  // A product of that shape; returns its definition.
-  StepId add_product(const std::string& name, StepId shape) {
-    products_.push_back(step_.add("PRODUCT(", name, ",", name, ",'',(", product_context_, "))"));
+  // A product of that shape; id and name are STEP strings. Returns its definition.
+  StepId add_product(const std::string& id, const std::string& name, StepId shape) {
+    products_.push_back(step_.add("PRODUCT(", id, ",", name, ",'',(", product_context_, "))"));
     const StepId version = step_.add("PRODUCT_DEFINITION_FORMATION('','',", products_.back(), ")");
     const StepId definition =
         step_.add("PRODUCT_DEFINITION('design','',", version, ",", definition_context_, ")");
@@ -107,28 +134,34 @@ class Assembly {
   }
 
   StepText& step_;
-  StepId product_context_{}, definition_context_{}, space_{}, part_frame_{}, stay_{};
-  StepId root_shape_{}, root_{};
+  const std::string& title_;
+  StepId product_context_{}, definition_context_{}, accuracy_{}, part_space_{}, part_frame_{};
+  StepId stay_{}, root_shape_{}, root_{};
   std::array<StepId, 3> style_{};
-  std::vector<StepId> products_, styled_;
+  std::vector<StepId> units_, products_, solids_, styled_;
 };
 
 }  // namespace
 
 void write_step(const std::vector<const PrintBody*>& bodies, const std::string& title,
-                const std::string& path, const Progress& progress) {
+                StepStructure structure, const std::string& path, const Progress& progress) {
   write_atomically(path, [&](const std::string& temporary) {
     StepText step(temporary, title);
-    Assembly assembly(step, title);
+    Products products(step, title, structure);
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       if (k % bodies_at_once == 0 &&
           !keep_going(progress, "writing STEP", static_cast<double>(k) / bodies.size())) {
         throw Cancelled();
       }
-      assembly.add_part(*bodies[k]);
+      if (structure == StepStructure::assembly) {
+        products.add_part(*bodies[k]);
+      } else {
+        products.add_solid(*bodies[k]);
+      }
     }
     checkpoint("writing STEP", 1);
-    assembly.finish();
+    if (structure == StepStructure::one_part) products.add_whole();
+    products.finish();
     step.finish();
   });
 }

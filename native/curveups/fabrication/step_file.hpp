@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// STEP (AP214) with one named, coloured product per body. Written straight from the bodies: through
+// STEP (AP214) with a named, coloured solid per body. Written straight from the bodies: through
 // OpenCASCADE's writer 2500 tiles took 16 s and 0.8 GB and lost digits; this takes a second and
 // nothing.
 #pragma once
@@ -12,9 +12,15 @@
 
 namespace curveups {
 
-// An assembly `title` of all bodies, in mm. The same bodies give the same bytes: no dates.
-// Throws IoError, Cancelled, SolverFailure for a coordinate that is not finite.
+// How a file's bodies are products: each one of its own, in an assembly named after the file, or
+// all of them solids of one part. Solids have the bodies' names either way.
+enum class StepStructure { assembly, one_part };
+
+// All bodies, in mm; no two of them have one name. Products have their bodies' names and ids that
+// no other body or file of the design has: `title`, and for parts of it "title/name". The same
+// bodies give the same bytes: no dates. Throws IoError, Cancelled, SolverFailure for a coordinate
+// that is not finite.
 void write_step(const std::vector<const PrintBody*>& bodies, const std::string& title,
-                const std::string& path, const Progress& progress);
+                StepStructure structure, const std::string& path, const Progress& progress);
 
 }  // namespace curveups

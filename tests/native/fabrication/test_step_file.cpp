@@ -5,12 +5,16 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
+#include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Reader.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopAbs_ShapeEnum.hxx>
+#include <TopExp_Explorer.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -155,7 +159,10 @@ class Entities {
     for (std::string entity; std::getline(file, entity, ';');) {
       const std::size_t at = entity.find('#');
       if (at == std::string::npos) continue;
-      text_[std::stoi(entity.substr(at + 1))] = entity.substr(entity.find('=') + 1);
+      std::string& text = text_[std::stoi(entity.substr(at + 1))];
+      for (char c : entity.substr(entity.find('=') + 1)) {
+        if (c > ' ' && !(c == '(' && text.empty())) text += c;  // of complex ones the first part
+      }
     }
   }
   std::vector<int> named(const std::string& keyword) const {
@@ -173,6 +180,12 @@ class Entities {
     }
     return found;
   }
+  // Of a relation with a transformation: the contexts of its two representations.
+  std::set<int> contexts(int relation) const {
+    const std::vector<int> related = references(relation);
+    return {references(related[0]).back(), references(related[1]).back()};
+  }
+  const std::string& text(int id) const { return text_.at(id); }
   std::set<int> edges(int id) const {
     if (text_.at(id).rfind("EDGE_CURVE(", 0) == 0) return {id};
     std::set<int> found;
@@ -201,10 +214,81 @@ TEST_F(StepFile, HasFacesInAnOrderInWhichEachJoinsThoseBefore) {
   }
 }
 
+// As OpenCASCADE writes bodies: an assembly of named parts.
+void write_with_opencascade(const std::vector<const PrintBody*>& bodies, const std::string& path) {
+  Handle(TDocStd_Document) document = new TDocStd_Document("MDTV-XCAF");
+  Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const TDF_Label assembly = shapes->NewShape();
+  for (const PrintBody* body : bodies) {
+    const TDF_Label part = shapes->AddShape(make_solid(*body), false);
+    TDataStd_Name::Set(part, body->name.c_str());
+    shapes->AddComponent(assembly, part, TopLoc_Location());
+  }
+  shapes->UpdateAssemblies();
+  testing::internal::CaptureStdout();
+  Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+  Interface_Static::SetCVal("write.step.schema", "AP214IS");
+  STEPCAFControl_Writer writer;
+  EXPECT_TRUE(writer.Transfer(document));
+  EXPECT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
+  testing::internal::GetCapturedStdout();
+}
+
+TEST_F(StepFile, HasTheEntitiesThatOpenCascadeWritesOfTheSameBodies) {
+  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  const std::vector<const PrintBody*> bodies = model.bodies("print");
+  write_step(bodies, "sample", StepStructure::assembly, path(), {});
+  const std::string other_path = (folder_ / "b.step").string();
+  write_with_opencascade(bodies, other_path);
+  const Entities ours(path()), theirs(other_path);
+  for (const char* keyword :
+       {"MANIFOLD_SOLID_BREP", "CLOSED_SHELL", "ADVANCED_FACE", "EDGE_LOOP", "ORIENTED_EDGE",
+        "EDGE_CURVE", "VERTEX_POINT", "LINE", "CIRCLE", "PLANE", "SPHERICAL_SURFACE",
+        "CYLINDRICAL_SURFACE", "PRODUCT", "PRODUCT_DEFINITION", "NEXT_ASSEMBLY_USAGE_OCCURRENCE",
+        "ADVANCED_BREP_SHAPE_REPRESENTATION", "SHAPE_REPRESENTATION",
+        "SHAPE_DEFINITION_REPRESENTATION", "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"}) {
+    EXPECT_EQ(ours.named(keyword).size(), theirs.named(keyword).size()) << keyword;
+    EXPECT_GT(ours.named(keyword).size(), 0u) << keyword;
+  }
+  for (const Entities* file : {&ours, &theirs}) {
+    const std::vector<int> relations = file->named("REPRESENTATION_RELATIONSHIP");
+    EXPECT_EQ(relations.size(), bodies.size());
+    for (int relation : relations) EXPECT_EQ(file->contexts(relation).size(), 2u);
+  }
+}
+
+TEST_F(StepFile, IsOnePartOfAllSolidsWhereThatIsAskedFor) {
+  Parameters p;
+  p.step_structure = "one-part";
+  const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+  write_step(model, "print", path(), {});
+  const Entities entities(path());
+  EXPECT_EQ(entities.named("PRODUCT").size(), 1u);
+  EXPECT_TRUE(entities.named("NEXT_ASSEMBLY_USAGE_OCCURRENCE").empty());
+  const std::vector<int> solids = entities.named("MANIFOLD_SOLID_BREP");
+  const std::vector<const PrintBody*> bodies = model.bodies("print");
+  ASSERT_EQ(solids.size(), bodies.size());
+  ASSERT_EQ(entities.named("STYLED_ITEM").size(), bodies.size());
+  STEPControl_Reader reader;
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(reader.ReadFile(path().c_str()), IFSelect_RetDone);
+  EXPECT_EQ(reader.TransferRoots(), 1);
+  testing::internal::GetCapturedStdout();
+  std::size_t k = 0;
+  for (TopExp_Explorer it(reader.OneShape(), TopAbs_SOLID); it.More(); it.Next(), ++k) {
+    ASSERT_LT(k, bodies.size());
+    EXPECT_NEAR(solid_volume(it.Current()), volume(*bodies[k]), 1e-9 * volume(*bodies[k]));
+    std::string name = bodies[k]->name;  // blanks are left out by Entities
+    name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+    EXPECT_EQ(entities.text(solids[k]).rfind("MANIFOLD_SOLID_BREP('" + name + "'", 0), 0u);
+  }
+  EXPECT_EQ(k, bodies.size());
+}
+
 TEST_F(StepFile, KeepsNamesThatStepMustEncode) {
   PrintBody body = make_print_model(test::sample_design(), "0.1").tiles[0];
   body.name = u8"L'\u00e9cran \\ \u5c4b\u6839 'a'";
-  write_step({&body}, u8"Fl\u00e4che", path(), {});
+  write_step({&body}, u8"Fl\u00e4che", StepStructure::assembly, path(), {});
   expect_bodies({&body}, u8"Fl\u00e4che");
 }
 
