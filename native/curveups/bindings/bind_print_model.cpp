@@ -72,6 +72,35 @@ void bind_print_model(py::module_& module) {
           "Contacts without bumps: their two tiles and why.")
       .def_readonly("loose_tiles", &PrintModel::loose_tiles)
       .def_readonly("loose_anchors", &PrintModel::loose_anchors)
+      .def_property_readonly(
+          "labels",
+          [](const PrintModel& m) {
+            py::list out;
+            for (const PieceLabel& label : m.labels) {
+              out.append(py::make_tuple(label.piece, label.lines, label.whole));
+            }
+            return out;
+          },
+          "Of each piece with a label: its number from 0, the lines engraved and whether they have "
+          "the whole name.")
+      .def_property_readonly(
+          "overhangs", [](const PrintModel& m) { return m.overhang; },
+          "Per tile how far its body reaches out level beyond the pin on the bed.")
+      .def_property_readonly(
+          "glued_areas",
+          [](const PrintModel& m) {
+            py::dict out;
+            for (const Side side : {Side::front, Side::back}) {
+              const GluedAreas areas = glued_areas(m, side);
+              py::dict of_side;
+              of_side["pins"] = areas.pins;
+              of_side["anchors"] = areas.anchors;
+              of_side["support"] = areas.support;
+              out[side == Side::front ? "front" : "back"] = of_side;
+            }
+            return out;
+          },
+          "Per side what lies in the plane of its pin tops, mm2: pins, anchors and support.")
       .def("min_clearance_flat",
            [](const PrintModel& m) {
              py::gil_scoped_release release;

@@ -51,14 +51,18 @@ double sphere_radius(double base_radius, double height) {
   return (base_radius * base_radius + height * height) / (2 * height);
 }
 
+double face_area(const PrintBody& body, const PlanarFace& face) {
+  double area = loop_area(body, face.outer, face.normal, true);
+  for (const BodyLoop& loop : face.inner) area += loop_area(body, loop, face.normal, false);
+  return area;
+}
+
 double volume(const PrintBody& body) {
   // Relative to a point of the body: coordinates of hundreds of mm would cost digits.
   const Vec3 origin = body.points.empty() ? body.circles.at(0).centre : body.points[0];
   double sum = 0;
   for (const PlanarFace& face : body.faces) {
-    double area = loop_area(body, face.outer, face.normal, true);
-    for (const BodyLoop& loop : face.inner) area += loop_area(body, loop, face.normal, false);
-    sum += area * face.normal.dot(first_point(body, face.outer) - origin) / 3;
+    sum += face_area(body, face) * face.normal.dot(first_point(body, face.outer) - origin) / 3;
   }
   for (const SphericalCap& cap : body.caps) {
     const BodyCircle& c = body.circles[cap.circle];

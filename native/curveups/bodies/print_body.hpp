@@ -77,6 +77,9 @@ struct PrintBody {
 
 double sphere_radius(double base_radius, double height);
 
+// mm2, holes left out.
+double face_area(const PrintBody& body, const PlanarFace& face);
+
 // mm3 by the divergence theorem; exact, caps and cylinders included.
 double volume(const PrintBody& body);
 

@@ -37,41 +37,6 @@ std::vector<Vec2> spread_along(const Polygon& loop, double spacing) {
   return points;
 }
 
-std::vector<int> add_points(PrintBody& body, const Polygon& polygon, const Vec2& centre, double z) {
-  std::vector<int> loop;
-  for (const Vec2& p : polygon) {
-    loop.push_back(static_cast<int>(body.points.size()));
-    body.points.emplace_back(centre.x() + p.x(), centre.y() + p.y(), z);
-  }
-  return loop;
-}
-
-// Sinks one region of the text into face `top`.
-void sink(PrintBody& body, int top, const TextRegion& region, const Vec2& centre, double z,
-          double depth) {
-  const Vec3 down(0, 0, -depth);
-  PlanarFace floor;
-  floor.normal = Vec3::UnitZ();
-  const std::vector<int> rim = add_points(body, region.outer, centre, z);
-  BodyLoop opening;
-  opening.points.assign(rim.rbegin(), rim.rend());
-  body.faces[top].inner.push_back(opening);
-  // The pocket's walls look inwards: its rim is walked as the hole of the top face.
-  const std::vector<int> foot = extrude(body, rim, down, FaceRole::plain);
-  floor.outer.points = foot;
-  for (const Polygon& hole : region.holes) {
-    PlanarFace island;
-    island.normal = Vec3::UnitZ();
-    const std::vector<int> edge = add_points(body, hole, centre, z);  // clockwise
-    BodyLoop hole_foot;
-    hole_foot.points = extrude(body, edge, down, FaceRole::plain);
-    floor.inner.push_back(std::move(hole_foot));
-    island.outer.points.assign(edge.rbegin(), edge.rend());
-    body.faces.push_back(std::move(island));
-  }
-  body.faces.push_back(std::move(floor));
-}
-
 }  // namespace
 
 std::vector<std::vector<Vec2>> place_anchors(const std::vector<PieceFootprint>& pieces,
@@ -111,8 +76,7 @@ std::vector<std::vector<Vec2>> place_anchors(const std::vector<PieceFootprint>& 
   return anchors;
 }
 
-PrintBody make_anchor(const Vec2& centre, double radius, double height, const EngravedText& text,
-                      double depth) {
+PrintBody make_anchor(const Vec2& centre, double radius, double height) {
   PrintBody body;
   body.kind = BodyKind::anchor;
   for (double z : {0.0, height}) {
@@ -123,7 +87,6 @@ PrintBody make_anchor(const Vec2& centre, double radius, double height, const En
     body.faces.push_back(std::move(face));
   }
   body.cylinders.push_back({0, 1, true});
-  for (const TextRegion& region : text.regions) sink(body, 1, region, centre, height, depth);
   return body;
 }
 

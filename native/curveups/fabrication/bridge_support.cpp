@@ -10,72 +10,65 @@
 namespace curveups {
 namespace {
 
-// Wishes to join anchor k with its nearest tiles.
-void add_anchor_wishes(const PrintModel& model, std::size_t k, std::vector<BridgeObstacle>& bodies,
-                       const std::vector<Polygon>& hull, std::vector<BridgeWish>& wishes) {
-  const Parameters& p = model.parameters;
-  constexpr int corners = 64;
-  const PrintBody& anchor = model.anchors[k];
-  const Vec2 c = anchor.circles[0].centre.head<2>();
-  const double r = p.anchor_radius, height = anchor.circles[1].centre.z();
-  ConvexBody cylinder;
+constexpr int bridges_of_anchor = 2;  // they hold it; more would only have to be broken
+
+// The upright prism over a convex outline, from the bed to `height`.
+ConvexBody prism(const Polygon& outline, double height) {
+  ConvexBody body;
   BodyFace bottom{{}, body_tag::back, {-Vec3::UnitZ(), 0}};
   BodyFace top{{}, body_tag::front, {Vec3::UnitZ(), height}};
-  for (int i = 0; i < corners; ++i) {
-    const Vec2 e = PlaneRotation(6.283185307179586 * i / corners) * Vec2(r, 0);
-    cylinder.points.emplace_back(c.x() + e.x(), c.y() + e.y(), 0);
-    cylinder.points.emplace_back(c.x() + e.x(), c.y() + e.y(), height);
+  const int n = static_cast<int>(outline.size());
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    for (double z : {0.0, height}) body.points.emplace_back(outline[i].x(), outline[i].y(), z);
     bottom.loop.insert(bottom.loop.begin(), 2 * i);
     top.loop.push_back(2 * i + 1);
+    const Vec2 out = -left_of(outline[j] - outline[i]).normalized();
+    body.faces.push_back({{2 * i, 2 * j, 2 * j + 1, 2 * i + 1},
+                          body_tag::wall,
+                          {Vec3(out.x(), out.y(), 0), out.dot(outline[i])}});
   }
+  body.faces.push_back(std::move(bottom));
+  body.faces.push_back(std::move(top));
+  return body;
+}
+
+// Wishes to join the anchor at c, which becomes one of the bodies, with its piece's nearest tiles.
+void add_anchor_wishes(const PrintModel& model, int piece, const Vec2& c, double height,
+                       std::vector<BridgeObstacle>& bodies, const std::vector<Polygon>& hull,
+                       std::vector<BridgeWish>& wishes) {
+  const Parameters& p = model.parameters;
+  constexpr int corners = 64;
+  const double r = p.anchor_radius;
+  Polygon circle;
   for (int i = 0; i < corners; ++i) {
-    const int j = (i + 1) % corners;
-    const Vec2 e = PlaneRotation(6.283185307179586 * (i + 0.5) / corners) * Vec2(1, 0);
-    const Vec3 n(e.x(), e.y(), 0);
-    cylinder.faces.push_back(
-        {{2 * i, 2 * j, 2 * j + 1, 2 * i + 1}, body_tag::wall, {n, n.dot(cylinder.points[2 * i])}});
+    circle.push_back(c + PlaneRotation(6.283185307179586 * i / corners) * Vec2(r, 0));
   }
-  cylinder.faces.push_back(std::move(bottom));
-  cylinder.faces.push_back(std::move(top));
   const int self = static_cast<int>(bodies.size());
-  bodies.push_back({std::move(cylinder), {}, {}});
+  bodies.push_back({prism(circle, height), {}, {}});
   std::vector<std::pair<double, int>> near;
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    if (model.piece_of_tile[i] == anchor.piece) near.emplace_back(distance(hull[i], c), i);
+    if (model.piece_of_tile[i] == piece) near.emplace_back(distance(hull[i], c), i);
   }
   std::sort(near.begin(), near.end());
   if (near.size() > 8) near.resize(8);
   for (const auto& [gap, tile] : near) {
-    BridgeWish wish{tile, self, {}};
-    Vec2 centre = Vec2::Zero();
-    for (const Vec2& q : hull[tile]) centre += q / static_cast<double>(hull[tile].size());
+    BridgeWish wish{tile, self, {}, 1};
+    std::vector<std::array<Vec2, 2>> beside;
     for (double s : {0.5, 0.3, 0.7, 0.15, 0.85}) {
       for (std::size_t e = 0; e < hull[tile].size(); ++e) {
         const Vec2 &a = hull[tile][e], &b = hull[tile][(e + 1) % hull[tile].size()];
         const Vec2 target = a + s * (b - a);
         if (wedge(b - a, c - a) >= 0 || (b - a).norm() < p.bridge_width) continue;
-        const Vec2 d = (c - target).normalized();
-        wish.sight.push_back({0.5 * (target + c - r * d), d});
+        // Towards the axis, or straight out of the wall, where the anchor is met beside its axis.
+        const Vec2 inwards = (c - target).normalized(), out = -left_of(b - a).normalized();
+        wish.sight.push_back({0.5 * (target + c - r * inwards), inwards});
+        beside.push_back({target + 0.5 * p.anchor_distance * out, out});
       }
     }
+    wish.sight.insert(wish.sight.end(), beside.begin(), beside.end());
     wishes.push_back(std::move(wish));
   }
-}
-
-// Two bridges hold an anchor; the rest would only have to be broken.
-void keep_two_per_anchor(Bridges& bridges, int tile_count) {
-  std::vector<int> held;
-  Bridges kept;
-  for (std::size_t k = 0; k < bridges.bodies.size(); ++k) {
-    const int other = bridges.joined[k][1];
-    if (other >= tile_count) {
-      held.resize(std::max<std::size_t>(held.size(), other - tile_count + 1), 0);
-      if (++held[other - tile_count] > 2) continue;
-    }
-    kept.bodies.push_back(std::move(bridges.bodies[k]));
-    kept.joined.push_back(bridges.joined[k]);
-  }
-  bridges = std::move(kept);
 }
 
 void find_loose(PrintModel& model, const Bridges& bridges, int tile_count) {
@@ -104,7 +97,7 @@ void find_loose(PrintModel& model, const Bridges& bridges, int tile_count) {
 
 }  // namespace
 
-void add_bridges(PrintModel& model) {
+void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
   const Parameters& p = model.parameters;
   const TileMesh& tiles = model.geometry.tiles;
   const int count = tiles.tile_count();
@@ -122,8 +115,20 @@ void add_bridges(PrintModel& model) {
     bodies.push_back(std::move(body));
   }
   std::vector<BridgeWish> wishes;
+  // Anchors first: they have fewer places to choose from.
+  const double height = 2 * p.H_pin + p.H_body;
+  for (int piece = 0; piece < model.piece_count; ++piece) {
+    for (const Vec2& anchor : footprints[piece].anchors) {
+      add_anchor_wishes(model, piece, anchor, height, bodies, hull, wishes);
+    }
+  }
+  const std::size_t first = wishes.size();  // each anchor has one before any has its second
+  for (std::size_t w = 0; w < first; ++w) {
+    wishes.push_back(wishes[w]);
+    wishes.back().enough = bridges_of_anchor;
+  }
   for (const Contact& contact : tiles.contacts) {
-    BridgeWish wish{contact.tile[0], contact.tile[1], {}};
+    BridgeWish wish{contact.tile[0], contact.tile[1], {}, 0};
     const auto a = front_edge(model, contact, 0), b = front_edge(model, contact, 1);
     const Vec2 d = (left_of(a[0] - a[1]).normalized() + left_of(b[1] - b[0]).normalized());
     for (int step = 0; step <= 16; ++step) {  // from the middle outwards, to both sides in turn
@@ -133,11 +138,10 @@ void add_bridges(PrintModel& model) {
     }
     wishes.push_back(std::move(wish));
   }
-  for (std::size_t k = 0; k < model.anchors.size(); ++k) {
-    add_anchor_wishes(model, k, bodies, hull, wishes);
+  for (const PieceFootprint& footprint : footprints) {  // tabs are only in the way
+    for (const Polygon& tab : footprint.tab) bodies.push_back({prism(tab, height), {}, {}});
   }
   Bridges bridges = make_bridges(bodies, wishes, p.H_pin, p);
-  keep_two_per_anchor(bridges, count);
   std::vector<int> number(model.piece_count, 0);
   for (std::size_t k = 0; k < bridges.bodies.size(); ++k) {
     PrintBody& bridge = bridges.bodies[k];

@@ -3,9 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <optional>
 
 #include "curveups/bodies/convex_distance.hpp"
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/geometry/overlapping_boxes.hpp"
@@ -14,6 +17,7 @@ namespace curveups {
 namespace {
 
 constexpr double clearance = 0.1;  // from back and front faces, bumps and third bodies, mm
+constexpr double apart = 0.3;  // two bridges: the widest gap that a printer of ours asks for, mm
 
 // How far from p along d the convex body begins; nothing where the line passes it by.
 std::optional<double> entry(const ConvexBody& body, const Vec3& p, const Vec3& d) {
@@ -67,31 +71,25 @@ bool contains(const ConvexBody& body, const Vec3& p) {
   return true;
 }
 
-// The box with a notch in its underside and its top at either wall.
+// The box with a notch in its underside at either wall: on that side, the back, users break them,
+// and whoever prints it front side down prints notches that are open at their top.
 PrintBody notched(const Span& span, const Parameters& p, double z0, double z1) {
   const double gap = span.wall_to - span.wall_from;
   const double half = std::min(p.bridge_notch, 0.24 * gap);
-  std::vector<std::array<double, 2>> below{{span.from, z0}}, above{{span.to, z1}};
+  std::vector<std::array<double, 2>> profile{{span.from, z0}};
   if (p.bridge_notch > 0 && half > 1e-3) {
     for (double s : {span.wall_from + half, span.wall_to - half}) {
-      below.push_back({s - half, z0});
-      below.push_back({s, z0 + p.bridge_notch});
-      below.push_back({s + half, z0});
-    }
-    for (double s : {span.wall_to - half, span.wall_from + half}) {
-      above.push_back({s + half, z1});
-      above.push_back({s, z1 - p.bridge_notch});
-      above.push_back({s - half, z1});
+      profile.push_back({s - half, z0});
+      profile.push_back({s, z0 + 2 * p.bridge_notch});
+      profile.push_back({s + half, z0});
     }
   }
-  below.push_back({span.to, z0});
-  above.push_back({span.from, z1});
-  below.insert(below.end(), above.begin(), above.end());
+  profile.insert(profile.end(), {{span.to, z0}, {span.to, z1}, {span.from, z1}});
   PrintBody body;
   body.kind = BodyKind::support;
   const Vec2 across = -left_of(span.d);  // d x z
   std::vector<int> base;
-  for (const auto& [s, z] : below) {
+  for (const auto& [s, z] : profile) {
     const Vec2 q = span.middle + s * span.d - 0.5 * p.bridge_width * across;
     base.push_back(static_cast<int>(body.points.size()));
     body.points.emplace_back(q.x(), q.y(), z);
@@ -136,6 +134,48 @@ std::optional<Span> find_span(const ConvexBody& a, const ConvexBody& b,
   }
   return span;
 }
+
+// The bridges made so far, found by the squares of the bed that their boxes cover.
+class TakenPlaces {
+ public:
+  bool clear_of(const ConvexBody& box) const {
+    for (const auto& square : squares(box)) {
+      const auto there = taken_.find(square);
+      if (there == taken_.end()) continue;
+      for (int other : there->second) {
+        if (distance(boxes_[other], box) < apart) return false;
+      }
+    }
+    return true;
+  }
+  void add(ConvexBody box) {
+    for (const auto& square : squares(box)) {
+      taken_[square].push_back(static_cast<int>(boxes_.size()));
+    }
+    boxes_.push_back(std::move(box));
+  }
+
+ private:
+  static constexpr double side = 5;  // mm
+
+  // Those within `apart` of the box.
+  static std::vector<std::array<int, 2>> squares(const ConvexBody& body) {
+    const Box box = bounding_box(body);
+    std::array<int, 2> low, high;
+    for (int k = 0; k < 2; ++k) {
+      low[k] = static_cast<int>(std::floor((box.low[k] - apart) / side));
+      high[k] = static_cast<int>(std::floor((box.high[k] + apart) / side));
+    }
+    std::vector<std::array<int, 2>> out;
+    for (int x = low[0]; x <= high[0]; ++x) {
+      for (int y = low[1]; y <= high[1]; ++y) out.push_back({x, y});
+    }
+    return out;
+  }
+
+  std::vector<ConvexBody> boxes_;
+  std::map<std::array<int, 2>, std::vector<int>> taken_;
+};
 
 double thickness(const Parameters& p) {
   return std::min(p.bridge_thickness, p.H_body - 2 * clearance);
@@ -183,23 +223,42 @@ Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
     }
     return std::all_of(near[b].begin(), near[b].end(), clear_of);
   };
-  std::vector<std::optional<PrintBody>> made(wishes.size());
-  parallel_ranges(static_cast<int>(wishes.size()), [&](int begin, int end) {
-    for (int w = begin; w < end; ++w) {
-      const BridgeWish& wish = wishes[w];
-      for (const auto& sight : wish.sight) {
-        const auto span = find_span(bodies[wish.a].body, bodies[wish.b].body, sight, z0, z1, p);
-        if (!span || !free(box_of(*span, p.bridge_width, z0, z1), wish.a, wish.b)) continue;
-        made[w] = notched(*span, p, z0, z1);
-        break;
-      }
+  // The next line of sight from `from` on that is free; nothing where there is none.
+  struct Place {
+    std::size_t sight;
+    Span span;
+    ConvexBody box;
+  };
+  auto next_free = [&](const BridgeWish& wish, std::size_t from) -> std::optional<Place> {
+    for (std::size_t k = from; k < wish.sight.size(); ++k) {
+      const auto span =
+          find_span(bodies[wish.a].body, bodies[wish.b].body, wish.sight[k], z0, z1, p);
+      if (!span) continue;
+      ConvexBody box = box_of(*span, p.bridge_width, z0, z1);
+      if (free(box, wish.a, wish.b)) return Place{k, *span, std::move(box)};
     }
+    return std::nullopt;
+  };
+  std::vector<std::optional<Place>> best(wishes.size());
+  parallel_ranges(static_cast<int>(wishes.size()), [&](int begin, int end) {
+    for (int w = begin; w < end; ++w) best[w] = next_free(wishes[w], 0);
   });
+  // Bridges keep clear of one another as well, the earlier wish first.
   Bridges out;
+  TakenPlaces taken;
+  std::vector<int> ending(count, 0);  // bridges at each body
   for (std::size_t w = 0; w < wishes.size(); ++w) {
-    if (!made[w]) continue;
-    out.bodies.push_back(std::move(*made[w]));
-    out.joined.push_back({wishes[w].a, wishes[w].b});
+    checkpoint();
+    const BridgeWish& wish = wishes[w];
+    if (wish.enough > 0 && ending[wish.b] >= wish.enough) continue;
+    std::optional<Place>& place = best[w];
+    while (place && !taken.clear_of(place->box)) place = next_free(wish, place->sight + 1);
+    if (!place) continue;
+    ++ending[wish.a];
+    ++ending[wish.b];
+    out.bodies.push_back(notched(place->span, p, z0, z1));
+    out.joined.push_back({wish.a, wish.b});
+    taken.add(std::move(place->box));
   }
   return out;
 }

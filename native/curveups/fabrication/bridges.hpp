@@ -18,6 +18,7 @@ namespace curveups {
 struct BridgeWish {
   int a, b;
   std::vector<std::array<Vec2, 2>> sight;  // point, unit direction; the best ones first
+  int enough = 0;  // left out where b has so many bridges from earlier wishes; 0: never
 };
 
 struct Bridges {
@@ -33,11 +34,12 @@ struct BridgeObstacle {
   std::vector<double> ball_radii;
 };
 
-// Thickness of a bridge where it breaks, mm: between the notches.
+// Thickness of a bridge where it breaks, mm: above the notch.
 double bridge_neck(const Parameters& parameters);
 
 // One bridge per wish where one of its lines of sight is free: it enters both bodies by
-// bridge_depth and keeps clear of all bumps and third bodies. z: the height of the back faces.
+// bridge_depth and keeps clear of all bumps, third bodies and the bridges of earlier wishes. z: the
+// height of the back faces.
 // Throws InfeasibleDesign where the body is too thin for bridges with these notches.
 Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
                      const std::vector<BridgeWish>& wishes, double z, const Parameters& parameters);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <map>
 
 namespace curveups {
@@ -12,7 +11,7 @@ namespace {
 
 using Glyph = std::array<const char*, 5>;
 constexpr int glyph_height = 5;
-constexpr double widest_stroke = 0.8;  // mm; larger letters only cost time and glue area
+constexpr int line_gap = 2;
 
 // Drawn so that cells never touch in a corner alone: such outlines would not be manifold.
 const std::map<char, Glyph>& font() {
@@ -30,11 +29,11 @@ const std::map<char, Glyph>& font() {
       {'K', {"#..#", "#.##", "###.", "#.##", "#..#"}},
       {'L', {"#..", "#..", "#..", "#..", "###"}},
       {'M', {"#####", "#.#.#", "#.#.#", "#...#", "#...#"}},
-      {'N', {"#..#", "##.#", "####", "#.##", "#..#"}},
+      {'N', {"##..#", "###.#", "#.###", "#..##", "#...#"}},
       {'O', {"####", "#..#", "#..#", "#..#", "####"}},
       {'P', {"###", "#.#", "###", "#..", "#.."}},
       {'Q', {"####", "#..#", "#..#", "####", "...#"}},
-      {'R', {"###.", "#.#.", "####", "#..#", "#..#"}},
+      {'R', {"####", "#..#", "####", "#.#.", "#.##"}},
       {'S', {"###", "#..", "###", "..#", "###"}},
       {'T', {"###", ".#.", ".#.", ".#.", ".#."}},
       {'U', {"#.#", "#.#", "#.#", "#.#", "###"}},
@@ -59,17 +58,6 @@ const std::map<char, Glyph>& font() {
       {' ', {"..", "..", "..", "..", ".."}},
   };
   return glyphs;
-}
-
-// Half the height of the text block and the half widths that its rows of letters need, in cells.
-bool fits(const std::vector<std::vector<std::string>>& lines, double cell, double radius) {
-  const double height = lines.size() * glyph_height + (lines.size() - 1) * 2.0;
-  for (std::size_t l = 0; l < lines.size(); ++l) {
-    const double top = 0.5 * height - l * (glyph_height + 2.0);
-    const double y = std::max(std::abs(top), std::abs(top - glyph_height));
-    if (std::hypot(0.5 * lines[l][0].size(), y) * cell > radius) return false;
-  }
-  return true;
 }
 
 struct Cells {
@@ -114,14 +102,16 @@ std::vector<std::vector<std::array<int, 2>>> trace(const Cells& cells) {
 
 std::vector<TextRegion> regions_of(const std::vector<std::vector<std::string>>& lines,
                                    double cell) {
-  const double height = lines.size() * glyph_height + (lines.size() - 1) * 2.0;
+  const double height = static_cast<double>(lines.size() * (glyph_height + line_gap)) - line_gap;
   std::vector<TextRegion> regions;
   for (std::size_t l = 0; l < lines.size(); ++l) {
     Cells cells{static_cast<int>(lines[l][0].size()), glyph_height, {}};
     for (int y = glyph_height - 1; y >= 0; --y) {
       for (char c : lines[l][y]) cells.set.push_back(c == '#');
     }
-    const Vec2 low(-0.5 * cells.width, 0.5 * height - l * (glyph_height + 2.0) - glyph_height);
+    const Vec2 low(
+        -0.5 * cells.width,
+        0.5 * height - static_cast<double>(l * (glyph_height + line_gap)) - glyph_height);
     std::vector<Polygon> holes;
     const std::size_t first = regions.size();
     for (const auto& loop : trace(cells)) {
@@ -162,26 +152,19 @@ std::vector<std::string> text_cells(const std::string& text) {
   return rows;
 }
 
-EngravedText engrave_text(const std::string& name, const std::string& version,
-                          const std::string& piece, double disc_radius, double least_stroke) {
+EngravedText engrave(const std::vector<std::string>& lines, double stroke) {
+  std::vector<std::vector<std::string>> cells;
+  std::size_t width = 0;
+  for (const std::string& line : lines) {
+    cells.push_back(text_cells(line));
+    width = std::max(width, cells.back()[0].size());
+  }
   EngravedText out;
-  std::vector<std::vector<std::string>> candidates;
-  for (std::size_t n = name.size(); n > 0; --n) {
-    candidates.push_back({piece, name.substr(0, n), version});
-  }
-  for (std::size_t n = name.size(); n > 0; --n) candidates.push_back({piece, name.substr(0, n)});
-  candidates.push_back({piece});
-  for (const std::vector<std::string>& lines : candidates) {
-    std::vector<std::vector<std::string>> cells;
-    for (const std::string& line : lines) cells.push_back(text_cells(line));
-    if (!fits(cells, least_stroke, disc_radius)) continue;
-    double cell = widest_stroke;
-    while (cell > least_stroke && !fits(cells, cell, disc_radius)) cell -= 0.01;
-    out.stroke = std::max(cell, least_stroke);
-    out.lines = lines;
-    out.regions = regions_of(cells, out.stroke);
-    break;
-  }
+  out.lines = lines;
+  out.stroke = stroke;
+  out.regions = regions_of(cells, stroke);
+  const std::size_t height = lines.size() * (glyph_height + line_gap) - line_gap;
+  out.size = stroke * Vec2(static_cast<double>(width), static_cast<double>(height));
   return out;
 }
 

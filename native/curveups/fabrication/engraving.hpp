@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Text as outlines of square cells, for engraving a few letters into a small round face.
+// Text as outlines of square cells, for engraving a few letters.
 #pragma once
 
 #include <string>
@@ -17,18 +17,16 @@ struct TextRegion {
 
 struct EngravedText {
   std::vector<TextRegion> regions;  // centred on the origin, x to the right
-  std::vector<std::string> lines;   // what could be written
-  double stroke = 0;                // width of all strokes, mm
+  std::vector<std::string> lines;
+  double stroke = 0;         // width of all strokes, mm
+  Vec2 size = Vec2::Zero();  // of the box around all lines, mm
 };
 
 // Rows of cells of a text ('#' and '.'), five high. Lower case counts as upper case; characters
 // without a glyph become '-'. No two cells touch in a corner alone.
 std::vector<std::string> text_cells(const std::string& text);
 
-// `piece`, `name` and `version` one above the other, in strokes as wide as fit into the disc but at
-// least least_stroke; the name is cut short, then the version left out, where they do not fit.
-// No regions where nothing fits.
-EngravedText engrave_text(const std::string& name, const std::string& version,
-                          const std::string& piece, double disc_radius, double least_stroke);
+// The lines (at least one, none empty) one above the other, letters five strokes (mm) high.
+EngravedText engrave(const std::vector<std::string>& lines, double stroke);
 
 }  // namespace curveups

@@ -2,13 +2,19 @@
 #include "curveups/fabrication/print_model.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "curveups/bodies/tile_print.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/core/tolerances.hpp"
+#include "curveups/design/pins.hpp"
 #include "curveups/fabrication/anchors.hpp"
 #include "curveups/fabrication/bridges.hpp"
+#include "curveups/fabrication/label_text.hpp"
+#include "curveups/fabrication/labels.hpp"
 #include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/supports.hpp"
 
@@ -17,8 +23,16 @@ namespace {
 
 constexpr double widest_print = 1e4;  // mm; anchors and slabs of wider ones would be endless work
 
-constexpr double engraving_stroke = 0.3;  // the least that printers show, mm
-constexpr double engraving_rim = 0.3;     // between letters and the edge of the anchor, mm
+constexpr double engraving_stroke = 0.5;  // letters 2.5 mm high, mm
+constexpr int label_width = 52;           // of its lines, cells: 26 mm
+
+// Turns the print over, about the x axis, between the bed and its height; twice is nothing.
+RigidMotion turned_over(double height) {
+  RigidMotion motion;
+  motion.R = Vec3(1, -1, -1).asDiagonal();
+  motion.t = Vec3(0, 0, height);
+  return motion;
+}
 
 class Builder {
  public:
@@ -49,6 +63,13 @@ class Builder {
     add_support(model_, footprints_);
     checkpoint("measuring bodies", 0.9);
     list_features();
+    if (front_down()) {
+      const RigidMotion turn = turned_over(height());
+      for (auto* bodies : printed()) {
+        for (PrintBody& body : *bodies) move(body, turn);
+      }
+      for (RigidMotion& motion : model_.flat) motion = {turn.R * motion.R, turn(motion.t)};
+    }
     centre();
     add_actuated();
     return std::move(model_);
@@ -57,6 +78,11 @@ class Builder {
  private:
   const Parameters& p() const { return model_.parameters; }
   const TileMesh& tiles() const { return model_.geometry.tiles; }
+  bool front_down() const { return p().orientation == "front-down"; }
+  double height() const { return 2 * p().H_pin + p().H_body; }
+  std::array<std::vector<PrintBody>*, 3> printed() {
+    return {&model_.tiles, &model_.supports, &model_.anchors};
+  }
 
   void find_pieces() {
     std::vector<char> joined;
@@ -81,29 +107,67 @@ class Builder {
 
   void add_anchors() {
     const auto centres = place_anchors(footprints_, p());
-    const double height = 2 * p().H_pin + p().H_body;
     for (int piece = 0; piece < model_.piece_count; ++piece) {
+      footprints_[piece].anchors = centres[piece];
+    }
+    for (int piece = 0; piece < model_.piece_count; ++piece) {
+      checkpoint();
+      const std::optional<PrintBody> labelled = p().engrave ? add_label(piece) : std::nullopt;
       for (std::size_t k = 0; k < centres[piece].size(); ++k) {
-        EngravedText text;
-        if (k == 0 && p().engrave) {
-          text = engrave_text(model_.name, version_, "P" + std::to_string(piece + 1),
-                              p().anchor_radius - engraving_rim, engraving_stroke);
-        }
-        PrintBody anchor =
-            make_anchor(centres[piece][k], p().anchor_radius, height, text, p().engrave_depth);
+        PrintBody anchor = labelled && static_cast<int>(k) == footprints_[piece].labelled
+                               ? *labelled
+                               : make_anchor(centres[piece][k], p().anchor_radius, height());
         anchor.name = numbered("Anchor P%d A%03d", piece + 1, static_cast<int>(k) + 1);
         anchor.piece = piece;
-        if (!text.regions.empty()) {
-          model_.thin.push_back({anchor.name, "stroke of the engraving", text.stroke});
+        if (!anchor.points.empty()) {
+          model_.thin.push_back({anchor.name, "stroke of the engraving", engraving_stroke});
         }
         model_.anchors.push_back(std::move(anchor));
       }
     }
   }
 
+  // The anchor that carries the label of a piece, the side that is printed up named last; where
+  // there is no room for the name, without it.
+  std::optional<PrintBody> add_label(int piece) {
+    const std::string number = "P" + std::to_string(piece + 1),
+                      side = front_down() ? "BACK" : "FRONT";
+    LabelText text = label_text(model_.name, number + " " + version_ + " " + side, label_width);
+    LabelText brief = label_text("", number + " " + side, label_width);
+    brief.whole = false;
+    for (const LabelText& tried : {text, brief}) {
+      const EngravedText letters = engrave(tried.lines, engraving_stroke);
+      const auto place = place_label(footprints_, piece, letters.size, p());
+      if (!place) continue;
+      model_.labels.push_back({piece, tried.lines, tried.whole});
+      // What is turned over later is made turned over, so that it is upright as printed.
+      PrintBody anchor = make_labelled_anchor(front_down() ? turned_over(*place) : *place, height(),
+                                              p().H_pin + p().H_body, letters, p().engrave_depth);
+      if (front_down()) move(anchor, turned_over(height()));
+      return anchor;
+    }
+    model_.labels.push_back({piece, {}, false});
+    return std::nullopt;
+  }
+
+  // From the pin on the bed to the farthest corner of the face above it.
+  double overhang(int tile) const {
+    const Side bed = front_down() ? Side::front : Side::back;
+    const auto corners = pin_corners(tiles(), tile, bed, model_.q.row(tile).data());
+    const Polygon pin(corners.begin(), corners.end());
+    const ConvexBody& body = model_.bumps.body[tile];
+    double reach = 0;
+    for (const BodyFace& face : body.faces) {
+      if (face.tag != (front_down() ? body_tag::front : body_tag::back)) continue;
+      for (int i : face.loop) reach = std::max(reach, distance(pin, body.points[i].head<2>()));
+    }
+    return reach;
+  }
+
   void list_features() {
     for (int i = 0; i < tiles().tile_count(); ++i) {
       checkpoint();
+      model_.overhang.push_back(overhang(i));
       const TileFeatures f = tile_features(tiles(), model_.bumps.body[i], model_.bumps.of_tile[i],
                                            model_.q.row(i).data(), i);
       ThinFeature thin{model_.tiles[i].name, "front pin", f.front_pin};
@@ -127,13 +191,13 @@ class Builder {
   }
 
   void centre() {
-    for (auto* bodies : {&model_.tiles, &model_.supports, &model_.anchors}) {
+    for (auto* bodies : printed()) {
       for (const PrintBody& body : *bodies) model_.box.add(bounding_box(body));
     }
     RigidMotion shift;
     shift.t = -0.5 * (model_.box.low + model_.box.high);
     shift.t.z() = 0;
-    for (auto* bodies : {&model_.tiles, &model_.supports, &model_.anchors}) {
+    for (auto* bodies : printed()) {
       for (PrintBody& body : *bodies) move(body, shift);
     }
     for (RigidMotion& motion : model_.flat) motion.t += shift.t;
@@ -170,6 +234,26 @@ PrintModel make_print_model(const Design& design, const std::string& version) {
         "bring tiles that lie far away back to the others");
   }
   return Builder(design, version).run();
+}
+
+GluedAreas glued_areas(const PrintModel& model, Side side) {
+  const Parameters& p = model.parameters;
+  const bool up = (side == Side::front) == (p.orientation == "front-up");
+  const double z = up ? 2 * p.H_pin + p.H_body : 0;
+  const auto in_plane = [&](const std::vector<PrintBody>& bodies) {
+    double sum = 0;
+    for (const PrintBody& body : bodies) {
+      for (const PlanarFace& face : body.faces) {
+        const BodyLoop& loop = face.outer;
+        const double at = loop.circle < 0 ? body.points[loop.points[0]].z()
+                                          : body.circles[loop.circle].centre.z();
+        if (std::abs(at - z) > tolerance::snap || face.normal.z() * (up ? 1 : -1) < 0.5) continue;
+        sum += face_area(body, face);
+      }
+    }
+    return sum;
+  };
+  return {in_plane(model.tiles), in_plane(model.anchors), in_plane(model.supports)};
 }
 
 std::vector<const PrintBody*> PrintModel::bodies(const std::string& kind) const {

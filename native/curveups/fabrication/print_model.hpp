@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Everything that is printed, in print coordinates: front side up, the back pins' feet at z = 0,
-// the back faces at H_pin, the front faces at H_pin + H_body, the pin tops at 2 H_pin + H_body, the
-// box of all bodies centred on the z axis.
+// the back faces at H_pin, the front faces at H_pin + H_body, the pin tops at 2 H_pin + H_body, or
+// all of that turned over about the x axis (orientation front-down); the box of all bodies centred
+// on the z axis.
 #pragma once
 
 #include <map>
@@ -29,6 +30,13 @@ struct ThinFeature {
   double size;
 };
 
+// What is engraved on the tab of a piece's label.
+struct PieceLabel {
+  int piece;
+  std::vector<std::string> lines;  // none where there was no room for any
+  bool whole;                      // with the whole name
+};
+
 struct PrintModel : TileBodies {
   std::string name;
   int piece_count = 0;
@@ -44,6 +52,9 @@ struct PrintModel : TileBodies {
   // whose bodies run into one another, so that no slab fills the gaps between them.
   std::vector<int> loose_tiles;
   int loose_anchors = 0;
+  std::vector<PieceLabel> labels;  // of each piece, where labels are wanted
+  // Per tile how far, mm, its body reaches out level beyond the pin that it stands on.
+  std::vector<double> overhang;
   std::vector<ThinFeature> thin;  // per body that has a size of its own, the narrowest place
   Box box;
 
@@ -55,6 +66,12 @@ struct PrintModel : TileBodies {
   // mm3, by the bodies' own formulas.
   double volume(const std::string& kind) const;
 };
+
+// What lies in the plane of the pin tops on one side, mm2: what glue on that side can take.
+struct GluedAreas {
+  double pins = 0, anchors = 0, support = 0;
+};
+GluedAreas glued_areas(const PrintModel& model, Side side);
 
 // version: what is engraved beside name and piece. Throws what make_tile_bodies throws;
 // InfeasibleDesign where pieces are too near to each other for their anchors and slabs, or the

@@ -96,7 +96,7 @@ void add_cavity(PrintBody& slab, PlanarFace& bottom, PlanarFace& lid, const Prin
 }  // namespace
 
 PrintBody make_slab(const std::vector<Polygon>& outline, const std::vector<PrintBody>& cavities,
-                    const std::vector<const PrintBody*>& anchors, double top) {
+                    const std::vector<Disc>& bores, double top) {
   PrintBody slab;
   slab.kind = BodyKind::support;
   PlanarFace bottom, lid;
@@ -118,13 +118,13 @@ PrintBody make_slab(const std::vector<Polygon>& outline, const std::vector<Print
     checkpoint();
     add_cavity(slab, bottom, lid, body, top);
   }
-  for (const PrintBody* anchor : anchors) {
-    const BodyCircle& foot = anchor->circles[0];
+  for (const Disc& bore : bores) {
+    const Vec3 foot(bore.centre.x(), bore.centre.y(), 0);
     BodyLoop below, above;
     below.circle = static_cast<int>(slab.circles.size());
-    slab.circles.push_back(foot);
+    slab.circles.push_back({foot, Vec3::UnitZ(), bore.radius});
     above.circle = below.circle + 1;
-    slab.circles.push_back({Vec3(foot.centre.x(), foot.centre.y(), top), foot.axis, foot.radius});
+    slab.circles.push_back({foot + Vec3(0, 0, top), Vec3::UnitZ(), bore.radius});
     slab.cylinders.push_back({below.circle, above.circle, false});
     bottom.inner.push_back(std::move(below));
     lid.inner.push_back(std::move(above));

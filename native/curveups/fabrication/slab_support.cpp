@@ -15,6 +15,26 @@ namespace {
 
 constexpr double slab_deviation = 0.1;  // of the chords of the outline's arcs, mm
 
+// What stands in the slab from its underside to its top, upright.
+PrintBody prism_cavity(const Polygon& outline, double top) {
+  PrintBody body;
+  PlanarFace foot, mouth;
+  std::vector<int> base;
+  for (const Vec2& c : outline) {
+    base.push_back(static_cast<int>(body.points.size()));
+    body.points.emplace_back(c.x(), c.y(), 0);
+  }
+  foot.normal = -Vec3::UnitZ();
+  foot.outer.points.assign(base.rbegin(), base.rend());
+  foot.role = FaceRole::foot;
+  mouth.normal = Vec3::UnitZ();
+  mouth.outer.points = extrude(body, base, Vec3(0, 0, top), FaceRole::back_pin);
+  mouth.role = FaceRole::front;
+  body.faces.push_back(foot);
+  body.faces.push_back(mouth);
+  return body;
+}
+
 // What the slab surrounds of each tile: everything below its top.
 std::vector<PrintBody> cavities(const PrintModel& model, double top) {
   const Parameters& p = model.parameters;
@@ -32,25 +52,11 @@ std::vector<PrintBody> cavities(const PrintModel& model, double top) {
     }
     return flat_tiles(model, bodies, caps);
   }
-  std::vector<PrintBody> pins(model.tiles.size());  // only the back pins stand in the slab
-  for (std::size_t i = 0; i < pins.size(); ++i) {
-    PrintBody& pin = pins[i];
-    PlanarFace foot, mouth;
-    std::vector<int> base;
-    const int tile = static_cast<int>(i);
-    for (const Vec2& c :
-         place(model.poses, tile, pin_corners(tiles, tile, Side::back, model.q.row(i).data()))) {
-      base.push_back(static_cast<int>(pin.points.size()));
-      pin.points.emplace_back(c.x(), c.y(), 0);
-    }
-    foot.normal = -Vec3::UnitZ();
-    foot.outer.points.assign(base.rbegin(), base.rend());
-    foot.role = FaceRole::foot;
-    mouth.normal = Vec3::UnitZ();
-    mouth.outer.points = extrude(pin, base, Vec3(0, 0, top), FaceRole::back_pin);
-    mouth.role = FaceRole::front;
-    pin.faces.push_back(foot);
-    pin.faces.push_back(mouth);
+  std::vector<PrintBody> pins;  // only the back pins stand in the slab
+  for (int tile = 0; tile < tiles.tile_count(); ++tile) {
+    const auto pin =
+        place(model.poses, tile, pin_corners(tiles, tile, Side::back, model.q.row(tile).data()));
+    pins.push_back(prism_cavity({pin.begin(), pin.end()}, top));
   }
   return pins;
 }
@@ -107,29 +113,28 @@ void leave_loose(PrintModel& model, int piece) {
 
 void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
   const Parameters& p = model.parameters;
-  std::vector<std::vector<int>> anchors_of_piece(model.piece_count);
-  for (std::size_t k = 0; k < model.anchors.size(); ++k) {
-    anchors_of_piece[model.anchors[k].piece].push_back(static_cast<int>(k));
-  }
   std::vector<Polygon> outer;
   const double top = 2 * p.H_pin + p.H_body - p.support_drop;
   const std::vector<PrintBody> cavity = cavities(model, top);
   for (int piece = 0; piece < model.piece_count; ++piece) {
     std::vector<PrintBody> inside;
-    std::vector<const PrintBody*> anchors;
+    std::vector<Disc> anchors;
     std::vector<OutlineShape> shapes;
     const Disc none{Vec2::Zero(), 0};
-    const bool anchored = p.anchors && !anchors_of_piece[piece].empty();
+    const PieceFootprint& footprint = footprints[piece];
     // Up to the anchors' axes, so that the slab holds them firmly.
-    const double reach = anchored ? std::max(p.support_margin, p.anchor_distance + p.anchor_radius)
-                                  : p.support_margin;
-    for (const Polygon& tile : footprints[piece].tiles) shapes.push_back({tile, none, reach});
-    for (const Polygon& joint : footprints[piece].joints) shapes.push_back({joint, none, reach});
-    if (anchored) {
-      for (int a : anchors_of_piece[piece]) {
-        anchors.push_back(&model.anchors[a]);
-        const Vec3& c = model.anchors[a].circles[0].centre;
-        shapes.push_back({{}, {c.head<2>(), p.anchor_radius}, p.support_margin});
+    const double reach = footprint.anchors.empty()
+                             ? p.support_margin
+                             : std::max(p.support_margin, p.anchor_distance + p.anchor_radius);
+    for (const Polygon& tile : footprint.tiles) shapes.push_back({tile, none, reach});
+    for (const Polygon& joint : footprint.joints) shapes.push_back({joint, none, reach});
+    for (const Polygon& tab : footprint.tab) shapes.push_back({tab, none, p.support_margin});
+    for (std::size_t k = 0; k < footprint.anchors.size(); ++k) {
+      shapes.push_back({{}, {footprint.anchors[k], p.anchor_radius}, p.support_margin});
+      if (static_cast<int>(k) == footprint.labelled) {
+        inside.push_back(prism_cavity(footprint.outline, top));
+      } else {
+        anchors.push_back({footprint.anchors[k], p.anchor_radius});
       }
     }
     for (std::size_t i = 0; i < cavity.size(); ++i) {
@@ -152,7 +157,7 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
       model.supports.push_back(std::move(slab));
     } catch (const TopologyError&) {  // a layout whose bodies run into one another
       leave_loose(model, piece);
-      model.loose_anchors += static_cast<int>(anchors.size());
+      model.loose_anchors += static_cast<int>(footprint.anchors.size());
     }
   }
   std::sort(model.loose_tiles.begin(), model.loose_tiles.end());

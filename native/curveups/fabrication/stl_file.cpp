@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -25,7 +26,9 @@ void write_stl(const std::vector<BodyMesh>& meshes, const std::string& title,
                const std::string& path) {
   std::uint32_t count = 0;
   for (const BodyMesh& mesh : meshes) count += static_cast<std::uint32_t>(mesh.triangles.size());
-  std::string bytes = "CurveUps " + title.substr(0, 50) + " (mm)";
+  std::size_t cut = std::min<std::size_t>(title.size(), 50);
+  while (cut < title.size() && (title[cut] & 0xC0) == 0x80) --cut;  // no letter in two
+  std::string bytes = "CurveUps " + title.substr(0, cut) + " (mm)";
   bytes.resize(80, ' ');
   bytes.reserve(84 + 50ull * count);
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(count >> shift));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The support of a print model; each adds bodies to model.supports.
+// The support of a print model; each adds bodies to model.supports. Front side up throughout.
 #pragma once
 
 #include "curveups/fabrication/anchors.hpp"
@@ -13,13 +13,13 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
 
 // Breakaway: bridges between the tiles of each contact and from anchors to their nearest tiles.
 // Lists what no bridge holds. Throws what make_bridges throws.
-void add_bridges(PrintModel& model);
+void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprints);
 
 // What the parameter `support` asks for. A new kind is a file, its lines here and a choice of the
 // parameter.
 inline void add_support(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
   if (model.parameters.support == "soluble") add_slabs(model, footprints);
-  if (model.parameters.support == "breakaway") add_bridges(model);
+  if (model.parameters.support == "breakaway") add_bridges(model, footprints);
 }
 
 }  // namespace curveups

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "curveups/fabrication/engraving.hpp"
+#include "curveups/fabrication/label_text.hpp"
 
 namespace curveups {
 namespace {
@@ -42,37 +42,39 @@ TEST(Engraving, GlyphsAreFiveHighAndNeverTouchInACornerAlone) {
   }
 }
 
-TEST(Engraving, RegionsAreTheStrokesInsideTheDisc) {
-  for (const char* name : {"half-sphere", "spot", "x", "a-very-long-name-of-a-model"}) {
-    for (double radius : {3.7, 8.0}) {
-      SCOPED_TRACE(std::string(name) + " " + std::to_string(radius));
-      const EngravedText text = engrave_text(name, "0.1", "P12", radius, 0.3);
-      ASSERT_FALSE(text.regions.empty());
-      EXPECT_GE(text.stroke, 0.3);
-      double cells = 0, ink = 0;
-      for (const std::string& line : text.lines) cells += cell_count(line);
-      for (const TextRegion& region : text.regions) {
-        EXPECT_GT(area(region.outer), 0);
-        ink += area(region.outer);
-        for (const Polygon& hole : region.holes) {
-          EXPECT_LT(area(hole), 0);
-          ink += area(hole);
-        }
-        for (const Vec2& p : region.outer) EXPECT_LE(p.norm(), radius + 1e-9);
+TEST(Engraving, RegionsAreTheStrokesInTheirBox) {
+  for (const std::vector<std::string>& lines :
+       {std::vector<std::string>{"HALF-SPHERE", "P1 0.1"}, {"X"}}) {
+    SCOPED_TRACE(lines[0]);
+    const EngravedText text = engrave(lines, 0.5);
+    EXPECT_EQ(text.stroke, 0.5);
+    EXPECT_NEAR(text.size.y(), lines.size() * 2.5 + (lines.size() - 1) * 1.0, 1e-12);
+    double cells = 0, ink = 0;
+    Vec2 low(1e300, 1e300), high = -low;
+    for (const std::string& line : text.lines) cells += cell_count(line);
+    for (const TextRegion& region : text.regions) {
+      EXPECT_GT(area(region.outer), 0);
+      ink += area(region.outer);
+      for (const Polygon& hole : region.holes) {
+        EXPECT_LT(area(hole), 0);
+        ink += area(hole);
       }
-      EXPECT_NEAR(ink, cells * text.stroke * text.stroke, 1e-9 * ink);
-      EXPECT_EQ(text.lines.front(), "P12");
-      // A long name is cut short, never the piece.
-      EXPECT_TRUE(text.lines.size() < 2 || text.lines[1].size() <= std::string(name).size());
+      for (const Vec2& p : region.outer) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
     }
+    EXPECT_NEAR(ink, cells * 0.25, 1e-9 * ink);
+    EXPECT_LT((high - 0.5 * text.size).norm(), 1e-9);
+    EXPECT_LT((low + 0.5 * text.size).norm(), 1e-9);
   }
 }
 
 TEST(Engraving, LettersHaveTheirHoles) {
-  // Of piece names with one, two and three closed counters: P, P0, P8.
+  // With one, two and three closed counters: P, P0, P8.
   for (const auto& [piece, holes] :
        std::vector<std::pair<std::string, std::size_t>>{{"P1", 1}, {"P0", 2}, {"P8", 3}}) {
-    const EngravedText text = engrave_text("", "", piece, 6, 0.3);
+    const EngravedText text = engrave({piece}, 0.3);
     std::size_t found = 0;
     for (const TextRegion& region : text.regions) found += region.holes.size();
     EXPECT_EQ(found, holes) << piece;
@@ -80,12 +82,41 @@ TEST(Engraving, LettersHaveTheirHoles) {
   }
 }
 
-TEST(Engraving, LeavesOutWhatDoesNotFit) {
-  EXPECT_TRUE(engrave_text("name", "0.1", "P1", 0.5, 0.3).regions.empty());
-  const EngravedText small = engrave_text("half-sphere", "0.1", "P1", 2.2, 0.3);
-  ASSERT_FALSE(small.regions.empty());
-  EXPECT_EQ(small.lines.front(), "P1");
-  EXPECT_LT(small.lines.size(), 3u);
+TEST(LabelText, KeepsNamesWhole) {
+  const auto lines = [](const char* name) { return label_text(name, "P1 0.1 FRONT", 52); };
+  EXPECT_EQ(lines("half-sphere").lines, (std::vector<std::string>{"HALF-SPHERE", "P1 0.1 FRONT"}));
+  EXPECT_EQ(lines(u8"Sch\u00fcssel gro\u00df").lines,
+            (std::vector<std::string>{"SCHUESSEL", "GROSS", "P1 0.1 FRONT"}));
+  // Behind hyphens rather than within words, but within where a word is too long.
+  const LabelText wrapped = lines("lamp_shade-of-the-second-kind");
+  EXPECT_EQ(wrapped.lines,
+            (std::vector<std::string>{"LAMP_SHADE-", "OF-THE-", "SECOND-KIND", "P1 0.1 FRONT"}));
+  EXPECT_EQ(lines("abcdefghijklmnopqrs").lines.size(), 3u);
+  for (const char* name : {"half-sphere", "lamp_shade-of-the-second-kind", "abcdefghijklmnopqrs"}) {
+    std::string all;
+    for (const std::string& line : lines(name).lines) {
+      EXPECT_LE(text_cells(line)[0].size(), 52u);
+      all += line;
+    }
+    EXPECT_EQ(all, engravable(name) + "P1 0.1 FRONT");
+    EXPECT_TRUE(lines(name).whole);
+  }
+}
+
+TEST(LabelText, SaysWhereANameIsCutShort) {
+  const LabelText text = label_text(std::string(100, 'w'), "P1", 52);
+  EXPECT_FALSE(text.whole);
+  ASSERT_EQ(text.lines.size(), 4u);
+  EXPECT_EQ(text.lines[2].substr(text.lines[2].size() - 2), "..");
+  EXPECT_EQ(text.lines[3], "P1");
+  EXPECT_FALSE(label_text(u8"\u5c4b\u6839", "P1", 52).whole);
+}
+
+TEST(LabelText, WritesLatinLettersWithoutAccents) {
+  EXPECT_EQ(engravable(u8"\u00c0\u00e9\u00ff\u0161\u017b\u0153"), "AEYSZOE");
+  EXPECT_EQ(engravable(u8"u\u0308"), "U");  // as file systems that take letters apart
+  EXPECT_EQ(engravable("a  b/c"), "A B-C");
+  EXPECT_EQ(engravable("\xff"), "-");  // no UTF-8, but no reason to fail
 }
 
 }  // namespace

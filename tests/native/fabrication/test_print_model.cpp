@@ -16,6 +16,8 @@
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/print_model.hpp"
 #include "curveups/fabrication/print_solids.hpp"
+#include "curveups/geometry/convex_polygon.hpp"
+#include "curveups/geometry/mesh_checks.hpp"
 #include "support/designs.hpp"
 #include "support/soundness.hpp"
 
@@ -162,6 +164,12 @@ TEST(Dimples, LeaveMaterialToOtherFacesAndToOneAnother) {
   }
 }
 
+Polygon seen_from_above(const PrintBody& body) {
+  std::vector<Vec2> points;
+  for (const Vec3& q : body.points) points.push_back(q.head<2>());
+  return convex_hull(points);
+}
+
 TEST(Bridges, BreakWhereEveryPrinterStillPrints) {
   Parameters p;
   EXPECT_NEAR(bridge_neck(p), 0.4, 1e-12);  // the coarsest printer's smallest feature
@@ -171,11 +179,52 @@ TEST(Bridges, BreakWhereEveryPrinterStillPrints) {
   p.support = "breakaway";
   const PrintModel model = make_print_model(test::sample_design(p), "0.1");
   for (const PrintBody& bridge : model.supports) {
-    // The least height of the profile: of the notches' lower and upper tips.
-    double low = 0, high = 1e300;
-    for (const Vec3& q : bridge.points)
-      (q.z() < 1.5 ? low : high) = q.z() < 1.5 ? std::max(low, q.z()) : std::min(high, q.z());
-    EXPECT_NEAR(high - low, bridge_neck(p), 1e-9) << bridge.name;
+    // From the notches' tips to the upper side.
+    double tip = 0, high = 0;
+    for (const Vec3& q : bridge.points) high = std::max(high, q.z());
+    for (const Vec3& q : bridge.points) {
+      if (q.z() < high - 1e-9) tip = std::max(tip, q.z());
+    }
+    EXPECT_NEAR(high - tip, bridge_neck(p), 1e-9) << bridge.name;
+  }
+}
+
+TEST(Bridges, NeverMeet) {
+  test::SampleOptions o;
+  o.rows = 6;
+  o.columns = 8;
+  Parameters p;
+  p.support = "breakaway";
+  const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+  EXPECT_TRUE(model.loose_tiles.empty());
+  EXPECT_EQ(model.loose_anchors, 0);
+  TriangleMesh all;
+  std::vector<Vec3> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (const PrintBody& bridge : model.supports) {
+    const BodyMesh mesh = mesh_body(bridge, {0.02, true});
+    const int first = static_cast<int>(points.size());
+    points.insert(points.end(), mesh.points.begin(), mesh.points.end());
+    for (const auto& t : mesh.triangles) {
+      triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+  }
+  all.V.resize(static_cast<Eigen::Index>(points.size()), 3);
+  all.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i) all.V.row(i) = points[i].transpose();
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (int k = 0; k < 3; ++k) all.F(i, k) = triangles[i][k];
+  }
+  EXPECT_TRUE(self_intersecting_faces(all).empty());  // by CGAL
+  for (std::size_t i = 0; i < model.supports.size(); ++i) {
+    const Polygon a = seen_from_above(model.supports[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      const Polygon b = seen_from_above(model.supports[j]);
+      double gap = intersection(a, b).size() >= 3 ? 0 : 1e300;
+      for (const Vec2& q : a) gap = std::min(gap, distance(b, q));
+      for (const Vec2& q : b) gap = std::min(gap, distance(a, q));
+      EXPECT_GT(gap, 0.3 - 1e-9) << model.supports[i].name << ", " << model.supports[j].name;
+    }
   }
 }
 
@@ -203,8 +252,10 @@ TEST(Anchors, MeetNothing) {
   test::SampleOptions o;
   o.rows = 6;
   o.columns = 8;
-  const PrintModel model = make_print_model(test::sample_design({}, o), "0.1");
-  const Parameters& p = model.parameters;
+  Parameters p;
+  p.engrave = false;
+  const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+  EXPECT_TRUE(model.labels.empty());
   for (const PrintBody& a : model.anchors) {
     const Vec2 c = a.circles[0].centre.head<2>();
     for (const PrintBody& b : model.anchors) {
@@ -219,13 +270,126 @@ TEST(Anchors, MeetNothing) {
     EXPECT_LT(nearest, p.anchor_radius + p.anchor_distance + p.L);
     EXPECT_DOUBLE_EQ(a.circles[1].centre.z(), 2 * p.H_pin + p.H_body);
   }
-  // The first one carries the text: its floor lies engrave_depth below the top.
-  bool engraved = false;
-  for (const Vec3& q : model.anchors[0].points) {
-    engraved = engraved || std::abs(q.z() - (5.0 - p.engrave_depth)) < 1e-12;
+}
+
+// The tab of a labelled anchor: of what lies up at the height of the tiles' faces what letters are
+// sunk into (their islands lie there, too).
+const PlanarFace& tab_of(const PrintModel& model, const PrintBody& anchor) {
+  const Parameters& p = model.parameters;
+  const PlanarFace* tab = &anchor.faces[0];
+  for (const PlanarFace& face : anchor.faces) {
+    const double z = anchor.points[face.outer.points[0]].z();
+    if (face.normal.z() < 0.5 || std::abs(z - p.H_pin - p.H_body) > 1e-9) continue;
+    if (face.inner.size() > tab->inner.size()) tab = &face;
   }
-  EXPECT_TRUE(engraved);
-  EXPECT_TRUE(model.anchors[1].points.empty());
+  return *tab;
+}
+
+TEST(Labels, StandFreeOfGlueAndOfEverything) {
+  for (const char* support : {"soluble", "breakaway", "none"}) {
+    for (const char* orientation : {"front-up", "front-down"}) {
+      if (support == std::string("soluble") && orientation == std::string("front-down")) continue;
+      SCOPED_TRACE(std::string(support) + " " + orientation);
+      Parameters p;
+      p.support = support;
+      p.orientation = orientation;
+      Design design = test::sample_design(p);
+      design.name = "half-sphere";
+      const PrintModel model = make_print_model(design, "0.1");
+      expect_sound(model);
+      EXPECT_EQ(model.loose_anchors, 0);
+      ASSERT_EQ(model.labels.size(), 1u);
+      EXPECT_TRUE(model.labels[0].whole);
+      const std::string side = p.orientation == "front-up" ? "FRONT" : "BACK";
+      EXPECT_EQ(model.labels[0].lines, (std::vector<std::string>{"HALF-SPHERE", "P1 0.1 " + side}));
+      int labelled = 0;
+      for (const PrintBody& anchor : model.anchors) {
+        if (anchor.points.empty()) continue;
+        ++labelled;
+        const PlanarFace& tab = tab_of(model, anchor);
+        std::size_t letters = 0;
+        for (const std::string& line : model.labels[0].lines) {
+          letters += line.size() - std::count(line.begin(), line.end(), ' ');
+        }
+        EXPECT_EQ(tab.inner.size(), letters);
+        // As high as the print, with the glue's area of a cylinder, and a floor below the letters.
+        const Box box = bounding_box(anchor);
+        EXPECT_NEAR(box.low.z(), 0, 1e-12);
+        EXPECT_NEAR(box.high.z(), 5, 1e-12);
+        double top = 0;
+        for (const PlanarFace& face : anchor.faces) {
+          if (face.normal.z() < 0.5 || anchor.points[face.outer.points[0]].z() < 5 - 1e-9) continue;
+          Polygon loop;
+          for (int i : face.outer.points) loop.push_back(anchor.points[i].head<2>());
+          top += area(loop);
+        }
+        EXPECT_NEAR(top, M_PI * 16, 0.2);
+        const double inked = 4.0 - p.engrave_depth;
+        EXPECT_TRUE(std::any_of(anchor.points.begin(), anchor.points.end(),
+                                [&](const Vec3& q) { return std::abs(q.z() - inked) < 1e-9; }));
+        const Polygon seen = seen_from_above(anchor);
+        for (const PrintBody& tile : model.tiles) {
+          EXPECT_LT(intersection(seen, seen_from_above(tile)).size(), 3u);
+        }
+        for (const PrintBody& other : model.anchors) {
+          if (!other.points.empty()) continue;
+          const Vec2 c = other.circles[0].centre.head<2>();
+          for (int i : tab.outer.points) {
+            EXPECT_GT((anchor.points[i].head<2>() - c).norm(), p.anchor_radius + 0.9);
+          }
+        }
+      }
+      EXPECT_EQ(labelled, 1);
+    }
+  }
+}
+
+// Printed front side down, letters are still not mirrored: the text is the same, seen from above.
+TEST(Labels, ReadTheSameWayUpWhicheverSideIsUp) {
+  std::vector<Vec2> first_letter[2];
+  for (int down = 0; down < 2; ++down) {
+    Parameters p;
+    p.support = "breakaway";
+    p.orientation = down ? "front-down" : "front-up";
+    Design design = test::sample_design(p);
+    design.name = "L";
+    const PrintModel model = make_print_model(design, "0.1");
+    for (const PrintBody& anchor : model.anchors) {
+      if (anchor.points.empty()) continue;
+      const PlanarFace& tab = tab_of(model, anchor);
+      std::vector<Vec2>& letter = first_letter[down];
+      for (int i : tab.inner[0].points) letter.push_back(anchor.points[i].head<2>());
+      const Vec2 origin = letter[0];
+      for (Vec2& q : letter) q -= origin;
+    }
+    ASSERT_FALSE(first_letter[down].empty());
+  }
+  ASSERT_EQ(first_letter[0].size(), first_letter[1].size());
+  for (std::size_t k = 0; k < first_letter[0].size(); ++k) {
+    EXPECT_LT((first_letter[0][k] - first_letter[1][k]).norm(), 1e-9);
+  }
+}
+
+TEST(Orientation, FrontDownIsTheSamePrintTurnedOver) {
+  Parameters p;
+  p.support = "breakaway";
+  p.engrave = false;
+  const PrintModel up = make_print_model(test::sample_design(p), "0.1");
+  p.orientation = "front-down";
+  const PrintModel down = make_print_model(test::sample_design(p), "0.1");
+  const std::vector<const PrintBody*> a = up.bodies("print"), b = down.bodies("print");
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_NEAR(volume(*a[i]), volume(*b[i]), 1e-9 * volume(*a[i]));
+    for (std::size_t k = 0; k < a[i]->points.size(); ++k) {
+      const Vec3 &q = a[i]->points[k], &r = b[i]->points[k];
+      EXPECT_LT((Vec3(q.x(), -q.y(), 5 - q.z()) - r).norm(), 1e-9);
+    }
+  }
+  for (std::size_t i = 0; i < up.flat.size(); ++i) {  // proper motions, to the bodies' places
+    EXPECT_NEAR(down.flat[i].R.determinant(), 1, 1e-12);
+    EXPECT_NEAR(down.flat[i](Vec3::Zero()).z(), 5 - up.flat[i](Vec3::Zero()).z(), 1e-12);
+  }
 }
 
 TEST(Pieces, HaveTheirOwnSlabsAndAnchorsOrAreRefused) {
