@@ -118,7 +118,7 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
     views = [View(name, value, colours.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
              for name, value in shown.items()]
     V, F = results.design.V, results.design.F
-    finish_document(path, results.name, views,
+    finish_document(path, results.title, views,
                     _print_box(results["solids"].model) if shown["Tiles"] else _box(V),
                     thumbnail(V, F, native.COLOURS["tiles"]))
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}

@@ -19,6 +19,12 @@ def safe_name(text: str) -> str:
     return re.sub(r"[^A-Za-z0-9._-]+", "-", text).strip("-._")[:LONGEST_NAME] or "target"
 
 
+def plain_name(text: str) -> str:
+    """`text` as it can stand in titles and files of any format: what no text can hold is left out."""
+    shown = "".join(c for c in text if c.isprintable()).strip()
+    return shown[:LONGEST_NAME] or "target"
+
+
 def require_folder_name(path: Path) -> None:
     """Refuses, before any work is done, a path that can't become a folder."""
     for place in (path, *path.parents):

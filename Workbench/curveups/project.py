@@ -14,6 +14,7 @@ from typing import Any, Iterable, Iterator, Mapping, Optional, Sequence
 
 from .errors import CurveUpsError, Stopped
 from .native import native, translated
+from .output import safe_name
 from .stages import STAGES
 from .stages.design import FinishedDesign
 from .stages.stage import Inputs, Job, Picture, Result, Row, Stage, digest
@@ -42,7 +43,7 @@ class Results(Mapping[str, Any]):
     """What one run ended with, in the order of the stages: a value that stays as it is whatever the
     project does next. Reports, files and documents are made from it."""
 
-    name: str
+    name: str             # of files
     parameters: Any
     made: Mapping[str, Made]
     note: str = ""        # why there is no verdict, where none was asked for
@@ -61,6 +62,13 @@ class Results(Mapping[str, Any]):
     def design(self) -> Any:
         """The native Design under the run's parameters."""
         return self["design"].design.with_parameters(self.parameters)
+
+    @property
+    def title(self) -> str:
+        """What the design, or else its target, is called, in any letters."""
+        if "design" in self and self["design"].design:
+            return self["design"].design.name
+        return self["source"].name if "source" in self else self.name
 
     @property
     def verdict(self) -> Verdict:
@@ -101,7 +109,8 @@ class Project:
     @classmethod
     def of_design(cls, design: Any, where: str = "", known: Mapping[str, Made] | None = None) -> "Project":
         """The project of a native Design that exists."""
-        return cls(design.name, design.parameters, {"design": FinishedDesign(design)}, where, known)
+        given = {"design": FinishedDesign(design)}
+        return cls(safe_name(design.name), design.parameters, given, where, known)
 
     @property
     def parameters(self) -> Any:

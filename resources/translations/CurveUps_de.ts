@@ -24,10 +24,6 @@
       <translation>Tiefe der Gravur. Von 0.05 bis 10 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Depth of the notch at which a bridge breaks. From 0 to 10 mm. Takes effect at once.</source>
-      <translation>Tiefe der Kerbe, an der eine Brücke bricht. Von 0 bis 10 mm. Wirkt sofort.</translation>
-    </message>
-    <message>
       <source>Diameter of a friction bump where it meets its wall. From 0.1 to 10 mm. Takes effect at once.</source>
       <translation>Durchmesser einer Reibnoppe an ihrer Wand. Von 0.1 bis 10 mm. Wirkt sofort.</translation>
     </message>
@@ -64,8 +60,8 @@
       <translation>Energie der Membranen: Zugfeld (sie werfen Falten, wo sie gestaucht werden) oder einfach neo-hookesch. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Engraves name, version and piece on one anchor of each piece. Takes effect at once.</source>
-      <translation>Graviert Name, Version und Stück in einen Anker jedes Stücks. Wirkt sofort.</translation>
+      <source>Engraves name, piece, version and side on a tab of one anchor of each piece. Takes effect at once.</source>
+      <translation>Graviert Name, Stück, Version und Seite in eine Lasche an einem Anker jedes Stücks. Wirkt sofort.</translation>
     </message>
     <message>
       <source>Factor on the coordinates of a file without units (1000 for metres). From 1e-06 to 1e+06. Takes effect with Solve.</source>
@@ -74,6 +70,10 @@
     <message>
       <source>Fit clearance between a bump and its dimple. From 0 to 2 mm. Takes effect at once.</source>
       <translation>Passungsspiel zwischen Noppe und Mulde. Von 0 bis 2 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Half the depth of the notches at which a bridge breaks. From 0 to 10 mm. Takes effect at once.</source>
+      <translation>Halbe Tiefe der Kerben, an denen eine Brücke bricht. Von 0 bis 10 mm. Wirkt sofort.</translation>
     </message>
     <message>
       <source>Height of a friction bump over its wall. From 0.02 to 5 mm. Takes effect at once.</source>
@@ -88,8 +88,8 @@
       <translation>Wie tief eine Brücke in jeden Körper reicht. Von 0 bis 5 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>How far the slab stays below the upper pin tops (glue). From 0 to 50 mm. Takes effect at once.</source>
-      <translation>Wie weit die Platte unter den oberen Zapfenenden bleibt (Kleber). Von 0 bis 50 mm. Wirkt sofort.</translation>
+      <source>How far the slab stays below the front pin tops, so that glue on these does not reach it. From 0 to 50 mm. Takes effect at once.</source>
+      <translation>Wie weit die Platte unter den vorderen Zapfenenden bleibt, damit der Kleber darauf sie nicht erreicht. Von 0 bis 50 mm. Wirkt sofort.</translation>
     </message>
     <message>
       <source>How far walls that meet without bumps in between stand back, as prints grow (XY offset). From 0 to 1 mm. Takes effect at once.</source>
@@ -246,6 +246,10 @@
     <message>
       <source>Which side of a CAD part that is drawn with a wall becomes the target. Takes effect with Solve.</source>
       <translation>Welche Seite eines CAD-Teils, das mit einer Wand gezeichnet ist, zur Zielfläche wird. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Which way up it is printed; front-down: breakaway bridges span between walls that stand. Takes effect at once.</source>
+      <translation>Welche Seite beim Druck oben liegt; front-down (Vorderseite unten): Brücken zum Abbrechen spannen sich zwischen Wänden, die schon stehen. Wirkt sofort.</translation>
     </message>
     <message>
       <source>Width of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>

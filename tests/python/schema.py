@@ -10,7 +10,7 @@ FILES = {"design.json", "report.json", "report.html", "NAME.FCStd", "NAME-tiles.
          "NAME-support.stl", "NAME-anchors.stl", "NAME-print.3mf", "NAME-actuated.step"}
 
 REPORT = {
-    "format": TEXT, "version": COUNT, "name": TEXT, "status": TEXT, "tiles": COUNT,
+    "format": TEXT, "version": COUNT, "name": TEXT, "title": TEXT, "status": TEXT, "tiles": COUNT,
     "contacts": COUNT, "cuts": COUNT, "valid": None, "reasons": list, "warnings": list,
     "area": {"actuated_cm2": NUMBER, "flat_cm2": NUMBER, "ratio": NUMBER},
     "constraints": {"max_rigidity_mm": NUMBER, "max_gap_violation_mm": NUMBER,
@@ -35,7 +35,9 @@ OPTIONAL = {
                "min_clearance_flat_mm": None, "max_overlap_actuated_mm3": NUMBER},
     "print": {"bbox_mm": list, "bodies": COUNT, "tile_volume_cm3": NUMBER,
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
-              "smallest_feature_mm": NUMBER, "files": dict},
+              "smallest_feature_mm": NUMBER, "files": dict,
+              "glue": {"first": TEXT, **{f"{side}_{what}_mm2": NUMBER for side in ("front", "back")
+                                         for what in ("pins", "anchors", "support")}}},
 }
 STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}

@@ -23,7 +23,8 @@ def test_design_without_solids(designed):
     check_design(design)
     check_report(report)
     assert report["tiles"] == len(design["F"]) == 24
-    assert report["name"] == design["name"] == "small-cap"
+    assert report["name"] == "small-cap"  # safe for files
+    assert report["title"] == design["name"] == "small cap"
     assert designed.ran.out == ""
     assert report["valid"] is True and report["reasons"] == []
     # --no-remesh: the mesh as it was, L its own mean edge length.
@@ -264,7 +265,7 @@ def test_stl_and_3mf_are_watertight(printed):
     names = re.findall(r'<object [^>]*name="([^"]*)"', text)
     assert [n for n in names if n.startswith("T")] == [f"T{i:05d}" for i in range(1, 25)]
     # One build item a piece, the assembly of all bodies: slicers move build items, not components.
-    assert names[-1] == "small-cap" and len(names) == report["print"]["bodies"] + 1
+    assert names[-1] == "small cap" and len(names) == report["print"]["bodies"] + 1
     assert text.count("<item ") == report["print"]["pieces"] == 1
     assert text.count("<component ") == report["print"]["bodies"]
     colours = re.findall(r'<base name="([^"]*)" displaycolor="#([0-9A-F]{8})"', text)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The print's 3MF as PrusaSlicer takes it: every body stays where it is."""
 
+import json
 import re
 import shutil
 import struct
@@ -78,3 +79,70 @@ def test_it_can_be_sliced(print_files):
            "small-cap-print.3mf")
     heights = [float(z) for z in re.findall(r"^G1 Z([0-9.]+)", code.read_text(), re.MULTILINE)]
     assert 4.5 < max(heights) < 12  # the print is 5 mm high; the nozzle is lifted between parts
+
+
+# As resources/profiles/fdm.json tells, but without supports, which take most of the time.
+FDM = ("--nozzle-diameter", "0.4", "--layer-height", "0.2", "--first-layer-height", "0.2",
+       "--fill-density", "100%", "--fill-pattern", "rectilinear", "--filament-diameter", "1.75",
+       "--skirts", "0", "--gcode-comments", "--bed-shape", "0x0,250x0,250x210,0x210", "--center", "125,105")
+
+
+@pytest.fixture(scope="module")
+def fdm_print(curveups, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("fdm")
+    ran = curveups("design", "half-sphere", "-o", folder, "--profile", "fdm", "--set", "scale=0.6")
+    assert ran.status == 0, ran.err
+    return folder, json.loads((folder / "report.json").read_text(encoding="utf-8"))
+
+
+def test_the_profile_for_fdm_leaves_level_overhangs_alone(fdm_print):
+    _, report = fdm_print
+    assert report["valid"] is True
+    said = {warning.get("kind") for warning in report["warnings"]}
+    assert not said & {"bed", "material", "gap", "feature", "resolution", "glue", "loose", "label"}
+    assert report["print"]["smallest_feature_mm"] >= 0.4
+    assert report["solids"]["min_clearance_flat_mm"] >= 0.8 - 1e-6
+
+
+def test_the_profile_for_fdm_is_sliced_whole(fdm_print):
+    """Half way up, where there are no bridges, each tile and anchor is a loop of its own: none is lost
+    and none grows together with another. As much is extruded as the bodies hold."""
+    folder, report = fdm_print
+    kinds = [(folder / f"half-sphere-{kind}.stl").read_bytes() for kind in ("tiles", "support", "anchors")]
+    facets = sum(struct.unpack_from("<I", kind, 80)[0] for kind in kinds)
+    # One object of all parts, as in the window.
+    (folder / "all.stl").write_bytes(bytes(80) + struct.pack("<I", facets) + b"".join(k[84:] for k in kinds))
+    code = folder / "a.gcode"
+    slicer(folder, "--export-gcode", *FDM, *IN_PLACE, "--output", code, "all.stl")
+    loops, volume = loops_and_volume(code.read_text(), 1.6)
+    block = report["print"]
+    with zipfile.ZipFile(folder / "half-sphere-print.3mf") as archive:
+        bridges = archive.read("3D/3dmodel.model").decode().count('name="Support ')
+    assert loops == block["bodies"] - bridges
+    held = 1000 * sum(block[f"{kind}_volume_cm3"] for kind in ("tile", "anchor", "support"))
+    assert volume == pytest.approx(held, rel=0.05)
+
+
+def loops_and_volume(code, height):
+    """Outer loops of the layer at that height, and mm3 extruded but for supports."""
+    loops, length, z, kind, drawing, relative = 0, 0.0, 0.0, "", False, False
+    before = 0.0
+    for line in code.splitlines():
+        if line.startswith(";TYPE:"):
+            kind, drawing = line[6:], False
+        elif line.startswith("M83"):
+            relative = True
+        elif line.startswith("G92 E0"):
+            before = 0.0
+        elif line.startswith("G1 "):
+            words = {word[0]: float(word[1:]) for word in line.split(";")[0].split()[1:]}
+            z = words.get("Z", z)
+            extruded = words.get("E", before if not relative else 0.0) - (0.0 if relative else before)
+            before = words.get("E", before)
+            draws = extruded > 0 and "X" in words
+            if draws and kind == "External perimeter" and not drawing and abs(z - height) < 0.05:
+                loops += 1
+            drawing = draws
+            if draws and not kind.startswith(("Support", "Skirt")):
+                length += extruded
+    return loops, length * np.pi * (1.75 / 2) ** 2

@@ -15,6 +15,7 @@ from typing import Any, Callable, NoReturn, Optional, Sequence, TextIO
 
 from .. import __version__
 from ..errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
+from ..profiles import profile_names
 from ..progress import Interrupt, Reporter
 
 _EPILOG = """exit status: 0 valid, or not judged because verification was off; 1 finished, not valid;
@@ -107,6 +108,9 @@ def _target_arguments(parser: argparse.ArgumentParser, folder_required: bool = T
     parser.add_argument("--config", type=Path, action="append", default=[], metavar="FILE.json",
                         help='parameters as { "name": value, ... }, with a note as "about"; may be '
                              "given several times: the last wins, and --set wins over all")
+    parser.add_argument("--profile", choices=profile_names(), metavar="NAME",
+                        help="parameters that print well on one kind of printer "
+                             f"({', '.join(profile_names())}); --config and --set win over them")
 
 
 def _output_argument(parser: argparse.ArgumentParser, required: bool = True) -> None:

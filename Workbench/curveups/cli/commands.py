@@ -10,7 +10,8 @@ from typing import Any, Iterator, TextIO
 from ..errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
 from ..files import write_check, write_obj, write_results, write_verification
 from ..native import native, translated
-from ..output import Folder, require_folder_name, safe_name
+from ..output import Folder, plain_name, require_folder_name, safe_name
+from ..profiles import profile_path
 from ..progress import Interrupt, Reporter
 from ..project import Project, Results
 from ..report import check as check_report
@@ -181,7 +182,8 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
             automatic.discard(name)
             _set(values, name, value, where)
 
-    for path in options.config:
+    profile = [profile_path(options.profile)] if options.profile else []
+    for path in (*profile, *options.config):
         for name, value in read_json_object(path).items():
             if name != "about":  # a note of the file's author
                 put(name, value, str(path))
@@ -190,7 +192,8 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
     if options.fit is not None:
         put("fit", options.fit, "--fit")
     source = find_source(options.target, remesh=remesh, will_be_cut=bool(cuts) or cuts.suggested > 0)
-    project = Project(source.name, values, {"source": source, "cut request": cuts}, options.target)
+    given = {"source": source, "cut request": cuts}
+    project = Project(safe_name(source.name), values, given, options.target)
     if automatic:
         _choose_sizes(project, cuts, automatic, session)
     return project
@@ -218,7 +221,7 @@ def _read_design(path: Path) -> Any:
                             "give a design.json of 'curveups design'") from None
     with translated(str(path)):
         found = native.read_design(text)
-    return found.with_name(safe_name(found.name))  # files are named after it
+    return found.with_name(plain_name(found.name))
 
 
 def _settings(texts: list[str]) -> Iterator[tuple[str, str]]:

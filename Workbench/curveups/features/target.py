@@ -12,7 +12,7 @@ from .. import cad_files
 from ..cad_files import Read
 from ..cad_parts import Choice
 from ..errors import CurveUpsError
-from ..output import safe_name
+from ..output import plain_name
 from ..stages.stage import digest
 from ..stages.surface import Source, file_stamp
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, add, add_part_properties, refresh, type_of, write
@@ -88,12 +88,12 @@ def source_of(obj: Any, known: Source | None) -> Source:
             return known
         options["will_be_cut"] = known.will_be_cut  # of a reopened document: it lacks the reader alone
     if obj.Source is not None:
-        return Source(safe_name(obj.Source.Label), stamp=_stamp_of_object(obj.Source),
+        return Source(plain_name(obj.Source.Label), stamp=_stamp_of_object(obj.Source),
                       read=_reader(obj.Source), **options)
     if obj.BuiltIn:
-        return Source(safe_name(obj.BuiltIn), built_in=obj.BuiltIn, **options)
+        return Source(obj.BuiltIn, built_in=obj.BuiltIn, **options)
     if obj.File:
-        return Source(safe_name(Path(obj.File).stem), path=obj.File, stamp=_stamp_of_file(obj.File),
+        return Source(plain_name(Path(obj.File).stem), path=obj.File, stamp=_stamp_of_file(obj.File),
                       **options)
     raise CurveUpsError("there is no target", obj.Label, "choose a surface with the Target command")
 

@@ -126,7 +126,7 @@ def build_page(results: Results) -> str:
     found = results["feasibility"]
     kind, word = ("valid", "Feasible") if found.feasible else ("invalid", "Not feasible")
     said = "".join(f"<li>{html.escape(line)}</li>" for line in (verdict(found), *advice(results)))
-    parts = [f"<h1>{html.escape(results.name)}</h1>",
+    parts = [f"<h1>{html.escape(results.title)}</h1>",
              f'<p><span class="verdict {kind}">{word}</span> &nbsp; {len(found.F)} tiles</p><ul>{said}</ul>',
              html.picture(pictures.blocked_view(found.V, found.F, _marks(found)),
                           "The target from both sides: tiles that can't be made in red, those that are "
@@ -142,7 +142,7 @@ def build_page(results: Results) -> str:
               html.table([(L, H_body, tiles or None, feasible)
                           for L, H_body, tiles, feasible in results["sizes"].tried],
                          ("L, mm", "H_body, mm", "Tiles", "Feasible"))]
-    return html.page(results.name, parts)
+    return html.page(results.title, parts)
 
 
 _MOST_LISTED = 200

@@ -22,7 +22,7 @@ def build_report(results: Results, rows: Sequence[Row], stopped: bool, files: di
     """The report on the results of a run; `files`: what has been written so far, with sizes in bytes."""
     verdict = results.verdict
     report: dict[str, Any] = {
-        "format": FORMAT, "version": VERSION, "name": results.name,
+        "format": FORMAT, "version": VERSION, "name": results.name, "title": results.title,
         "status": "stopped" if stopped else "complete",
         "tiles": 0, "contacts": 0, "cuts": 0, "valid": verdict.valid, "reasons": list(verdict.reasons),
         "warnings": results.warnings(),

@@ -39,18 +39,19 @@ _VIEWS: dict[str, Callable[..., bytes]] = {
 
 def build_html(results: Results, report: dict) -> str:
     """The page for the results of a run and their report."""
-    parts = [f"<h1>{escape(report['name'])}</h1>", _verdict(report)]
+    parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report)]
     for one in results.pictures():
         parts += [f"<h2>{escape(one.heading)}</h2>"] if one.heading else []
         parts.append(picture(_VIEWS[one.view](**one.data), one.caption))
     parts += _cuts(report.get("suggested_cuts", ()))
     if "print" in report:
-        parts += ["<h2>For the print shop</h2>", _quote(report, results.parameters)]
+        parts += ["<h2>For the print shop</h2>", _quote(report, results.parameters),
+                  "<h2>Assembly</h2>", _assembly(report, results.parameters)]
     parts += ["<h2>Figures</h2>", _figures(report)]
     if report["warnings"]:
         parts += ["<h2>Warnings</h2>", _warnings(report["warnings"])]
     parts += ["<h2>Parameters</h2>", _parameters(results.parameters.to_dict())]
-    return page(report["name"], parts)
+    return page(report["title"], parts)
 
 
 def page(name: str, parts: Sequence[str]) -> str:
@@ -122,7 +123,9 @@ def _show(value: Any) -> str:
 def _quote(report: dict, parameters: Any) -> str:
     block, get, name = report["print"], parameters.get, report["name"]
     x, y, z = block["bbox_mm"]
-    rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"]
+    bridged = get("support") == "breakaway"  # of the tiles' own material: nothing dissolves
+    bridges = block["support_volume_cm3"] if bridged else 0.0
+    rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"] + bridges
     printer = read_printer(get("printer"))
     bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
     moduli = {get("shear_modulus_front"), get("shear_modulus_back")}
@@ -130,7 +133,8 @@ def _quote(report: dict, parameters: Any) -> str:
     rows = [
         ("To be printed", f"{name}-print.3mf or {name}-print.step: every body with its name, in place; "
                           "or the files of tiles, anchors and support, which share one origin"),
-        ("Orientation", "front side up, as the files stand; support is printed with the parts"),
+        ("Orientation", f"{_SIDES[get('orientation')]}, as the files stand; support is printed with the "
+                        "parts"),
         ("Size", f"{x:.1f} × {y:.1f} × {z:.1f} mm"),
         ("Printer compared with", f"{printer['name']}: bed {bed} mm, "
          + ("the print fits" if fits_bed(block["bbox_mm"], printer) else "the print does not fit")),
@@ -138,8 +142,10 @@ def _quote(report: dict, parameters: Any) -> str:
                    f"{block['pieces']}"),
         ("Rigid material", f"{rigid:.1f} cm³, {rigid * get('density'):.0f} g at "
                            f"{get('density'):g} g/cm³ (tiles {block['tile_volume_cm3']:.1f} cm³, anchors "
-                           f"{block['anchor_volume_cm3']:.1f} cm³)"),
-        ("Support material", f"{block['support_volume_cm3']:.1f} cm³ ({get('support')})"),
+                           f"{block['anchor_volume_cm3']:.1f} cm³"
+                           + (f", bridges {bridges:.1f} cm³)" if bridged else ")")),
+        ("Support material", f"{block['support_volume_cm3'] - bridges:.1f} cm³"
+         + (" (soluble)" if get("support") == "soluble" else "")),
         ("Smallest feature", f"{block['smallest_feature_mm']:.3g} mm; the printer makes "
                              f"{printer['smallest_feature_mm']:g} mm"),
         ("Least clearance between tiles", f"{_show(report['solids']['min_clearance_flat_mm'])} mm; the "
@@ -152,6 +158,36 @@ def _quote(report: dict, parameters: Any) -> str:
     files = [(file, f"{size / 1e6:.2f}") for file, size in sorted(block["files"].items())]
     return (table(rows) + '<p class="note">Lengths are in millimetres in every file.</p>'
             + table(files, ("File", "MB")))
+
+
+_SIDES = {"front-up": "front side up", "front-down": "front side down"}
+
+
+def _assembly(report: dict, parameters: Any) -> str:
+    """What is glued in which order, for whoever puts it together."""
+    get, glue = parameters.get, report["print"]["glue"]
+    first = glue["first"]
+    second = "back" if first == "front" else "front"
+    support = {"soluble": "dissolve the slab", "breakaway": "break the bridges from the back",
+               "none": "there is no support to remove"}[get("support")]
+    flush = glue[f"{second}_support_mm2"]
+    steps = [
+        f"Stretch both membranes to {get('tau'):g} times their length.",
+        f"Glue the {first} first: its pins and anchors alone stand out there "
+        f"({glue[f'{first}_pins_mm2'] + glue[f'{first}_anchors_mm2']:.0f} mm²)"
+        + (f"; on the {second} the slab lies level with the pins ({flush:.0f} mm²) and would be glued along."
+           if flush else "."),
+        f"Turn the sheet over, {support} and let the tiles dry.",
+        f"Glue the {second} pins and the other end of the anchors ("
+        f"{glue[f'{second}_pins_mm2'] + glue[f'{second}_anchors_mm2']:.0f} mm²), lay the second membrane on.",
+        "Take the sheet off the plates when the glue holds: it pulls itself into shape.",
+        "Cut the anchors off with the surplus membrane; trim along rims, holes and cuts.",
+    ]
+    printed = "FRONT" if get("orientation") == "front-up" else "BACK"
+    note = (f"The label beside an anchor of each piece says {printed} on that side."
+            if get("anchors") and get("engrave") else "")
+    return ("<ol>" + "".join(f"<li>{escape(step)}</li>" for step in steps) + "</ol>"
+            + (f'<p class="note">{note}</p>' if note else ""))
 
 
 def _either(values: set[float]) -> str:

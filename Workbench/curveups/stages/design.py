@@ -32,8 +32,8 @@ class FinishedDesign(Result):
     def pictures(self) -> Sequence[Picture]:
         data = {"design": self.design}
         return (Picture("Actuated", "The tiles in the target shape, front side light.", "actuated", data),
-                Picture("Flat layout", "As it is printed, front side up; the pins that carry the membrane "
-                                       "in dark.", "flat", data))
+                Picture("Flat layout", "As it is printed, seen from the front; the pins that carry the "
+                                       "membrane in dark.", "flat", data))
 
 
 def _finish(inputs: Inputs) -> FinishedDesign:

@@ -14,6 +14,8 @@ from .stage import Inputs, Job, Result, Row, Stage, advice_of
 
 PRINTERS = Path(__file__).parents[3] / "resources" / "printers"
 KINDS = ("tiles", "support", "anchors")
+# Of both kinds of support: there a slab lies below the pin tops; bridges are broken from the back.
+GLUED_FIRST = "front"
 
 
 @dataclass(frozen=True)
@@ -81,6 +83,11 @@ def _lacks(model: Any) -> list[dict]:
     if model.loose_anchors:
         warnings.append({"what": f"{model.loose_anchors} anchors are not held by the support",
                          "kind": "loose", "tiles": []})
+    for piece, lines, whole in model.labels:
+        if not whole:
+            said = f"says only '{' '.join(lines)}'" if lines else "has no room"
+            warnings.append({"what": f"the label of piece {piece + 1} {said}: not the whole name",
+                             "kind": "label", "tiles": []})
     return warnings
 
 
@@ -126,11 +133,16 @@ def _check(inputs: Inputs, job: Job) -> Check:
     smallest = min((size for _, _, size in model.thinnest), default=0.0)
     printed = {"bbox_mm": box, "bodies": int(model.body_count), "pieces": int(model.piece_count),
                "tile_volume_cm3": volumes["tiles"], "support_volume_cm3": volumes["support"],
-               "anchor_volume_cm3": volumes["anchors"], "smallest_feature_mm": smallest}
+               "anchor_volume_cm3": volumes["anchors"], "smallest_feature_mm": smallest,
+               "glue": {"first": GLUED_FIRST, **{f"{side}_{what}_mm2": area
+                                                 for side, areas in model.glued_areas.items()
+                                                 for what, area in areas.items()}}}
     solids = {"tiles": int(model.tile_count), "invalid": len(unsound), "volume_cm3": volumes["tiles"],
               "min_clearance_flat_mm": clearance, "max_overlap_actuated_mm3": overlap}
     printer = read_printer(inputs.parameters.get("printer"))
-    warned = (*_printer_warnings(model, box, clearance, printer), *_fit_warnings(inputs.parameters, printer))
+    warned = (*_glue_warnings(printed["glue"]),
+              *_printer_warnings(model, inputs.parameters, box, clearance, printer),
+              *_fit_warnings(inputs.parameters, printer))
     reasons = [*reasons, *too_thin(inputs["figures"].relaxed, printer)]
     return Check(printed, solids, tuple(reasons), warned)
 
@@ -139,26 +151,62 @@ CHECK = Stage("check", ("solids", "figures"), frozenset({"check", "tiles"}), _ch
               on_stop=lambda stage, inputs: Check())
 
 
-def _printer_warnings(model: Any, box: Sequence[float], clearance: float, printer: dict
+def _glue_warnings(glue: Mapping[str, Any]) -> Sequence[dict[str, Any]]:
+    if not glue[f"{GLUED_FIRST}_support_mm2"]:
+        return ()
+    return ({"what": f"the slab is level with the {GLUED_FIRST} pins, which are glued first: glue takes it, "
+                     "too",
+             "remedy": "raise support_drop", "kind": "glue", "tiles": []},)
+
+
+def _printer_warnings(model: Any, parameters: Any, box: Sequence[float], clearance: float, printer: dict
                       ) -> list[dict[str, Any]]:
-    """What the chosen printer can't make: bed, gaps, features."""
+    """What the chosen printer can't make: bed, materials, gaps, features, overhangs."""
+    get, name = parameters.get, printer["name"]
     warnings: list[dict[str, Any]] = []
+
+    def warn(kind: str, what: str, remedy: str = "", tiles: Sequence[int] = ()) -> None:
+        warnings.append({"what": what, "kind": kind, "tiles": list(tiles),
+                         **({"remedy": remedy} if remedy else {})})
+
+    soluble = get("support") == "soluble" and model.volumes["support"] > 0
     if not fits_bed(box, printer):
-        warnings.append({"what": f"the print ({box[0]:.0f} x {box[1]:.0f} x {box[2]:.0f} mm) is larger "
-                                 f"than the bed of a {printer['name']}",
-                         "kind": "bed", "tiles": []})
+        warn("bed", f"the print ({box[0]:.0f} x {box[1]:.0f} x {box[2]:.0f} mm) is larger than the bed of a "
+                    f"{name}")
+    if soluble and printer["materials"] < 2:
+        warn("material", f"the soluble slab is a second material; a {name} prints one",
+             "set support to breakaway")
     if clearance < printer["smallest_gap_mm"]:
-        warnings.append({"what": f"tiles come as near as {clearance:.3g} mm; a "
-                                 f"{printer['name']} needs {printer['smallest_gap_mm']:g} mm",
-                         "kind": "gap", "tiles": []})
+        warn("gap", f"tiles come as near as {clearance:.3g} mm; a {name} needs "
+                    f"{printer['smallest_gap_mm']:g} mm")
+    if soluble and clearance < printer["smallest_feature_mm"]:
+        warn("feature", f"the slab's walls between tiles are as thin as {clearance:.3g} mm; a {name} makes "
+                        f"{printer['smallest_feature_mm']:g} mm",
+             "raise d_gap_min, or set support to breakaway")
     thin = [row for row in model.thinnest if row[2] < printer["smallest_feature_mm"]]
     if thin:
         body, what, size = min(thin, key=lambda row: row[2])
         tiles = sorted(int(row[0][1:]) - 1 for row in thin
                        if row[0][:1] == "T" and row[0][1:].isdigit())
-        warnings.append({"what": f"{len(thin)} bodies have features smaller than a {printer['name']} "
-                                 f"makes; {body}: {what}, {size:.3g} mm",
-                         "kind": "feature", "tiles": tiles})
+        warn("feature", f"{len(thin)} bodies have features smaller than a {name} makes; {body}: {what}, "
+                        f"{size:.3g} mm", tiles=tiles)
+    if get("bumps") != "none" and get("bump_height") < printer["resolution_mm"]:
+        warn("resolution", f"bumps are {get('bump_height'):g} mm high, less than the "
+                           f"{printer['resolution_mm']:g} mm that a {name} resolves",
+             "set bumps to none, or raise bump_height")
+    if get("bumps") == "dimples" and get("dimple_clearance") < printer["resolution_mm"]:
+        warn("resolution", f"dimples are {get('dimple_clearance'):g} mm wider than bumps, less than the "
+                           f"{printer['resolution_mm']:g} mm that a {name} resolves",
+             "raise dimple_clearance, or set bumps to none")
+    most = printer["overhang_mm"]
+    if most is not None and not soluble:
+        far = [tile for tile, size in enumerate(model.overhangs) if size > most]
+        if far:
+            reach = max(model.overhangs)
+            warn("overhang", f"{len(far)} tiles reach out level by up to {reach:.2g} mm beyond the pin they "
+                             f"stand on, {get('H_pin'):g} mm above the bed; a {name} prints {most:g} mm "
+                             "without supports",
+                 "let the slicer put supports there, on the bed alone", far)
     return warnings
 
 
@@ -183,7 +231,8 @@ def _fit_warnings(parameters: Any, printer: dict) -> list[dict[str, Any]]:
 
 
 def read_printer(name: str) -> dict:
-    """What is known of a printer: bed, resolution, smallest gap and feature, growth of walls, sources."""
+    """What is known of a printer: bed, resolution, smallest gap and feature, growth of walls, how many
+    materials it prints at once, how far it prints level without anything below (None: any), sources."""
     return json.loads((PRINTERS / f"{name}.json").read_text(encoding="utf-8"))
 
 

@@ -14,7 +14,7 @@ from ..cad_files import Read
 from ..cad_parts import Choice
 from ..errors import CurveUpsError
 from ..native import native
-from ..output import safe_name
+from ..output import plain_name
 from .stage import Inputs, Job, Result, Stage, digest
 
 
@@ -25,7 +25,7 @@ class Source(Result):
     a file or an object apart. `remesh`: otherwise the mesh is taken as it is. `will_be_cut`: whether a closed
     surface makes sense."""
 
-    name: str           # safe for file names
+    name: str           # as titles have it; files are named by output.safe_name of it
     built_in: str = ""
     path: str = ""
     remesh: bool = True
@@ -98,8 +98,8 @@ STAGE = Stage("surface", ("source",), frozenset({"target"}), _run)
 def find_source(target: str, **options: Any) -> Source:
     """The source that a TARGET of the command line names; built-in names come first."""
     if target in dict(native.builtin_targets()):
-        return Source(safe_name(target), built_in=target, **options)
-    return Source(safe_name(Path(target).stem), path=target, stamp=file_stamp(target), **options)
+        return Source(target, built_in=target, **options)
+    return Source(plain_name(Path(target).stem), path=target, stamp=file_stamp(target), **options)
 
 
 def file_stamp(path: str) -> str:

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What print files promise to whoever prints and glues: names, areas of glue, limits of printers."""
+
+import json
+import struct
+import zipfile
+
+import numpy as np
+import pytest
+from running import dome
+
+
+def level_area(path, z, up):
+    """mm2 of a binary STL's facets that lie at that height and look up or down."""
+    data = path.read_bytes()
+    facet = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
+    corners = np.frombuffer(data, facet, offset=84, count=struct.unpack_from("<I", data, 80)[0])["corners"]
+    a, b, c = np.moveaxis(corners.astype(float), 1, 0)
+    area = 0.5 * np.cross(b - a, c - a)[:, 2] * (1 if up else -1)
+    flat = (np.abs(corners[:, :, 2] - z) < 1e-4).all(axis=1)
+    return area[flat & (area > 0)].sum()
+
+
+@pytest.fixture(scope="module")
+def exported(curveups, printed, tmp_path_factory):
+    def export(*settings):
+        folder = tmp_path_factory.mktemp("exported")
+        done = curveups("export", printed.folder / "design.json", "-o", folder, "--set", *settings)
+        assert done.status == 0, done.err
+        return folder, json.loads((folder / "report.json").read_text(encoding="utf-8"))
+
+    return export
+
+
+@pytest.mark.parametrize("settings", [("support=soluble",), ("support=breakaway",),
+                                      ("support=breakaway", "orientation=front-down")])
+def test_glue_on_the_front_takes_pins_and_anchors_alone(exported, settings):
+    """The side that README and report tell to glue first; measured in the files. Front up means up."""
+    folder, report = exported(*settings)
+    glue, front_up = report["print"]["glue"], "orientation=front-down" not in settings
+    assert glue["first"] == "front"
+    top = report["print"]["bbox_mm"][2]
+    for side, up in (("front", front_up), ("back", not front_up)):
+        for kind, name in (("tiles", "pins"), ("anchors", "anchors"), ("support", "support")):
+            found = level_area(folder / f"small-cap-{kind}.stl", top if up else 0.0, up)
+            # Circles are chords there.
+            assert found == pytest.approx(glue[f"{side}_{name}_mm2"], rel=0.03, abs=0.1)
+    assert glue["front_support_mm2"] == 0 and glue["front_pins_mm2"] > 50
+    flush = glue["back_support_mm2"]
+    assert flush > 10 * glue["back_pins_mm2"] if "support=soluble" in settings else flush == 0
+    page = (folder / "report.html").read_text(encoding="utf-8")
+    assert "Glue the front first" in page
+    assert ("would be glued along" in page) == (flush > 0)
+    assert ("front side up" if front_up else "front side down") in page
+    assert not any(warning.get("kind") == "glue" for warning in report["warnings"])
+
+
+def test_a_slab_that_glue_would_take_is_warned_of(exported):
+    _, report = exported("support_drop=0")
+    warning, = (w for w in report["warnings"] if w.get("kind") == "glue")
+    assert "support_drop" in warning["remedy"] and report["print"]["glue"]["front_support_mm2"] > 500
+
+
+def test_bridges_are_no_support_material(exported):
+    folder, report = exported("support=breakaway")
+    page = (folder / "report.html").read_text(encoding="utf-8")
+    volume = report["print"]["support_volume_cm3"]
+    assert volume > 0 and f"bridges {volume:.1f} cm³" in page
+    assert "<td>Support material</td><td>0.0 cm³</td>" in page
+
+
+def test_what_a_printer_cannot_make_is_said(exported):
+    kinds = {}
+    for printer in ("polyjet", "resin", "fdm"):
+        _, report = exported(f"printer={printer}")
+        kinds[printer] = {warning.get("kind") for warning in report["warnings"]} - {None, "membrane"}
+    assert not kinds["polyjet"]
+    assert kinds["resin"] == {"material"}
+    assert kinds["fdm"] == {"material", "resolution"}
+    _, report = exported("printer=fdm", "support=breakaway", "bumps=none")
+    said = {warning.get("kind"): warning for warning in report["warnings"]}
+    assert not {"material", "resolution"} & set(said)
+    assert "supports" in said["overhang"]["remedy"] and len(said["overhang"]["tiles"]) > 10
+    reach = float(said["overhang"]["what"].split("up to ")[1].split(" mm")[0])
+    assert 1 < reach < 6
+
+
+def test_names_stay_as_they_are_in_titles(curveups, tmp_path):
+    target = tmp_path / "Schüssel groß.obj"
+    target.write_text(dome(2))
+    folder = tmp_path / "out"
+    done = curveups("design", target, "-o", folder, "--no-remesh", "--quiet")
+    assert done.status == 0, done.err
+    report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+    assert report["title"] == "Schüssel groß" and report["name"] == "Sch-ssel-gro"
+    page = (folder / "report.html").read_text(encoding="utf-8")
+    assert "<h1>Schüssel groß</h1>" in page and "<title>Schüssel groß " in page
+    with zipfile.ZipFile(folder / "Sch-ssel-gro-print.3mf") as archive:
+        model = archive.read("3D/3dmodel.model").decode("utf-8")
+    assert '<metadata name="Title">Schüssel groß</metadata>' in model
+    with zipfile.ZipFile(folder / "Sch-ssel-gro.FCStd") as archive:
+        document = archive.read("Document.xml").decode("utf-8")
+    assert 'value="Schüssel groß"' in document
+    step = (folder / "Sch-ssel-gro-print.step").read_text(encoding="ascii")
+    assert r"PRODUCT('Sch\X2\00FC\X0\ssel gro\X2\00DF\X0\-print'," in step
+    assert json.loads((folder / "design.json").read_text(encoding="utf-8"))["name"] == "Schüssel groß"
+    # Given again, the design's files have the names that they had.
+    assert curveups("verify", folder / "design.json", "-o", folder).status == 0
+    assert (folder / "Sch-ssel-gro-print.3mf").exists()
+
+
+def test_long_names_are_said_to_be_cut_on_labels(curveups, printed, tmp_path):
+    design = json.loads((printed.folder / "design.json").read_text(encoding="utf-8"))
+    for name, cut in (("the-lamp-shade-of-the-hall", False), ("x" * 90, True)):
+        (tmp_path / "d.json").write_text(json.dumps({**design, "name": name}), encoding="utf-8")
+        folder = tmp_path / name[:8]
+        assert curveups("export", tmp_path / "d.json", "-o", folder).status == 0
+        report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+        assert any(warning.get("kind") == "label" for warning in report["warnings"]) == cut
