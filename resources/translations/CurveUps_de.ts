@@ -192,8 +192,8 @@
       <translation>Dicke der vorderen Membran vor dem Dehnen. Von 0.01 bis 10 mm. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Tiles that carry the piece where gravity is held, as T00012,T00345; none: its lowest. Takes effect with Verify.</source>
-      <translation>Kacheln, die das Stück tragen, wo Schwerkraft gehalten wird, als T00012,T00345; keine: seine tiefsten. Wirkt mit „Prüfen“.</translation>
+      <source>Tiles that carry the piece where gravity is held, as T00012,T00345; none: those at its lowest. Takes effect with Verify.</source>
+      <translation>Kacheln, die das Stück tragen, wo Schwerkraft gehalten wird, als T00012,T00345; keine: die an seiner tiefsten Stelle. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Turns front and back over, for targets whose normals point inwards. Takes effect with Solve.</source>

@@ -161,7 +161,7 @@ std::vector<ParameterInfo> make_table() {
      "Weight of the tiles: left out, carried by held tiles, or by a plane on which the piece rests.",
      physics, &P::gravity, 0, 0, {"off", "held", "resting"}},
     {"held_tiles", "", "Physics",
-     "Tiles that carry the piece where gravity is held, as T00012,T00345; none: its lowest.",
+     "Tiles that carry the piece where gravity is held, as T00012,T00345; none: those at its lowest.",
      physics, &P::held_tiles, 0, 0, {}, "tiles"},
     {"density", "g/cm3", "Physics", "Density of the tiles, for gravity.",
      physics, &P::density, 0, 30},

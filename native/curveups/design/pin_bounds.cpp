@@ -170,9 +170,12 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
         out.lower(i, inset_index(side, t)) = room.lower[t];
         out.upper(i, inset_index(side, t)) = room.upper[t];
       }
-      // A hair of room where only a single point would be feasible.
+      // A hair of room where only a single point would be feasible; less of it where that would
+      // cost A_pin_floor.
       const bool small = room.area < p.A_pin_min * (1 + 1e-4);
-      out.least_area(i, static_cast<int>(side)) = small ? 0.99 * room.area : p.A_pin_min;
+      const double possible =
+          std::max(0.99 * room.area, std::min(1.001 * p.A_pin_floor, 0.999 * room.area));
+      out.least_area(i, static_cast<int>(side)) = small ? possible : p.A_pin_min;
       if (small) out.small.push_back({i, side, room.area});
       out.keepouts.insert(out.keepouts.end(), room.keepouts.begin(), room.keepouts.end());
     }

@@ -111,18 +111,25 @@ Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const A
 
 std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& parameters) {
   if (parameters.gravity != "held") return {};
-  std::vector<int> held = listed_tiles(parameters.held_tiles);
-  if (!held.empty()) return held;
+  const std::vector<int> named = listed_tiles(parameters.held_tiles);
+  if (!named.empty()) return named;
   const TileMesh& tiles = geometry.tiles;
   const Vec3 down = downwards(parameters);
   const Points3 centres = tile_centres(tiles);
   const std::vector<int> piece = pieces(tiles);
-  held.assign(piece.empty() ? 0 : *std::max_element(piece.begin(), piece.end()) + 1, -1);
+  std::vector<int> lowest(piece.empty() ? 0 : *std::max_element(piece.begin(), piece.end()) + 1,
+                          -1);
   for (int i = 0; i < tiles.tile_count(); ++i) {
-    int& best = held[piece[i]];
+    int& best = lowest[piece[i]];
     if (best < 0 || down.dot(centres.row(i)) > down.dot(centres.row(best))) best = i;
   }
-  std::sort(held.begin(), held.end());
+  std::vector<int> held;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    const auto own = tiles.mesh.F.row(i), grip = tiles.mesh.F.row(lowest[piece[i]]);
+    bool around = false;
+    for (int t = 0; t < 3; ++t) around = around || (grip.array() == own(t)).any();
+    if (around) held.push_back(i);
+  }
   return held;
 }
 

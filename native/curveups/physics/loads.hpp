@@ -13,8 +13,9 @@ namespace curveups {
 Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
                  const Parameters& parameters);
 
-// The tiles that carry the piece where gravity is held, ascending: held_tiles, by default the
-// lowest one of every piece. None otherwise.
+// The tiles that carry the piece where gravity is held, ascending: held_tiles, by default of every
+// piece the lowest one and those that share a corner with it, about what fingers hold. None
+// otherwise.
 std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& parameters);
 
 // Where gravity is resting: on a plane across its direction through the lowest corner of the tiles'

@@ -94,6 +94,9 @@ void judge_unilateral(const VerdictInput& in, VerificationReport& report) {
   if (!in.tips) return;
   reason = lack_of_push(u, *u.tips_status, u.tips_largest_floor, u.feasible_at_tips,
                         " at bumps' tips", *in.tips, *in.tips_system);
+  if (!reason.empty() && in.parameters.gravity == "held") {
+    reason += "; hold more tiles, or others (held_tiles)";
+  }
   if (!reason.empty()) report.reasons.push_back(reason);
 }
 

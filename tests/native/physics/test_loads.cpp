@@ -81,6 +81,16 @@ TEST(Loads, GravityIsCarriedByHeldTilesOrByThePlane) {
   Design design = dome();
   design.parameters.gravity = "held";
   design.parameters.density = 1.18;
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  // By default what fingers hold: the lowest tile and those around it.
+  const std::vector<int> grip = held_tiles(geometry, design.parameters);
+  int lowest = 0;
+  const Points3 centres = tile_centres(geometry.tiles);
+  centres.col(2).minCoeff(&lowest);
+  EXPECT_TRUE(std::binary_search(grip.begin(), grip.end(), lowest));
+  EXPECT_GE(grip.size(), 3u);
+  EXPECT_LE(grip.size(), 13u);
+  design.parameters.held_tiles = tile_name(lowest);
   const VerificationReport light = verify_design(design, {}, {});
   EXPECT_LT(light.contact_forces.imbalance, 1e-9);
   design.parameters.held_tiles = "T00001, T00004,T00008";

@@ -180,6 +180,7 @@ TEST(Repair, LiftsTheFloorOfTheUnilateralProblem) {
 TEST(Repair, LiftsTheFloorAtBumpTips) {
   Design design = laid_out(test::saddle(4));
   design.parameters.gravity = "held";
+  design.parameters.held_tiles = "T00001";
   VerificationReport before;
   auto lacks_at_tips_alone = [&] {
     before = verify_design(design, {}, {});
