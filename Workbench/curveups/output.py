@@ -7,7 +7,7 @@ import glob
 import os
 import re
 from pathlib import Path
-from typing import Any, Callable, Optional
+from typing import Any, Callable, ClassVar, Optional
 
 from .errors import NOT_WRITTEN, CurveUpsError, Stopped
 
@@ -51,6 +51,8 @@ class Folder:
     A file that could not be written leaves nothing behind; those before it stay. As a context it answers
     for whatever unexpected happens between the files: status 4, and what is complete.
     """
+
+    written: ClassVar[int] = 0  # files by all of them, since the program began
 
     def __init__(self, path: Path):
         self.path = path
@@ -125,6 +127,7 @@ class Folder:
                 raise
             self._fail(name, error)
         self.files[name] = size
+        Folder.written += 1
 
     def write_text(self, name: str, text: str) -> None:
         """Writes UTF-8 text with plain line ends."""

@@ -27,8 +27,11 @@ def judge(results: Mapping[str, Any], note: str = "") -> Verdict:
     if verification is not None and verification.reasons() and not verification.failure:
         reasons += [sentence for result in results.values() for sentence in result.advice()]
     if reasons:
-        return Verdict(False, tuple(reasons))
+        return Verdict(False, tuple(dict.fromkeys(reasons)))  # several results may give the same one
     if verification is not None and verification.valid:
-        return Verdict(True)
+        # What was asked for besides and is not known, as the work was stopped.
+        open_questions = [results[name].note for name in ("clearances", "recheck")
+                          if name in results and results[name].note]
+        return Verdict(None, tuple(open_questions)) if open_questions else Verdict(True)
     note = verification.note if verification is not None else note
     return Verdict(None, (note,) if note else ())

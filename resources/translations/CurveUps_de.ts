@@ -451,6 +451,10 @@
       <translation>Prüfung der Volumenkörper</translation>
     </message>
     <message>
+      <source>Clearances</source>
+      <translation>Abstände</translation>
+    </message>
+    <message>
       <source>Constraints</source>
       <translation>Bedingungen</translation>
     </message>

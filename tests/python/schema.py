@@ -33,6 +33,7 @@ OPTIONAL = {
     "deviation": {"mean_mm": NUMBER, "max_mm": NUMBER, "hausdorff_mm": NUMBER},
     "solids": {"tiles": COUNT, "invalid": COUNT, "volume_cm3": NUMBER,
                "min_clearance_flat_mm": None, "max_overlap_actuated_mm3": NUMBER},
+    "clearances": {"min_flat_mm": None, "max_overlap_actuated_mm3": NUMBER},
     "print": {"bbox_mm": list, "bodies": COUNT, "tile_volume_cm3": NUMBER,
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
               "smallest_feature_mm": NUMBER, "files": dict,

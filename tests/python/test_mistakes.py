@@ -234,13 +234,12 @@ def test_a_failure_where_a_verdict_was_asked_for_is_an_error(project_of_cap, mon
         project_of_cap().run(("verification",), strict=True)
 
 
-def test_a_recheck_that_breaks_down_is_a_warning(project_of_cap, monkeypatch):
+def test_a_recheck_that_breaks_down_is_no_pass(project_of_cap, monkeypatch):
     broken = raising(native.SolverFailure("no memory for the factor"), first=1)
     monkeypatch.setattr(verification, "native", Replaced(verify_design=broken))
     results = project_of_cap(recheck=True, repair=False).run(GOALS)
-    assert results.verdict.valid is True and not results["recheck"].ran
-    warned = [w["what"] for w in results.warnings() if w["kind"] == "recheck"]
-    assert len(warned) == 1 and "no memory" in warned[0]
+    assert results.verdict.valid is False and not results["recheck"].ran
+    assert len(results.verdict.reasons) == 1 and "no memory" in results.verdict.reasons[0]
 
 
 @pytest.mark.parametrize("error, stopped", [(native.SolverFailure("no memory"), False),

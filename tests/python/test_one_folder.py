@@ -131,3 +131,18 @@ def test_signals_while_writing_keep_the_reports(printed, tmp_path, number):
     assert BARE <= names(out) and "Traceback" not in said
     assert json.loads((out / "report.json").read_text())["status"] == "stopped"
     assert files.REPORTS[0] == "report.json"
+
+
+def test_something_unexpected_after_the_files_is_not_nothing_written(cap, tmp_path, monkeypatch, capfd):
+    from curveups import cli
+    from curveups.cli import commands
+
+    def broken(*_):
+        raise KeyError("a figure of the summary")
+
+    monkeypatch.setattr(commands, "_finish", broken)
+    arguments = ["design", str(cap), "--no-remesh", "--no-solids", "--quiet", "-o"]
+    assert cli.main([*arguments, str(tmp_path / "out")]) == NOT_WRITTEN
+    assert BARE <= names(tmp_path / "out")
+    monkeypatch.setattr(commands, "_project", broken)
+    assert cli.main([*arguments, str(tmp_path / "none")]) == 2 and not (tmp_path / "none").exists()

@@ -63,6 +63,9 @@ def test_vertices_make_room_for_pins(curveups, steep, tmp_path):
     assert len(relief["pin_sides"]) == small and relief["remaining"] == 0
     assert report["constraints"]["pin_sides_below_area"] == 0
     assert all(side["area_before_mm2"] < 9 for side in relief["pin_sides"])
+    assert len(relief["moved_vertices"]) == np.count_nonzero(
+        np.any(np.array(moved["V"]) != np.array(moved["target"]["V"]), axis=1))
+    assert relief["moved_vertices"][0]["mm"] == pytest.approx(relief["largest_move_mm"])
     # What moved, and from where, is in the design; how far, in the report.
     distance = np.linalg.norm(np.array(moved["V"]) - np.array(moved["target"]["V"]), axis=1)
     assert np.isclose(distance.max(), relief["largest_move_mm"], atol=1e-9)
@@ -83,6 +86,7 @@ def test_a_higher_floor_is_repaired(curveups, patch, tmp_path):
     steps = report["repair"]["steps"]
     assert steps[0]["weak_points"] > 0 and steps[-1]["weak_points"] == 0
     assert steps[0]["fresh_mesh"] and steps[-1]["fresh_mesh"]
+    assert report["repair"]["mended"] and all(len(pair) == 2 for pair in report["repair"]["mended"])
     assert report["contact_forces"]["points_below_f_min"] == 0
     stages = [stage["name"] for stage in report["stages"]]
     assert stages.index("refine") < stages.index("verify")  # the last verdict is the repaired design's

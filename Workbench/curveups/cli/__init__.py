@@ -15,6 +15,7 @@ from typing import Any, Callable, NoReturn, Optional, Sequence, TextIO
 
 from .. import __version__
 from ..errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
+from ..output import Folder
 from ..profiles import profile_names
 from ..progress import Interrupt, Reporter
 
@@ -187,6 +188,7 @@ def run(arguments: Optional[list[str]], reporter_of: Callable[..., Reporter] = R
 
 def main(arguments: Optional[list[str]] = None) -> int:
     """The program; every outcome is an exit status."""
+    before = Folder.written
     try:
         return run(arguments)
     except CurveUpsError as error:
@@ -199,15 +201,20 @@ def main(arguments: Optional[list[str]] = None) -> int:
         return NOT_WRITTEN
     except MemoryError:
         _tell(_NO_MEMORY)
-        return BAD_INPUT
+        return _nothing_or_some(before)
     except Exception as error:  # otherwise Python would end with status 1, which means "not valid"
         if getattr(error, "errno", None) == errno.ENOMEM:
             _tell(_NO_MEMORY)
-            return BAD_INPUT
+            return _nothing_or_some(before)
         text = " ".join(str(error).split())
         _tell(f"unexpected {type(error).__name__}{f' ({text})' if text else ''}: please report it, with "
               "what CURVEUPS_DEBUG=1 shows")
-        return BAD_INPUT  # nothing is there: Folder answers for what happens once files are being written
+        return _nothing_or_some(before)
+
+
+def _nothing_or_some(before: int) -> int:
+    """The status after something unexpected: 2 says that nothing was written."""
+    return BAD_INPUT if Folder.written == before else NOT_WRITTEN
 
 
 def _tell(text: str) -> None:

@@ -114,7 +114,7 @@ def verify(options: Any, session: Session) -> int:
     parameters = project.parameters
     parameters.set("verify", True)
     project.parameters = parameters
-    results = project.run(("figures", "verification", "recheck"), session.job, strict=True)
+    results = project.run(("figures", "clearances", "verification", "recheck"), session.job, strict=True)
     if options.output:
         with session.interrupt.shielded():
             write_verification(results, design, options.output)

@@ -23,7 +23,7 @@ from . import live, rebuild, status
 from .document import state_of, take, take_bodies
 
 Work = Callable[[Job], Results]
-VERIFIED = ("figures", "verification", "recheck")
+VERIFIED = ("figures", "clearances", "verification", "recheck")
 
 
 @dataclass(frozen=True)

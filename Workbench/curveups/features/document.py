@@ -187,7 +187,8 @@ def _take_design(obj: Any, results: Results, solved: bool) -> None:
         found = results.get("verification")
         write_verification(obj.Verification, found)
         verdict = results.verdict
-        judging = ("figures", "verification", "recheck", *(_SOLIDS if "check" in results else ()))
+        judging = ("figures", "clearances", "verification", "recheck",
+                   *(_SOLIDS if "check" in results else ()))
         read = {properties.property_name(name) for stage in judging if stage in results
                 for name in results.made[stage].key}
         write(obj, "Judged", json.dumps({

@@ -35,6 +35,7 @@ _STAGES = {
     "design": QT_TRANSLATE_NOOP("CurveUpsSolve", "Design"),
     "figures": QT_TRANSLATE_NOOP("CurveUpsSolve", "Constraints"),
     "deviation": QT_TRANSLATE_NOOP("CurveUpsSolve", "Deviation"),
+    "clearances": QT_TRANSLATE_NOOP("CurveUpsSolve", "Clearances"),
     "verification": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification"),
     "recheck": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification on a finer mesh"),
     "bodies": QT_TRANSLATE_NOOP("CurveUpsSolve", "Bodies"),

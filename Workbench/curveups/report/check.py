@@ -11,7 +11,7 @@ from ..errors import tile_list, tile_name
 from ..project import Results
 from ..stages.feasibility import SAG, TOO_NARROW, TOO_SLACK, Feasibility
 from ..stages.sizes import Recommendation
-from . import html, pictures
+from . import html, pictures, tables
 
 FORMAT, VERSION = "curveups-check", 1
 Row = tuple[str, str, str, str, str]
@@ -131,17 +131,17 @@ def build_page(results: Results) -> str:
              html.picture(pictures.blocked_view(found.V, found.F, _marks(found)),
                           "The target from both sides: tiles that can't be made in red, those that are "
                           "likely to fail in orange."),
-             "<h2>Margins</h2>", html.table(rows(results), HEAD), f'<p class="note">{NOTE}</p>']
+             "<h2>Margins</h2>", tables.table(rows(results), HEAD), f'<p class="note">{NOTE}</p>']
     if found.blocked:
         parts += ["<h2>What is in the way</h2>",
-                  html.table([(tile_name(one.tile), one.why, "certain" if one.certain else "estimate")
-                              for one in found.blocked[:_MOST_LISTED]], ("Tile", "Why", ""))]
+                  tables.table([(tile_name(one.tile), one.why, "certain" if one.certain else "estimate")
+                                for one in found.blocked[:_MOST_LISTED]], ("Tile", "Why", ""))]
         if len(found.blocked) > _MOST_LISTED:
             parts.append(f'<p class="note">and {len(found.blocked) - _MOST_LISTED} more, in check.json</p>')
     parts += ["<h2>Sizes tried</h2>",
-              html.table([(L, H_body, tiles or None, feasible)
-                          for L, H_body, tiles, feasible in results["sizes"].tried],
-                         ("L, mm", "H_body, mm", "Tiles", "Feasible"))]
+              tables.table([(L, H_body, tiles or None, feasible)
+                            for L, H_body, tiles, feasible in results["sizes"].tried],
+                           ("L, mm", "H_body, mm", "Tiles", "Feasible"))]
     return html.page(results.title, parts)
 
 

@@ -12,6 +12,8 @@ from ..native import native
 from ..project import Results
 from ..stages.solids import fits_bed, read_printer
 from . import cut_pictures, membrane_pictures, pictures
+from .changes import changes, worst_contacts
+from .tables import show, table
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #2b2620; background: #faf8f4; margin: 0; }
@@ -44,6 +46,9 @@ def build_html(results: Results, report: dict) -> str:
         parts += [f"<h2>{escape(one.heading)}</h2>"] if one.heading else []
         parts.append(picture(_VIEWS[one.view](**one.data), one.caption))
     parts += _cuts(report.get("suggested_cuts", ()))
+    parts += changes(report)
+    parts += worst_contacts(report.get("worst_contacts", ()),
+                            report.get("contact_forces", {}).get("f_min", 0.0))
     if "print" in report:
         parts += ["<h2>For the print shop</h2>", _quote(report, results.parameters),
                   "<h2>Assembly</h2>", _assembly(report, results.parameters)]
@@ -71,7 +76,9 @@ def _verdict(report: dict) -> str:
     reasons = "".join(f"<li>{escape(reason)}</li>" for reason in report["reasons"])
     return (f'<p><span class="verdict {kind}">{text}</span> &nbsp; {report["tiles"]} tiles, '
             f'{report["contacts"]} contacts, {report["cuts"]} cuts</p>'
-            + (f"<ul>{reasons}</ul>" if reasons else ""))
+            + (f"<ul>{reasons}</ul>" if reasons else "")
+            + "".join(f'<p class="note">Not covered: {escape(text)}.</p>'
+                      for text in report.get("not_covered", ())))
 
 
 def _cuts(cuts: Sequence[dict]) -> list[str]:
@@ -80,7 +87,7 @@ def _cuts(cuts: Sequence[dict]) -> list[str]:
     for number, cut in enumerate(cuts, 1):
         before, after = cut["predicted"]["before"] or {}, cut["predicted"]["after"] or {}
         rows.append((number, "made" if cut["applied"] else "proposed", cut["reason"],
-                     cut["length_mm"], *(f"{_show(before.get(key))} → {_show(after.get(key))}" for key in
+                     cut["length_mm"], *(f"{show(before.get(key))} → {show(after.get(key))}" for key in
                                          ("scale_spread", "area_ratio", "slack_springs"))))
     if not rows:
         return []
@@ -95,29 +102,6 @@ def picture(png: bytes, caption: str) -> str:
     data = base64.b64encode(png).decode("ascii")
     return (f'<figure><img alt="{escape(caption)}" src="data:image/png;base64,{data}">'
             f"<figcaption>{escape(caption)}</figcaption></figure>")
-
-
-def table(rows: Sequence[tuple[Any, ...]], head: tuple[str, ...] = ()) -> str:
-    """Rows of texts and numbers."""
-    top = "<tr>" + "".join(f"<th>{escape(cell)}</th>" for cell in head) + "</tr>" if head else ""
-    lines = []
-    for row in rows:
-        cells = "".join(f"<td>{escape(_show(cell))}</td>" for cell in row)
-        lines.append(f"<tr>{cells}</tr>")
-    kind = "" if len(head) > 2 else ' class="pairs"'
-    return f"<table{kind}>{top}{''.join(lines)}</table>"
-
-
-def _show(value: Any) -> str:
-    if value is None:
-        return "–"
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, float):
-        return f"{value:.4g}" if abs(value) < 1e5 else f"{value:.0f}"
-    if isinstance(value, (list, tuple)):
-        return ", ".join(_show(item) for item in value)
-    return str(value)
 
 
 def _quote(report: dict, parameters: Any) -> str:
@@ -148,7 +132,7 @@ def _quote(report: dict, parameters: Any) -> str:
          + (" (soluble)" if get("support") == "soluble" else "")),
         ("Smallest feature", f"{block['smallest_feature_mm']:.3g} mm; the printer makes "
                              f"{printer['smallest_feature_mm']:g} mm"),
-        ("Least clearance between tiles", f"{_show(report['solids']['min_clearance_flat_mm'])} mm; the "
+        ("Least clearance between tiles", f"{show(report['solids']['min_clearance_flat_mm'])} mm; the "
                                           f"printer needs {printer['smallest_gap_mm']:g} mm"),
         ("Membranes", f"two sheets of latex, {_either(thicknesses)} mm thick, shear modulus "
                       f"{_either(moduli)} MPa, stretched to {get('tau'):g} times their length in both "
@@ -205,7 +189,7 @@ def _figures(report: dict) -> str:
     # Times and memory stay out: the same design gives the same page.
     parts = []
     for block in ("area", "constraints", "target", "deviation", "layout", "truncation", "physics",
-                  "contact_forces", "unilateral", "solids"):
+                  "contact_forces", "unilateral", "clearances", "solids"):
         rows = []
         for key, value in report.get(block, {}).items():
             if isinstance(value, dict):
@@ -220,8 +204,8 @@ def _figures(report: dict) -> str:
 def _figure(key: str, value: Any) -> tuple[str, str]:
     stem, _, end = key.rpartition("_")
     if end in _UNITS:
-        return _words(stem), f"{_show(value)} {_UNITS[end]}"
-    return _words(key), f"{_show(value)}{' N' if key in _FORCES else ''}"
+        return _words(stem), f"{show(value)} {_UNITS[end]}"
+    return _words(key), f"{show(value)}{' N' if key in _FORCES else ''}"
 
 
 def _words(name: str) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..native import native
 from .findings import settle, tiles_place
-from .stage import Inputs, Job, Result, Row, Stage, digest
+from .stage import Inputs, Job, Result, Row, Stage, digest, moved_vertices
 
 _SAME_THICKNESS = 0.05  # of a wall and the tiles that take its place, relative
 
@@ -50,7 +50,8 @@ def make_room(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any,
     return relief.V, {"largest_move_mm": relief.largest_move_mm,
                       "pin_sides": [{"tile": int(pin.tile), "side": pin.side, "area_before_mm2": pin.area}
                                     for pin in relief.relieved],
-                      "remaining": len(relief.remaining)}
+                      "remaining": len(relief.remaining),
+                      "moved_vertices": moved_vertices(V, relief.V, F)}
 
 
 def _asked(parameters: Any) -> bool:

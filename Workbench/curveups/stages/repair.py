@@ -8,7 +8,7 @@ from typing import Any, Optional, Sequence
 
 from ..errors import CurveUpsError
 from ..native import native
-from .stage import Inputs, Job, Result, Row, Stage
+from .stage import Inputs, Job, Result, Row, Stage, moved_vertices
 from .design import design_digest
 
 
@@ -55,6 +55,8 @@ def _run(inputs: Inputs, job: Job) -> Repair:
     blocked = tuple({"tiles": [int(t) for t in contact.tiles], "reason": contact.reason,
                      "obstacle": contact.obstacle, "held": [int(t) for t in contact.held]}
                     for contact in found.blocked)
+    weak = {frozenset(contact["tiles"]) for contact in blocked}
+    mended = [list(pair) for pair in known.weak_contacts if frozenset(pair) not in weak] if changed else []
     block = {
         "status": found.status, "restored_mm": found.restored_mm, "largest_move_mm": found.largest_move_mm,
         "largest_vertex_move_mm": found.largest_vertex_move_mm,
@@ -62,7 +64,8 @@ def _run(inputs: Inputs, job: Job) -> Repair:
                    "least_floor_of_f_min": step.least_floor, "vertices": bool(step.vertices),
                    "fresh_mesh": bool(step.fresh_mesh)} for step in found.steps],
         "blocked": [{"tiles": contact["tiles"], "reason": contact["reason"]} for contact in blocked],
-        "suggestions": list(found.suggestions)}
+        "suggestions": list(found.suggestions), "mended": mended,
+        "moved_vertices": moved_vertices(before.V, found.design.V, before.F)}
     return Repair(found.design if changed else before, None if changed else known, found.status, block,
                   blocked, tuple(found.suggestions))
 

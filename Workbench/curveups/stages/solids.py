@@ -127,7 +127,10 @@ def _check(inputs: Inputs, job: Job) -> Check:
     if model is None:
         return Check()
     job("checking solids", 0.0)
-    unsound, clearance, overlap, reasons = model.judge_solids(job)
+    unsound, reasons = model.judge_solids(job)
+    clearances = inputs["clearances"]
+    clearance = clearances.flat_mm if clearances.flat_mm is not None else model.min_clearance_flat()
+    overlap = clearances.overlap_mm3 if clearances.overlap_mm3 is not None else 0.0
     box = [float(x) for x in model.bbox]
     volumes = {kind: model.volumes[kind] / 1000 for kind in KINDS}
     smallest = min((size for _, _, size in model.thinnest), default=0.0)
@@ -147,7 +150,7 @@ def _check(inputs: Inputs, job: Job) -> Check:
     return Check(printed, solids, tuple(reasons), warned)
 
 
-CHECK = Stage("check", ("solids", "figures"), frozenset({"check", "tiles"}), _check,
+CHECK = Stage("check", ("solids", "figures", "clearances"), frozenset({"check", "tiles"}), _check,
               on_stop=lambda stage, inputs: Check())
 
 

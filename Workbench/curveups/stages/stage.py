@@ -161,6 +161,19 @@ class Stage:
         return tuple(row.name for row in native.parameter_table() if self.parts & set(row.readers))
 
 
+def moved_vertices(before: np.ndarray, after: np.ndarray, F: np.ndarray) -> list[dict[str, Any]]:
+    """Of each vertex that is not where it was: its number, the tiles around it and by how much it moved
+    (mm), the furthest first."""
+    far = np.linalg.norm(after - before, axis=1)
+    order = sorted(np.nonzero(far > 0)[0].tolist(), key=lambda v: (-far[v], v))
+    around: dict[int, list[int]] = {v: [] for v in order}
+    for tile, corners in enumerate(F.tolist()):
+        for v in corners:
+            if v in around:
+                around[v].append(tile)
+    return [{"vertex": v, "tiles": around[v], "mm": float(far[v])} for v in order]
+
+
 def digest(*parts: Any) -> str:
     """A digest of texts and arrays; numbers count bit by bit."""
     found = hashlib.sha256()

@@ -42,7 +42,17 @@ class Verification(Result):
         return [(int(a), int(b)) for a, b in pairs]
 
     def report(self) -> dict[str, Any]:
-        return {name: self.blocks[name] for name in BLOCKS if name in self.blocks}
+        found = {name: self.blocks[name] for name in BLOCKS if name in self.blocks}
+        return {**found, "worst_contacts": self.worst_contacts()} if found else found
+
+    def worst_contacts(self, most: int = 5) -> list[dict[str, Any]]:
+        """Those with the least normal force, N, the weakest first; tiles are rows of F."""
+        if not len(self.arrays.get("contact_tiles", ())):
+            return []
+        order = np.argsort(self.arrays["contact_normal_min"], kind="stable")[:most]
+        return [{"tiles": [int(tile) for tile in self.arrays["contact_tiles"][k]],
+                 **{name: float(self.arrays[f"contact_{name}"][k])
+                    for name in ("normal_min", "normal_mean", "friction_ratio")}} for k in order]
 
     def reasons(self) -> Sequence[str]:
         return (self.failure,) if self.failure else self.found
@@ -151,7 +161,8 @@ class Recheck(Result):
 
     verification: Verification = Verification()
     ran: bool = False
-    warned: tuple[dict, ...] = ()
+    failure: str = ""   # why it could not be had though it was wanted: that is no pass
+    note: str = ""      # why it was not had
 
     def report(self) -> dict[str, Any]:
         found = self.verification
@@ -159,10 +170,8 @@ class Recheck(Result):
         return {"recheck": block} if self.ran else {}
 
     def reasons(self) -> Sequence[str]:
-        return [f"on a membrane mesh of half the size: {reason}" for reason in self.verification.found]
-
-    def warnings(self) -> Sequence[dict]:
-        return self.warned
+        found = (self.failure,) if self.failure else self.verification.found
+        return [f"on a membrane mesh of half the size: {reason}" for reason in found]
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("recheck", seconds),) if self.ran else ()
@@ -177,9 +186,8 @@ def _recheck(inputs: Inputs, job: Job) -> Recheck:
 
 
 def _recheck_failed(error: CurveUpsError, inputs: Inputs) -> Recheck:
-    return Recheck(warned=({"what": "the verdict could not be had on a finer membrane mesh: "
-                                    f"{advice_of(error)}", "kind": "recheck", "tiles": []},))
+    return Recheck(failure=f"the design could not be verified: {advice_of(error)}")
 
 
 RECHECK = Stage("recheck", ("design", "verification"), PARTS | {"recheck"}, _recheck, _recheck_failed,
-                lambda stage, inputs: Recheck())
+                lambda stage, inputs: Recheck(note=f"stopped during {stage}"))

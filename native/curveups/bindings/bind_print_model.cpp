@@ -2,7 +2,7 @@
 // The print model: figures, solids and files.
 #include "curveups/bindings/bindings.hpp"
 #include "curveups/bindings/part_shape.hpp"
-#include "curveups/bodies/clearance.hpp"
+#include "curveups/bodies/body_reasons.hpp"
 #include "curveups/fabrication/palette.hpp"
 #include "curveups/fabrication/print_files.hpp"
 #include "curveups/fabrication/print_solids.hpp"
@@ -122,20 +122,13 @@ void bind_print_model(py::module_& module) {
       .def(
           "judge_solids",
           [](PrintModel& m, py::object progress) {
-            double clearance = 0, overlap = 0;
-            const auto unsound = without_gil(std::move(progress), [&](const Progress& sink) {
-              auto found = check_solids(m, sink);
-              clearance = min_clearance_flat(m).value;
-              overlap = max_overlap_actuated(m).value;
-              return found;
-            });
-            return py::make_tuple(pairs(unsound), clearance, overlap,
-                                  solid_reasons(unsound, clearance, overlap));
+            const auto unsound = without_gil(
+                std::move(progress), [&](const Progress& sink) { return check_solids(m, sink); });
+            return py::make_tuple(pairs(unsound), solid_reasons(unsound));
           },
           py::arg("progress") = py::none(),
           "The bodies whose solid is not valid, not closed or not of its exact volume, with why; "
-          "min_clearance_flat, max_overlap_actuated; and the reasons, in words, for which solids "
-          "make the design not valid.")
+          "and the reasons, in words, for which these make the design not valid.")
       .def(
           "shape",
           [](PrintModel& m, const std::string& kind, bool direct, py::object progress) {
@@ -165,6 +158,24 @@ void bind_print_model(py::module_& module) {
         return out;
       },
       "Endings of a print's files, in their order, and the kinds of bodies that have one of each.");
+  module.def(
+      "measure_clearances",
+      [](const Design& design, py::object progress) {
+        PairFigure flat, actuated;
+        without_gil(std::move(progress), [&](const Progress&) {
+          checkpoint("measuring clearances");
+          const TileBodies bodies = make_tile_bodies(design);
+          flat = min_clearance_flat(bodies);
+          actuated = max_overlap_actuated(bodies);
+          return true;
+        });
+        return py::make_tuple(flat.value, actuated.value, body_reasons(flat, actuated));
+      },
+      py::arg("design"), py::arg("progress") = py::none(),
+      "Least distance of two tiles as printed (mm, exact, bumps included; infinite with one tile), "
+      "largest volume that two share when actuated (mm3), and the reasons, in words, for which "
+      "these make the design not valid: all without solids. Raises InfeasibleDesign where tiles "
+      "can't be made.");
   module.def(
       "make_print_model",
       [](const Design& design, py::object progress) {

@@ -2,9 +2,6 @@
 #include "curveups/fabrication/soundness.hpp"
 
 #include <algorithm>
-#include <cstdio>
-
-#include "curveups/core/tolerances.hpp"
 
 namespace curveups {
 namespace {
@@ -13,8 +10,7 @@ constexpr std::size_t most_named = 3;  // unsound solids in a message
 
 }  // namespace
 
-std::vector<std::string> solid_reasons(const std::vector<UnsoundSolid>& unsound,
-                                       double min_clearance_flat, double max_overlap_actuated) {
+std::vector<std::string> solid_reasons(const std::vector<UnsoundSolid>& unsound) {
   std::vector<std::string> reasons;
   if (!unsound.empty()) {
     std::string text = "solids are not sound: ";
@@ -24,13 +20,6 @@ std::vector<std::string> solid_reasons(const std::vector<UnsoundSolid>& unsound,
     if (unsound.size() > most_named) {
       text += " and " + std::to_string(unsound.size() - most_named) + " more";
     }
-    reasons.push_back(text);
-  }
-  // The distance of bodies that overlap is 0 as well.
-  if (min_clearance_flat <= 0) reasons.push_back("solids meet in the flat layout");
-  if (max_overlap_actuated > tolerance::overlap_volume) {
-    char text[80];
-    std::snprintf(text, sizeof text, "actuated tiles overlap by %.3g mm3", max_overlap_actuated);
     reasons.push_back(text);
   }
   return reasons;

@@ -13,9 +13,8 @@ struct UnsoundSolid {
   std::string body, reason;
 };
 
-// Why the solids make a design not valid, in words; none where they are sound: unsound solids,
-// bodies that meet in the flat layout (clearance, mm), tiles that overlap when actuated (mm3).
-std::vector<std::string> solid_reasons(const std::vector<UnsoundSolid>& unsound,
-                                       double min_clearance_flat, double max_overlap_actuated);
+// Why the solids make a design not valid, in words; none where they are sound. How they stand to
+// one another is known without them (bodies/body_reasons.hpp).
+std::vector<std::string> solid_reasons(const std::vector<UnsoundSolid>& unsound);
 
 }  // namespace curveups

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What relief, repair and recheck did, and the contacts that are nearest to failing: parts of report.html."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import Any, Mapping, Sequence
+
+from ..errors import tile_name
+from .tables import show, table
+
+_MOST = 10  # rows of a table of moved vertices
+
+
+def changes(report: Mapping[str, Any]) -> list[str]:
+    """Sections on what was changed after the target was divided into tiles; none where nothing was."""
+    parts: list[str] = []
+    for heading, block, lines in (("Relief", "relief", _relief), ("Repair", "repair", _repair),
+                                  ("Recheck", "recheck", _recheck)):
+        if block in report:
+            parts += [f"<h3>{heading}</h3>", *lines(report[block], report)]
+    return ["<h2>What was changed and looked at again</h2>", *parts] if parts else []
+
+
+def worst_contacts(contacts: Sequence[Mapping[str, Any]], f_min: float) -> list[str]:
+    """The contacts with the least normal force, of a valid design too."""
+    if not contacts:
+        return []
+    rows = [(_pair(one["tiles"]), one["normal_min"], one["normal_min"] / f_min if f_min else None,
+             one["normal_mean"], one["friction_ratio"]) for one in contacts]
+    return ["<h2>Worst contacts</h2>",
+            table(rows, ("Tiles", "Least normal force, N", "in units of f_min", "Mean normal force, N",
+                         "Friction / normal force"))]
+
+
+def _relief(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
+    sides = [(tile_name(one["tile"]), one["side"], one["area_before_mm2"]) for one in block["pin_sides"]]
+    text = (f"Vertices were moved so that pins have room: {_moved(block)}. {len(sides)} pin sides had less "
+            f"than A_pin_min before; {block['remaining']} still have.")
+    return [f"<p>{escape(text)}</p>", *_vertices(block),
+            table(sides[:_MOST], ("Tile", "Side", "Room before, mm²")), *_rest(len(sides))]
+
+
+def _repair(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
+    ended = {"valid": "It ended with a valid design.", "stopped": "It was stopped.",
+             "blocked": "It could not mend all contacts."}[block["status"]]
+    mended = [_pair(pair) for pair in block.get("mended", ())]
+    text = (f"{ended} {len(block['steps'])} steps; corners and insets moved by up to "
+            f"{show(block['largest_move_mm'])} mm in the layout; {_moved(block)}.")
+    parts = [f"<p>{escape(text)}</p>"]
+    if mended:
+        shown = ", ".join(mended[:4 * _MOST])
+        more = f" and {len(mended) - 4 * _MOST} more" if len(mended) > 4 * _MOST else ""
+        parts.append(f"<p>{escape(f'Contacts that were weak and are not any more: {shown}{more}.')}</p>")
+    parts += _vertices(block)
+    if block["blocked"]:
+        parts.append(table([(_pair(one["tiles"]), one["reason"]) for one in block["blocked"][:_MOST]],
+                           ("Contact that stays weak", "Why")))
+        parts += _rest(len(block["blocked"]))
+    return parts
+
+
+def _recheck(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
+    text = ("On a membrane mesh of half the size the design is "
+            + ("valid, too." if block["valid"] else "not valid: " + "; ".join(block["reasons"])))
+    rows = [(name.replace("_", " "), report["contact_forces"].get(name), block["contact_forces"].get(name))
+            for name in ("normal_min", "normal_mean", "friction_ratio_max")
+            if "contact_forces" in report and "contact_forces" in block]
+    return [f"<p>{escape(text)}</p>", *([table(rows, ("", "Verification", "Recheck"))] if rows else [])]
+
+
+def _moved(block: Mapping[str, Any]) -> str:
+    moved = block.get("moved_vertices", ())
+    if not moved:
+        return "no vertex moved"
+    return f"{len(moved)} vertices moved by up to {show(moved[0]['mm'])} mm"
+
+
+def _vertices(block: Mapping[str, Any]) -> list[str]:
+    moved = block.get("moved_vertices", ())
+    if not moved:
+        return []
+    rows = [(one["vertex"], ", ".join(map(tile_name, one["tiles"])), one["mm"]) for one in moved[:_MOST]]
+    return [table(rows, ("Vertex", "Tiles around it", "Moved by, mm")), *_rest(len(moved))]
+
+
+def _rest(count: int) -> list[str]:
+    return [f'<p class="note">{count - _MOST} more are in report.json.</p>'] if count > _MOST else []
+
+
+def _pair(tiles: Sequence[int]) -> str:
+    return "–".join(tile_name(tile) for tile in tiles)

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How near tiles come to one another as printed and how much they overlap when actuated: in closed form,
+so that a verdict without solids covers it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence
+
+from ..native import native
+from .stage import Inputs, Job, Result, Stage, advice_of
+
+
+@dataclass(frozen=True)
+class Clearances(Result):
+    """None where the work was stopped or the tiles can't be made (`broken` says why)."""
+
+    flat_mm: Optional[float] = None        # least distance of two tiles; infinite with one tile
+    overlap_mm3: Optional[float] = None    # largest volume that two share when actuated
+    broken: tuple[str, ...] = ()           # reasons
+    note: str = ""                         # why this is not known
+
+    def report(self) -> dict[str, Any]:
+        if self.flat_mm is None:
+            return {}
+        return {"clearances": {"min_flat_mm": self.flat_mm if math.isfinite(self.flat_mm) else None,
+                               "max_overlap_actuated_mm3": self.overlap_mm3}}
+
+    def reasons(self) -> Sequence[str]:
+        return self.broken
+
+
+def _run(inputs: Inputs, job: Job) -> Clearances:
+    flat, overlap, reasons = native.measure_clearances(
+        inputs["design"].design.with_parameters(inputs.parameters), job)
+    return Clearances(flat, overlap, tuple(reasons))
+
+
+STAGE = Stage("clearances", ("design",), frozenset({"tiles", "bodies"}), _run,
+              on_stop=lambda stage, inputs: Clearances(note=f"stopped during {stage}"),
+              on_failure=lambda error, inputs: Clearances(
+                  broken=(f"the print can't be made: {advice_of(error)}",)))

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What report.html says of relief, repair, recheck and the worst contacts."""
+
+import re
+
+import pytest
+
+from curveups.report.changes import changes, worst_contacts
+
+RELIEF = {"largest_move_mm": 0.3, "remaining": 1,
+          "pin_sides": [{"tile": 4, "side": "back", "area_before_mm2": 3.1}],
+          "moved_vertices": [{"vertex": 7, "tiles": [3, 4], "mm": 0.3},
+                             {"vertex": 2, "tiles": [4], "mm": 0.1}]}
+REPAIR = {"status": "valid", "largest_move_mm": 0.2, "largest_vertex_move_mm": 0.0, "steps": [{}, {}],
+          "blocked": [], "suggestions": [], "mended": [[0, 11], [2, 3]], "moved_vertices": []}
+
+
+def text_of(parts):
+    return re.sub(r"<[^>]+>", " ", " ".join(parts))
+
+
+def test_moved_vertices_mended_contacts_and_recheck_are_named():
+    forces = {"normal_min": 0.2, "normal_mean": 0.5, "friction_ratio_max": 0.3}
+    text = text_of(changes({"relief": RELIEF, "repair": REPAIR, "contact_forces": forces,
+                            "recheck": {"valid": True, "reasons": [], "contact_forces": forces}}))
+    assert "2 vertices moved by up to 0.3 mm" in text and "T00004, T00005" in text
+    assert "T00001–T00012, T00003–T00004" in text and "no vertex moved" in text
+    assert "half the size the design is valid, too" in text
+
+
+def test_what_did_not_run_is_not_spoken_of():
+    assert changes({"contact_forces": {}}) == []
+    assert worst_contacts([], 0.1) == []
+
+
+def test_blocks_of_earlier_documents_do():
+    old = {name: value for name, value in REPAIR.items() if name not in ("mended", "moved_vertices")}
+    assert "ended with a valid design" in text_of(changes({"repair": old}))
+
+
+@pytest.mark.parametrize("kind", ["designed", "printed"])
+def test_the_worst_contacts_of_a_valid_design(kind, request):
+    done = request.getfixturevalue(kind)
+    report = done.json("report.json")
+    assert report["valid"] is True
+    worst = report["worst_contacts"]
+    assert len(worst) == 5
+    forces = [one["normal_min"] for one in worst]
+    assert forces == sorted(forces)
+    assert forces[0] == pytest.approx(report["contact_forces"]["normal_min"])
+    page = (done.folder / "report.html").read_text(encoding="utf-8")
+    assert "Worst contacts" in page and "–".join(f"T{tile + 1:05d}" for tile in worst[0]["tiles"]) in page

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a verdict covers where no solids are built, and what is no pass."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+
+from curveups.native import native
+from curveups.project import Project
+from curveups.stages.clearances import Clearances
+from curveups.stages.verification import Recheck, Verification
+from curveups.verdict import judge
+
+
+def test_tiles_that_meet_as_printed_are_named(designed):
+    design = designed.json("design.json")
+    # The first tile onto its neighbour: still congruent.
+    shift = [b - a for a, b in zip(*(np.mean(design["T"][tile], axis=0) for tile in (0, 1)))]
+    design["T"][0] = [[x + 0.7 * shift[0], y + 0.7 * shift[1]] for x, y in design["T"][0]]
+    results = Project.of_design(native.read_design(json.dumps(design))).run(("clearances",))
+    assert results["clearances"].flat_mm == 0
+    assert results.verdict.valid is False
+    assert any("meet in the flat layout (T00001, T0" in reason for reason in results.verdict.reasons)
+
+
+def test_what_a_verdict_does_not_cover_is_said(designed, printed):
+    bare, whole = designed.json("report.json"), printed.json("report.json")
+    assert bare["valid"] is True and whole["valid"] is True
+    assert any("solids" in text for text in bare["not_covered"])
+    assert "not_covered" not in whole
+    assert "Not covered" in (designed.folder / "report.html").read_text(encoding="utf-8")
+    # The closed form is the one that the check of the solids reports.
+    assert bare["clearances"]["min_flat_mm"] == whole["solids"]["min_clearance_flat_mm"] > 0
+    assert whole["clearances"] == bare["clearances"]
+
+
+def test_a_recheck_that_breaks_down_is_no_pass():
+    sound = {"verification": Verification(valid=True), "clearances": Clearances(0.5, 0.0)}
+    assert judge(sound).valid is True
+    broken = judge({**sound, "recheck": Recheck(failure="the design could not be verified: no end")})
+    assert broken.valid is False and "half the size" in broken.reasons[0]
+    stopped = judge({**sound, "recheck": Recheck(note="stopped during recheck")})
+    assert stopped.valid is None and stopped.reasons == ("stopped during recheck",)
+    unknown = judge({**sound, "clearances": replace(sound["clearances"], note="stopped during clearances")})
+    assert unknown.valid is None
+
+
+def test_a_reason_that_several_results_give_is_said_once():
+    twice = Clearances(broken=("the print can't be made: too thin",))
+    assert judge({"a": twice, "b": twice}).reasons == ("the print can't be made: too thin",)
