@@ -8,7 +8,8 @@ import math
 from dataclasses import dataclass
 from typing import Any, Optional, Sequence
 
-from ..native import native
+from ..errors import CurveUpsError
+from ..native import native, translated
 from .stage import Inputs, Job, Result, Stage, advice_of
 
 
@@ -32,12 +33,15 @@ class Clearances(Result):
 
 
 def _run(inputs: Inputs, job: Job) -> Clearances:
-    flat, overlap, reasons = native.measure_clearances(
-        inputs["design"].design.with_parameters(inputs.parameters), job)
+    design = inputs["design"].design.with_parameters(inputs.parameters)
+    try:
+        with translated(inputs.where):
+            flat, overlap, reasons = native.measure_clearances(design, job)
+    except CurveUpsError as error:
+        # Tiles that can't be made are no input that can't be read: the verdict says it.
+        return Clearances(broken=(f"the print can't be made: {advice_of(error)}",))
     return Clearances(flat, overlap, tuple(reasons))
 
 
 STAGE = Stage("clearances", ("design",), frozenset({"tiles", "bodies"}), _run,
-              on_stop=lambda stage, inputs: Clearances(note=f"stopped during {stage}"),
-              on_failure=lambda error, inputs: Clearances(
-                  broken=(f"the print can't be made: {advice_of(error)}",)))
+              on_stop=lambda stage, inputs: Clearances(note=f"stopped during {stage}"))
