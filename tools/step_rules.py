@@ -264,7 +264,8 @@ def _vector(text: str) -> list[float]:
 
 def wrong_step_files(paths: list[Path]) -> list[str]:
     """What is wrong with each, and ids of products that two of them share."""
-    wrong, seen = [], {}
+    wrong: list[str] = []
+    seen: dict[str, Path] = {}
     for path in paths:
         file = StepFile(path)
         wrong += [f"{path.name}: {what}" for what in file.wrong[:5]]
