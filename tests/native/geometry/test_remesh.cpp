@@ -120,7 +120,7 @@ TEST(Remesh, RandomTrianglesKeepEveryFace) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> leg(3, 84), anywhere(0, 84);
   int made = 0;
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 120; ++k) {
     TriangleMesh mesh{Points3::Zero(3, 3), Triangles(1, 3)};
     mesh.F << 0, 1, 2;
     if (k % 2 == 0) {
@@ -140,7 +140,7 @@ TEST(Remesh, RandomTrianglesKeepEveryFace) {
     }
     ++made;
   }
-  EXPECT_GT(made, 700);
+  EXPECT_GT(made, 80);
 }
 
 TEST(Remesh, RandomSheetsKeepEveryFace) {
