@@ -55,7 +55,7 @@ def test_a_designs_name_is_no_path(curveups, designed, tmp_path):
     assert curveups("export", tmp_path / "design.json", "-o", out).status == 0
     assert all(path.read_text() == "mine" for path in mine)
     assert (out / "x-turtle-tiles.step").stat().st_size > 1000
-    assert json.loads((out / "design.json").read_text())["name"] == "x-turtle"
+    assert json.loads((out / "design.json").read_text())["name"] == "../x/turtle"  # titles have it as it is
     assert sorted(p.name for p in tmp_path.iterdir()) == ["design.json", "out", "turtle.FCStd"]
 
 
