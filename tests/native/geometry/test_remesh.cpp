@@ -114,13 +114,20 @@ double worst_from_above(const TriangleMesh& mesh) {
   return worst;
 }
 
+struct WithOneThread {
+  WithOneThread() { set_thread_count(1); }
+  ~WithOneThread() { set_thread_count(before); }
+  int before = thread_count();
+};
+
 TEST(Remesh, RandomTrianglesKeepEveryFace) {
+  const WithOneThread guard;  // meshes this small gain nothing by threads
   // Boundary vertices in a row, of which collapsing makes faces without area: one in six right
   // triangles had one.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> leg(3, 84), anywhere(0, 84);
   int made = 0;
-  for (int k = 0; k < 120; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     TriangleMesh mesh{Points3::Zero(3, 3), Triangles(1, 3)};
     mesh.F << 0, 1, 2;
     if (k % 2 == 0) {
@@ -140,10 +147,11 @@ TEST(Remesh, RandomTrianglesKeepEveryFace) {
     }
     ++made;
   }
-  EXPECT_GT(made, 80);
+  EXPECT_GT(made, 700);
 }
 
 TEST(Remesh, RandomSheetsKeepEveryFace) {
+  const WithOneThread guard;  // meshes this small gain nothing by threads
   // Graphs over stars: corners that jut out and in, facets of all sizes, waves up to slope 1.
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0, 1);
