@@ -81,6 +81,8 @@ def test_full_disk(curveups, exported, small_disk, ending):
             break
         pages += -(-sizes[name] // 4096)
         before.append(name)
+    if ending == "report.html":
+        pages += sizes[ending] // 4 // 4096  # the document before it needs room for a second one meanwhile
     disk = small_disk(max(pages, 1) * 4096)
     failed = next(name for name in sizes if name.endswith(ending))
     ran = curveups("export", exported / "design.json", "-o", disk)

@@ -147,7 +147,7 @@ def test_deviation_is_the_largest_on_each_tile():
     lifted = V + [[0, 0, 0.5], [0, 0, 0], [0, 0, 0], [0, 0, -2]]
     found = deviation_field(lifted, F, V, F)
     assert found.values == pytest.approx([0.5, 2])
-    with pytest.raises(native.InvalidInput, match="names a vertex"):
+    with pytest.raises(native.InvalidInput, match="names vertex"):
         native.distances(V, V, F + 2)
     with pytest.raises(native.InvalidInput, match="not finite"):
         native.distances(V * np.nan, V, F)

@@ -9,6 +9,7 @@
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
@@ -226,6 +227,7 @@ void write_with_opencascade(const std::vector<const PrintBody*>& bodies, const s
   }
   shapes->UpdateAssemblies();
   testing::internal::CaptureStdout();
+  STEPControl_Controller::Init();  // before that there are no settings
   Interface_Static::SetIVal("write.surfacecurve.mode", 0);
   Interface_Static::SetCVal("write.step.schema", "AP214IS");
   STEPCAFControl_Writer writer;
