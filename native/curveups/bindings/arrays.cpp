@@ -19,7 +19,7 @@ namespace {
 
 // The object as an array of one of the kinds ('f' for floats, 'i' and 'u' for integers).
 py::array as_array(const py::object& given, const char* name, const char* kinds, const char* what) {
-  const py::array array = py::array::ensure(given);
+  py::array array = py::array::ensure(given);
   if (!array) refuse(name, "is no array", std::string("pass ") + what);
   // An empty list has no kind of its own.
   if (array.size() > 0 && std::string(kinds).find(array.dtype().kind()) == std::string::npos) {
@@ -110,7 +110,7 @@ TriangleMesh read_mesh(const PointsIn& V, const TrianglesIn& F, const char* V_na
 }
 
 Edges read_edges(const EdgesIn& edges, Eigen::Index vertex_count, const char* name) {
-  const Edges out = any_indices<Edges>(edges.given, name);
+  Edges out = any_indices<Edges>(edges.given, name);
   require_within(out, vertex_count, name);
   return out;
 }
@@ -120,7 +120,7 @@ Array6 read_blocks(const BlocksIn& blocks, const char* name, int a, int b) {
   if (array.ndim() != 3 || array.shape(1) != a || array.shape(2) != b) {
     refuse_shape(name, "M x " + std::to_string(a) + " x " + std::to_string(b));
   }
-  const Array6 out = Eigen::Map<const Array6>(array.data(), array.shape(0), 6);
+  Array6 out = Eigen::Map<const Array6>(array.data(), array.shape(0), 6);
   for (Eigen::Index i = 0; i < out.rows(); ++i) {
     if (out.row(i).allFinite()) continue;
     refuse(std::string(name) + "[" + std::to_string(i) + "]", "is not finite",

@@ -59,13 +59,9 @@ void cut_short(const Triangles& F, const SurfacePoints& before, SurfacePoints& a
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for (int v : vertices) {
-      if (share[v] == 0 || after.V.row(v) == before.V.row(v)) {
-        share[v] = 0;
-        continue;
-      }
       share[v] *= 0.5;
-      if (share[v] < least_share) {
-        share[v] = 0;
+      if (share[v] < least_share || after.V.row(v) == before.V.row(v)) {
+        share[v] = 0;  // the normal stays too: at an edge the same point may have another
         after.V.row(v) = before.V.row(v);
         after.normal.row(v) = before.normal.row(v);
         continue;

@@ -6,6 +6,7 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <exception>
 #include <new>
 
@@ -39,6 +40,43 @@ struct FixedVertices {
   mutable unsigned asked = 0;
 };
 
+// The vertices' points. CGAL's relaxation (5.5) reads the edge of no halfedge after it has moved a
+// vertex to where none of its faces has an area: such moves, which bodies of the size of a tile
+// come to, are not made.
+struct SoundPoints {
+  using key_type = Mesh::Vertex_index;
+  using value_type = Kernel::Point_3;
+  using reference = const Kernel::Point_3&;
+  using category = boost::read_write_property_map_tag;
+
+  // Whether v, with this point, would only have triangles without area, as far as rounding tells.
+  bool flattens(key_type v, const Kernel::Point_3& p) const {
+    if (mesh->is_isolated(v)) return false;
+    for (const auto h : mesh->halfedges_around_target(mesh->halfedge(v))) {
+      if (mesh->is_border(h)) return false;  // stays where it is
+      const auto next = mesh->next(h);
+      if (mesh->next(mesh->next(next)) != h) return false;  // its edge is being split
+      const Kernel::Vector_3 a = mesh->point(mesh->target(next)) - p;
+      const Kernel::Vector_3 b = mesh->point(mesh->source(h)) - p;
+      const double longest = std::max(a.squared_length(), b.squared_length());
+      if (CGAL::cross_product(a, b).squared_length() > 1e-28 * longest * longest) return false;
+    }
+    return true;
+  }
+
+  friend reference get(const SoundPoints& map, key_type v) { return map.mesh->point(v); }
+  friend void put(const SoundPoints& map, key_type v, const value_type& p) {
+    if (!map.flattens(v, p)) {
+      map.mesh->point(v) = p;
+    } else if (map.flattens(v, map.mesh->point(v))) {
+      throw TopologyError("a part of the surface shrinks to a line at edges of this length",
+                          "choose a smaller L, or remove the part");
+    }
+  }
+
+  Mesh* mesh;
+};
+
 }  // namespace
 
 IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int iterations) {
@@ -63,10 +101,13 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
     pmp::isotropic_remeshing(faces(mesh), length, mesh,
                              CGAL::parameters::number_of_iterations(iterations)
                                  .number_of_relaxation_steps(3)
+                                 .vertex_point_map(SoundPoints{&mesh})
                                  .vertex_is_constrained_map(FixedVertices{fixed}));
   } catch (const Cancelled&) {
     throw;
   } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const TopologyError&) {
     throw;
   } catch (const std::exception& error) {
     throw SolverFailure("remeshing failed: " + std::string(error.what()),

@@ -57,7 +57,8 @@ TriangleMesh remesh_component(const TriangleMesh& surface, const ClosestPoints& 
       throw Cancelled();
     }
     mesh = isotropic_mesh(mesh, length, round == 0 ? 12 : 5);
-    if (mesh.mesh.F.rows() == 0 || boundary_loop_count(mesh.mesh) != loops) {
+    const auto faces = mesh.mesh.F.rows();  // a closed surface has at least four
+    if (faces == 0 || (loops == 0 && faces < 4) || boundary_loop_count(mesh.mesh) != loops) {
       throw TopologyError("a part or a hole of the surface is too small for edges of " +
                               std::to_string(options.L) + " mm",
                           "choose a smaller L, or fill the hole");

@@ -111,7 +111,7 @@ Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const A
 
 std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& parameters) {
   if (parameters.gravity != "held") return {};
-  const std::vector<int> named = listed_tiles(parameters.held_tiles);
+  std::vector<int> named = listed_tiles(parameters.held_tiles);
   if (!named.empty()) return named;
   const TileMesh& tiles = geometry.tiles;
   const Vec3 down = downwards(parameters);

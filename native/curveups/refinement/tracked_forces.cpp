@@ -70,7 +70,7 @@ Judgement TrackedForces::judge_fresh(const Iterate& place, const SolvedDesign& f
     floors[k] =
         unilateral(place.geometry(), fresh.loads, fresh.forces.normal_mean, where).largest_floor;
   }
-  const Judgement now = judged();
+  Judgement now = judged();
   for (Touching where : touchings) {
     if (!weak && now.is_short_of(where)) active_[static_cast<int>(where)] = true;
   }

@@ -150,6 +150,38 @@ TEST(Remesh, RandomTrianglesKeepEveryFace) {
   EXPECT_GT(made, 700);
 }
 
+TEST(Remesh, BodiesOfTheSizeOfATileAreRefusedOrWhole) {
+  const WithOneThread guard;
+  // Bipyramids: collapsing edges leaves two triangles back to back of some of them, with all
+  // neighbours of a corner on a line.
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> anywhere(-16, 16);
+  int refused = 0, made = 0;
+  for (int k = 0; k < 400; ++k) {
+    const int sides = 3 + k % 3;
+    TriangleMesh mesh{Points3(sides + 2, 3), Triangles(2 * sides, 3)};
+    for (int s = 0; s < sides; ++s) {
+      const double a = 2 * M_PI * s / sides;
+      mesh.V.row(s) << 8 * std::cos(a), 8 * std::sin(a), k % 2 == 0 ? 39 : anywhere(random) / 4;
+      mesh.F.row(2 * s) << s, (s + 1) % sides, sides;
+      mesh.F.row(2 * s + 1) << (s + 1) % sides, s, sides + 1;
+    }
+    mesh.V.row(sides) << 0, 0, k % 2 == 0 ? 40 : 8;
+    mesh.V.row(sides + 1) << anywhere(random), anywhere(random), k % 2 == 0 ? 39 : -16;
+    try {
+      const RemeshResult result = remesh(mesh, {8});
+      EXPECT_TRUE(result.mesh.V.allFinite()) << k;
+      EXPECT_GE(result.mesh.F.rows(), 4) << k;
+      EXPECT_EQ(loop_count(result.mesh), 0u) << k;
+      ++made;
+    } catch (const TopologyError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_GT(made, 10);
+}
+
 TEST(Remesh, RandomSheetsKeepEveryFace) {
   const WithOneThread guard;  // meshes this small gain nothing by threads
   // Graphs over stars: corners that jut out and in, facets of all sizes, waves up to slope 1.
