@@ -29,6 +29,7 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/fabrication/occ_errors.hpp"
 
 namespace curveups {
 namespace {
@@ -176,7 +177,9 @@ void in_chunks(int count, const Progress& progress, const char* what, Work work)
 
 }  // namespace
 
-TopoDS_Shape make_solid(const PrintBody& body) { return SolidBuilder(body).run(); }
+TopoDS_Shape make_solid(const PrintBody& body) {
+  return with_occ_errors("building " + body.name, [&] { return SolidBuilder(body).run(); });
+}
 
 std::vector<TopoDS_Shape> make_solids(const std::vector<const PrintBody*>& bodies,
                                       const Progress& progress) {
@@ -244,14 +247,19 @@ std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodi
                                        const Progress& progress) {
   const std::vector<CheckPart> parts = check_parts(solids);
   std::vector<char> broken(parts.size(), 0);
-  in_chunks(static_cast<int>(parts.size()), progress, "checking solids",
-            [&](int k) { broken[k] = !BRepCheck_Analyzer(parts[k].shape).IsValid(); });
+  in_chunks(static_cast<int>(parts.size()), progress, "checking solids", [&](int k) {
+    broken[k] = with_occ_errors("checking " + bodies[parts[k].body]->name,
+                                [&] { return !BRepCheck_Analyzer(parts[k].shape).IsValid(); });
+  });
   std::vector<std::string> reason(solids.size());
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (broken[k]) reason[parts[k].body] = "invalid";
   }
   in_chunks(static_cast<int>(solids.size()), progress, "measuring solids", [&](int i) {
-    if (reason[i].empty()) reason[i] = closed_and_of_volume(solids[i], volume(*bodies[i]));
+    if (!reason[i].empty()) return;
+    reason[i] = with_occ_errors("measuring " + bodies[i]->name, [&] {
+      return closed_and_of_volume(solids[i], volume(*bodies[i]));
+    });
   });
   std::vector<UnsoundSolid> out;
   for (std::size_t i = 0; i < reason.size(); ++i) {

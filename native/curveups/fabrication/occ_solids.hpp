@@ -12,7 +12,8 @@
 
 namespace curveups {
 
-// A solid of one closed shell. Caps and cylinders are true spheres and cylinders.
+// A solid of one closed shell. Caps and cylinders are true spheres and cylinders. Throws
+// SolverFailure, as all of this header, where OpenCASCADE fails.
 TopoDS_Shape make_solid(const PrintBody& body);
 
 // One per body, in parallel. Throws Cancelled.

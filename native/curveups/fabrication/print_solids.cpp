@@ -10,6 +10,7 @@
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/fabrication/occ_errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 
 namespace curveups {
@@ -50,10 +51,12 @@ void write_binary_brep(const TopoDS_Shape& shape, const std::string& path) {
   const int number = set.Add(shape), place = set.Locations().Index(shape.Location()),
             orientation = static_cast<int>(shape.Orientation());
   std::ofstream out(path, std::ios::binary);
-  set.Write(out);
-  BinTools::PutInteger(out, number);
-  BinTools::PutInteger(out, place);
-  BinTools::PutInteger(out, orientation);
+  with_occ_errors("writing shapes", [&] {
+    set.Write(out);
+    BinTools::PutInteger(out, number);
+    BinTools::PutInteger(out, place);
+    BinTools::PutInteger(out, orientation);
+  });
   out.close();
   if (!out) throw IoError("a temporary file can't be written (" + path + ")", "free some space");
 }

@@ -73,6 +73,21 @@ TEST(Solids, AreBuiltOnceWhoeverAsks) {
   EXPECT_EQ(found[0], found[2]);
 }
 
+TEST(Solids, WhatOpenCascadeRefusesIsATypedErrorThatNamesTheBody) {
+  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  PrintBody body = *model.bodies("tiles").front();
+  const PlanarFace& face = body.faces.front();
+  body.points[face.outer.points[1]] = body.points[face.outer.points[0]];  // an edge of no length
+  try {
+    make_solids({&body}, nullptr);
+    FAIL() << "a solid with an edge of no length";
+  } catch (const SolverFailure& error) {
+    EXPECT_NE(std::string(error.what()).find("OpenCASCADE failed building " + body.name),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Solids, CanBeStoppedWhileAnotherThreadBuildsThem) {
   const PrintModel model = make_print_model(test::sample_design(), "0.1");
   const std::lock_guard<std::recursive_timed_mutex> building(model.solids->building);
