@@ -12,6 +12,10 @@
       <translation>Coulombsche Reibung zwischen Kacheln, auch an Noppen. Von 0.01 bis 10. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
+      <source>Creases of the target sharper than this stay edges between tiles; 180: none does. From 1 to 180 deg. Takes effect with Solve.</source>
+      <translation>Knicke der Zielfläche, die schärfer sind, bleiben Kanten zwischen Kacheln; 180: keiner. Von 1 bis 180 deg. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
       <source>Cylinders around the layout that take the surplus membrane's pull. Takes effect at once.</source>
       <translation>Zylinder um die Abwicklung, die den Zug der überstehenden Membran aufnehmen. Wirkt sofort.</translation>
     </message>
@@ -66,6 +70,10 @@
     <message>
       <source>Factor on the coordinates of a file without units (1000 for metres). From 1e-06 to 1e+06. Takes effect with Solve.</source>
       <translation>Faktor auf die Koordinaten einer Datei ohne Einheiten (1000 für Meter). Von 1e-06 bis 1e+06. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Farthest that mending may move a point of the target. From 0 to 1000 mm. Takes effect with Solve.</source>
+      <translation>Wie weit das Ausbessern einen Punkt der Zielfläche höchstens verschieben darf. Von 0 bis 1000 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Fit clearance between a bump and its dimple. From 0 to 2 mm. Takes effect at once.</source>
@@ -134,6 +142,10 @@
     <message>
       <source>Mean edge length of the tiles; with --no-remesh the mesh's own is used. From 0.5 to 200 mm. Takes effect with Solve.</source>
       <translation>Mittlere Kantenlänge der Kacheln; mit --no-remesh gilt die des Netzes. Von 0.5 bis 200 mm. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Mends the target where it can't be tiles: not (off), only says what it would do (ask), or does (on). Takes effect with Solve.</source>
+      <translation>Bessert die Zielfläche aus, wo sie keine Kacheln ergibt: nicht (off), sagt nur, was es täte (ask), oder tut es (on). Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Pins smaller than this make a design invalid. From 0 to 1000 mm2. Takes effect with Solve.</source>
@@ -477,6 +489,10 @@
     <message>
       <source>Layout</source>
       <translation>Abwicklung</translation>
+    </message>
+    <message>
+      <source>Mending</source>
+      <translation>Ausbessern</translation>
     </message>
     <message>
       <source>Physics</source>

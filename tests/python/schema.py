@@ -42,7 +42,7 @@ OPTIONAL = {
 }
 STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}
-STAGES = ("remesh", "cuts", "relief", "flatten", "layout", "verify", "refine", "recheck", "solids",
+STAGES = ("remesh", "fairing", "cuts", "relief", "flatten", "layout", "verify", "refine", "recheck", "solids",
           "check", "export")
 
 

@@ -172,7 +172,7 @@ def _of_design(project: Any, design: Any) -> Scene:
 def _deviation(project: Any, V: np.ndarray, F: np.ndarray) -> list[Field]:
     """None where the surface before remeshing is not known: of a design file, say."""
     target = project.latest("target")
-    return [] if target is None else [deviation_field(V, F, target.source_V, target.source_F)]
+    return [] if target is None else [deviation_field(V, F, *target.given)]
 
 
 def _note(changed: Any) -> str:

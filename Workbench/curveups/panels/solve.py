@@ -27,6 +27,7 @@ from .parameter_rows import ParameterRows
 _STAGES = {
     "surface": QT_TRANSLATE_NOOP("CurveUpsSolve", "Reading the surface"),
     "target": QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"),
+    "fairing": QT_TRANSLATE_NOOP("CurveUpsSolve", "Mending"),
     "cuts": QT_TRANSLATE_NOOP("CurveUpsSolve", "Cuts"),
     "relief": QT_TRANSLATE_NOOP("CurveUpsSolve", "Room for pins"),
     "layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"),

@@ -26,12 +26,12 @@ class Cuts(Result):
 
 
 def _run(inputs: Inputs, job: Job) -> Cuts:
-    target = inputs["target"]
-    edges = resolve_cuts(inputs["cut request"], target.V, target.F)
-    findings = native.check_target(target.V, target.F, edges, inputs.parameters)
+    V, F = inputs["fairing"].V, inputs["target"].F
+    edges = resolve_cuts(inputs["cut request"], V, F)
+    findings = native.check_target(V, F, edges, inputs.parameters)
     with with_advice(inputs, inputs["cut request"], job):
         settle([finding for finding in findings if finding.is_error], inputs.where, tiles_place)
     return Cuts(edges)
 
 
-STAGE = Stage("cuts", ("target", "cut request"), frozenset({"tiles"}), _run)
+STAGE = Stage("cuts", ("target", "fairing", "cut request"), frozenset({"tiles"}), _run)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far the design's actuated surface is from the target, as it was before remeshing."""
+"""How far the design's actuated surface is from the target as the user gave it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Deviation(Result):
 
 def _run(inputs: Inputs, job: Optional[Job] = None) -> Deviation:
     target, design = inputs["target"], inputs["design"].design
-    return Deviation(*native.surface_deviation(design.V, design.F, target.source_V, target.source_F, job))
+    return Deviation(*native.surface_deviation(design.V, design.F, *target.given, job))
 
 
 STAGE = Stage("deviation", ("target", "design"), frozenset(), _run,

@@ -71,10 +71,11 @@ def _run(inputs: Inputs, job: Job) -> Layout:
         with with_advice(inputs, CutRequest(edges), job):
             raise
     design = native.Design(inputs["source"].name, inputs.parameters, relief.V, target.F, found.T, found.q,
-                           edges, None if relief.moved is None else (target.V, target.F))
+                           edges, None if relief.moved is None else (inputs["fairing"].V, target.F))
     return Layout(design, bool(found.converged), bool(found.stopped), int(found.iterations),
                   int(found.collision_rounds), int(found.separations), found.largest_violation_mm,
                   {name: float(value) for name, value in found.energies.items()}, first[0] if first else 0.0)
 
 
-STAGE = Stage("layout", ("source", "target", "cuts", "relief"), frozenset({"tiles", "layout"}), _run)
+STAGE = Stage("layout", ("source", "target", "fairing", "cuts", "relief"), frozenset({"tiles", "layout"}),
+              _run)

@@ -60,7 +60,7 @@ def _asked(parameters: Any) -> bool:
 
 def _run(inputs: Inputs, job: Job) -> Relief:
     target, edges, parameters = inputs["target"], inputs["cuts"].edges, inputs.parameters
-    V, moved = make_room(target.V, target.F, edges, parameters, job)
+    V, moved = make_room(inputs["fairing"].V, target.F, edges, parameters, job)
     found = settle(native.check_target(V, target.F, edges, parameters), inputs.where, tiles_place)
     return Relief(V, (*found, *_other_thickness(target.wall, parameters)), _asked(parameters), moved)
 
@@ -72,4 +72,4 @@ def _other_thickness(wall: Optional[float], parameters: Any) -> Iterator[dict]:
                "kind": "wall", "remedy": f"set H_body={wall:.3g}", "tiles": []}
 
 
-STAGE = Stage("relief", ("target", "cuts"), frozenset({"tiles", "repair"}), _run)
+STAGE = Stage("relief", ("target", "fairing", "cuts"), frozenset({"tiles", "repair"}), _run)

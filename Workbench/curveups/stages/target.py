@@ -13,6 +13,8 @@ from ..native import native
 from .findings import faces_place, settle
 from .stage import Inputs, Job, Result, Row, Stage, digest
 
+# Holes with a shorter edge than so many L are filled: there is hardly a tile that would not reach across.
+HOLE_EDGE = 4.0
 # Findings of check_mesh after which a mesh has no edge lengths worth speaking of.
 BROKEN = ("empty", "index-out-of-range", "not-finite")
 
@@ -32,6 +34,16 @@ class Target(Result):
     found: tuple[dict, ...]          # warnings
     own_length: Optional[float]      # L, where the mesh is taken as it is
     wall: Optional[float] = None     # how thick the part is drawn, mm
+    # What the user gave, where it was mended before it was remeshed (V, F); what mending did to it, or would
+    # do; and by how much the two differ (Hausdorff distance, mm).
+    unmended: Optional[tuple[np.ndarray, np.ndarray]] = None
+    actions: tuple[str, ...] = ()
+    mended_by: float = 0.0
+
+    @property
+    def given(self) -> tuple[np.ndarray, np.ndarray]:
+        """V and F of what the user gave: deviations are from it."""
+        return self.unmended or (self.source_V, self.source_F)
 
     @property
     def content(self) -> str:
@@ -55,11 +67,14 @@ def _run(inputs: Inputs, job: Job) -> Target:
     source, surface, L = inputs["source"], inputs["surface"], inputs.parameters.get("L")
     job("checking the target")
     V, F, notes = surface.V, surface.F, list(surface.notes)
+    mended: dict[str, Any] = {}
     if source.remesh:
         # Otherwise the mesh is taken as it is: cuts name its vertices by number.
         clean = native.clean_mesh(V, F, job)
         V, F = clean.V, clean.F
         notes += clean.notes
+        if inputs.parameters.get("mend") != "off":
+            V, F, mended = _mend(V, F, L, inputs.parameters.get("mend") == "on", job)
     else:
         settle([f for f in native.check_mesh(V, F, 1.0, True, job) if f.kind in BROKEN], inputs.where,
                faces_place)
@@ -71,9 +86,22 @@ def _run(inputs: Inputs, job: Job) -> Target:
         lengths = _edge_lengths(V, F)
         return Target(V, F, V, F, float(lengths.mean()), float(lengths.std() / lengths.mean()), 0.0,
                       tuple(notes), found, L, surface.wall)
-    made = native.remesh(V, F, L, job)
+    made = native.remesh(V, F, L, job, crease_angle=inputs.parameters.get("crease_angle"))
     return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta, tuple(notes), found, None,
-                  surface.wall)
+                  surface.wall, **mended)
+
+
+def _mend(V: np.ndarray, F: np.ndarray, L: float, apply: bool,
+          job: Job) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
+    """What is to be remeshed, and what the result says of mending."""
+    if not len(F) or not np.isfinite(V).all():  # said by check_mesh
+        return V, F, {}
+    made = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
+    if not made.actions:
+        return V, F, {}
+    _, _, hausdorff = native.surface_deviation(made.V, made.F, V, F, job)
+    said = {"actions": tuple(made.actions), "mended_by": float(hausdorff)}
+    return (made.V, made.F, {"unmended": (V, F), **said}) if apply else (V, F, said)
 
 
 STAGE = Stage("target", ("source", "surface"), frozenset({"target"}), _run)

@@ -11,18 +11,24 @@ void bind_remesh(py::module_& module) {
       .def_readonly("mean_edge", &RemeshResult::mean_edge)
       .def_readonly("edge_cv", &RemeshResult::edge_cv)
       .def_readonly("max_distance", &RemeshResult::max_distance)
-      .def_readonly("sagitta", &RemeshResult::sagitta);
+      .def_readonly("sagitta", &RemeshResult::sagitta)
+      .def_readonly("features", &RemeshResult::features);
 
   module.def(
       "remesh",
-      [](const PointsIn& V, const TrianglesIn& F, double L, py::object progress) {
+      [](const PointsIn& V, const TrianglesIn& F, double L, py::object progress,
+         double crease_angle, const EdgesIn& features) {
+        constexpr double degree = 3.14159265358979323846 / 180;
         const TriangleMesh mesh = read_mesh(V, F);
+        const Edges lines = read_edges(features, mesh.V.rows(), "features");
         return without_gil(std::move(progress), [&](Progress function) {
-          return remesh(mesh, RemeshOptions{L, std::move(function)});
+          return remesh(mesh, {L, std::move(function), crease_angle * degree, lines});
         });
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("progress") = py::none(),
-      "Uniform isotropic triangulation of mean edge L mm.");
+      py::arg("crease_angle") = 180.0, py::arg("features") = Edges(0, 2),
+      "Uniform isotropic triangulation of mean edge length L mm; creases above crease_angle "
+      "(degrees) and features (vertex pairs) stay edges.");
 }
 
 }  // namespace curveups::bindings

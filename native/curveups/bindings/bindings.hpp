@@ -80,6 +80,7 @@ void bind_threads(py::module_& module);
 void bind_geometry(py::module_& module);
 void bind_clean_mesh(py::module_& module);
 void bind_mesh_checks(py::module_& module);
+void bind_mend_mesh(py::module_& module);
 void bind_remesh(py::module_& module);
 void bind_parameters(py::module_& module);
 void bind_design(py::module_& module);
@@ -95,6 +96,7 @@ void bind_solution_store(py::module_& module);
 void bind_verification(py::module_& module);
 void bind_repair(py::module_& module);
 void bind_pin_relief(py::module_& module);
+void bind_fairing(py::module_& module);
 void bind_print_model(py::module_& module);
 
 }  // namespace curveups::bindings

@@ -10,6 +10,7 @@ PYBIND11_MODULE(_native, module) {
   bind_geometry(module);
   bind_clean_mesh(module);
   bind_mesh_checks(module);
+  bind_mend_mesh(module);
   bind_remesh(module);
   bind_parameters(module);
   bind_design(module);
@@ -25,5 +26,6 @@ PYBIND11_MODULE(_native, module) {
   bind_verification(module);
   bind_repair(module);
   bind_pin_relief(module);
+  bind_fairing(module);
   bind_print_model(module);
 }

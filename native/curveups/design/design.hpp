@@ -28,6 +28,7 @@ struct DesignGeometry {
   Truncation truncation;
   std::vector<ContactPatch> patches;
   PinBounds pin_bounds;
+  bool shaped = true;  // else tiles have no back face, and there are no planes and patches
 };
 
 // Throws what make_tile_mesh throws, InvalidInput where held_tiles names none of them, and

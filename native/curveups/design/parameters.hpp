@@ -21,6 +21,9 @@ struct Parameters {
   std::string open = "auto";
   double L = 7.0;
   double fidelity = 0.5;
+  double crease_angle = 180.0;
+  std::string mend = "off";
+  double mend_max = 2.0;
   // Tiles
   double H_body = 3.0;
   double H_pin = 1.0;

@@ -75,6 +75,7 @@ VertexPatch VertexPatches::around(int vertex) const {
   out.mesh.F.resize(count, 3);
   std::vector<std::array<int, 2>> cuts;
   out.remote = false;
+  out.shaped = geometry_.shaped;
   out.H_body = tiles.H_body;
   for (int k = 0; k < count; ++k) {
     const int tile = out.tiles[k];
@@ -130,6 +131,7 @@ LocalGeometry local_geometry(const VertexPatch& patch, const Vec3& position) {
   LocalGeometry out;
   out.tiles = make_tile_mesh(mesh, patch.cuts, patch.H_body);
   out.truncation = patch.fixed;
+  if (!patch.shaped) return out;
   truncate_at_vertices(out.tiles, patch.touched, out.truncation);
   out.patches = compute_contact_patches(out.tiles, out.truncation);
   if (patch.remote) separate_remote_tiles(out.tiles, out.patches, out.truncation);

@@ -32,6 +32,7 @@ struct VertexPatch {
   std::vector<int> touched;   // of `mesh`: vertices at whose truncation planes it pulls
   Truncation fixed;           // the planes at other vertices of the tiles `near`
   bool remote;                // tiles without a common vertex overlap here
+  bool shaped;                // whether all tiles have back faces: planes and interfaces are made
   double H_body;
 };
 

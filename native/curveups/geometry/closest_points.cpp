@@ -14,9 +14,11 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 
@@ -72,6 +74,11 @@ ClosestPoint ClosestPoints::operator()(const Vec3& query) const {
   return {at, static_cast<int>(triangle - impl_->triangles.cbegin()), (at - query).norm()};
 }
 
+double ClosestPoints::distance_to_face(const Vec3& query, int face) const {
+  return std::sqrt(CGAL::squared_distance(Kernel::Point_3(query.x(), query.y(), query.z()),
+                                          impl_->triangles[face]));
+}
+
 Vec3 ClosestPoints::normal(int face) const {
   const auto corner = [&](int k) {
     const Kernel::Point_3& p = impl_->triangles[face][k];
@@ -86,6 +93,32 @@ Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface) {
     for (int i = begin; i < end; ++i) distance[i] = surface(points.row(i)).distance;
   });
   return distance;
+}
+
+double largest_distance(const Points3& points, const ClosestPoints& surface) {
+  constexpr int stretch = 4096;  // of points, whatever the threads
+  const int count = static_cast<int>(points.rows()), stretches = (count + stretch - 1) / stretch;
+  std::vector<double> largest(stretches, 0);
+  std::atomic<double> known{0};  // only spares work: what is skipped is below it
+  parallel_ranges(stretches, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      checkpoint();
+      int face = -1;
+      for (int i = k * stretch; i < std::min(count, (k + 1) * stretch); ++i) {
+        const Vec3 query = points.row(i);
+        const double bound = std::max(largest[k], known.load());
+        // A hair below, as the two distances are not rounded alike.
+        if (face >= 0 && surface.distance_to_face(query, face) < (1 - 1e-9) * bound) continue;
+        const ClosestPoint there = surface(query);
+        face = there.face;
+        largest[k] = std::max(largest[k], there.distance);
+      }
+      double before = known.load();
+      while (largest[k] > before && !known.compare_exchange_weak(before, largest[k])) {
+      }
+    }
+  });
+  return count == 0 ? 0.0 : *std::max_element(largest.begin(), largest.end());
 }
 
 Points3 surface_samples(const TriangleMesh& mesh) {

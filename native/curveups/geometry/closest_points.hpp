@@ -25,6 +25,8 @@ class ClosestPoints {
   ClosestPoints& operator=(ClosestPoints&&) noexcept;
 
   ClosestPoint operator()(const Vec3& query) const;
+  // From one face of the mesh.
+  double distance_to_face(const Vec3& query, int face) const;
   // Unit normal of a face of the mesh; zero where it has no area.
   Vec3 normal(int face) const;
 
@@ -35,6 +37,10 @@ class ClosestPoints {
 
 // Distances from each of the points (N x 3) to the surface.
 Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface);
+
+// The largest of these, in a fraction of the time: points that are nearer to the face where the one
+// before them was than the largest distance so far are not looked at any more.
+double largest_distance(const Points3& points, const ClosestPoints& surface);
 
 // Vertices, edge midpoints and centroids of a mesh: the samples by which surfaces are compared.
 Points3 surface_samples(const TriangleMesh& mesh);

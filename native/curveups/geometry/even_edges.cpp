@@ -74,11 +74,14 @@ int flip_towards_regular(IsotropicMesh& mesh) {
     }
     joined.insert(pair_key(edge.v[0], edge.v[1]));
   }
+  std::unordered_set<std::uint64_t> features;
+  for (const auto& [a, b] : mesh.features) features.insert(pair_key(a, b));
   std::vector<char> touched(F.rows(), 0);
   int flips = 0;
   for (const MeshEdge& edge : topology.edges) {
     if (edge.boundary() || touched[edge.face[0]] || touched[edge.face[1]]) continue;
     const int a = edge.v[0], b = edge.v[1];
+    if (features.count(pair_key(a, b)) != 0) continue;
     const int c = F(edge.face[0], prev3(edge.side[0])), d = F(edge.face[1], prev3(edge.side[1]));
     const auto square = [](int x) { return x * x; };
     const int before =
@@ -119,10 +122,16 @@ SurfacePoints even_edges(IsotropicMesh& mesh, double length, int passes,
     if (edge.boundary()) free[edge.v[0]] = free[edge.v[1]] = 0;
   }
   SurfacePoints points{mesh.mesh.V, Points3(vertices, 3)};
+  std::vector<char> on_feature(vertices, 0);  // where the surface has a normal on either side
+  for (const auto& [a, b] : mesh.features) on_feature[a] = on_feature[b] = 1;
   parallel_ranges(vertices, [&](int begin, int end) {
     for (int v = begin; v < end; ++v) {
-      if (mesh.fixed[v]) free[v] = 0;
-      points.normal.row(v) = surface.normal(surface(points.V.row(v)).face);
+      if (mesh.fixed[v] || on_feature[v]) free[v] = 0;
+      if (on_feature[v]) {
+        points.normal.row(v).setZero();
+      } else {
+        points.normal.row(v) = surface.normal(surface(points.V.row(v)).face);
+      }
     }
   });
   for (int pass = 0; pass < passes; ++pass) {

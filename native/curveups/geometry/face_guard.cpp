@@ -27,9 +27,10 @@ std::vector<int> faces_where(const Triangles& F, const Wrong& wrong) {
 double soundness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
   const double longest =
       std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  if (!(longest > 0)) return 0;
+  const Vec3 area = (b - a).cross(c - a);
   const double size = normal.norm();
-  if (!(longest > 0) || !(size > 0)) return 0;
-  return (b - a).cross(c - a).dot(normal) / (longest * size);
+  return (size > 0 ? area.dot(normal) / size : area.norm()) / longest;
 }
 
 double soundness(const SurfacePoints& points, const Triangles& F, int face) {

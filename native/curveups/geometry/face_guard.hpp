@@ -6,7 +6,7 @@
 
 namespace curveups {
 
-// Points on a surface and the surface's unit normals there.
+// Points on a surface and the surface's unit normals there; zero where it has none (on creases).
 struct SurfacePoints {
   Points3 V;
   Points3 normal;

@@ -97,11 +97,17 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
                           "separate faces that touch in one vertex only", {f});
     }
   }
+  auto feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  for (const auto& [a, b] : surface.features) {
+    const auto side = mesh.halfedge(Mesh::Vertex_index(a), Mesh::Vertex_index(b));
+    if (side != Mesh::null_halfedge()) feature[mesh.edge(side)] = true;
+  }
   try {
     pmp::isotropic_remeshing(faces(mesh), length, mesh,
                              CGAL::parameters::number_of_iterations(iterations)
                                  .number_of_relaxation_steps(3)
                                  .vertex_point_map(SoundPoints{&mesh})
+                                 .edge_is_constrained_map(feature)
                                  .vertex_is_constrained_map(FixedVertices{fixed}));
   } catch (const Cancelled&) {
     throw;
@@ -121,6 +127,11 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
     const Kernel::Point_3& p = mesh.point(v);
     out.mesh.V.row(v) << p.x(), p.y(), p.z();
     out.fixed.push_back(fixed[v]);
+  }
+  for (const auto e : mesh.edges()) {
+    if (!feature[e]) continue;
+    out.features.push_back(
+        {static_cast<int>(mesh.vertex(e, 0)), static_cast<int>(mesh.vertex(e, 1))});
   }
   int row = 0;
   for (const auto f : mesh.faces()) {

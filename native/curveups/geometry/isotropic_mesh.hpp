@@ -2,6 +2,7 @@
 // First half of remeshing: edges of about one length, by CGAL.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "curveups/geometry/triangle_mesh.hpp"
@@ -10,12 +11,13 @@ namespace curveups {
 
 struct IsotropicMesh {
   TriangleMesh mesh;
-  std::vector<char> fixed;  // per vertex
+  std::vector<char> fixed;                   // per vertex
+  std::vector<std::array<int, 2>> features;  // edges inside that stay edges, by their vertices
 };
 
 // Splits edges longer than 4/3 length, collapses those shorter than 4/5, flips towards regular
 // valence and relaxes, `iterations` times. Fixed vertices stay, boundary vertices stay on the
-// boundary.
+// boundary, those of features on their lines.
 IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int iterations);
 
 }  // namespace curveups

@@ -2,14 +2,18 @@
 #include "curveups/geometry/remesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
-#include "curveups/geometry/boundary_spacing.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
+#include "curveups/geometry/coarsen.hpp"
 #include "curveups/geometry/even_edges.hpp"
+#include "curveups/geometry/feature_lines.hpp"
+#include "curveups/geometry/line_spacing.hpp"
 
 namespace curveups {
 namespace {
@@ -21,6 +25,7 @@ constexpr double most_faces = 200000;
 // CGAL's collapsing of short edges does not come to an end on spikes of some 500 L; a square with
 // edges of 300 L has more tiles than most_faces.
 constexpr double longest_edge_of_L = 300;
+constexpr int scan_faces = 400000;  // of the surface: below, coarsening spares little
 
 struct EdgeStatistics {
   double mean, deviation;
@@ -43,11 +48,48 @@ std::size_t boundary_loop_count(const TriangleMesh& mesh) {
   return boundary_loops(build_topology(mesh.F, static_cast<int>(mesh.V.rows()))).size();
 }
 
+// Given features and creases together.
+Edges all_features(const TriangleMesh& surface, const std::vector<std::array<int, 2>>& given,
+                   const RemeshOptions& options) {
+  Edges creases(0, 2);
+  if (options.crease_angle < 3.14159) {
+    const MeshTopology topology = build_topology(surface.F, static_cast<int>(surface.V.rows()));
+    creases = crease_edges(surface, topology, options.crease_angle, 2 * options.L);
+  }
+  Edges out(creases.rows() + static_cast<Eigen::Index>(given.size()), 2);
+  out.topRows(creases.rows()) = creases;
+  for (std::size_t e = 0; e < given.size(); ++e) {
+    out.row(creases.rows() + static_cast<Eigen::Index>(e)) << given[e][0], given[e][1];
+  }
+  return out;
+}
+
+// Facets far finer than the tiles only cost time: CGAL takes a minute for two million. What is made
+// lies on the surface itself all the same (`closest` below).
+void coarsen_scan(TriangleMesh& surface, Edges& features, double L) {
+  if (surface.F.rows() < scan_faces) return;
+  double sum = 0;
+  for (int f = 0; f < surface.F.rows(); ++f) {
+    for (int t = 0; t < 3; ++t) {
+      sum += (surface.V.row(surface.F(f, next3(t))) - surface.V.row(surface.F(f, t))).norm();
+    }
+  }
+  if (sum > 3 * static_cast<double>(surface.F.rows()) * L / 12) return;
+  checkpoint("coarsening the scan");
+  std::vector<char> kept(surface.V.rows(), 0);
+  for (Eigen::Index k = 0; k < features.size(); ++k) kept[features.data()[k]] = 1;
+  CoarseMesh coarse = coarsen(surface, L / 8, kept);
+  for (Eigen::Index k = 0; k < features.size(); ++k) {
+    features.data()[k] = coarse.number[features.data()[k]];
+  }
+  surface = std::move(coarse.mesh);
+}
+
 // closest: on this component.
-TriangleMesh remesh_component(const TriangleMesh& surface, const ClosestPoints& closest,
-                              const RemeshOptions& options) {
+IsotropicMesh remesh_component(const TriangleMesh& surface, const ClosestPoints& closest,
+                               const Edges& features, const RemeshOptions& options) {
   const std::size_t loops = boundary_loop_count(surface);
-  IsotropicMesh mesh = space_boundary(surface, options.L, corner_angle);
+  IsotropicMesh mesh = space_lines(surface, features, options.L, corner_angle);
 
   double length = options.L;
   IsotropicMesh best;
@@ -78,7 +120,7 @@ TriangleMesh remesh_component(const TriangleMesh& surface, const ClosestPoints& 
     }
     length *= std::clamp(options.L / edges.mean, 0.8, 1.25);
   }
-  return best.mesh;
+  return best;
 }
 
 }  // namespace
@@ -86,6 +128,11 @@ TriangleMesh remesh_component(const TriangleMesh& surface, const ClosestPoints& 
 RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   if (!(options.L > 0) || !std::isfinite(options.L)) {
     throw InvalidInput("L must be a positive length", "give L in mm");
+  }
+  if (options.features.size() > 0 &&
+      (options.features.minCoeff() < 0 || options.features.maxCoeff() >= surface.V.rows())) {
+    throw InvalidInput("a feature names a vertex that the surface does not have",
+                       "give pairs of its vertices");
   }
   const ClosestPoints closest(surface);  // refuses empty and non-finite surfaces
   for (int f = 0; f < surface.F.rows(); ++f) {
@@ -118,6 +165,7 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   RemeshResult result;
   result.mesh.V.resize(0, 3);
   result.mesh.F.resize(0, 3);
+  std::vector<std::array<int, 2>> features;
   for (int c = 0; c < count; ++c) {
     TriangleMesh part;
     std::vector<int> number(surface.V.rows(), -1), original;
@@ -139,20 +187,36 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
     part.V.resize(original.size(), 3);
     for (std::size_t v = 0; v < original.size(); ++v) part.V.row(v) = surface.V.row(original[v]);
     checkpoint();
-    const TriangleMesh made = count == 1 ? remesh_component(part, closest, options)
-                                         : remesh_component(part, ClosestPoints(part), options);
+    std::vector<std::array<int, 2>> given;
+    for (int e = 0; e < options.features.rows(); ++e) {
+      const int a = number[options.features(e, 0)], b = number[options.features(e, 1)];
+      if (a >= 0 && b >= 0) given.push_back({a, b});
+    }
+    Edges lines = all_features(part, given, options);
+    std::optional<ClosestPoints> own;
+    if (count > 1) own.emplace(part);
+    coarsen_scan(part, lines, options.L);
+    const IsotropicMesh made_part = remesh_component(part, own ? *own : closest, lines, options);
+    const TriangleMesh& made = made_part.mesh;
     const int first_vertex = static_cast<int>(result.mesh.V.rows());
     const int first_face = static_cast<int>(result.mesh.F.rows());
     result.mesh.V.conservativeResize(first_vertex + made.V.rows(), 3);
     result.mesh.V.bottomRows(made.V.rows()) = made.V;
     result.mesh.F.conservativeResize(first_face + made.F.rows(), 3);
     result.mesh.F.bottomRows(made.F.rows()) = made.F.array() + first_vertex;
+    for (const auto& [a, b] : made_part.features) {
+      features.push_back({a + first_vertex, b + first_vertex});
+    }
+  }
+  result.features.resize(static_cast<Eigen::Index>(features.size()), 2);
+  for (std::size_t e = 0; e < features.size(); ++e) {
+    result.features.row(static_cast<Eigen::Index>(e)) << features[e][0], features[e][1];
   }
   const EdgeStatistics edges = edge_statistics(result.mesh);
   result.mean_edge = edges.mean;
   result.edge_cv = edges.deviation / edges.mean;
-  result.max_distance = distances(result.mesh.V, closest).maxCoeff();
-  result.sagitta = distances(surface_samples(surface), ClosestPoints(result.mesh)).maxCoeff();
+  result.max_distance = largest_distance(result.mesh.V, closest);
+  result.sagitta = largest_distance(surface_samples(surface), ClosestPoints(result.mesh));
   return result;
 }
 

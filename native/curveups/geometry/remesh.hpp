@@ -10,6 +10,10 @@ namespace curveups {
 struct RemeshOptions {
   double L = 7.0;  // mean edge length, mm
   Progress progress = {};
+  // Creases: edges whose two faces' normals differ by more than this (rad) stay edges; lines of
+  // them shorter than 2 L altogether are taken for noise. pi or more: none.
+  double crease_angle = 4;
+  Edges features = Edges(0, 2);  // more edges that stay, by vertices of the surface
 };
 
 struct RemeshResult {
@@ -18,12 +22,14 @@ struct RemeshResult {
   double edge_cv;       // standard deviation of the edge lengths over their mean
   double max_distance;  // of the vertices from the input surface, mm
   double sagitta;       // largest distance of the input surface from the facets, mm
+  Edges features;       // the edges that lie on creases and given features, by vertices of `mesh`
 };
 
 // Splits, collapses and flips edges (M. Botsch, L. Kobbelt, "A remeshing approach to
 // multiresolution modeling", SGP 2004), then evens the edges out by springs of equal rest length
 // that move vertices along the surface. Every component and every boundary loop stays; boundary
-// vertices stay on the input's boundary, its corners (turns above 40 degrees) stay vertices. Moves
+// vertices stay on the input's boundary, its corners (turns above 40 degrees) stay vertices; the
+// same holds for features, which stay lines of edges. Moves
 // that would flatten a face or turn it over are cut short.
 // Deterministic. Throws what build_topology and boundary_loops throw, InvalidInput (vertices not
 // finite, faces without area, edges longer than 300 L, L not positive or so small that more than

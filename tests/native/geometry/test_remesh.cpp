@@ -9,6 +9,7 @@
 #include "curveups/geometry/builtin_targets.hpp"
 #include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/face_guard.hpp"
+#include "curveups/geometry/feature_lines.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 #include "curveups/geometry/remesh.hpp"
 #include "support/meshes.hpp"
@@ -89,6 +90,96 @@ TEST(Remesh, ClosedSurfaceStaysClosed) {
   EXPECT_EQ(loop_count(result.mesh), 0u);
   EXPECT_NEAR(result.mean_edge, 6, 0.18);
   EXPECT_LT(result.edge_cv, 0.12);
+}
+
+// Interior edges of a mesh where faces turn by more than 20 degrees: how many, and the length of
+// all.
+struct Folds {
+  int count = 0;
+  double length = 0, sharpest = 0;
+};
+Folds folds_of(const TriangleMesh& mesh) {
+  const MeshTopology topology = build_topology(mesh.F, mesh.V.rows());
+  Folds folds;
+  for (const MeshEdge& edge : topology.edges) {
+    if (edge.boundary()) continue;
+    const Vec3 a = face_area_vector(mesh, edge.face[0]), b = face_area_vector(mesh, edge.face[1]);
+    const double fold = std::atan2(a.cross(b).norm(), a.dot(b));
+    if (fold < M_PI / 9) continue;
+    ++folds.count;
+    folds.length += (mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).norm();
+    folds.sharpest = std::max(folds.sharpest, fold);
+  }
+  return folds;
+}
+
+TEST(Remesh, CreasesStayEdges) {
+  // A roof of 80 x 60 mm whose ridge lies on no multiple of L.
+  const double slope = 0.7;
+  const TriangleMesh roof = test::grid(40, 20, [&](double u, double v) {
+    return Vec3(80 * u, 60 * v, -slope * std::abs(80 * u - 38));
+  });
+  const RemeshResult kept = remesh(roof, {7, {}, 40 * M_PI / 180});
+  const Folds folds = folds_of(kept.mesh);
+  EXPECT_EQ(folds.count, kept.features.rows());
+  EXPECT_NEAR(folds.length, 60, 1e-9);
+  EXPECT_NEAR(folds.sharpest, 2 * std::atan(slope), 1e-9);
+  EXPECT_LT(kept.sagitta, 1e-9);
+  EXPECT_LT(kept.edge_cv, 0.13);
+  for (int e = 0; e < kept.features.rows(); ++e) {
+    for (int k = 0; k < 2; ++k) EXPECT_NEAR(kept.mesh.V(kept.features(e, k), 0), 38, 1e-9);
+  }
+  const RemeshResult through = remesh(roof, {7});
+  EXPECT_EQ(through.features.rows(), 0);
+  EXPECT_GT(through.sagitta, 0.5);
+  // A threshold that nothing reaches changes nothing.
+  EXPECT_EQ(remesh(roof, {7, {}, 80 * M_PI / 180}).mesh.V, through.mesh.V);
+}
+
+TEST(Remesh, CreasesOfABoxMeetInItsCorners) {
+  const TriangleMesh box = test::grid(90, 30, [](double u, double v) {  // three walls of a box
+    const double s = 90 * u;
+    return s < 30   ? Vec3(0, 30 - s, 30 * v)
+           : s < 60 ? Vec3(s - 30, 0, 30 * v)
+                    : Vec3(30, s - 60, 30 * v);
+  });
+  const RemeshResult result = remesh(box, {6, {}, 0.7});
+  EXPECT_NEAR(folds_of(result.mesh).length, 60, 1e-9);
+  EXPECT_LT(result.sagitta, 1e-9);
+  EXPECT_TRUE(check_mesh(result.mesh, 6, false).empty());
+}
+
+TEST(Remesh, GivenFeaturesStayEdgesAndShortCreasesDoNot) {
+  TriangleMesh plate = test::flat_square(30, 60);
+  Edges along(30, 2);  // across the plate, at a third of it
+  for (int k = 0; k < 30; ++k) along.row(k) << 31 * 10 + k, 31 * 10 + k + 1;
+  const RemeshResult result = remesh(plate, {7, {}, 4, along});
+  double length = 0;
+  for (int e = 0; e < result.features.rows(); ++e) {
+    const Vec3 a = result.mesh.V.row(result.features(e, 0));
+    const Vec3 b = result.mesh.V.row(result.features(e, 1));
+    EXPECT_NEAR(a.y(), 20, 1e-9);
+    length += (b - a).norm();
+  }
+  EXPECT_NEAR(length, 60, 1e-9);
+  EXPECT_THROW(remesh(plate, {7, {}, 4, Edges::Constant(1, 2, 100000)}), InvalidInput);
+  plate.V(31 * 15 + 15, 2) = 3;  // a thorn
+  EXPECT_GT(remesh(plate, {7, {}, 0.5}).features.rows(), 0);
+  EXPECT_EQ(remesh(plate, {20, {}, 0.5}).features.rows(), 0);  // shorter than two tiles' edges
+}
+
+TEST(FeatureLines, EndWhereLinesMeetAndClose) {
+  Edges edges(9, 2);  // a path 0..3 whose vertex 2 has a branch to 4; a ring 5 6 7; and an end at 9
+  edges << 0, 1, 2, 1, 2, 3, 2, 4, 5, 6, 7, 6, 5, 7, 8, 9, 10, 9;
+  std::vector<char> ends(11, 0);
+  ends[9] = 1;
+  const std::vector<FeatureLine> lines = feature_lines(edges, ends);
+  std::vector<std::vector<int>> found;
+  for (const FeatureLine& line : lines) found.push_back(line.vertices);
+  const std::vector<std::vector<int>> expected{{0, 1, 2}, {2, 3},  {2, 4},
+                                               {8, 9},    {9, 10}, {5, 6, 7}};
+  EXPECT_EQ(found, expected);
+  for (std::size_t k = 0; k < lines.size(); ++k) EXPECT_EQ(lines[k].closed, k == 5) << k;
 }
 
 TEST(Remesh, IsTheSameOnAnyNumberOfThreads) {

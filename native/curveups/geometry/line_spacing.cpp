@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/geometry/line_spacing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+#include "curveups/geometry/feature_lines.hpp"
+
+namespace curveups {
+namespace {
+
+// A point to be inserted into the edge of a line that follows on one of its vertices, or that
+// vertex itself.
+struct Mark {
+  int at;        // place of the vertex in the line
+  double share;  // of the edge, 0 at its start
+};
+
+// Vertices within this share of an edge's end stand for points near them.
+constexpr double snap_share = 1e-6;
+
+// is_corner: vertices that stay whatever the turn.
+std::vector<Mark> marks_of_line(const Points3& V, const FeatureLine& whole, double length,
+                                double corner_angle, const std::vector<char>& is_corner) {
+  const std::vector<int>& line = whole.vertices;
+  const int count = static_cast<int>(line.size());
+  const int edges = whole.closed ? count : count - 1;
+  std::vector<double> arc(1, 0.0);
+  std::vector<int> corners;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 in = V.row(line[i]) - V.row(line[(i + count - 1) % count]);
+    const Vec3 out = V.row(line[(i + 1) % count]) - V.row(line[i]);
+    if (i < edges) arc.push_back(arc.back() + out.norm());
+    const bool end = !whole.closed && (i == 0 || i == count - 1);
+    if (end || is_corner[line[i]] || std::atan2(in.cross(out).norm(), in.dot(out)) > corner_angle) {
+      corners.push_back(i);
+    }
+  }
+  const bool smooth = corners.empty();
+  if (smooth) corners.push_back(0);
+  const int stretches = static_cast<int>(corners.size()) - (whole.closed ? 0 : 1);
+  const bool loop = whole.closed || line.front() == line.back();
+  const int least = !loop || stretches >= 3 ? 1 : stretches == 2 ? 2 : 3;
+  std::vector<Mark> marks;
+  for (int s = 0; s < stretches; ++s) {
+    const bool wraps = s + 1 == static_cast<int>(corners.size());
+    const double from = arc[corners[s]];
+    const double to = wraps ? arc[corners[0]] + arc.back() : arc[corners[s + 1]];
+    const int parts = std::max(least, static_cast<int>(std::lround((to - from) / length)));
+    marks.push_back({corners[s], 0});
+    for (int k = 1; k < parts; ++k) {
+      double at = from + (to - from) * k / parts;
+      if (at >= arc.back()) at -= arc.back();
+      int i = static_cast<int>(std::upper_bound(arc.begin(), arc.end(), at) - arc.begin()) - 1;
+      i = std::clamp(i, 0, edges - 1);
+      const double edge = arc[i + 1] - arc[i];
+      const double share = edge > 0 ? (at - arc[i]) / edge : 0;
+      if (share > 1 - snap_share) {
+        marks.push_back({(i + 1) % count, 0});
+      } else {
+        marks.push_back({i, share < snap_share ? 0 : share});
+      }
+    }
+  }
+  if (!whole.closed) marks.push_back({count - 1, 0});
+  return marks;
+}
+
+}  // namespace
+
+IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, double length,
+                          double corner_angle) {
+  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  std::vector<Vec3> points(mesh.V.rows());
+  for (int v = 0; v < mesh.V.rows(); ++v) points[v] = mesh.V.row(v);
+  std::vector<char> fixed(points.size(), 0), on_boundary(points.size(), 0);
+  std::vector<char> is_corner(points.size(), 0);   // of boundary loops: where features end
+  std::map<std::array<int, 2>, int> edge_between;  // on lines
+  for (int e = 0; e < features.rows(); ++e) {
+    edge_between[{std::min(features(e, 0), features(e, 1)),
+                  std::max(features(e, 0), features(e, 1))}] = -1;
+    is_corner[features(e, 0)] = is_corner[features(e, 1)] = 1;
+  }
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    const MeshEdge& edge = topology.edges[e];
+    const std::array<int, 2> pair{std::min(edge.v[0], edge.v[1]), std::max(edge.v[0], edge.v[1])};
+    if (edge.boundary()) {
+      on_boundary[edge.v[0]] = on_boundary[edge.v[1]] = 1;
+      edge_between[pair] = static_cast<int>(e);
+    } else if (features.rows() > 0) {
+      const auto it = edge_between.find(pair);
+      if (it != edge_between.end()) it->second = static_cast<int>(e);
+    }
+  }
+  std::vector<std::array<int, 2>> inner;  // features that are edges, but not of the boundary
+  for (const auto& [pair, e] : edge_between) {
+    if (e >= 0 && !topology.edges[e].boundary()) inner.push_back(pair);
+  }
+  Edges inner_edges(static_cast<Eigen::Index>(inner.size()), 2);
+  for (std::size_t e = 0; e < inner.size(); ++e) inner_edges.row(e) << inner[e][0], inner[e][1];
+
+  std::unordered_map<int, std::vector<std::pair<double, int>>> inserted;  // by edge, from its v[0]
+  const auto space = [&](const FeatureLine& line, const std::vector<char>& corner) {
+    for (const Mark& mark : marks_of_line(mesh.V, line, length, corner_angle, corner)) {
+      const int v = line.vertices[mark.at];
+      if (mark.share == 0) {
+        fixed[v] = 1;
+        continue;
+      }
+      const int w = line.vertices[(mark.at + 1) % line.vertices.size()];
+      const int e = edge_between.at({std::min(v, w), std::max(v, w)});
+      const Vec3 a = mesh.V.row(v), b = mesh.V.row(w);
+      inserted[e].emplace_back(topology.edges[e].v[0] == v ? mark.share : 1 - mark.share,
+                               static_cast<int>(points.size()));
+      points.push_back((1 - mark.share) * a + mark.share * b);
+      fixed.push_back(1);
+    }
+  };
+  for (std::vector<int>& loop : boundary_loops(topology)) space({std::move(loop), true}, is_corner);
+  for (const FeatureLine& line : feature_lines(inner_edges, on_boundary)) {
+    space(line, std::vector<char>(points.size(), 0));
+  }
+  for (auto& [edge, list] : inserted) std::sort(list.begin(), list.end());
+
+  std::vector<std::array<int, 3>> faces;
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    int base_side = -1;  // a side with inserted vertices
+    for (int t = 0; t < 3; ++t) {
+      if (inserted.count(topology.edge_of(f, t)) != 0) base_side = t;
+    }
+    if (base_side < 0) {
+      faces.push_back({mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2)});
+      continue;
+    }
+    // Divide side by side: the fan of that side from the opposite corner, then, in the fan's
+    // outer triangles, the fans of the other two sides.
+    const auto side = [&](int t) {
+      std::vector<int> chain(1, mesh.F(f, t));
+      const auto it = inserted.find(topology.edge_of(f, t));
+      if (it != inserted.end()) {
+        for (const auto& entry : it->second) chain.push_back(entry.second);
+        if (topology.edges[it->first].v[0] != chain[0]) {
+          std::reverse(chain.begin() + 1, chain.end());
+        }
+      }
+      chain.push_back(mesh.F(f, next3(t)));
+      return chain;
+    };
+    const std::vector<int> base = side(base_side), right = side(next3(base_side)),
+                           left = side(prev3(base_side));
+    const int top = mesh.F(f, prev3(base_side));
+    for (std::size_t k = 1; k + 2 < base.size(); ++k) faces.push_back({base[k], base[k + 1], top});
+    for (std::size_t k = 0; k + 1 < right.size(); ++k) {
+      faces.push_back({right[k], right[k + 1], base[base.size() - 2]});
+    }
+    for (std::size_t k = 0; k + 1 < left.size(); ++k) {
+      faces.push_back({left[k], left[k + 1], base[1]});
+    }
+  }
+  IsotropicMesh out;
+  out.fixed = std::move(fixed);
+  for (const std::array<int, 2>& pair : inner) {
+    const auto it = inserted.find(edge_between.at(pair));
+    std::vector<int> chain(1, topology.edges[edge_between.at(pair)].v[0]);
+    if (it != inserted.end()) {
+      for (const auto& entry : it->second) chain.push_back(entry.second);
+    }
+    chain.push_back(topology.edges[edge_between.at(pair)].v[1]);
+    for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
+      out.features.push_back({chain[k], chain[k + 1]});
+    }
+  }
+  out.mesh.V.resize(points.size(), 3);
+  for (std::size_t v = 0; v < points.size(); ++v) out.mesh.V.row(v) = points[v];
+  out.mesh.F.resize(faces.size(), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    out.mesh.F.row(f) << faces[f][0], faces[f][1], faces[f][2];
+  }
+  return out;
+}
+
+}  // namespace curveups

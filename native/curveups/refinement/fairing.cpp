@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/refinement/fairing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/refinement/room_program.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr int most_steps = 60;
+// Steps without an improvement after which what remains is out of reach.
+constexpr int patience = 8;
+constexpr double largest_step_of_L = 1.0 / 14;  // as far as folds are nearly linear in moves
+
+PinSides sides_of(const std::vector<SmallPin>& pins) {
+  PinSides sides;
+  for (const SmallPin& pin : pins) sides.insert({pin.tile, pin.side});
+  return sides;
+}
+
+// How far a surface is from one that tiles can be: less is better, first of what is no design.
+struct Shortfall {
+  std::size_t impossible;  // tiles without a back face, pairs that no plane parts
+  double room;             // missing, as parts of A_pin_min
+
+  bool operator<(const Shortfall& o) const {
+    return impossible != o.impossible ? impossible < o.impossible : room < o.room - 1e-3;
+  }
+};
+
+Shortfall shortfall(const DesignGeometry& here, const Parameters& parameters) {
+  Shortfall out{here.truncation.unresolved.size(), 0};
+  // Tiles without back faces hide the pairs: they weigh more than any number of these.
+  if (!here.shaped) {
+    out.impossible = 1000000 + tiles_without_back(here.tiles).size();
+  }
+  for (const SmallPin& pin : here.pin_bounds.small) {
+    out.room += 1 - pin.area / parameters.A_pin_min;
+  }
+  return out;
+}
+
+// The vertices that may move for these sides: three rings of tiles around them, but for fixed ones.
+std::vector<int> free_vertices(const PinSides& sides, const TriangleMesh& mesh,
+                               const std::vector<char>& fixed) {
+  std::vector<char> near(mesh.V.rows(), 0);
+  for (int v : vertices_around(sides, mesh)) near[v] = 1;
+  PinSides wider;
+  for (int i = 0; i < mesh.F.rows(); ++i) {
+    if (near[mesh.F(i, 0)] && near[mesh.F(i, 1)] && near[mesh.F(i, 2)]) {
+      wider.insert({i, Side::front});
+    }
+  }
+  std::vector<int> out;
+  for (int v : vertices_around(wider, mesh)) {
+    if (!fixed[v]) out.push_back(v);
+  }
+  return out;
+}
+
+// Corners of faces that would turn over or lose most of their area go back to where they were.
+void keep_faces(const TriangleMesh& before, TriangleMesh& after) {
+  for (int round = 0; round < 8; ++round) {
+    bool kept = true;
+    for (int f = 0; f < after.F.rows(); ++f) {
+      const Vec3 a = face_area_vector(before, f), b = face_area_vector(after, f);
+      if (b.dot(a) > 0.5 * a.squaredNorm()) continue;
+      kept = false;
+      for (int t = 0; t < 3; ++t) after.V.row(after.F(f, t)) = before.V.row(after.F(f, t));
+    }
+    if (kept) return;
+  }
+  after = before;
+}
+
+}  // namespace
+
+FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Edges& kept,
+                           double largest_move, const Parameters& parameters,
+                           const Progress& progress) {
+  if (!(largest_move >= 0) || !std::isfinite(largest_move)) {
+    throw InvalidInput("the surface can't be moved by that much", "give mend_max in mm");
+  }
+  if (kept.size() > 0 && (kept.minCoeff() < 0 || kept.maxCoeff() >= mesh.V.rows())) {
+    throw InvalidInput("a kept edge names a vertex that there is not", "give pairs of vertices");
+  }
+  const RoomProgram program(mesh, cuts, parameters);
+  FairedSurface out;
+  out.mesh = mesh;
+  out.move.assign(mesh.V.rows(), 0);
+  DesignGeometry here = program.geometry(mesh);
+  const PinSides given = sides_of(here.pin_bounds.small);
+  const std::vector<SmallPin> small_before = here.pin_bounds.small;
+  out.remaining = small_before;
+  out.overlapping = here.truncation.unresolved;
+  if (given.empty() || largest_move == 0) return out;
+
+  std::vector<char> fixed(mesh.V.rows(), 0);
+  for (const MeshEdge& edge : here.tiles.topology.edges) {
+    if (edge.boundary()) fixed[edge.v[0]] = fixed[edge.v[1]] = 1;
+  }
+  for (Eigen::Index k = 0; k < kept.size(); ++k) fixed[kept.data()[k]] = 1;
+
+  // Coordinates are bounded one by one: the corner of their box is largest_move away.
+  const MoveLimits limits{largest_step_of_L * parameters.L, largest_move / std::sqrt(3.0)};
+  TriangleMesh moved = mesh;
+  Shortfall best = shortfall(here, parameters);
+  PinSides asked = given;  // grows with what comes to be short on the way
+  for (int step = 1, since = 0; step <= most_steps && since < patience; ++step, ++since) {
+    if (!keep_going(progress, "fairing the target",
+                    static_cast<double>(given.size() -
+                                        std::min(given.size(), here.pin_bounds.small.size())) /
+                        static_cast<double>(given.size()))) {
+      throw Cancelled();
+    }
+    const std::vector<int> vertices = free_vertices(asked, mesh, fixed);
+    if (vertices.empty()) break;
+    const TriangleMesh before = moved;
+    const bool moves =
+        program.step(program.rows(here, asked, asked, vertices), vertices, limits, moved);
+    keep_faces(before, moved);
+    here = program.geometry(moved);
+    const Shortfall now = shortfall(here, parameters);
+    if (now < best) {
+      best = now;
+      since = 0;
+      out.mesh = moved;
+      out.steps = step;
+      out.remaining = here.pin_bounds.small;
+      out.overlapping = here.truncation.unresolved;
+    }
+    if (here.pin_bounds.small.empty() || !moves) break;
+    for (const PinSide& side : sides_of(here.pin_bounds.small)) asked.insert(side);
+  }
+  for (int v = 0; v < mesh.V.rows(); ++v) out.move[v] = (out.mesh.V.row(v) - mesh.V.row(v)).norm();
+  const PinSides small = sides_of(out.remaining);
+  for (const SmallPin& pin : small_before) {
+    if (!small.count({pin.tile, pin.side})) out.fixed.push_back(pin);
+  }
+  return out;
+}
+
+}  // namespace curveups

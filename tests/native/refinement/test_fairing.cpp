@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
+#include "curveups/refinement/fairing.hpp"
+#include "curveups/refinement/room_program.hpp"
+#include "support/meshes.hpp"
+
+namespace curveups {
+namespace {
+
+const Edges none(0, 2);
+
+// A roof whose ridge runs along edges: too sharp a fold for some thickness.
+TriangleMesh roof(double slope) {
+  return test::lifted_patch(8, 7, [=](double, double y) { return -slope * std::abs(y); });
+}
+
+PinSides small_sides(const DesignGeometry& geometry) {
+  PinSides out;
+  for (const SmallPin& pin : geometry.pin_bounds.small) out.insert({pin.tile, pin.side});
+  return out;
+}
+
+// Rows against central differences in a random direction of all vertices.
+void expect_derivatives(const TriangleMesh& mesh, const Parameters& parameters, bool shaped) {
+  const RoomProgram program(mesh, none, parameters);
+  const DesignGeometry here = program.geometry(mesh);
+  ASSERT_EQ(here.shaped, shaped);
+  const PinSides asked = small_sides(here);
+  ASSERT_FALSE(asked.empty());
+  std::vector<int> vertices(mesh.V.rows());
+  for (int v = 0; v < mesh.V.rows(); ++v) vertices[v] = v;
+  const auto rows = program.rows(here, asked, asked, vertices);
+  ASSERT_GT(rows.size(), 4u);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const Points3 direction = Points3::NullaryExpr(mesh.V.rows(), 3, [&] { return unit(random); });
+  const double h = 1e-5;
+  std::vector<std::vector<RoomProgram::Row>> there;
+  for (double side : {1.0, -1.0}) {
+    TriangleMesh moved = mesh;
+    moved.V += side * h * direction;
+    there.push_back(program.rows(program.geometry(moved), asked, asked, vertices));
+    ASSERT_EQ(there.back().size(), rows.size());
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    double expected = 0, size = 0;
+    for (const auto& [v, derivative] : rows[r].by_vertex) {
+      expected += derivative.dot(direction.row(v).transpose());
+      size += derivative.norm();
+    }
+    const double found = (there[0][r].value - there[1][r].value) / (2 * h);
+    EXPECT_NEAR(found, expected, 1e-5 * (1 + size)) << "row " << r;
+  }
+}
+
+TEST(RoomProgram, RowsAreDerivatives) {
+  Parameters parameters;
+  // Off symmetry, where the closed forms have kinks.
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-0.4, 0.4);
+  TriangleMesh mesh = roof(0.6);
+  mesh.V += Points3::NullaryExpr(mesh.V.rows(), 3, [&] { return unit(random); });
+  parameters.A_pin_min = 6;
+  expect_derivatives(mesh, parameters, true);
+  parameters.H_body = 14;  // back faces vanish
+  expect_derivatives(mesh, parameters, false);
+}
+
+void expect_possible(const TriangleMesh& mesh, const Parameters& parameters) {
+  const DesignGeometry geometry = make_geometry(mesh, none, parameters);  // throws without backs
+  EXPECT_TRUE(geometry.pin_bounds.small.empty());
+  EXPECT_TRUE(geometry.truncation.unresolved.empty());
+}
+
+TEST(Fairing, MakesBackFacesAndRoomWithLittleMovement) {
+  const TriangleMesh mesh = roof(1.1);
+  Parameters parameters;
+  parameters.H_body = 8;
+  EXPECT_THROW(make_geometry(mesh, none, parameters), InfeasibleDesign);
+  const FairedSurface faired = fair_surface(mesh, none, none, 5, parameters, {});
+  EXPECT_FALSE(faired.fixed.empty());
+  const double largest = *std::max_element(faired.move.begin(), faired.move.end());
+  EXPECT_LE(largest, 5);
+  EXPECT_GT(largest, 0.1);
+  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  for (const MeshEdge& edge : topology.edges) {
+    if (!edge.boundary()) continue;
+    for (int v : edge.v) EXPECT_EQ(faired.move[v], 0) << "of the boundary";
+  }
+  // Tiles whose corners are all on the boundary but one can't be helped: the others are.
+  EXPECT_LT(faired.remaining.size(), faired.fixed.size());
+}
+
+TEST(Fairing, EndsWithTilesThatAreAllPossible) {
+  // A bump inside of a plate, so that nothing is held by the boundary.
+  const TriangleMesh mesh = test::lifted_patch(12, 7, [](double x, double y) {
+    return 10 * std::max(0.0, 1 - std::hypot(x - 2, y - 1) / 16);
+  });
+  Parameters parameters;
+  parameters.H_body = 4;
+  const RoomProgram program(mesh, none, parameters);
+  ASSERT_FALSE(program.geometry(mesh).pin_bounds.small.empty());
+  const FairedSurface faired = fair_surface(mesh, none, none, 4, parameters, {});
+  EXPECT_TRUE(faired.remaining.empty());
+  expect_possible(faired.mesh, parameters);
+  // Again: nothing is to be done.
+  const FairedSurface again = fair_surface(faired.mesh, none, none, 4, parameters, {});
+  EXPECT_EQ(again.mesh.V, faired.mesh.V);
+  EXPECT_EQ(again.steps, 0);
+  // Far away nothing moves.
+  EXPECT_LT(
+      std::count_if(faired.move.begin(), faired.move.end(), [](double m) { return m > 0.01; }),
+      mesh.V.rows() / 2);
+  // The same on any number of threads.
+  const int threads = thread_count();
+  set_thread_count(3);
+  EXPECT_EQ(fair_surface(mesh, none, none, 4, parameters, {}).mesh.V, faired.mesh.V);
+  set_thread_count(threads);
+}
+
+TEST(Fairing, StaysWithinItsBoundAndKeepsWhatIsNamed) {
+  const TriangleMesh mesh = roof(1.1);
+  Parameters parameters;
+  parameters.H_body = 5;
+  const FairedSurface little = fair_surface(mesh, none, none, 0.2, parameters, {});
+  EXPECT_LE(*std::max_element(little.move.begin(), little.move.end()), 0.2);
+  EXPECT_FALSE(little.remaining.empty());
+  EXPECT_EQ(fair_surface(mesh, none, none, 0, parameters, {}).mesh.V, mesh.V);
+  Edges kept(1, 2);
+  const FairedSurface free = fair_surface(mesh, none, none, 3, parameters, {});
+  const int moved =
+      static_cast<int>(std::max_element(free.move.begin(), free.move.end()) - free.move.begin());
+  kept << moved, moved;
+  EXPECT_EQ(fair_surface(mesh, none, kept, 3, parameters, {}).move[moved], 0);
+  EXPECT_THROW(fair_surface(mesh, none, none, -1, parameters, {}), InvalidInput);
+  EXPECT_THROW(fair_surface(mesh, none, Edges::Constant(1, 2, 9999), 1, parameters, {}),
+               InvalidInput);
+  EXPECT_THROW(fair_surface(mesh, none, none, 3, parameters,
+                            [](const std::string&, double) { return false; }),
+               Cancelled);
+  // What is possible already stays as it is.
+  const TriangleMesh dome = test::dome();
+  EXPECT_EQ(fair_surface(dome, none, none, 3, Parameters(), {}).mesh.V, dome.V);
+}
+
+}  // namespace
+}  // namespace curveups
