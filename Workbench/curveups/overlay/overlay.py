@@ -449,7 +449,8 @@ class Overlay:
 class _State:
     """What a scene is made from: equal for projects that are drawn alike."""
 
-    STAGES = ("target", "relief", "cuts", "layout", "design", "verification of the layout", "verification")
+    STAGES = ("target", "fairing", "relief", "cuts", "layout", "design", "verification of the layout",
+              "verification")
 
     def __init__(self, project: Any):
         self._made = [project.latest(name) for name in self.STAGES]

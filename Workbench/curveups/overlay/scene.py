@@ -139,10 +139,11 @@ def scene_of(project: Any) -> Optional[Scene]:
         made = project.latest(name)
         if made is not None:
             return _of_design(project, made.design.with_parameters(parameters))
-    target, relief = project.latest("target"), project.latest("relief")
+    target = project.latest("target")
     if target is None:
         return None
-    V = target.V if relief is None else relief.V
+    moved = project.latest("relief") or project.latest("fairing")
+    V = target.V if moved is None else moved.V
     cuts = project.latest("cuts")
     edges = np.empty((0, 2), np.int32) if cuts is None else cuts.edges
     shapes = native.tile_shapes_at(V, target.F, edges, parameters)

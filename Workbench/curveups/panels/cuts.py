@@ -88,7 +88,7 @@ class CutsPanel(Following):
     def _prepare(self) -> None:
         """A target that is not there, or not up to date, is made first."""
         project = document.project_of(self.design)
-        if project.out_of_date("target") == ():
+        if project.out_of_date("fairing") == ():
             self._begin(project)
             return
         twin = project.copy()
@@ -99,11 +99,10 @@ class CutsPanel(Following):
             self._begin(document.project_of(design))
 
         LIVE.start(self.design, Task(translate("CurveUps_Cuts", "Cuts"),
-                                     lambda job: twin.run(("target",), job), finish, twin))
+                                     lambda job: twin.run(("fairing",), job), finish, twin))
 
     def _begin(self, project: Any) -> None:
-        target = project.latest("target")
-        self._paths = CutPaths(target.V, target.F)
+        self._paths = CutPaths(project.latest("fairing").V, project.latest("target").F)
         self._soft = SoftLayout(self.design, project)
         self._tool = EdgeTool(self.design, self._hover, self._click, self._begin_anew)
         self._look_at_cuts()

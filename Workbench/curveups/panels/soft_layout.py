@@ -18,12 +18,12 @@ _ITERATIONS = 25  # of the most; pictures have settled by then
 
 
 class SoftLayout:
-    """Of a Design whose project has a target."""
+    """Of a Design whose project has a target, mended where that is asked for."""
 
     def __init__(self, design: Any, project: Any):
         self._design = design
         target, finished = project.latest("target"), project.latest("design")
-        self._V, self._F = np.asarray(target.V), np.asarray(target.F)
+        self._V, self._F = np.asarray(project.latest("fairing").V), np.asarray(target.F)
         self._parameters = project.parameters
         for name, value in target.settles().items():
             self._parameters.set(name, value)

@@ -1,22 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What relief, repair and recheck did, and the contacts that are nearest to failing: parts of report.html."""
+"""What mending, relief, repair and recheck did, and the contacts that are nearest to failing: parts of
+report.html."""
 
 from __future__ import annotations
 
 from html import escape
 from typing import Any, Mapping, Sequence
 
-from ..errors import tile_name
+from ..errors import tile_list, tile_name
 from .tables import show, table
 
 _MOST = 10  # rows of a table of moved vertices
 
 
 def changes(report: Mapping[str, Any]) -> list[str]:
-    """Sections on what was changed after the target was divided into tiles; none where nothing was."""
+    """Sections on what was changed of the target and its tiles; none where nothing was."""
     parts: list[str] = []
-    for heading, block, lines in (("Relief", "relief", _relief), ("Repair", "repair", _repair),
-                                  ("Recheck", "recheck", _recheck)):
+    for heading, block, lines in (("Mending", "mending", _mending), ("Relief", "relief", _relief),
+                                  ("Repair", "repair", _repair), ("Recheck", "recheck", _recheck)):
         if block in report:
             parts += [f"<h3>{heading}</h3>", *lines(report[block], report)]
     return ["<h2>What was changed and looked at again</h2>", *parts] if parts else []
@@ -31,6 +32,28 @@ def worst_contacts(contacts: Sequence[Mapping[str, Any]], f_min: float) -> list[
     return ["<h2>Worst contacts</h2>",
             table(rows, ("Tiles", "Least normal force, N", "in units of f_min", "Mean normal force, N",
                          "Friction / normal force"))]
+
+
+def _mending(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
+    actions, remaining = block["actions"], block["remaining"]
+    if not actions:
+        said = "There was nothing to mend."
+    else:
+        said = ("The target was mended:" if block["applied"] else
+                "Nothing was mended, as mend=ask only says what mend=on would do:")
+    parts = [f"<p>{said}</p>"]
+    if actions:
+        parts += ["<ul>", *(f"<li>{escape(action)}</li>" for action in actions), "</ul>",
+                  table([("Vertices moved", block["moved_vertices"]),
+                         ("Mean of these", _mm(block["mean_mm"])), ("Largest", _mm(block["max_mm"])),
+                         ("Hausdorff distance between before and after", _mm(block["hausdorff_mm"]))])]
+    if remaining:
+        parts.append(f"<p>Tiles that have too little room all the same: {tile_list(remaining, 12)}.</p>")
+    return parts
+
+
+def _mm(value: float) -> str:
+    return f"{show(value)} mm"
 
 
 def _relief(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:

@@ -36,7 +36,7 @@ def build_check(results: Results) -> dict[str, Any]:
         "blocked": [{"tile": one.tile, "why": one.why, "obstacle": one.obstacle, "certain": one.certain}
                     for one in found.blocked],
         "trimmed": found.trimmed.tolist(), "overlapping": found.overlapping.tolist(),
-        "relieved_pin_sides": found.relieved,
+        "relieved_pin_sides": found.relieved, "mending_would_move_mm": found.mending,
         "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body},
         "tried": [{"L": L, "H_body": H_body, "tiles": tiles, "feasible": feasible}
                   for L, H_body, tiles, feasible in sizes.tried],
@@ -89,9 +89,11 @@ def _row(what: str, values: np.ndarray, wanted: str, short: int, most: bool = Fa
 
 
 def advice(results: Results) -> list[str]:
-    """Sentences on sizes that would do."""
-    get, sizes = results.parameters.get, results["sizes"]
-    return [*length_words(sizes, get("L"), get("H_body")), *thickness_words(sizes, get("L"))]
+    """Sentences on sizes that would do, and on mending."""
+    get, sizes, moved = results.parameters.get, results["sizes"], results["feasibility"].mending
+    mended = [] if moved is None else [f"with mend=on, which moves vertices by up to {moved:.2g} mm, "
+                                       "these sizes do"]
+    return [*length_words(sizes, get("L"), get("H_body")), *thickness_words(sizes, get("L")), *mended]
 
 
 def length_words(sizes: Recommendation, L: float, H_body: float) -> Sequence[str]:

@@ -36,7 +36,7 @@ figure { margin: 0; } figcaption { color: #6d6454; font-size: .9rem; }
 
 _VIEWS: dict[str, Callable[..., bytes]] = {
     "flat": pictures.flat_layout, "actuated": pictures.actuated_view, "cuts": cut_pictures.cut_view,
-    "stretch": membrane_pictures.stretch_view}
+    "stretch": membrane_pictures.stretch_view, "movement": pictures.movement_view}
 
 
 def build_html(results: Results, report: dict) -> str:

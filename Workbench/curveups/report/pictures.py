@@ -73,15 +73,35 @@ def actuated_view(design: Any, width: float = 7.0) -> bytes:
     return _png(figure)
 
 
-def blocked_view(V: np.ndarray, F: np.ndarray, marks: np.ndarray, width: float = 10.0) -> bytes:
+def blocked_view(V: np.ndarray, F: np.ndarray, marks: np.ndarray) -> bytes:
     """A target from two sides, its tiles in the colours of their marks: 0, 1 (doubtful), 2 (impossible)."""
+    colours = np.array([matplotlib.colors.to_rgb(mark) for mark in MARKS])[marks]
+    return _png(_both_sides(V, F, colours)[0])
+
+
+def movement_view(V: np.ndarray, F: np.ndarray, values: np.ndarray) -> bytes:
+    """A target from two sides, its tiles coloured by the largest of their corners' values (mm)."""
+    of_tile = np.asarray(values)[F].max(axis=1)
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, max(float(of_tile.max()), 1e-9)),
+                                         "viridis")
+    figure, height = _both_sides(V, F, scale.to_rgba(of_tile)[:, :3], 0.6)
+    figure.colorbar(scale, cax=figure.add_axes([0.3, 0.4 / height, 0.4, 0.12 / height]),
+                    orientation="horizontal", label="mm")
+    return _png(figure)
+
+
+def _both_sides(V: np.ndarray, F: np.ndarray, colours: np.ndarray, below: float = 0.0,
+                width: float = 10.0) -> tuple[Figure, float]:
+    """A picture of the tiles in these colours (M x 3) and its height, inches, of which `below` are free."""
     target = SimpleNamespace(V=V, F=F)
     low, high = _bounds(_seen(target)[0])
     height = 0.5 * width * (high[1] - low[1]) / (high[0] - low[0])
-    figure = Figure(figsize=(width, float(np.clip(height, 2.5, 9))))
+    height = float(np.clip(height, 2.5, 9)) + below
+    figure = Figure(figsize=(width, height))
     for place, turned in ((0.0, False), (0.5, True)):
-        _draw_actuated(figure.add_axes([place, 0, 0.5, 1]), target, turned, marks)
-    return _png(figure)
+        _draw_actuated(figure.add_axes([place, below / height, 0.5, 1 - below / height]), target, turned,
+                       colours)
+    return figure, height
 
 
 def overview(design: Any) -> bytes:
@@ -110,16 +130,16 @@ def _draw_flat(axes: Any, design: Any, values: np.ndarray | None) -> PolyCollect
     return tiles
 
 
-def _draw_actuated(axes: Any, design: Any, turned: bool = False, marks: np.ndarray | None = None) -> None:
+def _draw_actuated(axes: Any, design: Any, turned: bool = False,
+                   colours: np.ndarray | None = None) -> None:
     corners, normal = _seen(design, turned)
     light = np.array([-0.35, 0.5, 0.8])
     light /= np.linalg.norm(light)
     shade = 0.3 + 0.7 * np.abs(normal @ light)
-    colour = np.where(normal[:, 2:] > 0, matplotlib.colors.to_rgb("#f0b24a"),
-                      matplotlib.colors.to_rgb("#8fa7bf"))
-    if marks is not None:
-        colour = np.array([matplotlib.colors.to_rgb(mark) for mark in MARKS])[marks]
-    colour = colour * shade[:, None]
+    if colours is None:
+        colours = np.where(normal[:, 2:] > 0, matplotlib.colors.to_rgb("#f0b24a"),
+                           matplotlib.colors.to_rgb("#8fa7bf"))
+    colour = colours * shade[:, None]
     order = np.argsort(corners[:, :, 2].mean(1), kind="stable")  # painter: far ones first
     axes.add_collection(PolyCollection(corners[order][:, :, :2], facecolors=colour[order].clip(0, 1),
                                        edgecolors="#5b4420", linewidths=0.25))

@@ -24,7 +24,8 @@ class Deviation(Result):
 
 def _run(inputs: Inputs, job: Optional[Job] = None) -> Deviation:
     target, design = inputs["target"], inputs["design"].design
-    return Deviation(*native.surface_deviation(design.V, design.F, *target.given, job))
+    V, F = target.given
+    return Deviation(*native.surface_deviation(design.V, design.F, V, F, job))
 
 
 STAGE = Stage("deviation", ("target", "design"), frozenset(), _run,

@@ -10,10 +10,10 @@ import numpy as np
 
 from ..errors import tile_list
 from ..native import native
-from .stage import Inputs, Job, Result, Row, Stage, digest
+from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
 
-# Cuts leave tiles more room than contacts do, and are asked for on what this makes; no line has to stay.
-NONE = np.zeros((0, 2), np.int32)
+# Cuts leave tiles more room than contacts do, and are asked for on what this makes.
+_NO_CUTS = np.zeros((0, 2), np.int32)
 
 
 @dataclass(frozen=True)
@@ -21,9 +21,11 @@ class Fairing(Result):
     """V: N x 3, where the target's vertices are from now on."""
 
     V: np.ndarray
-    asked: str                          # off, ask, on
-    block: Optional[dict] = None        # of report.json, where mending was asked for
-    found: tuple[dict, ...] = ()        # warnings
+    asked: str                            # off, ask, on
+    block: Optional[dict] = None          # of report.json, where mending was asked for
+    found: tuple[dict, ...] = ()          # warnings
+    F: Optional[np.ndarray] = None        # M x 3, where anything is to be shown of it
+    distance: Optional[np.ndarray] = None  # N, mm, of the vertices from what was given
 
     @property
     def content(self) -> str:
@@ -38,28 +40,42 @@ class Fairing(Result):
     def rows(self, seconds: float) -> Sequence[Row]:
         return () if self.asked == "off" else (Row("fairing", seconds),)
 
+    def pictures(self) -> Sequence[Picture]:
+        if self.distance is None:
+            return ()
+        return (Picture("Mending", "How far the mended target is from what was given, from both sides.",
+                        "movement", {"V": self.V, "F": self.F, "values": self.distance}),)
+
+
+def fair(V: np.ndarray, F: np.ndarray, parameters: Any, job: Job) -> Any:
+    """The native FairedSurface of a remeshed target."""
+    return native.fair_surface(V, F, _NO_CUTS, _NO_CUTS, parameters.get("mend_max"), parameters, job)
+
 
 def _run(inputs: Inputs, job: Job) -> Fairing:
     target, parameters = inputs["target"], inputs.parameters
     asked = parameters.get("mend")
     if asked == "off":
         return Fairing(target.V, asked)
-    made = native.fair_surface(target.V, target.F, NONE, NONE, parameters.get("mend_max"), parameters, job)
+    made = fair(target.V, target.F, parameters, job)
     move = np.asarray(made.move, float)
     moved, largest = int((move > 0).sum()), float(move.max(initial=0.0))
     tiles = sorted({int(pin.tile) for pin in made.fixed})
-    would = list(target.actions)
+    actions = list(target.actions)
     if moved:
-        would.append(f"{moved} vertices moved by up to {largest:.2g} mm, which gives {len(tiles)} tiles room "
-                     f"({tile_list(tiles)})")
-    block = {"actions": would, "applied": asked == "on", "moved_vertices": moved,
+        actions.append(f"{moved} vertices moved by up to {largest:.2g} mm, which gives {len(tiles)} tiles "
+                       f"room ({tile_list(tiles)})")
+    faired_by = native.surface_deviation(made.V, target.F, target.V, target.F, job)[2] if moved else 0.0
+    block = {"actions": actions, "applied": asked == "on", "moved_vertices": moved,
              "mean_mm": float(move[move > 0].mean()) if moved else 0.0, "max_mm": largest,
-             "hausdorff_mm": max(target.mended_by, largest), "tiles": tiles,
+             "hausdorff_mm": max(target.mended_by, float(faired_by)), "tiles": tiles,
              "remaining": sorted({int(pin.tile) for pin in made.remaining})}
     if asked == "on":
-        return Fairing(np.ascontiguousarray(made.V) if moved else target.V, asked, block)
-    found = [{"what": f"mend=on would mend the target: {', '.join(would)}", "kind": "mending",
-              "remedy": "set mend=on", "tiles": tiles}] if would else []
+        V = np.ascontiguousarray(made.V) if moved else target.V
+        shown = (target.F, native.distances(V, *target.given)) if actions else ()
+        return Fairing(V, asked, block, (), *shown)
+    found = [{"what": f"mend=on would mend the target: {', '.join(actions)}", "kind": "mending",
+              "remedy": "set mend=on", "tiles": tiles}] if actions else []
     return Fairing(target.V, asked, block, tuple(found))
 
 

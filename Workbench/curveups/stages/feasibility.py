@@ -9,14 +9,15 @@ layouts begin. The limits of these estimates are those at which designs began to
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Iterator
+from dataclasses import dataclass, replace
+from typing import Any, Iterator, Optional
 
 import numpy as np
 
 from ..errors import tile_name
 from ..native import native
 from .cut_request import resolve_cuts
+from .fairing import fair
 from .relief import make_room
 from .stage import Inputs, Job, Result, Stage, Value, digest
 
@@ -62,6 +63,8 @@ class Feasibility(Result):
     trimmed: np.ndarray           # pairs of tiles without a common vertex that are cut off
     overlapping: np.ndarray       # pairs that no plane parts
     relieved: int                 # pin sides for which vertices were moved
+    mending: Optional[float] = None  # mm, by how much mend=on would move vertices so that sizes do; None: it
+    #                                  is on, it would not help, or there is nothing to mend
 
     @property
     def feasible(self) -> bool:
@@ -97,8 +100,26 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, jo
 
 
 def sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
-    """Whether `examine` finds nothing in the way that depends on sizes: closed surfaces stay closed. Room
-    is only made where pins lack nothing else."""
+    """Whether `examine` finds nothing in the way that depends on sizes, after fairing where mending is on:
+    closed surfaces stay closed. Room is only made where pins lack nothing else."""
+    if _sizes_do(V, F, edges, parameters, job):
+        return True
+    return parameters.get("mend") == "on" and _mends(V, F, edges, parameters, job) is not None
+
+
+def _mends(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> Optional[float]:
+    """The largest movement (mm) by which fairing gives way to sizes; None where it does not."""
+    made = fair(V, F, parameters, job)
+    largest = max(made.move, default=0.0)
+    return float(largest) if largest > 0 and _sizes_do(made.V, F, edges, parameters, job) else None
+
+
+def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> Optional[float]:
+    """As Feasibility has it, of a target on which something is in the way."""
+    return None if parameters.get("mend") == "on" else _mends(V, F, edges, parameters, job)
+
+
+def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
     blocked = {one.obstacle for one in _margins(V, F, edges, parameters, 0).blocked} - {"closed"}
     if blocked == {"pin"}:
         found = examine(V, F, edges, parameters, job)
@@ -172,10 +193,14 @@ def _badly_stretched(stretch: np.ndarray, ranges: np.ndarray) -> Iterator[Obstac
 
 
 def _run(inputs: Inputs, job: Job) -> Feasibility:
-    target = inputs["target"]
+    V, F = inputs["fairing"].V, inputs["target"].F
     job("checking tiles")
-    edges = resolve_cuts(inputs["cut request"], target.V, target.F)
-    return examine(target.V, target.F, edges, inputs.parameters, job)
+    edges = resolve_cuts(inputs["cut request"], V, F)
+    found = examine(V, F, edges, inputs.parameters, job)
+    if not {one.obstacle for one in found.blocked} - {"closed"}:
+        return found
+    return replace(found, mending=mending(V, F, edges, inputs.parameters, job))
 
 
-STAGE = Stage("feasibility", ("target", "cut request"), frozenset({"tiles", "layout", "repair"}), _run)
+STAGE = Stage("feasibility", ("target", "fairing", "cut request"),
+              frozenset({"target", "tiles", "layout", "repair"}), _run)

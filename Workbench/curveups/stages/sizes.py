@@ -15,8 +15,9 @@ import numpy as np
 from ..errors import CurveUpsError, Stopped
 from ..native import native, translated
 from .cut_request import CutRequest, resolve_cuts
-from .feasibility import sizes_do
+from .feasibility import mending, sizes_do
 from .stage import Inputs, Job, Result, Stage, digest
+from .target import remesh
 
 # Lengths are tried up to this factor from the one that is set, as long as that makes no more tiles than
 # these or than there are, and thicknesses up to so many lengths.
@@ -94,7 +95,7 @@ class Trials:
         return Trial(L, H_body, tiles, feasible, sagitta)
 
     def _remesh(self, L: float) -> tuple[np.ndarray, np.ndarray, float]:
-        made = native.remesh(*self._surface, L, self._job)
+        made = remesh(*self._surface, L, self._parameters, self._job)
         return made.V, made.F, float(made.sagitta)
 
     def largest_thickness(self, L: float, most: float) -> Optional[float]:
@@ -241,9 +242,13 @@ def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
     if _can_remesh(target, cuts):
         found["L"] = trials.nearest_length(L, H_body)
     said = [f"{name}={value:g}" for name, value in found.items() if value is not None]
-    if not said:
-        return f"none of {len(trials.made)} other sizes that were tried does"
-    return f"of {len(trials.made)} other sizes that were tried, {' or '.join(said)} does"
+    sizes = (f"of {len(trials.made)} other sizes that were tried, {' or '.join(said)} does" if said
+             else f"none of {len(trials.made)} other sizes that were tried does")
+    edges = resolve_cuts(cuts, target.V, target.F)
+    moved = mending(target.V, target.F, edges, parameters, job)
+    if moved is None:
+        return sizes
+    return f"{sizes}; so does mend=on, which moves vertices by up to {moved:.2g} mm"
 
 
 def _trials(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> Trials:

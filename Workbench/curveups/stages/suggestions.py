@@ -45,10 +45,10 @@ class SuggestedCut(Value):
                 "predicted": {"before": self.before, "after": self.after}}
 
 
-def _search(target: Any, edges: np.ndarray, parameters: Any, most: int, weak: Sequence[tuple[int, int]],
-            job: Job) -> tuple[tuple[SuggestedCut, ...], Any]:
+def _search(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, most: int,
+            weak: Sequence[tuple[int, int]], job: Job) -> tuple[tuple[SuggestedCut, ...], Any]:
     """Cuts in the order of their making, and the native result."""
-    found = native.suggest_cuts(target.V, target.F, edges, parameters, most, list(weak), job)
+    found = native.suggest_cuts(V, F, edges, parameters, most, list(weak), job)
     return tuple(SuggestedCut(np.array(cut.edges), cut.length_mm, cut.reason, _figures(cut.before),
                               _figures(cut.after)) for cut in found.cuts), found
 
@@ -69,13 +69,14 @@ class CutSearch(Result):
 def _search_target(inputs: Inputs, job: Job) -> CutSearch:
     start, edges = time.perf_counter(), inputs["cuts"].edges
     most = inputs["cut request"].suggested
-    cuts, found = _search(inputs["target"], edges, inputs.parameters, most, (), job)
+    V, F = inputs["fairing"].V, inputs["target"].F
+    cuts, found = _search(V, F, edges, inputs.parameters, most, (), job)
     if found.stopped:
         raise Stopped
     return CutSearch(edges, cuts, int(found.layouts), time.perf_counter() - start)
 
 
-SEARCH = Stage("cut search", ("target", "cut request", "cuts"), frozenset({"tiles", "layout"}),
+SEARCH = Stage("cut search", ("target", "fairing", "cut request", "cuts"), frozenset({"tiles", "layout"}),
                _search_target)
 
 
@@ -156,8 +157,8 @@ def _run(inputs: Inputs, job: Job) -> Suggestions:
     failed = verification.judged and not verification.failure and not verification.valid
     if not (badly or failed or not layout.converged):
         return Suggestions(applied, general=general, stretch=stretch, design=design)
-    proposed, search = _search(inputs["target"], design.cuts, inputs.parameters, UNASKED,
-                               verification.weak_contacts, job)
+    proposed, search = _search(inputs["fairing"].V, inputs["target"].F, design.cuts, inputs.parameters,
+                               UNASKED, verification.weak_contacts, job)
     remedies = _remedies(design, inputs, verification.weak_contacts)
     return Suggestions(applied, proposed, tuple(remedies), general, stretch, badly, True,
                        bool(search.stopped), design=design)
@@ -173,7 +174,7 @@ def _stopped(stage: str, inputs: Inputs) -> Suggestions:
                        design=inputs["design"].design)
 
 
-READS = ("target", "cut request", "layout", "repair", "design", "figures", "verification")
+READS = ("target", "fairing", "cut request", "layout", "repair", "design", "figures", "verification")
 STAGE = Stage("suggestions", READS, frozenset({"tiles", "layout"}), _run, _failed, _stopped)
 
 

@@ -15,6 +15,8 @@ from .stage import Inputs, Job, Result, Row, Stage, digest
 
 # Holes with a shorter edge than so many L are filled: there is hardly a tile that would not reach across.
 HOLE_EDGE = 4.0
+# Corners of ragged boundaries are looked at from so many L away.
+CORNER_REACH = 0.5
 # Findings of check_mesh after which a mesh has no edge lengths worth speaking of.
 BROKEN = ("empty", "index-out-of-range", "not-finite")
 
@@ -74,34 +76,58 @@ def _run(inputs: Inputs, job: Job) -> Target:
         V, F = clean.V, clean.F
         notes += clean.notes
         if inputs.parameters.get("mend") != "off":
-            V, F, mended = _mend(V, F, L, inputs.parameters.get("mend") == "on", job)
+            V, F, mended = _mend(V, F, L, inputs.parameters.get("mend") == "on", clean.notes, job)
     else:
         settle([f for f in native.check_mesh(V, F, 1.0, True, job) if f.kind in BROKEN], inputs.where,
                faces_place)
         L = _own_length(V, F, inputs.where)
     findings = native.check_mesh(V, F, L, source.will_be_cut, job)
     notes += [finding.message for finding in findings if finding.kind == "components"]
-    found = settle([f for f in findings if f.kind != "components"], inputs.where, faces_place)
+    try:
+        found = settle([f for f in findings if f.kind != "components"], inputs.where, faces_place)
+    except CurveUpsError as error:
+        if not source.remesh or inputs.parameters.get("mend") == "on":
+            raise
+        raise _with_mending(error, V, F, L, source.will_be_cut, job) from error
     if not source.remesh:
         lengths = _edge_lengths(V, F)
         return Target(V, F, V, F, float(lengths.mean()), float(lengths.std() / lengths.mean()), 0.0,
                       tuple(notes), found, L, surface.wall)
-    made = native.remesh(V, F, L, job, crease_angle=inputs.parameters.get("crease_angle"))
+    made = remesh(V, F, L, inputs.parameters, job)
     return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta, tuple(notes), found, None,
                   surface.wall, **mended)
 
 
-def _mend(V: np.ndarray, F: np.ndarray, L: float, apply: bool,
+def remesh(V: np.ndarray, F: np.ndarray, L: float, parameters: Any, job: Job) -> Any:
+    """The native RemeshResult of a clean mesh. Boundaries of what is to be mended may be ragged."""
+    return native.remesh(V, F, L, job, crease_angle=parameters.get("crease_angle"),
+                         corner_reach=CORNER_REACH * L if parameters.get("mend") == "on" else 0.0)
+
+
+def _mend(V: np.ndarray, F: np.ndarray, L: float, apply: bool, cleaned: Sequence[str],
           job: Job) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
-    """What is to be remeshed, and what the result says of mending."""
+    """What is to be remeshed, and what the result says of mending. `cleaned`: what is done to any mesh."""
+    done = tuple(cleaned) if apply else ()
     if not len(F) or not np.isfinite(V).all():  # said by check_mesh
         return V, F, {}
     made = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
     if not made.actions:
-        return V, F, {}
+        return V, F, {"actions": done}
     _, _, hausdorff = native.surface_deviation(made.V, made.F, V, F, job)
-    said = {"actions": tuple(made.actions), "mended_by": float(hausdorff)}
+    said = {"actions": (*done, *made.actions), "mended_by": float(hausdorff)}
     return (made.V, made.F, {"unmended": (V, F), **said}) if apply else (V, F, said)
+
+
+def _with_mending(error: CurveUpsError, V: np.ndarray, F: np.ndarray, L: float, will_be_cut: bool,
+                  job: Job) -> CurveUpsError:
+    """The error, which says what mending would do where that is all that is in the way."""
+    if not len(F) or not np.isfinite(V).all():
+        return error
+    made = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
+    if any(finding.is_error for finding in native.check_mesh(made.V, made.F, L, will_be_cut, job)):
+        return error
+    remedy = f"{error.remedy}; or set mend=on ({', '.join(made.actions)})"
+    return CurveUpsError(error.what, error.where, remedy, error.status)
 
 
 STAGE = Stage("target", ("source", "surface"), frozenset({"target"}), _run)

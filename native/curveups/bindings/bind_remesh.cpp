@@ -17,18 +17,21 @@ void bind_remesh(py::module_& module) {
   module.def(
       "remesh",
       [](const PointsIn& V, const TrianglesIn& F, double L, py::object progress,
-         double crease_angle, const EdgesIn& features) {
+         double crease_angle, const EdgesIn& features, double corner_reach) {
         constexpr double degree = 3.14159265358979323846 / 180;
         const TriangleMesh mesh = read_mesh(V, F);
         const Edges lines = read_edges(features, mesh.V.rows(), "features");
         return without_gil(std::move(progress), [&](Progress function) {
-          return remesh(mesh, {L, std::move(function), crease_angle * degree, lines});
+          return remesh(mesh, {L, std::move(function), crease_angle * degree, lines, corner_reach});
         });
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("progress") = py::none(),
       py::arg("crease_angle") = 180.0, py::arg("features") = Edges(0, 2),
+      py::arg("corner_reach") = 0.0,
       "Uniform isotropic triangulation of mean edge length L mm; creases above crease_angle "
-      "(degrees) and features (vertex pairs) stay edges.");
+      "(degrees) and features (vertex pairs) stay edges; corners of the boundary are looked at "
+      "from "
+      "corner_reach mm away.");
 }
 
 }  // namespace curveups::bindings

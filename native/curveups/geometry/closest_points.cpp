@@ -14,8 +14,11 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 #include "curveups/core/checkpoint.hpp"
@@ -122,14 +125,25 @@ double largest_distance(const Points3& points, const ClosestPoints& surface) {
 }
 
 Points3 surface_samples(const TriangleMesh& mesh) {
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
   const int vertices = static_cast<int>(mesh.V.rows()), faces = static_cast<int>(mesh.F.rows());
-  const int edges = static_cast<int>(topology.edges.size());
+  // In the order of build_topology, which refuses surfaces that are no manifolds.
+  std::vector<std::array<int, 2>> pairs;
+  std::unordered_set<std::uint64_t> seen;
+  seen.reserve(2 * static_cast<std::size_t>(faces));
+  for (int f = 0; f < faces; ++f) {
+    for (int t = 0; t < 3; ++t) {
+      const int a = mesh.F(f, t), b = mesh.F(f, next3(t));
+      const auto low = static_cast<std::uint64_t>(std::min(a, b));
+      if (seen.insert(low << 32 | static_cast<std::uint64_t>(std::max(a, b))).second) {
+        pairs.push_back({a, b});
+      }
+    }
+  }
+  const int edges = static_cast<int>(pairs.size());
   Points3 samples(vertices + edges + faces, 3);
   samples.topRows(vertices) = mesh.V;
   for (int e = 0; e < edges; ++e) {
-    const MeshEdge& edge = topology.edges[e];
-    samples.row(vertices + e) = 0.5 * (mesh.V.row(edge.v[0]) + mesh.V.row(edge.v[1]));
+    samples.row(vertices + e) = 0.5 * (mesh.V.row(pairs[e][0]) + mesh.V.row(pairs[e][1]));
   }
   for (int f = 0; f < faces; ++f) {
     samples.row(vertices + edges + f) =

@@ -22,23 +22,81 @@ struct Mark {
 // Vertices within this share of an edge's end stand for points near them.
 constexpr double snap_share = 1e-6;
 
+double turn(const Vec3& in, const Vec3& out) {
+  return std::atan2(in.cross(out).norm(), in.dot(out));
+}
+
+// A line by arc length. arc: of its vertices, and the whole length at the end of a closed one.
+struct Arc {
+  const Points3& V;
+  const FeatureLine& line;
+  const std::vector<double>& arc;
+
+  Vec3 at(double s) const {
+    const double whole = arc.back();
+    s = line.closed ? s - whole * std::floor(s / whole) : std::clamp(s, 0.0, whole);
+    const auto last = static_cast<int>(arc.size()) - 2;
+    const int i = std::clamp(
+        static_cast<int>(std::upper_bound(arc.begin(), arc.end(), s) - arc.begin()) - 1, 0, last);
+    const Vec3 a = V.row(line.vertices[i]);
+    const Vec3 b = V.row(line.vertices[(i + 1) % line.vertices.size()]);
+    const double edge = arc[i + 1] - arc[i];
+    return a + (edge > 0 ? (s - arc[i]) / edge : 0.0) * (b - a);
+  }
+  double between(double s, double t) const {
+    const double d = std::abs(s - t);
+    return line.closed ? std::min(d, arc.back() - d) : d;
+  }
+};
+
+// Places in the line of those corners that the line turns at as seen from `reach` away.
+std::vector<int> wide_corners(const Arc& arc, const std::vector<int>& corners, double corner_angle,
+                              double reach) {
+  reach = std::min(reach, arc.arc.back() / 8);
+  std::vector<double> turns;
+  for (int i : corners) {
+    const double s = arc.arc[i];
+    const Vec3 here = arc.at(s);
+    turns.push_back(turn(here - arc.at(s - reach), arc.at(s + reach) - here));
+  }
+  const int count = static_cast<int>(corners.size());
+  std::vector<int> out;
+  for (int k = 0; k < count; ++k) {
+    bool sharpest = turns[k] > corner_angle;
+    for (int step : {1, -1}) {
+      for (int away = 1; away < count && sharpest; ++away) {
+        const int j = ((k + step * away) % count + count) % count;
+        if (arc.between(arc.arc[corners[k]], arc.arc[corners[j]]) > reach) break;
+        sharpest = turns[j] < turns[k] || (turns[j] == turns[k] && k < j);
+      }
+    }
+    if (sharpest) out.push_back(corners[k]);
+  }
+  return out;
+}
+
 // is_corner: vertices that stay whatever the turn.
 std::vector<Mark> marks_of_line(const Points3& V, const FeatureLine& whole, double length,
-                                double corner_angle, const std::vector<char>& is_corner) {
+                                double corner_angle, double reach,
+                                const std::vector<char>& is_corner) {
   const std::vector<int>& line = whole.vertices;
   const int count = static_cast<int>(line.size());
   const int edges = whole.closed ? count : count - 1;
   std::vector<double> arc(1, 0.0);
-  std::vector<int> corners;
+  std::vector<int> corners, kept;
   for (int i = 0; i < count; ++i) {
     const Vec3 in = V.row(line[i]) - V.row(line[(i + count - 1) % count]);
     const Vec3 out = V.row(line[(i + 1) % count]) - V.row(line[i]);
     if (i < edges) arc.push_back(arc.back() + out.norm());
-    const bool end = !whole.closed && (i == 0 || i == count - 1);
-    if (end || is_corner[line[i]] || std::atan2(in.cross(out).norm(), in.dot(out)) > corner_angle) {
+    if ((!whole.closed && (i == 0 || i == count - 1)) || is_corner[line[i]]) {
+      kept.push_back(i);
+    } else if (turn(in, out) > corner_angle) {
       corners.push_back(i);
     }
   }
+  if (reach > 0) corners = wide_corners({V, whole, arc}, corners, corner_angle, reach);
+  corners.insert(corners.end(), kept.begin(), kept.end());
+  std::sort(corners.begin(), corners.end());
   const bool smooth = corners.empty();
   if (smooth) corners.push_back(0);
   const int stretches = static_cast<int>(corners.size()) - (whole.closed ? 0 : 1);
@@ -72,7 +130,7 @@ std::vector<Mark> marks_of_line(const Points3& V, const FeatureLine& whole, doub
 }  // namespace
 
 IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, double length,
-                          double corner_angle) {
+                          double corner_angle, double reach) {
   const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
   std::vector<Vec3> points(mesh.V.rows());
   for (int v = 0; v < mesh.V.rows(); ++v) points[v] = mesh.V.row(v);
@@ -104,7 +162,7 @@ IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, doubl
 
   std::unordered_map<int, std::vector<std::pair<double, int>>> inserted;  // by edge, from its v[0]
   const auto space = [&](const FeatureLine& line, const std::vector<char>& corner) {
-    for (const Mark& mark : marks_of_line(mesh.V, line, length, corner_angle, corner)) {
+    for (const Mark& mark : marks_of_line(mesh.V, line, length, corner_angle, reach, corner)) {
       const int v = line.vertices[mark.at];
       if (mark.share == 0) {
         fixed[v] = 1;

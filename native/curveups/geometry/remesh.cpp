@@ -89,7 +89,8 @@ void coarsen_scan(TriangleMesh& surface, Edges& features, double L) {
 IsotropicMesh remesh_component(const TriangleMesh& surface, const ClosestPoints& closest,
                                const Edges& features, const RemeshOptions& options) {
   const std::size_t loops = boundary_loop_count(surface);
-  IsotropicMesh mesh = space_lines(surface, features, options.L, corner_angle);
+  IsotropicMesh mesh =
+      space_lines(surface, features, options.L, corner_angle, options.corner_reach);
 
   double length = options.L;
   IsotropicMesh best;
@@ -128,6 +129,9 @@ IsotropicMesh remesh_component(const TriangleMesh& surface, const ClosestPoints&
 RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   if (!(options.L > 0) || !std::isfinite(options.L)) {
     throw InvalidInput("L must be a positive length", "give L in mm");
+  }
+  if (!(options.corner_reach >= 0) || !std::isfinite(options.corner_reach)) {
+    throw InvalidInput("corner_reach must be a length", "give it in mm, or 0");
   }
   if (options.features.size() > 0 &&
       (options.features.minCoeff() < 0 || options.features.maxCoeff() >= surface.V.rows())) {

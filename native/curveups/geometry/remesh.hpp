@@ -14,6 +14,7 @@ struct RemeshOptions {
   // them shorter than 2 L altogether are taken for noise. pi or more: none.
   double crease_angle = 4;
   Edges features = Edges(0, 2);  // more edges that stay, by vertices of the surface
+  double corner_reach = 0;       // mm, see space_lines: for ragged boundaries
 };
 
 struct RemeshResult {

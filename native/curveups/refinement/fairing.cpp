@@ -25,21 +25,18 @@ PinSides sides_of(const std::vector<SmallPin>& pins) {
 // How far a surface is from one that tiles can be: less is better, first of what is no design.
 struct Shortfall {
   std::size_t impossible;  // tiles without a back face, pairs that no plane parts
-  double room;             // missing, as parts of A_pin_min
+  double room;             // missing, mm
 
   bool operator<(const Shortfall& o) const {
     return impossible != o.impossible ? impossible < o.impossible : room < o.room - 1e-3;
   }
 };
 
-Shortfall shortfall(const DesignGeometry& here, const Parameters& parameters) {
-  Shortfall out{here.truncation.unresolved.size(), 0};
+Shortfall shortfall(const RoomProgram& program, const DesignGeometry& here) {
+  Shortfall out{here.truncation.unresolved.size(), program.missing(here)};
   // Tiles without back faces hide the pairs: they weigh more than any number of these.
   if (!here.shaped) {
     out.impossible = 1000000 + tiles_without_back(here.tiles).size();
-  }
-  for (const SmallPin& pin : here.pin_bounds.small) {
-    out.room += 1 - pin.area / parameters.A_pin_min;
   }
   return out;
 }
@@ -108,7 +105,7 @@ FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Ed
   // Coordinates are bounded one by one: the corner of their box is largest_move away.
   const MoveLimits limits{largest_step_of_L * parameters.L, largest_move / std::sqrt(3.0)};
   TriangleMesh moved = mesh;
-  Shortfall best = shortfall(here, parameters);
+  Shortfall best = shortfall(program, here);
   PinSides asked = given;  // grows with what comes to be short on the way
   for (int step = 1, since = 0; step <= most_steps && since < patience; ++step, ++since) {
     if (!keep_going(progress, "fairing the target",
@@ -124,7 +121,7 @@ FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Ed
         program.step(program.rows(here, asked, asked, vertices), vertices, limits, moved);
     keep_faces(before, moved);
     here = program.geometry(moved);
-    const Shortfall now = shortfall(here, parameters);
+    const Shortfall now = shortfall(program, here);
     if (now < best) {
       best = now;
       since = 0;

@@ -9,7 +9,7 @@
 namespace curveups {
 namespace {
 
-constexpr double largest_move_of_L = 1.0 / 30, largest_step_of_L = 1.0 / 40;
+constexpr double largest_move_of_L = 1.0 / 30;
 // Steps after which sides that still miss A_pin_min are given up.
 constexpr int patience = 3;
 
@@ -19,7 +19,7 @@ TriangleMesh lift(const RoomProgram& program, const TriangleMesh& target, double
                   const Progress& progress) {
   const PinSides small = asked;
   const std::vector<int> vertices = vertices_around(asked, target);
-  const MoveLimits limits{largest_step_of_L * L, largest_move_of_L * L};
+  const MoveLimits limits{L / 40, largest_move_of_L * L};
   TriangleMesh mesh = target;
   DesignGeometry here = program.geometry(mesh);
   for (int round = 1; !asked.empty(); ++round) {

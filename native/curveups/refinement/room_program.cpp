@@ -62,6 +62,15 @@ DesignGeometry RoomProgram::geometry(const TriangleMesh& mesh) const {
   return here;
 }
 
+double RoomProgram::missing(const DesignGeometry& here) const {
+  double sum = 0;
+  for (const SmallPin& pin : here.pin_bounds.small) {
+    const double lack = -excess(here.tiles, here.truncation, parameters_, pin.tile, pin.side, 1);
+    sum += std::isfinite(lack) ? std::max(0.0, lack) : 100 * parameters_.L;
+  }
+  return sum;
+}
+
 // tile: as `tiles` numbers it.
 double RoomProgram::value(const Need& need, const TileMesh& tiles, const Truncation& truncation,
                           int tile) const {

@@ -30,6 +30,10 @@ class RoomProgram {
   // interfaces): shaped is then false.
   DesignGeometry geometry(const TriangleMesh& mesh) const;
 
+  // What all sides together lack of room for A_pin_min, mm of the linear scale of their largest
+  // pins: of sides without any room, too, it says by how much that misses.
+  double missing(const DesignGeometry& here) const;
+
   // A requirement, linearised: the value must stay or become positive.
   struct Row {
     double value;

@@ -37,6 +37,19 @@ TEST(ClosestPoints, HausdorffSeesWhatIsMissing) {
   EXPECT_NEAR(d.hausdorff, 4, 1e-9);
 }
 
+TEST(ClosestPoints, SurfacesThatAreNoManifoldsAreComparedToo) {
+  const TriangleMesh plate = test::flat_square(4, 8);
+  TriangleMesh fin = plate;  // on an inner edge
+  const int top = static_cast<int>(plate.V.rows());
+  fin.V.conservativeResize(top + 1, 3);
+  fin.V.row(top) << 4, 4, 1.5;
+  fin.F.conservativeResize(fin.F.rows() + 1, 3);
+  fin.F.bottomRows(1) << 5 * 2 + 2, 5 * 2 + 3, top;
+  const Deviation d = surface_deviation(plate, fin);
+  EXPECT_LT(d.max, 1e-12);
+  EXPECT_NEAR(d.hausdorff, 1.5, 1e-9);
+}
+
 TEST(ClosestPoints, RefusesEmptyAndInfinite) {
   EXPECT_THROW(ClosestPoints(TriangleMesh{Points3(0, 3), Triangles(0, 3)}), InvalidInput);
   TriangleMesh mesh = test::flat_square(1, 1);

@@ -168,6 +168,40 @@ TEST(Remesh, GivenFeaturesStayEdgesAndShortCreasesDoNot) {
   EXPECT_EQ(remesh(plate, {20, {}, 0.5}).features.rows(), 0);  // shorter than two tiles' edges
 }
 
+TEST(Remesh, TeethOfARaggedBoundaryAreNoCorners) {
+  TriangleMesh plate = test::flat_square(60, 60);
+  const TriangleMesh square = plate;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(-0.45, 0.45);
+  const MeshTopology topology = build_topology(plate.F, static_cast<int>(plate.V.rows()));
+  for (int v : boundary_loops(topology).front()) {
+    plate.V.row(v) += Eigen::RowVector3d(unit(random), unit(random), 0);
+  }
+  const auto shortest = [](const TriangleMesh& mesh) {
+    double out = 1e9;
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+      for (int t = 0; t < 3; ++t) {
+        out = std::min(out, (mesh.V.row(mesh.F(f, next3(t))) - mesh.V.row(mesh.F(f, t))).norm());
+      }
+    }
+    return out;
+  };
+  RemeshOptions options{7};
+  EXPECT_LT(shortest(remesh(plate, options).mesh), 2.0);
+  options.corner_reach = 3.5;
+  const TriangleMesh even = remesh(plate, options).mesh;
+  EXPECT_GT(shortest(even), 4.0);
+  for (double x : {0.0, 60.0}) {  // its four corners are some
+    for (double y : {0.0, 60.0}) {
+      EXPECT_LT((even.V.rowwise() - Eigen::RowVector3d(x, y, 0)).rowwise().norm().minCoeff(), 1.5);
+    }
+  }
+  // Of straight sides nothing is different.
+  EXPECT_EQ(remesh(square, options).mesh.V, remesh(square, {7}).mesh.V);
+  options.corner_reach = -1;
+  EXPECT_THROW(remesh(square, options), InvalidInput);
+}
+
 TEST(FeatureLines, EndWhereLinesMeetAndClose) {
   Edges edges(9, 2);  // a path 0..3 whose vertex 2 has a branch to 4; a ring 5 6 7; and an end at 9
   edges << 0, 1, 2, 1, 2, 3, 2, 4, 5, 6, 7, 6, 5, 7, 8, 9, 10, 9;
