@@ -117,7 +117,13 @@ VALUES = {
         DESIGN.with_parameters(asked(L=1.0)), DESIGN.with_parameters(asked(H_body=20.0)),
         DESIGN.with_parameters(asked(H_pin=20.0))]),
     "start": (None, [7, "x", V], [DESIGN, other_design(q=FOUND.q + 1e5)]),
+    "kept": (NONE, EDGES, [np.array([[0, 0]]), np.array([[0, 1], [1, 0]])]),
+    "features": (NONE, EDGES, [np.array([[0, 0]]), np.array([[0, len(V) - 1]]), np.array([[0, 1], [1, 0]])]),
     "L": (7.0, LENGTHS, [1e-300, 1e-3, 1e9, 1e300]),
+    "largest_move": (1.0, [value for value in LENGTHS if value != 0], [0, 1e-300, 1e9, 1e300]),
+    "hole_edge": (28.0, [value for value in LENGTHS if value != 0], [0, 1e-300, 1e9, 1e300]),
+    "crease_angle": (40.0, [value for value in LENGTHS if value != np.inf], [1e-300, 360.0, 1e300, np.inf]),
+    "corner_reach": (3.5, [value for value in LENGTHS if value != 0], [0, 1e-300, 1e9, 1e300]),
     "tolerance": (0.01, LENGTHS + [1e-300, 1e-9, 1e9], []),
     "cuts_given": (False, ["x"], [2.5]),
     "pins": ([0], TILES, [[], [0, 0], list(range(len(F)))]),
@@ -144,7 +150,8 @@ OBJECTS_OF = {
     "PrintModel": native.make_print_model(DESIGN), "VerificationReport": native.verify_design(DESIGN)}
 # What says no by its result, or takes some of what others must refuse.
 LENIENT = {
-    **{(entry, name): "for check_mesh to tell of" for entry in ("clean_mesh", "check_mesh") for name in "VF"},
+    **{(entry, name): "for check_mesh to tell of" for entry in ("clean_mesh", "check_mesh", "mend_mesh")
+       for name in "VF"},
     ("Parameters.get", "name"): "", ("Design", "name"): "any text is a name",
     ("Design.with_name", "name"): "any text is a name",
 }

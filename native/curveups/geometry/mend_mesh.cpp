@@ -118,7 +118,8 @@ int replace_intersections(TriangleMesh& mesh, double L) {
 }  // namespace
 
 MendedMesh mend_mesh(const TriangleMesh& soup, const MendOptions& options) {
-  if (!(options.L > 0) || !std::isfinite(options.L) || !(options.hole_edge >= 0)) {
+  if (!(options.L > 0) || !std::isfinite(options.L) || !(options.hole_edge >= 0) ||
+      !std::isfinite(options.hole_edge)) {
     throw InvalidInput("L and the edge of holes must be lengths", "give them in mm");
   }
   checkpoint("mending the target");

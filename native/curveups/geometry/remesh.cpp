@@ -130,6 +130,9 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   if (!(options.L > 0) || !std::isfinite(options.L)) {
     throw InvalidInput("L must be a positive length", "give L in mm");
   }
+  if (!(options.crease_angle > 0)) {
+    throw InvalidInput("crease_angle must be positive", "give degrees up to 180");
+  }
   if (!(options.corner_reach >= 0) || !std::isfinite(options.corner_reach)) {
     throw InvalidInput("corner_reach must be a length", "give it in mm, or 0");
   }

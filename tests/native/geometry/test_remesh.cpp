@@ -174,7 +174,8 @@ TEST(Remesh, TeethOfARaggedBoundaryAreNoCorners) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit(-0.45, 0.45);
   const MeshTopology topology = build_topology(plate.F, static_cast<int>(plate.V.rows()));
-  for (int v : boundary_loops(topology).front()) {
+  const auto loops = boundary_loops(topology);
+  for (int v : loops.front()) {
     plate.V.row(v) += Eigen::RowVector3d(unit(random), unit(random), 0);
   }
   const auto shortest = [](const TriangleMesh& mesh) {
