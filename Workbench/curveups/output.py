@@ -19,6 +19,16 @@ def safe_name(text: str) -> str:
     return re.sub(r"[^A-Za-z0-9._-]+", "-", text).strip("-._")[:LONGEST_NAME] or "target"
 
 
+def is_text(text: str) -> bool:
+    """Whether libraries can be told `text`: arguments may hold bytes that are no UTF-8, and JSON halves of
+    letters."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
 def plain_name(text: str) -> str:
     """`text` as it can stand in titles and files of any format: what no text can hold is left out."""
     shown = "".join(c for c in text if c.isprintable()).strip()

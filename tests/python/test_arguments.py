@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands, usage errors and parameters."""
 
+import json
 import re
+import subprocess
 
 import pytest
+from running import command, environment
 
 ERROR = re.compile(r"^curveups: error: .+ \(.+\): .+$")
 
@@ -75,8 +78,29 @@ def test_bad_usage_is_one_line_and_status_2(curveups, tmp_path, arguments):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize("arguments", [("--set", b"L=\xff"), ("--set", b"\xff=7"),
+                                       ("--set", b"held_tiles=\xff"), ("--fit", b"\xff")])
+def test_settings_that_are_no_text(tmp_path, arguments):
+    done = subprocess.run([*command("design", "disc", "-o", "out"), *arguments], cwd=tmp_path,
+                          env=environment(), capture_output=True, text=True)
+    assert done.returncode == 2 and ERROR.match(done.stderr.strip()), done.stderr
+    assert "UTF-8" in done.stderr and list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("settings", [("--set", "tau=2.9", "d_gap_min=0.7"), ("--set=tau=2.9", "d_gap_min=0.7"),
+                                      ("--set", "tau=2.9", "--set", "d_gap_min=0.7")])
+def test_several_settings_at_once(curveups, cap, tmp_path, settings):
+    """Before the target or behind it."""
+    for number, words in enumerate(([cap, *settings], [*settings, cap])):
+        folder = tmp_path / str(number)
+        ran = curveups("design", *words, "-o", folder, "--no-remesh", "--no-solids", "--set", "verify=off")
+        assert ran.status == 0, ran.err
+        values = json.loads((folder / "design.json").read_text())["parameters"]
+        assert values["tau"] == 2.9 and values["d_gap_min"] == 0.7 and values["verify"] is False
+
+
 @pytest.mark.parametrize("text", [
-    "", "[]", "{", '{"L": 1e999}', '{"L": NaN}', '{"L": [7]}', '{"L": null}', '{"frob": 1}',
+    "", "[]", "{", '{"L": "\\ud800"}', '{"\\ud800": 7}', '{"L": 1e999}', '{"L": NaN}', '{"L": [7]}', '{"L": null}', '{"frob": 1}',
     '{"L": "seven"}', '{"verify": 3}',
 ])
 def test_broken_config(curveups, tmp_path, text):

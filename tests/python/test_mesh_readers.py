@@ -80,6 +80,7 @@ SOUND = {
     "bom.ply": BOM + ply().encode(),
     "blank-lines.ply": ply().replace("3 0 1 2", "\n3 0 1 2"),
     "text.obj": obj(), "bom.obj": BOM + obj().encode(), "continued.obj": obj().replace("f 1 2", "f 1 \\\n 2"),
+    "comment.obj": "# C:\\parts\\\n" + obj(),
     "continued-vertex.obj": obj().replace("v 9.0 0.0", "v 9.0\\\r\n0.0"),
     "text.off": off(), "bom.off": BOM + off().encode(),
 }

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What print files promise to whoever prints and glues: names, areas of glue, limits of printers."""
 
+import html
 import json
 import struct
+import xml.etree.ElementTree as ElementTree
 import zipfile
 
 import numpy as np
@@ -107,6 +109,24 @@ def test_names_stay_as_they_are_in_titles(curveups, tmp_path):
     # Given again, the design's files have the names that they had.
     assert curveups("verify", folder / "design.json", "-o", folder).status == 0
     assert (folder / "Sch-ssel-gro-print.3mf").exists()
+
+
+def test_names_that_xml_has_to_escape(curveups, printed, tmp_path):
+    """A slicer opens no 3MF that is no XML."""
+    name = "nuts & <bolts> \"2'"
+    design = json.loads((printed.folder / "design.json").read_text(encoding="utf-8"))
+    (tmp_path / "d.json").write_text(json.dumps({**design, "name": name}), encoding="utf-8")
+    assert curveups("export", tmp_path / "d.json", "-o", tmp_path / "out").status == 0
+    with zipfile.ZipFile(tmp_path / "out" / "nuts-bolts-2-print.3mf") as archive:
+        model = ElementTree.fromstring(archive.read("3D/3dmodel.model"))
+    core = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+    assert [entry.text for entry in model.iter(core + "metadata")] == [name]
+    objects = {entry.get("id"): entry.get("name") for entry in model.iter(core + "object")}
+    assert [objects[item.get("objectid")] for item in model.iter(core + "item")] == [name]
+    with zipfile.ZipFile(tmp_path / "out" / "nuts-bolts-2.FCStd") as archive:
+        for part in ("Document.xml", "GuiDocument.xml"):
+            ElementTree.fromstring(archive.read(part))
+    assert html.escape(name) in (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
 
 
 def test_long_names_are_said_to_be_cut_on_labels(curveups, printed, tmp_path):

@@ -15,7 +15,7 @@ from typing import Any, Callable, NoReturn, Optional, Sequence, TextIO
 
 from .. import __version__
 from ..errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
-from ..output import Folder
+from ..output import Folder, is_text
 from ..profiles import profile_names
 from ..progress import Interrupt, Reporter
 
@@ -84,10 +84,8 @@ def _folder(text: str) -> Path:
     """A path that libraries can be told, too."""
     if not text:
         raise argparse.ArgumentTypeError("the folder has no name")
-    try:
-        text.encode("utf-8")
-    except UnicodeEncodeError:
-        raise argparse.ArgumentTypeError(f"the folder's name {text!a} is no UTF-8 text") from None
+    if not is_text(text):
+        raise argparse.ArgumentTypeError(f"the folder's name {text!a} is no UTF-8 text")
     return Path(text)
 
 
@@ -132,7 +130,7 @@ def _set_argument(parser: argparse.ArgumentParser) -> None:
 
 
 def _one_setting_each(arguments: Sequence[str]) -> list[str]:
-    """`--set a=1 b=2` as `--set a=1 --set b=2`. What follows is a setting as long as it looks like one,
+    """`--set a=1 b=2`, or `--set=a=1 b=2`, as `--set a=1 --set b=2`. What follows is a setting as long as it looks like one,
     so that TARGET may stand behind settings."""
     found: list[str] = []
     setting = False
@@ -141,7 +139,7 @@ def _one_setting_each(arguments: Sequence[str]) -> list[str]:
             if found[-1] != "--set":
                 found.append("--set")
         elif not (setting and found[-1] == "--set"):
-            setting = argument == "--set"
+            setting = argument == "--set" or argument.startswith("--set=")
         found.append(argument)
     return found
 

@@ -10,7 +10,7 @@ from typing import Any, Iterator, TextIO
 from ..errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
 from ..files import write_check, write_obj, write_results, write_verification
 from ..native import native, translated
-from ..output import Folder, plain_name, require_folder_name, safe_name
+from ..output import Folder, is_text, plain_name, require_folder_name, safe_name
 from ..profiles import profile_path
 from ..progress import Interrupt, Reporter
 from ..project import Project, Results
@@ -233,6 +233,9 @@ def _settings(texts: list[str]) -> Iterator[tuple[str, str]]:
 
 
 def _set(values: Any, name: str, value: Any, where: str) -> None:
+    for text in (name, value):
+        if isinstance(text, str) and not is_text(text):
+            raise CurveUpsError(f"{text!a} is no UTF-8 text", where, "give it in plain letters")
     with translated(where):
         values.set(name, value)
 

@@ -81,6 +81,23 @@ std::string uuid(unsigned kind, unsigned number) {
   return text;
 }
 
+// Text between tags, which lib3mf writes as it is given (attributes it escapes).
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char letter : text) {
+    if (letter == '&') {
+      out += "&amp;";
+    } else if (letter == '<') {
+      out += "&lt;";
+    } else if (letter == '>') {
+      out += "&gt;";
+    } else {
+      out += letter;
+    }
+  }
+  return out;
+}
+
 // The archive's dates: lib3mf writes none (day 0 of month 0, which is no date) or the present time.
 // They become the earliest that ZIP knows, 1980-01-01 00:00, in local and central headers.
 void set_dates(std::string& zip) {
@@ -142,7 +159,8 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
   require(NMR::lib3mf_createmodel(model.out()), "start a model");
   require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), "set the unit");
   require(NMR::lib3mf_model_setbuilduuidutf8(model.get(), uuid(1, 1).c_str()), "name the build");
-  require(NMR::lib3mf_model_addmetadatautf8(model.get(), "Title", title.c_str()), "set the title");
+  require(NMR::lib3mf_model_addmetadatautf8(model.get(), "Title", escaped(title).c_str()),
+          "set the title");
   Held<NMR::PLib3MFModelBaseMaterial> materials;
   require(NMR::lib3mf_model_addbasematerialgroup(model.get(), materials.out()), "add colours");
   DWORD group = 0;
