@@ -12,9 +12,8 @@ ERROR = re.compile(r"^curveups: error: .+ \(.+\): .+$")
 
 
 def test_help_everywhere(curveups):
-    for command in ((), ("design",), ("remesh",), ("targets",), ("verify",), ("export",),
-                    ("parameters",)):
-        ran = curveups(*command, "--help")
+    for words in ((), ("design",), ("remesh",), ("targets",), ("verify",), ("export",), ("parameters",)):
+        ran = curveups(*words, "--help")
         assert ran.status == 0 and ran.out.startswith("usage: curveups") and ran.err == ""
 
 
@@ -87,8 +86,9 @@ def test_settings_that_are_no_text(tmp_path, arguments):
     assert "UTF-8" in done.stderr and list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("settings", [("--set", "tau=2.9", "d_gap_min=0.7"), ("--set=tau=2.9", "d_gap_min=0.7"),
-                                      ("--set", "tau=2.9", "--set", "d_gap_min=0.7")])
+@pytest.mark.parametrize("settings", [
+    ("--set", "tau=2.9", "d_gap_min=0.7"), ("--set=tau=2.9", "d_gap_min=0.7"),
+    ("--set", "tau=2.9", "--set", "d_gap_min=0.7")])
 def test_several_settings_at_once(curveups, cap, tmp_path, settings):
     """Before the target or behind it."""
     for number, words in enumerate(([cap, *settings], [*settings, cap])):
@@ -100,7 +100,8 @@ def test_several_settings_at_once(curveups, cap, tmp_path, settings):
 
 
 @pytest.mark.parametrize("text", [
-    "", "[]", "{", '{"L": "\\ud800"}', '{"\\ud800": 7}', '{"L": 1e999}', '{"L": NaN}', '{"L": [7]}', '{"L": null}', '{"frob": 1}',
+    "", "[]", "{", '{"L": "\\ud800"}', '{"\\ud800": 7}',
+    '{"L": 1e999}', '{"L": NaN}', '{"L": [7]}', '{"L": null}', '{"frob": 1}',
     '{"L": "seven"}', '{"verify": 3}',
 ])
 def test_broken_config(curveups, tmp_path, text):

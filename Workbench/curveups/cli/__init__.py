@@ -130,8 +130,8 @@ def _set_argument(parser: argparse.ArgumentParser) -> None:
 
 
 def _one_setting_each(arguments: Sequence[str]) -> list[str]:
-    """`--set a=1 b=2`, or `--set=a=1 b=2`, as `--set a=1 --set b=2`. What follows is a setting as long as it looks like one,
-    so that TARGET may stand behind settings."""
+    """`--set a=1 b=2`, or `--set=a=1 b=2`, as `--set a=1 --set b=2`. What follows is a setting as long as it
+    looks like one, so that TARGET may stand behind settings."""
     found: list[str] = []
     setting = False
     for argument in arguments:
