@@ -41,6 +41,8 @@ _FACES = {
     ".iges": re.compile(rb"^ {5}(?:143|144|510)[ \d]{64}D *\d*[13579]\s*$", re.MULTILINE),
     ".brep": re.compile(rb"^Fa\s*$", re.MULTILINE),
 }
+# Strings and comments of a STEP file, where numbers are no references.
+_WORDS = re.compile(rb"'[^']*'|/\*.*?\*/", re.DOTALL)
 _SHELL = re.compile(rb"(?:OPEN|CLOSED)_SHELL\s*\(\s*'[^']*'\s*,\s*\(([#\d,\s]+)\)")
 _SAME = {".stp": ".step", ".igs": ".iges", ".brp": ".brep"}
 ENDINGS = (*_FACES, *_SAME)
@@ -67,7 +69,12 @@ def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: 
     if kind == ".iges" and not _is_whole_iges(data):
         raise CurveUpsError("the file is damaged: lines of it are missing", str(path), _AGAIN)
     announced = len(_FACES[kind].findall(data))
-    if kind == ".step":  # a shell may list a face that the file has lost
+    if kind == ".step":
+        lost = _lost_entities(data)
+        if lost:
+            raise CurveUpsError(f"the file is damaged: it has lost {len(lost)} of its entities (#{lost[0]})",
+                                str(path), _AGAIN)
+        # A shell may list a face whose definition can't be read.
         shells = b",".join(_SHELL.findall(data))
         announced = max(announced, len(set(re.findall(rb"#(\d+)", shells))))
     with tempfile.TemporaryDirectory(prefix="curveups-") as folder:
@@ -88,6 +95,14 @@ def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: 
         raise CurveUpsError(f"only {said['faces']} of the file's {announced} faces could be read",
                             str(path), _AGAIN)
     return Read(V, F, tuple(said["notes"]), said["wall"])
+
+
+def _lost_entities(data: bytes) -> list[int]:
+    """Numbers that a STEP file refers to and does not define. FreeCAD's reader goes on without them: an edge
+    that has lost its curve becomes another, and a cap the whole sphere."""
+    text = _WORDS.sub(b"", data)
+    defined = set(map(int, re.findall(rb"#(\d+)\s*=", text)))
+    return sorted(set(map(int, re.findall(rb"#(\d+)", text))) - defined)
 
 
 def _is_whole_iges(data: bytes) -> bool:
@@ -151,11 +166,16 @@ def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
         V, F = triangles_of_mesh(mesh)
         # Of a face that it can't mesh OpenCASCADE leaves no triangle, and says nothing.
         bare = sum(1 for face in shape.Faces if not face.tessellate(size)[1])
+        # Of one that has lost an edge it makes another.
+        gaping = sum(1 for face in shape.Faces if not all(wire.isClosed() for wire in face.Wires))
     except Exception as error:  # FreeCAD raises its own types, and bare RuntimeError
         raise CurveUpsError("FreeCAD can't make triangles of the surface", where,
                             "mend the surface, or export it as a mesh") from error
     if bare:
         raise CurveUpsError(f"FreeCAD can't make triangles of {bare} of {len(shape.Faces)} faces", where,
+                            "mend the surface, or export it as a mesh")
+    if gaping:
+        raise CurveUpsError(f"the outlines of {gaping} of {len(shape.Faces)} faces do not close", where,
                             "mend the surface, or export it as a mesh")
     return V, F
 

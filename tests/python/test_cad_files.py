@@ -33,6 +33,23 @@ shell.exportBrep({str(folder / "box.brep")!r})
     return folder
 
 
+@pytest.fixture(scope="module")
+def spherical_cap(tmp_path_factory):
+    """The lines of an eighth of a sphere, whose edges are circles. A string and a comment in it look like
+    references."""
+    path = tmp_path_factory.mktemp("cap") / "cap.step"
+    script = f"""
+from curveups import freecad_session
+_, part = freecad_session.load("Part")
+part.makeSphere(40).common(part.makeBox(60, 60, 60)).Faces[0].exportStep({str(path)!r})
+"""
+    subprocess.run([freecad_session.python(), "-c", script], env=environment(), check=True,
+                   capture_output=True)
+    text = path.read_text()
+    assert "'FreeCAD Model'" in text
+    return text.replace("'FreeCAD Model'", "'of #98765'").replace("DATA;", "DATA; /* #4711 */").splitlines()
+
+
 @pytest.mark.parametrize("ending", ["step", "iges", "brep"])
 def test_whole_files(open_box, ending):
     found = cad_files.read_cad(open_box / f"box.{ending}", 0.1)
@@ -62,12 +79,35 @@ def test_no_deletion_of_a_line_loses_a_face(open_box, tmp_path, ending):
 def test_a_face_that_is_gone_is_missed(open_box, tmp_path):
     text = (open_box / "box.step").read_text()
     (tmp_path / "box.step").write_text(re.sub(r"#\d+ = ADVANCED_FACE.*\n", "", text, count=1))
-    with pytest.raises(CurveUpsError, match="4 of the file's 5 faces|damaged"):
+    with pytest.raises(CurveUpsError, match="damaged"):
         cad_files.read_cad(tmp_path / "box.step", 0.1)
     text = (open_box / "box.iges").read_text()
     (tmp_path / "box.iges").write_text(text.replace(text.splitlines()[10] + "\n", ""))
     with pytest.raises(CurveUpsError, match="lines of it are missing"):
         cad_files.read_cad(tmp_path / "box.iges", 0.1)
+
+
+def test_a_face_that_lost_an_edge_is_missed(open_box, tmp_path):
+    """FreeCAD's triangles go on to where the edge's neighbours would meet, or anywhere."""
+    lines = (open_box / "box.step").read_text().splitlines()
+    edges = [k for k, line in enumerate(lines) if "ORIENTED_EDGE(" in line]
+    for place in edges[::7]:
+        (tmp_path / "box.step").write_text("\n".join(lines[:place] + lines[place + 1:]))
+        with pytest.raises(CurveUpsError, match="do not close|could be read|triangles|damaged"):
+            cad_files.read_cad(tmp_path / "box.step", 0.1)
+
+
+def test_what_a_step_file_has_lost_is_missed(spherical_cap, tmp_path):
+    """Without one of its circles FreeCAD reads the whole sphere."""
+    path = tmp_path / "cap.step"
+    path.write_text("\n".join(spherical_cap))
+    whole = cad_files.read_cad(path, 0.5)
+    assert whole.V.min() > -1e-6
+    for word in ("= CIRCLE(", "= SURFACE_CURVE(", "= AXIS2_PLACEMENT_3D("):
+        place = max(k for k, line in enumerate(spherical_cap) if word in line)
+        path.write_text("\n".join(spherical_cap[:place] + spherical_cap[place + 1:]))
+        with pytest.raises(CurveUpsError, match="lost 1 of its entities"):
+            cad_files.read_cad(path, 0.5)
 
 
 @pytest.fixture
