@@ -11,6 +11,10 @@ import numpy as np
 import pytest
 from running import dome
 
+from curveups.native import native
+from curveups.profiles import profile_names, profile_path
+from curveups.stages.solids import read_printer
+
 
 def level_area(path, z, up):
     """mm2 of a binary STL's facets that lie at that height and look up or down."""
@@ -85,6 +89,40 @@ def test_what_a_printer_cannot_make_is_said(exported):
     assert "supports" in said["overhang"]["remedy"] and len(said["overhang"]["tiles"]) > 10
     reach = float(said["overhang"]["what"].split("up to ")[1].split(" mm")[0])
     assert 1 < reach < 6
+
+
+def test_bridges_are_small_files(exported):
+    """Half of the 24 kB that one had once; there are over a thousand in a print."""
+    folder, _ = exported("support=breakaway")
+    text = (folder / "small-cap-support.step").read_text(encoding="ascii")
+    assert len(text) < 12_000 * text.count("MANIFOLD_SOLID_BREP(")
+
+
+@pytest.mark.parametrize("profile", [None, *profile_names()])
+def test_profiles_and_defaults_suit_their_printers(profile):
+    """By no bound that gives way, no gap and no wall is a print asked for more than its printer makes."""
+    values = native.Parameters()
+    for name, value in json.loads(profile_path(profile).read_text()).items() if profile else ():
+        if name != "about":
+            values.set(name, value)
+    printer = read_printer(values.get("printer"))
+    assert values.get("p_min") >= values.get("p_floor") >= printer["smallest_feature_mm"]
+    assert values.get("wall_growth") >= printer["growth_mm"]
+    assert values.get("d_gap_min") >= max(printer["smallest_gap_mm"], printer["smallest_feature_mm"])
+    assert values.get("bumps") == "none" or values.get("bump_height") >= printer["resolution_mm"]
+    assert values.get("support") != "soluble" or printer["materials"] > 1
+
+
+def test_walls_that_meet_stand_back_by_what_the_printer_grows(exported):
+    def said(*settings):
+        _, report = exported(*settings)
+        return [w["what"] for w in report["warnings"] if w.get("kind") == "growth"]
+
+    assert said("bumps=none", "wall_growth=0.02") and said("bumps=dimples", "wall_growth=0.02")
+    assert "raise wall_growth" in said("bumps=none", "wall_growth=0.02")[0]
+    assert not said("bumps=none", "wall_growth=0.05")
+    assert said("bumps=none", "wall_growth=0.05", "printer=fdm")
+    assert not said("bumps=bumps", "wall_growth=0")  # their height keeps walls apart
 
 
 def test_names_stay_as_they_are_in_titles(curveups, tmp_path):

@@ -78,6 +78,9 @@ def test_stopping_before_the_files(tmp_path, word):
     out = tmp_path / "out"
     status, said = interrupted(word, "design", tmp_path / "dome.obj", "-o", out, "--no-remesh")
     assert check_stopped(out, status, said) == {"design.json", "report.json", "report.html"}
+    # Whatever was found valid before, nobody has looked at all solids.
+    report = json.loads((out / "report.json").read_text())
+    assert ("print" in report) != any("solids" in text for text in report.get("not_covered", ()))
 
 
 @pytest.fixture(scope="module")

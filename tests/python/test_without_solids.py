@@ -28,6 +28,7 @@ def test_what_a_verdict_does_not_cover_is_said(designed, printed):
     bare, whole = designed.json("report.json"), printed.json("report.json")
     assert bare["valid"] is True and whole["valid"] is True
     assert any("solids" in text for text in bare["not_covered"])
+    assert any("printer" in text for text in bare["not_covered"])
     assert "not_covered" not in whole
     assert "Not covered" in (designed.folder / "report.html").read_text(encoding="utf-8")
     # The closed form is the one that the check of the solids reports.

@@ -28,8 +28,10 @@ def build_report(results: Results, rows: Sequence[Row], stopped: bool, files: di
         "warnings": results.warnings(),
         "front": "the side that the normals of F point to; counter-clockwise seen from there",
     }
-    if "check" not in results:
-        report["not_covered"] = ["soundness of solids, support and anchors: they were not built"]
+    checked = results.get("check")
+    if checked is None or not checked.print_block:
+        report["not_covered"] = ["soundness of solids, support and anchors: they were not looked at",
+                                 "what the printer can make: that is looked at on the solids"]
     for result in results.values():
         for name, block in result.report().items():
             report[name] = {**report[name], **block} if isinstance(report.get(name), dict) else block
