@@ -43,10 +43,12 @@ def test_statuses_stay_where_nothing_can_be_said(tmp_path, redirection):
     assert run(tmp_path, redirection, "--help")[0] == 0
 
 
-def test_a_module_in_the_current_folder_is_not_run(tmp_path):
+@pytest.mark.parametrize("program", ["tools/curveups", "packaging/debian/curveups"])
+def test_a_module_in_the_current_folder_is_not_run(tmp_path, program):
+    """The installed command, too, which finds its modules elsewhere."""
     (tmp_path / "numpy.py").write_text("raise SystemExit('executed')\n")
-    done = subprocess.run([ROOT / "tools" / "curveups", *DESIGN], cwd=tmp_path, capture_output=True,
-                          text=True)
+    done = subprocess.run([ROOT / program, *DESIGN], cwd=tmp_path, capture_output=True, text=True,
+                          env=environment())
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "out" / "design.json").exists()
 
