@@ -149,3 +149,13 @@ def test_what_is_sound_stays_as_it_is(run, tmp_path):
 def test_mend_max_is_kept(run):
     _, report, _ = run(tent(), "mend=on", "mend_max=0.2", "H_body=5")
     assert report["mending"]["max_mm"] <= 0.2 + 1e-9
+
+
+def test_a_sharp_fold_that_runs_into_the_border(run):
+    """Without moving the border tiles there remain, and the way out is said."""
+    V, F = sheet(lambda x, y: -1.0 * abs(x), 30, 20)
+    _, held, _ = run((V, F), "mend=on")
+    warning = next(one for one in held["warnings"] if one["kind"] == "mending")
+    assert "set mend_border=on" in warning["remedy"] and warning["tiles"] == held["mending"]["remaining"]
+    ran, report, _ = run((V, F), "mend=on", "mend_border=on")
+    assert ran.status == 0 and len(report["mending"]["remaining"]) < len(held["mending"]["remaining"])

@@ -71,12 +71,24 @@ def _run(inputs: Inputs, job: Job) -> Fairing:
              "hausdorff_mm": max(target.mended_by, float(faired_by)), "tiles": tiles,
              "remaining": sorted({int(pin.tile) for pin in made.remaining})}
     if asked == "on":
+        found = [_remaining(block["remaining"], target.F, parameters)] if block["remaining"] else []
         V = np.ascontiguousarray(made.V) if moved else target.V
         shown = (target.F, native.distances(V, *target.given)) if actions else ()
-        return Fairing(V, asked, block, (), *shown)
+        return Fairing(V, asked, block, tuple(found), *shown)
     found = [{"what": f"mend=on would mend the target: {', '.join(actions)}", "kind": "mending",
               "remedy": "set mend=on", "tiles": tiles}] if actions else []
     return Fairing(target.V, asked, block, tuple(found))
+
+
+def _remaining(tiles: list[int], F: np.ndarray, parameters: Any) -> dict[str, Any]:
+    sides = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    pairs, count = np.unique(sides, axis=0, return_counts=True)
+    border = np.isin(F[tiles], pairs[count == 1]).any()
+    remedy = f"set mend_max above {parameters.get('mend_max'):g}, or another L or H_body"
+    if border and not parameters.get("mend_border"):
+        remedy = f"set mend_border=on, as some are at the border; or {remedy}"
+    return {"what": "mending left these tiles with too little room for pins or under membranes",
+            "kind": "mending", "remedy": remedy, "tiles": tiles}
 
 
 STAGE = Stage("fairing", ("target",), frozenset({"target", "tiles"}), _run)

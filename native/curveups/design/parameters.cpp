@@ -48,6 +48,8 @@ std::vector<ParameterInfo> make_table() {
      target, &P::mend, 0, 0, {"off", "ask", "on"}},
     {"mend_max", "mm", "Target", "Farthest that mending may move a point of the target.",
      target, &P::mend_max, 0, 1000},
+    {"mend_border", "", "Target", "Mending may move the target's border, too.", target,
+     &P::mend_border},
     {"H_body", "mm", "Tiles", "Thickness of a tile between its front and its back face.",
      tiles, &P::H_body, 0.2, 100},
     {"H_pin", "mm", "Tiles", "Height of the pins on both faces, to whose tops membranes are glued.",

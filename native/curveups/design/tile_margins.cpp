@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "curveups/design/contacts.hpp"
+#include "curveups/design/membrane_room.hpp"
 #include "curveups/design/pins.hpp"
 #include "curveups/design/remote_overlaps.hpp"
 
@@ -27,64 +27,24 @@ double fold_room(const TileMesh& tiles, int i, int t, double scale) {
   return 2 * (std::atan(std::tan(half) + spare) - half);
 }
 
-// A corner of a tile's face, and of the pin that stands there as near to it as it may.
-struct PinnedCorner {
-  int tile;
-  Vec3 corner, top, normal;
-  double angle;  // of the tile at the corner
-};
-
-// By vertex; those on the boundary or on a cut, where the membrane is open, have none.
-std::vector<std::vector<PinnedCorner>> pinned_corners(const TileMesh& tiles, const Array6& lower,
-                                                      double H_pin, Side side) {
-  const double sign = side == Side::front ? 1.0 : -1.0;
-  const double face = side == Side::front ? 0.0 : -tiles.H_body;
-  std::vector<std::vector<PinnedCorner>> corners(static_cast<std::size_t>(tiles.mesh.V.rows()));
-  std::vector<char> open(corners.size(), 0);
-  for (std::size_t e = 0; e < tiles.topology.edges.size(); ++e) {
-    const MeshEdge& edge = tiles.topology.edges[e];
-    if (!edge.boundary() && !tiles.cut[e]) continue;
-    for (int v : edge.v) open[static_cast<std::size_t>(v)] = 1;
-  }
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    const std::array<Vec2, 3> pin = pin_corners(tiles, i, side, lower.row(i).data());
-    const TileFrame& frame = tiles.frame[i];
-    for (int t = 0; t < 3; ++t) {
-      const auto vertex = static_cast<std::size_t>(tiles.mesh.F(i, t));
-      if (open[vertex]) continue;
-      const std::array<Vec2, 3>& c = tiles.corners(i, side);
-      const Vec2 a = c[next3(t)] - c[t], b = c[prev3(t)] - c[t];
-      corners[vertex].push_back({i, frame.to_world(Vec3(c[t].x(), c[t].y(), face)),
-                                 frame.to_world(Vec3(pin[t].x(), pin[t].y(), face + sign * H_pin)),
-                                 sign * frame.z, std::atan2(std::abs(wedge(a, b)), a.dot(b))});
-    }
-  }
-  return corners;
-}
-
 void add_membrane_room(const TileMesh& tiles, const Array6& lower, double H_pin, TileMargins& out) {
   out.membrane_room.setConstant(tiles.tile_count(), 2, H_pin);
   auto lessen = [&](int tile, Side side, double room) {
     double& value = out.membrane_room(tile, static_cast<int>(side));
     value = std::min(value, room);
   };
+  const std::vector<std::vector<int>> around = tiles_around_inner_vertices(tiles);
   for (Side side : {Side::front, Side::back}) {
-    for (const auto& around : pinned_corners(tiles, lower, H_pin, side)) {
-      Vec3 normal = Vec3::Zero();
-      for (const PinnedCorner& one : around) normal += one.angle * one.normal;
-      normal.normalize();
-      double highest = -std::numeric_limits<double>::infinity();
-      for (const PinnedCorner& one : around) highest = std::max(highest, normal.dot(one.top));
-      for (const PinnedCorner& one : around) {
-        lessen(one.tile, side, highest - normal.dot(one.corner));
-      }
+    for (std::size_t v = 0; v < around.size(); ++v) {
+      const std::vector<double> rooms =
+          corner_rooms(tiles, lower, H_pin, side, static_cast<int>(v), around[v]);
+      for (std::size_t k = 0; k < rooms.size(); ++k) lessen(around[v][k], side, rooms[k]);
     }
     for (const Contact& contact : tiles.contacts) {
       const double fold = tiles.fold(contact.tile[0], contact.side[0]);
-      const double half = side == Side::front ? 0.5 * fold : -0.5 * fold;
       for (int s = 0; s < 2; ++s) {
         const double q = lower(contact.tile[s], inset_index(side, contact.side[s]));
-        lessen(contact.tile[s], side, H_pin * std::cos(half) - q * std::sin(half));
+        lessen(contact.tile[s], side, edge_room(fold, side, q, H_pin));
       }
     }
   }

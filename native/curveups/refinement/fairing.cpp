@@ -85,20 +85,21 @@ FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Ed
   if (kept.size() > 0 && (kept.minCoeff() < 0 || kept.maxCoeff() >= mesh.V.rows())) {
     throw InvalidInput("a kept edge names a vertex that there is not", "give pairs of vertices");
   }
-  const RoomProgram program(mesh, cuts, parameters);
+  const RoomProgram program(mesh, cuts, parameters, true);
   FairedSurface out;
   out.mesh = mesh;
   out.move.assign(mesh.V.rows(), 0);
   DesignGeometry here = program.geometry(mesh);
-  const PinSides given = sides_of(here.pin_bounds.small);
-  const std::vector<SmallPin> small_before = here.pin_bounds.small;
-  out.remaining = small_before;
+  std::vector<SmallPin> lacking = program.lacking(here);
+  const std::vector<SmallPin> small_before = lacking;
+  const PinSides given = sides_of(lacking);
+  out.remaining = lacking;
   out.overlapping = here.truncation.unresolved;
   if (given.empty() || largest_move == 0) return out;
 
   std::vector<char> fixed(mesh.V.rows(), 0);
   for (const MeshEdge& edge : here.tiles.topology.edges) {
-    if (edge.boundary()) fixed[edge.v[0]] = fixed[edge.v[1]] = 1;
+    if (edge.boundary() && !parameters.mend_border) fixed[edge.v[0]] = fixed[edge.v[1]] = 1;
   }
   for (Eigen::Index k = 0; k < kept.size(); ++k) fixed[kept.data()[k]] = 1;
 
@@ -109,8 +110,7 @@ FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Ed
   PinSides asked = given;  // grows with what comes to be short on the way
   for (int step = 1, since = 0; step <= most_steps && since < patience; ++step, ++since) {
     if (!keep_going(progress, "fairing the target",
-                    static_cast<double>(given.size() -
-                                        std::min(given.size(), here.pin_bounds.small.size())) /
+                    static_cast<double>(given.size() - std::min(given.size(), lacking.size())) /
                         static_cast<double>(given.size()))) {
       throw Cancelled();
     }
@@ -121,17 +121,18 @@ FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Ed
         program.step(program.rows(here, asked, asked, vertices), vertices, limits, moved);
     keep_faces(before, moved);
     here = program.geometry(moved);
+    lacking = program.lacking(here);
     const Shortfall now = shortfall(program, here);
     if (now < best) {
       best = now;
       since = 0;
       out.mesh = moved;
       out.steps = step;
-      out.remaining = here.pin_bounds.small;
+      out.remaining = lacking;
       out.overlapping = here.truncation.unresolved;
     }
-    if (here.pin_bounds.small.empty() || !moves) break;
-    for (const PinSide& side : sides_of(here.pin_bounds.small)) asked.insert(side);
+    if (lacking.empty() || !moves) break;
+    for (const PinSide& side : sides_of(lacking)) asked.insert(side);
   }
   for (int v = 0; v < mesh.V.rows(); ++v) out.move[v] = (out.mesh.V.row(v) - mesh.V.row(v)).norm();
   const PinSides small = sides_of(out.remaining);

@@ -23,10 +23,11 @@ struct FairedSurface {
   int steps = 0;
 };
 
-// No vertex moves farther than `largest_move` (mm); those of the boundary and of `kept` (vertex
-// pairs) stay. Vertices that nothing asks for stay, too. Deterministic; faired again, the result
-// stays as it is unless sides remain. Throws what make_tile_mesh throws, InvalidInput (a kept edge
-// names no vertex, largest_move negative or not finite), Cancelled.
+// No vertex moves farther than `largest_move` (mm); those of the boundary, unless mend_border
+// is on, and of `kept` (vertex pairs) stay. Vertices that nothing asks for stay, too.
+// Deterministic; faired again, the result stays as it is unless sides remain. Throws what
+// make_tile_mesh throws, InvalidInput (a kept edge names no vertex, largest_move negative or not
+// finite), Cancelled.
 FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Edges& kept,
                            double largest_move, const Parameters& parameters,
                            const Progress& progress);

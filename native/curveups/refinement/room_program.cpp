@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "curveups/core/parallel.hpp"
+#include "curveups/design/membrane_room.hpp"
 #include "curveups/design/pin_bounds.hpp"
 #include "curveups/design/vertex_patch.hpp"
 #include "curveups/numerics/least_step.hpp"
@@ -18,6 +19,10 @@ namespace {
 // near_minimum times A_pin_min must not lose what they need.
 constexpr double goal = 1.03, kept = 1.002, near_minimum = 1.5;
 
+// The same for room under membranes, as parts of H_pin.
+constexpr double gap_goal = least_membrane_room + 0.1, gap_kept = least_membrane_room + 0.002,
+                 near_gap = 2 * least_membrane_room;
+
 // Folds sharper than this must not become sharper: they already bound insets on either side.
 constexpr double sharp = 0.3;  // rad
 
@@ -28,21 +33,37 @@ double excess(const TileMesh& tiles, const Truncation& truncation, const Paramet
   return p.L * (scale - std::sqrt(share * p.A_pin_min / tiles.area(tile)));
 }
 
+void set_lower(const TileMesh& tiles, const Truncation& truncation, const Parameters& p, int tile,
+               Side side, Array6& lower) {
+  const PinRoom room = pin_room(tiles, truncation, p, tile, side, p.p_min);
+  for (int t = 0; t < 3; ++t) lower(tile, inset_index(side, t)) = room.lower[t];
+}
+
 }  // namespace
 
-// One requirement: room for a pin, or a fold that is not to become sharper.
+// One requirement: room for a pin, a fold that is not to become sharper, or room under a membrane
+// over the corners at a vertex or over the edge of a tile.
 struct RoomProgram::Need {
-  int tile, edge;  // edge -1: of a pin
+  enum Kind { tile_shape, corner_gap, edge_gap };
+  Kind kind;
+  int at, edge;  // a tile and its edge, -1: of a pin; or a vertex
   Side side;
-  double share;  // of A_pin_min
+  double share;  // of A_pin_min or H_pin
   bool operator<(const Need& o) const {
-    return std::tie(tile, edge, side) < std::tie(o.tile, o.edge, o.side);
+    return std::tie(kind, at, edge, side) < std::tie(o.kind, o.at, o.edge, o.side);
   }
 };
 
+// Room under a membrane; need: its share is yet to be said.
+struct RoomProgram::Gap {
+  Need need;
+  double room;             // mm
+  std::vector<int> tiles;  // that it belongs to
+};
+
 RoomProgram::RoomProgram(const TriangleMesh& target, const Edges& cuts,
-                         const Parameters& parameters)
-    : target_(target), cuts_(cuts), parameters_(parameters) {
+                         const Parameters& parameters, bool membranes)
+    : target_(target), cuts_(cuts), parameters_(parameters), membranes_(membranes) {
   fold_ = make_tile_mesh(target, cuts, parameters.H_body).fold;
   weight_ = Eigen::VectorXd::Zero(target.V.rows());
   for (int i = 0; i < target.F.rows(); ++i) {
@@ -68,14 +89,82 @@ double RoomProgram::missing(const DesignGeometry& here) const {
     const double lack = -excess(here.tiles, here.truncation, parameters_, pin.tile, pin.side, 1);
     sum += std::isfinite(lack) ? std::max(0.0, lack) : 100 * parameters_.L;
   }
+  for (const Gap& gap : gaps(here, least_membrane_room)) {
+    sum += least_membrane_room * parameters_.H_pin - gap.room;
+  }
   return sum;
 }
 
-// tile: as `tiles` numbers it.
+std::vector<SmallPin> RoomProgram::lacking(const DesignGeometry& here) const {
+  std::vector<SmallPin> out = here.pin_bounds.small;
+  PinSides known;
+  for (const SmallPin& pin : out) known.insert({pin.tile, pin.side});
+  for (const Gap& gap : gaps(here, least_membrane_room)) {
+    for (int tile : gap.tiles) {
+      if (!known.insert({tile, gap.need.side}).second) continue;
+      const double area =
+          pin_room(here.tiles, here.truncation, parameters_, tile, gap.need.side, parameters_.p_min)
+              .area;
+      out.push_back({tile, gap.need.side, area});
+    }
+  }
+  return out;
+}
+
+std::vector<RoomProgram::Gap> RoomProgram::gaps(const DesignGeometry& here, double most) const {
+  std::vector<Gap> out;
+  if (!membranes_ || !here.shaped) return out;
+  const TileMesh& tiles = here.tiles;
+  const double H_pin = parameters_.H_pin, limit = most * H_pin;
+  Array6 lower(tiles.tile_count(), 6);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (Side side : {Side::front, Side::back}) {
+      set_lower(tiles, here.truncation, parameters_, i, side, lower);
+    }
+  }
+  const std::vector<std::vector<int>> around = tiles_around_inner_vertices(tiles);
+  for (Side side : {Side::front, Side::back}) {
+    for (int v = 0; v < static_cast<int>(around.size()); ++v) {
+      if (around[v].empty()) continue;
+      const std::vector<double> rooms = corner_rooms(tiles, lower, H_pin, side, v, around[v]);
+      const double room = *std::min_element(rooms.begin(), rooms.end());
+      if (room < limit) out.push_back({{Need::corner_gap, v, -1, side, 0}, room, around[v]});
+    }
+    for (const Contact& contact : tiles.contacts) {
+      for (int s = 0; s < 2; ++s) {
+        const int tile = contact.tile[s], edge = contact.side[s];
+        const double room =
+            edge_room(tiles.fold(tile, edge), side, lower(tile, inset_index(side, edge)), H_pin);
+        if (room < limit) out.push_back({{Need::edge_gap, tile, edge, side, 0}, room, {tile}});
+      }
+    }
+  }
+  return out;
+}
+
+// at: as `tiles` numbers the tile or vertex.
 double RoomProgram::value(const Need& need, const TileMesh& tiles, const Truncation& truncation,
-                          int tile) const {
-  if (need.edge < 0) return excess(tiles, truncation, parameters_, tile, need.side, need.share);
-  const double before = fold_(need.tile, need.edge), now = tiles.fold(tile, need.edge);
+                          int at) const {
+  if (need.kind != Need::tile_shape) {
+    std::vector<int> around(1, at);
+    if (need.kind == Need::corner_gap) {
+      around.clear();
+      for (int i = 0; i < tiles.tile_count(); ++i) {
+        if ((tiles.mesh.F.row(i).array() == at).any()) around.push_back(i);
+      }
+    }
+    Array6 lower = Array6::Zero(tiles.tile_count(), 6);
+    for (int i : around) set_lower(tiles, truncation, parameters_, i, need.side, lower);
+    const double H_pin = parameters_.H_pin, wanted = need.share * H_pin;
+    if (need.kind == Need::edge_gap) {
+      const double inset = lower(at, inset_index(need.side, need.edge));
+      return edge_room(tiles.fold(at, need.edge), need.side, inset, H_pin) - wanted;
+    }
+    const std::vector<double> rooms = corner_rooms(tiles, lower, H_pin, need.side, at, around);
+    return *std::min_element(rooms.begin(), rooms.end()) - wanted;
+  }
+  if (need.edge < 0) return excess(tiles, truncation, parameters_, at, need.side, need.share);
+  const double before = fold_(need.at, need.edge), now = tiles.fold(at, need.edge);
   return 0.5 * parameters_.L * (before > 0 ? before - now : now - before);
 }
 
@@ -86,24 +175,53 @@ std::vector<RoomProgram::Row> RoomProgram::rows(const DesignGeometry& here, cons
     Need need;
     Vec3 derivative;
   };
+  std::map<std::tuple<Need::Kind, int, int>, std::vector<Need>> narrow;  // by kind, place and edge
+  for (Gap& gap : gaps(here, near_gap)) {
+    const bool lifted = std::any_of(gap.tiles.begin(), gap.tiles.end(), [&](int tile) {
+      return asked.count({tile, gap.need.side}) != 0;
+    });
+    gap.need.share = lifted ? gap_goal : gap_kept;
+    narrow[{gap.need.kind, gap.need.at, gap.need.edge}].push_back(gap.need);
+  }
   const VertexPatches patches(here);
   std::vector<std::vector<Entry>> entries(vertices.size());
   parallel_ranges(static_cast<int>(vertices.size()), [&](int begin, int end) {
     for (int v = begin; v < end; ++v) {
       const VertexPatch patch = patches.around(vertices[v]);
-      std::vector<std::pair<Need, int>> local;  // with the tile in the patch
+      std::vector<std::pair<Need, int>> local;  // with the tile or vertex in the patch
+      const auto add_gaps = [&](Need::Kind kind, int at, int edge, int in_patch) {
+        const auto it = narrow.find({kind, at, edge});
+        if (it == narrow.end()) return;
+        for (const Need& need : it->second) local.push_back({need, in_patch});
+      };
+      if (!narrow.empty()) {
+        std::map<int, int> touched;  // vertices in the patch, with what they are in the design
+        for (std::size_t k = 0; k < patch.tiles.size(); ++k) {
+          for (int t = 0; t < 3; ++t) {
+            const int w = patch.mesh.F(static_cast<Eigen::Index>(k), t);
+            if (std::binary_search(patch.touched.begin(), patch.touched.end(), w)) {
+              touched[w] = here.tiles.mesh.F(patch.tiles[k], t);
+            }
+          }
+        }
+        for (const auto& [w, at] : touched) add_gaps(Need::corner_gap, at, -1, w);
+      }
       for (int k : patch.near) {
         const int tile = patch.tiles[k];
+        for (int t = 0; t < 3; ++t) add_gaps(Need::edge_gap, tile, t, k);
         for (Side side : {Side::front, Side::back}) {
           const PinRoom room =
               pin_room(here.tiles, here.truncation, parameters_, tile, side, parameters_.p_min);
           const bool close = room.area < near_minimum * parameters_.A_pin_min;
           if (!std::isfinite(room.scale) || !(close || asked.count({tile, side}))) continue;
-          local.push_back({{tile, -1, side, asked.count({tile, side}) ? goal : kept}, k});
+          local.push_back(
+              {{Need::tile_shape, tile, -1, side, asked.count({tile, side}) ? goal : kept}, k});
         }
         for (int t = 0; t < 3; ++t) {
           if (here.tiles.topology.neighbour(tile, t) < tile) continue;  // each edge once
-          if (std::abs(fold_(tile, t)) > sharp) local.push_back({{tile, t, Side::front, 0}, k});
+          if (std::abs(fold_(tile, t)) > sharp) {
+            local.push_back({{Need::tile_shape, tile, t, Side::front, 0}, k});
+          }
         }
       }
       if (local.empty()) continue;
@@ -131,12 +249,12 @@ std::vector<RoomProgram::Row> RoomProgram::rows(const DesignGeometry& here, cons
   }
   std::vector<Row> out;
   for (auto& [need, row] : found) {
-    row.value = value(need, here.tiles, here.truncation, need.tile);
+    row.value = value(need, here.tiles, here.truncation, need.at);
     // Sides out of reach must not lose what they have.
-    if (need.edge < 0 && !asked.count({need.tile, need.side}) &&
-        small.count({need.tile, need.side})) {
-      row.value = std::max(0.0, row.value);
-    }
+    const bool of_pin = need.kind == Need::tile_shape && need.edge < 0;
+    const bool out_of_reach =
+        of_pin && !asked.count({need.at, need.side}) && small.count({need.at, need.side}) != 0;
+    if (out_of_reach || (!of_pin && need.share == gap_kept)) row.value = std::max(0.0, row.value);
     out.push_back(std::move(row));
   }
   return out;

@@ -23,25 +23,29 @@ struct MoveLimits {
 
 class RoomProgram {
  public:
-  // The arguments must outlive this.
-  RoomProgram(const TriangleMesh& target, const Edges& cuts, const Parameters& parameters);
+  // The arguments must outlive this. membranes: whether they need room, too (membrane_room.hpp).
+  RoomProgram(const TriangleMesh& target, const Edges& cuts, const Parameters& parameters,
+              bool membranes = false);
 
   // As make_geometry; where tiles have no back face, without what follows from bodies (planes,
   // interfaces): shaped is then false.
   DesignGeometry geometry(const TriangleMesh& mesh) const;
 
-  // What all sides together lack of room for A_pin_min, mm of the linear scale of their largest
-  // pins: of sides without any room, too, it says by how much that misses.
+  // What all sides together lack of room, mm: for A_pin_min, of the linear scale of their largest
+  // pins, which says of sides without any room, too, by how much they miss it; and under membranes.
   double missing(const DesignGeometry& here) const;
+
+  // Sides of tiles that lack room, with their largest pins; each once.
+  std::vector<SmallPin> lacking(const DesignGeometry& here) const;
 
   // A requirement, linearised: the value must stay or become positive.
   struct Row {
     double value;
     std::vector<std::pair<int, Vec3>> by_vertex;  // into `vertices`, with the derivative
   };
-  // What vertices that may move have to mind. small: all sides below A_pin_min; asked: those of
-  // them that are to be lifted to a little more than that. Sides with little more keep what they
-  // need, those out of reach what they have, and folds beyond 0.3 rad do not become sharper.
+  // What vertices that may move have to mind. small: all sides that lack room; asked: those of them
+  // that are to get a little more than they need. Sides with little more keep what they need, those
+  // out of reach what they have, and folds beyond 0.3 rad do not become sharper.
   std::vector<Row> rows(const DesignGeometry& here, const PinSides& small, const PinSides& asked,
                         const std::vector<int>& vertices) const;
 
@@ -52,12 +56,15 @@ class RoomProgram {
 
  private:
   struct Need;
-  double value(const Need& need, const TileMesh& tiles, const Truncation& truncation,
-               int tile) const;
+  struct Gap;
+  // Under membranes, those of less than `most` times H_pin.
+  std::vector<Gap> gaps(const DesignGeometry& here, double most) const;
+  double value(const Need& need, const TileMesh& tiles, const Truncation& truncation, int at) const;
 
   const TriangleMesh& target_;
   const Edges& cuts_;
   const Parameters& parameters_;
+  bool membranes_;
   Eigen::VectorXd weight_;  // A_j of Eq. 4
   Array3 fold_;             // of the target
 };

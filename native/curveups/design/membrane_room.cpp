@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/design/membrane_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "curveups/design/pins.hpp"
+
+namespace curveups {
+
+std::vector<std::vector<int>> tiles_around_inner_vertices(const TileMesh& tiles) {
+  std::vector<std::vector<int>> around(static_cast<std::size_t>(tiles.mesh.V.rows()));
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int t = 0; t < 3; ++t) around[tiles.mesh.F(i, t)].push_back(i);
+  }
+  for (std::size_t e = 0; e < tiles.topology.edges.size(); ++e) {
+    const MeshEdge& edge = tiles.topology.edges[e];
+    if (!edge.boundary() && !tiles.cut[e]) continue;
+    for (int v : edge.v) around[v].clear();
+  }
+  return around;
+}
+
+std::vector<double> corner_rooms(const TileMesh& tiles, const Array6& lower, double H_pin,
+                                 Side side, int vertex, const std::vector<int>& around) {
+  struct PinnedCorner {
+    Vec3 corner, top;
+  };
+  const double sign = side == Side::front ? 1.0 : -1.0;
+  const double face = side == Side::front ? 0.0 : -tiles.H_body;
+  std::vector<PinnedCorner> corners;
+  Vec3 normal = Vec3::Zero();
+  for (int i : around) {
+    const std::array<Vec2, 3> pin = pin_corners(tiles, i, side, lower.row(i).data());
+    const TileFrame& frame = tiles.frame[i];
+    for (int t = 0; t < 3; ++t) {
+      if (tiles.mesh.F(i, t) != vertex) continue;
+      const std::array<Vec2, 3>& c = tiles.corners(i, side);
+      const Vec2 a = c[next3(t)] - c[t], b = c[prev3(t)] - c[t];
+      corners.push_back({frame.to_world(Vec3(c[t].x(), c[t].y(), face)),
+                         frame.to_world(Vec3(pin[t].x(), pin[t].y(), face + sign * H_pin))});
+      normal += sign * std::atan2(std::abs(wedge(a, b)), a.dot(b)) * frame.z;
+    }
+  }
+  normal.normalize();
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const PinnedCorner& one : corners) highest = std::max(highest, normal.dot(one.top));
+  std::vector<double> out;
+  for (const PinnedCorner& one : corners) out.push_back(highest - normal.dot(one.corner));
+  return out;
+}
+
+double edge_room(double fold, Side side, double inset, double H_pin) {
+  const double half = side == Side::front ? 0.5 * fold : -0.5 * fold;
+  return H_pin * std::cos(half) - inset * std::sin(half);
+}
+
+}  // namespace curveups
