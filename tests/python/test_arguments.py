@@ -111,3 +111,11 @@ def test_broken_config(curveups, tmp_path, text):
     assert ran.status == 2 and len(ran.error_lines) == 1
     assert str(config) in ran.error_lines[0] and ERROR.match(ran.error_lines[0])
     assert not (tmp_path / "out").exists()
+
+
+def test_a_config_with_a_byte_order_mark(curveups, cap, tmp_path):
+    config = tmp_path / "config.json"
+    config.write_text('{"tau": 2.9, "verify": "off"}', encoding="utf-8-sig")
+    ran = curveups("design", cap, "-o", tmp_path / "out", "--no-remesh", "--no-solids", "--config", config)
+    assert ran.status == 0, ran.err
+    assert json.loads((tmp_path / "out" / "design.json").read_text())["parameters"]["tau"] == 2.9

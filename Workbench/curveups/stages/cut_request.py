@@ -80,7 +80,7 @@ def read_json_object(path: Path) -> dict:
         raise ValueError(f"{text} is no number")
 
     try:
-        data = json.loads(path.read_text(encoding="utf-8"), parse_constant=refuse)
+        data = json.loads(path.read_text(encoding="utf-8-sig"), parse_constant=refuse)
     except OSError as error:
         raise CurveUpsError(f"the file can't be read: {error.strerror}", str(path),
                             "check its name and permissions") from None
