@@ -217,7 +217,8 @@ def row(name: str, path: Path, folder: Path) -> tuple[Any, ...]:
     moved, far = block.get("max_mm", math.nan), deviation.get("hausdorff_mm", math.nan)
     checked = check(path, cuts, "off"), check(path, cuts, "on")
     tiles = (report or {}).get("tiles", "-")
-    return (name, *checked, tiles, first, second or "-", f"{moved:.2f}", f"{far:.2f}", f"{seconds:.1f}", reason[:110])
+    figures = f"{moved:.2f}", f"{far:.2f}", f"{seconds:.1f}"
+    return (name, *checked, tiles, first, second or "-", *figures, reason[:110])
 
 
 def main() -> None:
@@ -226,15 +227,15 @@ def main() -> None:
     arguments.add_argument("--only", type=lambda text: set(text.split(",")))
     options = arguments.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
-    print("| target | check | check, mended | tiles | design | with advice | moved | Hausdorff | s | why not |")
-    print("|---|---|---|---|---|---|---|---|---|---|")
+    print("| target | check | check, mended | tiles | design | border, too | moved | Hausdorff | s | why not |",
+          "|---|---|---|---|---|---|---|---|---|---|", sep="\n")
     rows = []
     for name, path in targets(options.folder, options.only).items():
         rows.append(row(name, path, options.folder))
         print("| " + " | ".join(map(str, rows[-1])) + " |", flush=True)
     first = sum(one[4] == "valid" for one in rows)
     print(f"\nvalid from one command: {first} of {len(rows)}, "
-          f"with the advice: {first + sum(one[5] == 'valid' for one in rows)}")
+          f"with mend_border: {first + sum(one[5] == 'valid' for one in rows)}")
 
 
 if __name__ == "__main__":
