@@ -271,6 +271,10 @@ def test_stl_and_3mf_are_watertight(printed):
     colours = re.findall(r'<base name="([^"]*)" displaycolor="#([0-9A-F]{8})"', text)
     assert [name for name, _ in colours] == ["tiles (rigid)", "support (soluble)", "anchors (rigid)"]
     assert all(colour.endswith("FF") for _, colour in colours)
+    used = re.findall(r'<object [^>]*name="([A-Z][a-z]*)[^"]*"[^>]* pindex="(\d)"', text)
+    assert {(name, colours[int(k)][0]) for name, k in used} == {
+        ("T", "tiles (rigid)"), ("Support", "support (soluble)"), ("Anchor", "anchors (rigid)")}
+    assert len(used) == report["print"]["bodies"]
 
 
 def check_closed(points, faces):

@@ -83,6 +83,10 @@ def test_what_a_printer_cannot_make_is_said(exported):
     assert not kinds["polyjet"]
     assert kinds["resin"] == {"material"}
     assert kinds["fdm"] == {"material", "resolution"}
+    # The slab's walls are what bumps leave of the gap between unrecessed walls.
+    _, report = exported("printer=fdm", "bumps=dimples", "bump_height=0.4")
+    walls, = (w["what"] for w in report["warnings"] if w.get("kind") == "feature")
+    assert "slab's walls" in walls and "as thin as 0.36 mm" in walls and "makes 0.4 mm" in walls
     _, report = exported("printer=fdm", "support=breakaway", "bumps=none")
     said = {warning.get("kind"): warning for warning in report["warnings"]}
     assert not {"material", "resolution"} & set(said)
