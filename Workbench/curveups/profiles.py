@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
+from typing import Any
 
 _FOLDER = Path(__file__).parents[2] / "resources" / "profiles"
+ABOUT = "about"  # the key of a note of the file's author
 
 
 def profile_names() -> list[str]:
@@ -16,3 +19,22 @@ def profile_names() -> list[str]:
 def profile_path(name: str) -> Path:
     """The file of one of these."""
     return _FOLDER / f"{name}.json"
+
+
+def about(name: str) -> str:
+    """What is to be known of a profile."""
+    return str(_read(name).get(ABOUT, ""))
+
+
+def parameters(name: str) -> dict[str, Any]:
+    """Values by parameter; of "" the defaults of all that some profile sets."""
+    if name:
+        return {key: value for key, value in _read(name).items() if key != ABOUT}
+    from .native import native
+
+    defaults = native.Parameters()
+    return {key: defaults.get(key) for profile in profile_names() for key in parameters(profile)}
+
+
+def _read(name: str) -> dict[str, Any]:
+    return dict(json.loads(profile_path(name).read_text(encoding="utf-8")))

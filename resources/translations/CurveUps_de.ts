@@ -104,6 +104,10 @@
       <translation>Wie weit Wände zurückstehen, die ohne Noppen dazwischen aneinanderliegen, da Drucke wachsen (XY-Versatz). Von 0 bis 1 mm. Wirkt sofort.</translation>
     </message>
     <message>
+      <source>Largest deviation of STL and 3MF from the curved surfaces. From 0.0001 to 1 mm. Takes effect with the next export.</source>
+      <translation>Größte Abweichung von STL und 3MF von den gekrümmten Flächen. Von 0.0001 bis 1 mm. Wirkt mit dem nächsten Export.</translation>
+    </message>
+    <message>
       <source>Largest distance of the target from its tiles where L is auto. From 0.001 to 100 mm. Takes effect with Solve.</source>
       <translation>Größter Abstand der Zielfläche von ihren Kacheln, wenn L auto ist. Von 0.001 bis 100 mm. Wirkt mit „Lösen“.</translation>
     </message>
@@ -156,6 +160,10 @@
       <translation>Kleinere Zapfen machen einen Entwurf ungültig. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
+      <source>Printer whose bed, gaps and features the print is compared with. Takes effect with the next export.</source>
+      <translation>Drucker, mit dessen Bett, Spalten und Strukturen der Druck verglichen wird. Wirkt mit dem nächsten Export.</translation>
+    </message>
+    <message>
       <source>Radius of an anchoring cylinder. From 0.5 to 100 mm. Takes effect at once.</source>
       <translation>Radius eines Ankerzylinders. Von 0.5 bis 100 mm. Wirkt sofort.</translation>
     </message>
@@ -166,6 +174,10 @@
     <message>
       <source>Rows in which the bumps of an interface stand. From 2 to 10. Takes effect at once.</source>
       <translation>Reihen, in denen die Noppen einer Berührfläche stehen. Von 2 bis 10. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>STEP files as an assembly with a part per body, or as one part with a solid per body. Takes effect with the next export.</source>
+      <translation>STEP-Dateien als Baugruppe mit einem Teil je Körper oder als ein Teil mit einem Volumenkörper je Körper. Wirkt mit dem nächsten Export.</translation>
     </message>
     <message>
       <source>Scales the target so that its longest side (of its box along x, y, z) is this; 0: by scale. From 0 to 100000 mm. Takes effect with Solve.</source>
@@ -260,6 +272,10 @@
       <translation>Wo Falten keinen Platz lassen, gibt p_min nach, doch nie unter diesen Wert: das kleinste Merkmal des Druckers. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
+      <source>Whether STL and 3MF have the bumps. Takes effect with the next export.</source>
+      <translation>Ob STL und 3MF die Noppen haben. Wirkt mit dem nächsten Export.</translation>
+    </message>
+    <message>
       <source>Which side of a CAD part that is drawn with a wall becomes the target. Takes effect with Solve.</source>
       <translation>Welche Seite eines CAD-Teils, das mit einer Wand gezeichnet ist, zur Zielfläche wird. Wirkt mit „Lösen“.</translation>
     </message>
@@ -274,6 +290,53 @@
     <message>
       <source>Width of the slab around tiles and anchors. From 0.2 to 50 mm. Takes effect at once.</source>
       <translation>Breite der Platte um Kacheln und Anker herum. Von 0.2 bis 50 mm. Wirkt sofort.</translation>
+    </message>
+  </context>
+  <context>
+    <name>CheckPanel</name>
+    <message>
+      <source>Cancel</source>
+      <translation>Abbrechen</translation>
+    </message>
+    <message>
+      <source>Check</source>
+      <translation>Machbarkeit</translation>
+    </message>
+    <message>
+      <source>Choose Both</source>
+      <translation>Beide wählen</translation>
+    </message>
+    <message>
+      <source>End now and leave the design as it was</source>
+      <translation>Jetzt aufhören und den Entwurf lassen, wie er war</translation>
+    </message>
+    <message>
+      <source>Find out what of the target can be tiles, and which sizes would do</source>
+      <translation>Herausfinden, was von der Zielfläche Kacheln werden kann und welche Größen gingen</translation>
+    </message>
+    <message>
+      <source>Sets the tiles' length: one step of undo. It is checked at once</source>
+      <translation>Setzt die Länge der Kacheln: ein Schritt beim Rückgängigmachen. Die Machbarkeit wird gleich neu ermittelt</translation>
+    </message>
+    <message>
+      <source>Sets the tiles' thickness: one step of undo. It is checked at once</source>
+      <translation>Setzt die Dicke der Kacheln: ein Schritt beim Rückgängigmachen. Die Machbarkeit wird gleich neu ermittelt</translation>
+    </message>
+    <message>
+      <source>Sizes that would do</source>
+      <translation>Größen, die gingen</translation>
+    </message>
+    <message>
+      <source>The largest tiles that can be made and stay as near to the surface as Fidelity says, and their thickness</source>
+      <translation>Die größten Kacheln, die sich machen lassen und so nah an der Fläche bleiben, wie Fidelity sagt, und ihre Dicke</translation>
+    </message>
+    <message>
+      <source>What is compared, its worst value, and what is wanted. A click colours the tiles by it and goes to the worst one</source>
+      <translation>Was verglichen wird, sein schlechtester Wert und was verlangt ist. Ein Klick färbt die Kacheln danach und geht zur schlechtesten</translation>
+    </message>
+    <message>
+      <source>Why tiles can't be made, or are likely to fail; a click goes there</source>
+      <translation>Warum sich Kacheln nicht machen lassen oder wohl nicht halten; ein Klick geht dorthin</translation>
     </message>
   </context>
   <context>
@@ -323,12 +386,12 @@
       <translation>Es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
     </message>
     <message>
-      <source>unexpected {kind} ({said}): please report it, with what CURVEUPS_DEBUG=1 shows</source>
-      <translation>unerwarteter Fehler {kind} ({said}): bitte melden, mit dem, was CURVEUPS_DEBUG=1 zeigt</translation>
+      <source>objects that were restored: {count}</source>
+      <translation>wiederhergestellte Objekte: {count}</translation>
     </message>
     <message>
-      <source>{count} objects were restored</source>
-      <translation>{count} Objekte wurden wiederhergestellt</translation>
+      <source>unexpected {kind} ({said}): please report it, with what CURVEUPS_DEBUG=1 shows</source>
+      <translation>unerwarteter Fehler {kind} ({said}): bitte melden, mit dem, was CURVEUPS_DEBUG=1 zeigt</translation>
     </message>
     <message>
       <source>{task} was cancelled: the design is as it was</source>
@@ -405,12 +468,12 @@
       <translation>ihn zuerst schließen</translation>
     </message>
     <message>
-      <source>there is no folder</source>
-      <translation>es gibt keinen Ordner</translation>
+      <source>files in {folder}: {count}</source>
+      <translation>Dateien in {folder}: {count}</translation>
     </message>
     <message>
-      <source>{count} files are in {folder}</source>
-      <translation>{count} Dateien liegen in {folder}</translation>
+      <source>there is no folder</source>
+      <translation>es gibt keinen Ordner</translation>
     </message>
   </context>
   <context>
@@ -455,6 +518,10 @@
       <translation>Anker</translation>
     </message>
     <message>
+      <source>Auto</source>
+      <translation>Auto</translation>
+    </message>
+    <message>
       <source>Bodies</source>
       <translation>Körper</translation>
     </message>
@@ -491,8 +558,16 @@
       <translation>Entwurf bearbeiten</translation>
     </message>
     <message>
+      <source>Files</source>
+      <translation>Dateien</translation>
+    </message>
+    <message>
       <source>Layout</source>
       <translation>Abwicklung</translation>
+    </message>
+    <message>
+      <source>Look for the largest value with which all tiles can be made; of lengths, as long as the surface stays within Fidelity</source>
+      <translation>Sucht den größten Wert, mit dem sich alle Kacheln machen lassen; bei Längen, solange die Fläche innerhalb von Fidelity bleibt</translation>
     </message>
     <message>
       <source>Mending</source>
@@ -501,6 +576,10 @@
     <message>
       <source>Physics</source>
       <translation>Physik</translation>
+    </message>
+    <message>
+      <source>Profile</source>
+      <translation>Profil</translation>
     </message>
     <message>
       <source>Reading the surface</source>
@@ -523,6 +602,10 @@
       <translation>Volumenkörper</translation>
     </message>
     <message>
+      <source>Standard</source>
+      <translation>Standard</translation>
+    </message>
+    <message>
       <source>Suggestions</source>
       <translation>Vorschläge</translation>
     </message>
@@ -533,6 +616,10 @@
     <message>
       <source>Target</source>
       <translation>Zielfläche</translation>
+    </message>
+    <message>
+      <source>The defaults of all that a profile sets</source>
+      <translation>Die Vorgaben für alles, was ein Profil setzt</translation>
     </message>
     <message>
       <source>Tiles</source>
@@ -559,8 +646,32 @@
       <translation>ihn zuerst schließen</translation>
     </message>
     <message>
+      <source>empty</source>
+      <translation>leer</translation>
+    </message>
+    <message>
+      <source>invalid</source>
+      <translation>ungültig</translation>
+    </message>
+    <message>
       <source>leave the edit mode of another object first</source>
       <translation>zuerst den Bearbeitungsmodus des anderen Objekts verlassen</translation>
+    </message>
+    <message>
+      <source>not judged</source>
+      <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+      <source>not valid</source>
+      <translation>nicht gültig</translation>
+    </message>
+    <message>
+      <source>out of date</source>
+      <translation>veraltet</translation>
+    </message>
+    <message>
+      <source>running</source>
+      <translation>läuft</translation>
     </message>
     <message>
       <source>stopping</source>
@@ -569,6 +680,10 @@
     <message>
       <source>the panel can't be opened</source>
       <translation>der Aufgabenbereich lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+      <source>valid</source>
+      <translation>gültig</translation>
     </message>
   </context>
   <context>
@@ -580,6 +695,77 @@
     <message>
       <source>Make tiles, support and anchors as solids, for the parameters as they are</source>
       <translation>Kacheln, Stützkörper und Anker als Volumenkörper bauen, mit den Parametern, wie sie sind</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Check</name>
+    <message>
+      <source>Check</source>
+      <translation>Machbarkeit</translation>
+    </message>
+    <message>
+      <source>Check of {name}</source>
+      <translation>Machbarkeit von {name}</translation>
+    </message>
+    <message>
+      <source>Choose Sizes</source>
+      <translation>Größen wählen</translation>
+    </message>
+    <message>
+      <source>Feasible</source>
+      <translation>Machbar</translation>
+    </message>
+    <message>
+      <source>Find out what of the target can be tiles, and which sizes would do, before anything is solved</source>
+      <translation>Herausfinden, was von der Zielfläche Kacheln werden kann und welche Größen gingen, bevor etwas gelöst wird</translation>
+    </message>
+    <message>
+      <source>Margin</source>
+      <translation>Spielraum</translation>
+    </message>
+    <message>
+      <source>Not feasible</source>
+      <translation>Nicht machbar</translation>
+    </message>
+    <message>
+      <source>Out of date: check again</source>
+      <translation>Veraltet: bitte erneut ermitteln</translation>
+    </message>
+    <message>
+      <source>The largest that does: {values}</source>
+      <translation>Der größte Wert, der geht: {values}</translation>
+    </message>
+    <message>
+      <source>Tile</source>
+      <translation>Kachel</translation>
+    </message>
+    <message>
+      <source>Tiles short</source>
+      <translation>Kacheln darunter</translation>
+    </message>
+    <message>
+      <source>Use {name}</source>
+      <translation>{name} übernehmen</translation>
+    </message>
+    <message>
+      <source>Use {name} = {value}</source>
+      <translation>{name} = {value} übernehmen</translation>
+    </message>
+    <message>
+      <source>Wanted</source>
+      <translation>Verlangt</translation>
+    </message>
+    <message>
+      <source>What is in the way</source>
+      <translation>Was im Weg ist</translation>
+    </message>
+    <message>
+      <source>Worst</source>
+      <translation>Schlechtester</translation>
+    </message>
+    <message>
+      <source>and {count} more</source>
+      <translation>und {count} weitere</translation>
     </message>
   </context>
   <context>
@@ -632,8 +818,8 @@
       <translation>Kanten wählen, an denen Kacheln getrennt sind, oder sie vorschlagen lassen</translation>
     </message>
     <message>
-      <source>Quick layout in {seconds:.1f} s; {count} contacts are likely to be weak (marked by triangles). Solve makes the real one.</source>
-      <translation>Schnelle Abwicklung in {seconds:.1f} s; {count} Kontakte sind wohl schwach (mit Dreiecken markiert). „Lösen“ macht die eigentliche.</translation>
+      <source>Quick layout in {seconds:.1f} s; contacts that are likely to be weak (marked by triangles): {count}. Solve makes the real one.</source>
+      <translation>Schnelle Abwicklung in {seconds:.1f} s; wohl schwache Kontakte (mit Dreiecken markiert): {count}. „Lösen“ macht die eigentliche.</translation>
     </message>
     <message>
       <source>Remove cuts</source>
@@ -701,12 +887,20 @@
       <translation>Faltwinkel</translation>
     </message>
     <message>
+      <source>Fold margin</source>
+      <translation>Spielraum der Faltung</translation>
+    </message>
+    <message>
       <source>Friction ratio</source>
       <translation>Reibungsverhältnis</translation>
     </message>
     <message>
       <source>Gap</source>
       <translation>Spalt</translation>
+    </message>
+    <message>
+      <source>Membrane room</source>
+      <translation>Platz für Membranen</translation>
     </message>
     <message>
       <source>Membrane stretch</source>
@@ -719,6 +913,10 @@
     <message>
       <source>Normal force</source>
       <translation>Normalkraft</translation>
+    </message>
+    <message>
+      <source>Obstacles</source>
+      <translation>Hindernisse</translation>
     </message>
     <message>
       <source>Pin area</source>
@@ -739,6 +937,10 @@
     <message>
       <source>gaps below DGapMin</source>
       <translation>Spalte unter DGapMin</translation>
+    </message>
+    <message>
+      <source>tiles that can't be made or are likely to fail</source>
+      <translation>Kacheln, die sich nicht machen lassen oder wohl nicht halten</translation>
     </message>
     <message>
       <source>tiles with less room for pins than APinMin, before Solve makes some</source>
@@ -797,6 +999,10 @@
     <message>
       <source>not as it is now: {why}</source>
       <translation>nicht der jetzige Stand: {why}</translation>
+    </message>
+    <message>
+      <source>out of date ({changed})</source>
+      <translation>veraltet ({changed})</translation>
     </message>
   </context>
   <context>
@@ -935,8 +1141,8 @@
       <translation>keiner</translation>
     </message>
     <message>
-      <source>ready, on {count} threads</source>
-      <translation>bereit, mit {count} Threads</translation>
+      <source>ready; threads: {count}</source>
+      <translation>bereit; Threads: {count}</translation>
     </message>
     <message>
       <source>run {command}, then start FreeCAD again</source>
@@ -968,8 +1174,8 @@
   <context>
     <name>CurveUps_WorstContacts</name>
     <message>
-      <source>; {left} better ones are not listed</source>
-      <translation>; {left} bessere sind nicht aufgeführt</translation>
+      <source>; better ones that are not listed: {left}</source>
+      <translation>; bessere, die nicht aufgeführt sind: {left}</translation>
     </message>
     <message>
       <source>List contacts and tiles, the worst first; a click goes there</source>
@@ -996,8 +1202,8 @@
       <translation>Schlechteste von {name}</translation>
     </message>
     <message>
-      <source>{count} have problems</source>
-      <translation>{count} haben Probleme</translation>
+      <source>with problems: {count}</source>
+      <translation>mit Problemen: {count}</translation>
     </message>
   </context>
   <context>
@@ -1264,6 +1470,10 @@
       <translation>Parameter</translation>
     </message>
     <message>
+      <source>Profile of the Printer</source>
+      <translation>Profil des Druckers</translation>
+    </message>
+    <message>
       <source>Repair</source>
       <translation>Reparieren</translation>
     </message>
@@ -1274,6 +1484,10 @@
     <message>
       <source>Sets all parameters to what they were when this panel was opened: one step of undo</source>
       <translation>Setzt alle Parameter auf das, was sie beim Öffnen dieses Fensters waren: ein Schritt beim Rückgängigmachen</translation>
+    </message>
+    <message>
+      <source>Sets the parameters that suit a kind of printer: one step of undo</source>
+      <translation>Setzt die Parameter, die zu einer Art von Drucker passen: ein Schritt beim Rückgängigmachen</translation>
     </message>
     <message>
       <source>Solve</source>

@@ -111,12 +111,18 @@ def test_a_report_that_can_not_be_removed_is_said(curveups, cap, tmp_path):
     assert names(tmp_path) == {"report.json"}
 
 
+def not_ignored():
+    """What tests are run by (nohup) may ignore signals, and its children then do."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
+
+
 @pytest.mark.parametrize("number", ["SIGINT", "SIGTERM", "SIGHUP"])
 def test_signals_while_writing_keep_the_reports(printed, tmp_path, number):
     """Also a second one."""
     out = tmp_path / "out"
     process = subprocess.Popen(command("export", printed.folder / "design.json", "-o", out),
-                               env=environment(), stderr=subprocess.PIPE, text=True)
+                               env=environment(), stderr=subprocess.PIPE, text=True, preexec_fn=not_ignored)
     said = ""
     for line in process.stderr:
         said += line

@@ -16,7 +16,7 @@ from read_back import read_back  # noqa: E402
 
 NORMAL = {"half-sphere": ["L=7.5"], "hyperboloid": [], "ellipsoid-cap": [], "cylinder-patch": []}
 SMALL = {
-    "mask": ["L=24"],  # two holes, which its slab has as well; bumps
+    "mask": ["L=22"],  # two holes, which its slab has as well; bumps
     "saddle": ["L=24", "bumps=dimples", "support=breakaway"],
 }
 

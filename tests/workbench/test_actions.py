@@ -121,3 +121,48 @@ assert 'one design' in refused(curveups.step_export.export, [other], folder + '.
 assert not os.path.exists(folder) and not os.path.exists(folder + '.step')
 done()
 """, folder=tmp_path / "out")
+
+
+def test_a_target_is_checked_and_sizes_that_do_are_taken(freecad):
+    freecad(NEW + """
+design = document.new_design(made, 'mask')
+design.L, design.HBody = 14, 28
+found = actions.check(design)
+assert made.UndoNames[0] == 'Check' and design.Verdict == 'not judged', design.Verdict
+blocked = found['feasibility'].blocked
+assert blocked and not found['feasibility'].feasible
+best = found['sizes'].H_body
+assert 1 < best < 28, best
+assert design.Target.Mesh.CountFacets == len(found['feasibility'].F)
+assert actions.check(design)['feasibility'] is not None
+design.HBody = best
+assert actions.check(design)['feasibility'].feasible
+
+chosen = actions.choose_sizes(design, ('H_body',))
+assert made.UndoNames[0] == 'Choose Sizes' and set(chosen) == {'H_body'}
+assert 0 < design.HBody.Value == chosen['H_body'] <= 3 / 7 * 14, chosen
+design.setExpression('L', '5 mm + 6 mm')
+said = refused(actions.choose_sizes, design)
+assert 'L follows an expression' in said, said
+design.setExpression('L', None)
+design.Fidelity = 0.6
+chosen = actions.choose_sizes(design)
+assert design.L.Value == chosen['L'] and design.HBody.Value == chosen['H_body']
+done()
+""")
+
+
+def test_a_profile_sets_what_suits_a_printer_and_nothing_else(freecad):
+    freecad(NEW + """
+design = document.new_design(made, 'half-sphere')
+design.Tau = 4
+before = {name: getattr(design, name) for name in design.PropertiesList}
+actions.apply_profile(design, 'fdm')
+assert made.UndoNames[0] == 'Apply Profile'
+assert (design.L.Value, design.Printer, design.Bumps, design.Tau) == (10, 'fdm', 'none', 4), design.L
+actions.apply_profile(design, '')
+changed = [name for name, value in before.items()
+           if name not in ('Reasons',) and str(getattr(design, name)) != str(value)]
+assert changed == [], changed
+done()
+""")

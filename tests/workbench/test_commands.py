@@ -317,7 +317,7 @@ def work():
     write_button.click()
     at_rest()
     picture('exported')
-    assert 'files are in' in line.text(), line.text()
+    assert 'files in' in line.text(), line.text()
     assert os.path.exists(os.path.join(out, 'half-sphere-print.step'))
     FreeCADGui.Control.closeDialog()
     settle(100)

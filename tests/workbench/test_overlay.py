@@ -134,7 +134,7 @@ def work():
     weak = dataclasses.replace(one, limit=float(np.sort(one.values)[3]))
     overlay.show_scene(dataclasses.replace(scene, fields={**scene.fields, one.name: weak}))
     assert 0 < len(weak.problems) <= 3
-    assert overlay.legend.content.marks == (('cross', f'{len(weak.problems)} contacts below f_min'),)
+    assert overlay.legend.content.marks == (('cross', f'contacts below f_min: {len(weak.problems)}'),)
     marked = picture(view, 'marked')
     for point in scene.places(weak, weak.problems, scene.flat):
         x, y = on_screen(view, point)
@@ -271,7 +271,7 @@ def work():
     settle(300)
     assert overlay.scene is not before and overlay.note == ''
     assert np.allclose(overlay.scene.flat[:, 0, 2] - overlay.scene.flat[:, 3, 2], 2.0)
-    assert overlay.field().note == 'out of date (H_body)', overlay.field().note
+    assert overlay.field().changed == ('H_body',), overlay.field().changed
     assert 'out of date (H_body)' in overlay.legend.content.notes
     # What can't be built leaves the last picture, with the reason.
     shown = overlay.scene
@@ -283,7 +283,7 @@ def work():
     design.HBody = 3.0
     document.recompute()
     settle(300)
-    assert overlay.note == '' and overlay.field().note == ''
+    assert overlay.note == '' and overlay.field().changed == ()
     assert np.allclose(overlay.scene.flat, before.flat)
     # What a solver has at hand, and the end of that.
     native_design = documents.design_project_of(design).latest('design').design

@@ -13,6 +13,9 @@ for _number in range(3):
         os.open(os.devnull, os.O_RDWR)
 sys.stderr = sys.stderr or open(os.devnull, "w")
 
+# Our results need BLAS on one thread, and OpenBLAS waits for ever, as it is loaded, for the memory of others.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 from ..errors import NOT_WRITTEN  # noqa: E402
 from . import main  # noqa: E402
 

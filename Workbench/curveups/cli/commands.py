@@ -11,7 +11,7 @@ from ..errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
 from ..files import write_check, write_obj, write_results, write_verification
 from ..native import native, translated
 from ..output import Folder, is_text, plain_name, require_folder_name, safe_name
-from ..profiles import profile_path
+from ..profiles import ABOUT, profile_path
 from ..progress import Interrupt, Reporter
 from ..project import Project, Results
 from ..report import check as check_report
@@ -185,7 +185,7 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
     profile = [profile_path(options.profile)] if options.profile else []
     for path in (*profile, *options.config):
         for name, value in read_json_object(path).items():
-            if name != "about":  # a note of the file's author
+            if name != ABOUT:
                 put(name, value, str(path))
     for name, text in _settings(options.settings):
         put(name, text, f"--set {name}")

@@ -6,11 +6,12 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-_FILES = ("new_design", "target", "cuts", "solve", "verify", "repair", "build_solids", "show_flat",
-          "show_actuated", "show_solids", "overlay", "worst_contacts", "export", "report", "examples",
-          "restore_objects", "solver_status")
+_FILES = ("new_design", "target", "check", "cuts", "solve", "verify", "repair", "build_solids",
+          "show_flat", "show_actuated", "show_solids", "overlay", "worst_contacts", "export", "report",
+          "examples", "restore_objects", "solver_status")
 # What a right click on a design, or beside it, is likely to want.
-_CONTEXT = ("solve", "verify", "cuts", "show_flat", "show_actuated", "show_solids", "export", "report")
+_CONTEXT = ("solve", "verify", "check", "cuts", "show_flat", "show_actuated", "show_solids", "export",
+            "report")
 
 
 def register() -> tuple[str, ...]:

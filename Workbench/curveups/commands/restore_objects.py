@@ -23,8 +23,8 @@ class RestoreObjects(Command):
 
     def run(self) -> None:
         mended = registry.restore(FreeCAD.ActiveDocument)
-        FreeCAD.Console.PrintMessage(translate("CurveUps", "{count} objects were restored", count=len(mended))
-                                     + "\n")
+        said = translate("CurveUps", "objects that were restored: {count}", count=len(mended))
+        FreeCAD.Console.PrintMessage(f"{said}\n")
 
 
 COMMAND = RestoreObjects()

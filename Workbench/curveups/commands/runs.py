@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs of a design from the window: what Solve, Verify, Repair and Build Solids share."""
+"""Runs of a design from the window: what Check, Solve, Verify, Repair and Build Solids share."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def reason(which: str, design: Any) -> str:
         return str(wrong)
     if LIVE.busy:
         return translate("CurveUps", "CurveUps is at work: stop or cancel that first")
-    if which != "solve" and state_of(design, "Layout")[0] == "empty":
+    if not actions.RUNS[which].of_target and state_of(design, "Layout")[0] == "empty":
         return translate("CurveUps", "There is no layout yet: Solve makes it")
     return ""
 

@@ -40,7 +40,7 @@ def solver_status() -> list[tuple[str, str]]:
                                                      "stored"))]
     else:
         rows.append((translate("CurveUps_SolverStatus", "State"),
-                     translate("CurveUps_SolverStatus", "ready, on {count} threads", count=threads)))
+                     translate("CurveUps_SolverStatus", "ready; threads: {count}", count=threads)))
     return rows
 
 

@@ -10,16 +10,18 @@ from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Callable, Iterator, Optional, Sequence
+from typing import Any, Callable, Collection, Iterator, Optional, Sequence
 
+from .. import profiles
+from ..errors import CurveUpsError
 from ..exports import Choice, File, choices, write_export, write_step
 from ..exports import report as write_report
 from ..output import safe_name
 from ..project import Project, Results
-from ..stages import DESIGNED
+from ..stages import DESIGNED, sizes
 from ..stages.layout import Layout
 from ..stages.stage import Job
-from . import live, rebuild, status
+from . import live, properties, rebuild, status
 from .document import state_of, take, take_bodies
 
 Work = Callable[[Job], Results]
@@ -36,6 +38,11 @@ class Run:
     anew: bool = False
     strict: bool = False
 
+    @property
+    def of_target(self) -> bool:
+        """Whether it starts from the target; otherwise there has to be a layout."""
+        return self.project is live.project_of
+
 
 def _repaired(design: Any) -> Project:
     """Starts from the layout as it stands, which may have been repaired or stopped before."""
@@ -48,6 +55,7 @@ def _repaired(design: Any) -> Project:
 
 
 RUNS = {
+    "check": Run("Check", ("feasibility", "sizes"), live.project_of),
     "solve": Run("Solve", DESIGNED, live.project_of, anew=True),
     "verify": Run("Verify", VERIFIED, live.design_project_of),
     "repair": Run("Repair", ("design", *VERIFIED), _repaired),
@@ -77,6 +85,55 @@ def prepare(which: str, design: Any) -> tuple[Project, Work]:
 def hand_over(which: str, design: Any, made: Any) -> None:
     """What a thread has made, for the function of its name, which then does not work again."""
     _made[which, design.Document.Name, design.Name] = made
+
+
+def check(design: Any) -> Results:
+    """What of the target can be tiles, before any layout, and sizes that would do: "feasibility" and
+    "sizes" of the results."""
+    return _run("check", design)
+
+
+def choose_sizes(design: Any, names: Collection[str] = sizes.AUTOMATIC) -> dict[str, float]:
+    """Sets the length L of the tiles, their thickness H_body or both to what `auto` is on the command line:
+    the largest values that can be made and stay within `fidelity` of the surface. Raises CurveUpsError where
+    there are none, or where an expression says what they are."""
+    found = _made.pop(("choose_sizes", design.Document.Name, design.Name), None)
+    if found is None:
+        found = sizes_work(design, names)(Job())
+    with transaction(design.Document, "Choose Sizes"):
+        for name, value in found.items():
+            properties.write_parameter(design, name, value)
+    return found
+
+
+def sizes_work(design: Any, names: Collection[str]) -> Callable[[Job], dict[str, float]]:
+    """The same for any thread; nothing is set."""
+    refuse_bound(design, names)
+    project = live.project_of(design).copy()
+
+    def work(job: Job) -> dict[str, float]:
+        target = project.run(("target",), job)["target"]
+        return sizes.choose(target, project.latest("cut request"), project.parameters, names, job,
+                            project.where)
+
+    return work
+
+
+def refuse_bound(design: Any, names: Collection[str]) -> None:
+    """Raises CurveUpsError where an expression says what one of these parameters is: it would win."""
+    bound = {path.lstrip(".") for path, _ in design.ExpressionEngine}
+    for name in map(properties.property_name, names):
+        if name in bound:
+            raise CurveUpsError(f"{name} follows an expression", design.Label, "take the expression away")
+
+
+def apply_profile(design: Any, name: str) -> None:
+    """Sets the parameters that suit a kind of printer (profiles.py), and leaves the others alone; "" sets
+    those that any profile names to their defaults."""
+    values = profiles.parameters(name)
+    with transaction(design.Document, "Apply Profile"):
+        for parameter, value in values.items():
+            properties.write_parameter(design, parameter, value)
 
 
 def solve(design: Any) -> Results:

@@ -12,7 +12,7 @@ from .. import __version__
 from ..errors import CurveUpsError
 from ..native import native, problem
 from ..project import Project
-from . import figures, migration, properties, rebuild, status, target
+from . import figures, live, migration, properties, rebuild, status, target
 from .copies import own_parts
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, show, write
 
@@ -51,8 +51,8 @@ class DesignProxy(Proxy):
             READ_ONLY)
         if not obj.CurveUpsVersion:
             obj.CurveUpsVersion = __version__
-        if problem() is None:
-            properties.add_parameters(obj, native.Parameters())
+        if problem() is None and properties.lacks_parameters(obj):
+            properties.add_parameters(obj, live.made_with(obj))
 
     def execute(self, obj: Any) -> None:
         """Without a window, makes the solids for the values as they are; with one they follow after the

@@ -194,7 +194,7 @@ def _take_design(obj: Any, results: Results, solved: bool) -> None:
         write(obj, "Judged", json.dumps({
             "valid": verdict.valid, "reasons": list(verdict.reasons),
             "parameters": {name: value for name, value in values.items()
-                           if name in read and properties.tier_of(obj, name) in ("rebuild", "verify")}}))
+                           if name in read and properties.tier_of(obj, name) != "layout"}}))
     write_figures(obj, results)
 
 

@@ -42,7 +42,7 @@ def design_project_of(obj: Any) -> Project:
     finished = stored(obj).latest("design")
     if finished is None:
         raise CurveUpsError("there is no layout yet" if are_intact(obj) else SPOILT, obj.Label, "run Solve")
-    parameters = properties.read_parameters(obj, _base(finished), ("rebuild", "verify"))
+    parameters = properties.read_parameters(obj, _base(finished), ("rebuild", "verify", "files"))
     proxy = obj.Proxy
     if proxy.standing is None or proxy.standing.latest("design").content != finished.content:
         # Not the verification that came with it: that is known by what it was made from.
@@ -57,6 +57,16 @@ def settings_of(obj: Any) -> Any:
     """The native Parameters that the properties say. Raises CurveUpsError that names property, range
     and remedy."""
     return properties.read_parameters(obj, _base(stored(obj).latest("design")))
+
+
+def made_with(obj: Any) -> Any:
+    """The native Parameters of the layout that a Design holds; the defaults where it holds none that can be
+    read."""
+    try:
+        finished = stored(obj).latest("design") if getattr(obj, "Results", "") else None
+    except CurveUpsError:
+        finished = None
+    return native.Parameters() if finished is None else finished.design.parameters
 
 
 def _as_asked(project: Project, parameters: Any) -> Any:

@@ -23,12 +23,15 @@ UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
 
 # In order of work: the property editor sorts groups by name. With what has to follow a change.
 _TIERS = {"Target": "layout", "Tiles": "rebuild", "Layout": "layout", "Physics": "verify",
-          "Repair": "layout", "Bumps": "rebuild", "Support": "rebuild", "Anchors": "rebuild"}
+          "Repair": "layout", "Bumps": "rebuild", "Support": "rebuild", "Anchors": "rebuild",
+          "Files": "files"}
 GROUPS = {name: f"{number} {name}" for number, name in enumerate(_TIERS, 1)}
 RESULT, FIGURES = "0 Result", "9 Figures"
 
 WHEN = {"rebuild": "Takes effect at once.", "verify": "Takes effect with Verify.",
-        "layout": "Takes effect with Solve."}
+        "layout": "Takes effect with Solve.",
+        "files": "Takes effect with the next export."}
+TIERS = tuple(WHEN)
 
 
 def property_name(parameter: str) -> str:
@@ -42,8 +45,8 @@ def rows() -> Iterator[Any]:
 
 
 def tier_of(obj: Any, name: str) -> str:
-    """What has to follow a change of property `name`: rebuild, verify or layout; empty for one that is
-    no parameter. Known without the native module."""
+    """What has to follow a change of property `name`: rebuild, verify, layout or, of print files alone,
+    files; empty for one that is no parameter. Known without the native module."""
     if name not in obj.PropertiesList:
         return ""
     return _TIERS.get(obj.getGroupOfProperty(name)[2:], "")
@@ -76,6 +79,11 @@ def tip_of(row: Any) -> str:
     return f"{row.meaning}{_range(row)} {WHEN[_TIERS[row.group]]}"
 
 
+def lacks_parameters(obj: Any) -> bool:
+    """Whether there are parameters that `obj` has no property for: it is of an older version."""
+    return any(property_name(row.name) not in obj.PropertiesList for row in rows())
+
+
 def write_parameters(obj: Any, parameters: Any) -> None:
     """Sets the properties that differ from `parameters`; expressions on them stay and win."""
     for row in rows():
@@ -89,7 +97,7 @@ def write_parameter(obj: Any, name: str, value: Any) -> None:
         _set(obj, row, value)
 
 
-def read_parameters(obj: Any, base: Any, tiers: Collection[str] = ("rebuild", "verify", "layout")) -> Any:
+def read_parameters(obj: Any, base: Any, tiers: Collection[str] = TIERS) -> Any:
     """The parameters that the properties say, with `base` for what is no property or of another tier; a
     property that is equal up to the digits which a document keeps leaves the parameter its bits. Raises
     CurveUpsError."""

@@ -14,6 +14,7 @@ from typing import Any, Callable, Mapping
 import numpy as np
 
 from ..native import native
+from ..stages.feasibility import SAG
 
 TILE, SIDE, CONTACT, MEMBRANE = "tile", "side", "contact", "membrane"
 
@@ -23,7 +24,7 @@ class Field:
     """`unit`: as FreeCAD spells it, empty for ratios. `on`: what there is a value for: every tile (M), the
     front and back of every tile (M x 2), every contact (N), or every triangle of the membranes. `limit`:
     values on the `bad` side of it ("low", "high") are problems, marked by `mark`. `signed`: 0 is the
-    middle. `note`: why the values are not those of the design as it stands; empty where they are."""
+    middle. `changed`: what has changed since the values were made; none where they are the design's."""
 
     name: str
     unit: str
@@ -34,7 +35,7 @@ class Field:
     mark: str = ""
     problem: str = ""
     signed: bool = False
-    note: str = ""
+    changed: tuple[str, ...] = ()
     shape: tuple[int, ...] = (0,)
 
     @cached_property
@@ -111,6 +112,23 @@ def target_fields(V: np.ndarray, F: np.ndarray, cuts: np.ndarray, parameters: An
               shape=(len(F),))]
 
 
+def check_fields(found: Any, parameters: Any, contacts: np.ndarray) -> list[Field]:
+    """Of a target that was checked (stages/feasibility.py): margins, after pins have made room for
+    themselves, and the tiles that something is in the way of, by how many things that are."""
+    count = len(found.F)
+    margins = {"contact_tiles": found.contacts, "fold_room": found.fold_room}
+    floor = parameters.get("A_pin_floor") - parameters.get("A_pin_min")
+    tiles = [one.tile for one in found.blocked]
+    return [
+        Field("Fold margin", "deg", CONTACT, lambda: aligned(margins, "fold_room", contacts), "low", 0.0,
+              shape=(len(contacts),)),
+        Field("Pin room", "mm^2", SIDE, lambda: found.pin_room, "low", floor, shape=(count, 2)),
+        Field("Membrane room", "mm", SIDE, lambda: found.membrane_room, "low",
+              SAG * parameters.get("H_pin"), shape=(count, 2)),
+        Field("Obstacles", "", TILE, lambda: np.bincount(tiles, minlength=count), "high", 0.5, "cross",
+              problem="tiles that can't be made or are likely to fail", shape=(count,))]
+
+
 def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
     """Of a layout without its membranes."""
     found = cache(lambda: native.design_fields(design))
@@ -135,7 +153,8 @@ def deviation_field(V: np.ndarray, F: np.ndarray, source_V: np.ndarray, source_F
     return Field("Deviation", "mm", TILE, make, "high", shape=(len(F),))
 
 
-def force_fields(verification: Any, contacts: np.ndarray, parameters: Any, note: str) -> list[Field]:
+def force_fields(verification: Any, contacts: np.ndarray, parameters: Any,
+                 changed: tuple[str, ...]) -> list[Field]:
     """Of the physical model."""
     arrays, blocks = verification.arrays, verification.blocks
     forces = blocks.get("contact_forces", {})
@@ -148,11 +167,11 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any, note:
     if "contact_normal_min" in arrays:
         fields.append(Field("Normal force", "N", CONTACT,
                             lambda: aligned(arrays, "contact_normal_min", contacts), "low", f_min, "cross",
-                            problem="contacts below f_min", note=note))
+                            problem="contacts below f_min", changed=changed))
     if "contact_friction_ratio" in arrays:
         fields.append(Field("Friction ratio", "", CONTACT,
                             lambda: aligned(arrays, "contact_friction_ratio", contacts), "high",
-                            slipping, "triangle", problem="contacts may slip", note=note))
+                            slipping, "triangle", problem="contacts may slip", changed=changed))
     return fields
 
 

@@ -22,7 +22,7 @@ from .fields import MEMBRANE, Field
 from .figure import Figure
 from .legend import Content, Dragging, Legend, arrange
 from .nodes import fill
-from .scene import NO_FIELD, Membrane, Scene, scene_of
+from .scene import NO_FIELD, Membrane, Scene, scene_of, target_scene_of
 from .units import text_of
 
 AUTOMATIC = "Automatic"
@@ -53,6 +53,7 @@ class Overlay:
         self._drawn_at = 0.0
         self._dragging: list[Dragging] = []
         self._waiting = False
+        self.shows_target = False           # the target before any layout, though there may be one
         self.observers: list[Callable[[], None]] = []  # called when what is shown has changed
         self.folding: Any = None                       # what moves the tiles just now
         self.closed = False
@@ -100,19 +101,25 @@ class Overlay:
         self._waiting = self._iterating = False
         try:
             project = project_of(self.object)
-            if project.latest("design") is not None:
+            if project.latest("design") is not None and not self.shows_target:
                 project = design_project_of(self.object)
-            shown = _State(project)
+            shown = _State(project, self.shows_target)
             if shown.same(self._shown) and not self.note:
                 return
             with translated(self.object.Label):
-                scene = scene_of(project)
+                scene = (target_scene_of if self.shows_target else scene_of)(project)
         except CurveUpsError as error:
             self.note = error.what + (f" ({error.remedy})" if error.remedy else "")
             self._explain()
             return
         self.note, self._shown = "", shown
         self._take(scene)
+
+    def show_target(self, shown: bool) -> None:
+        """Draws the target as it is before any layout, with the margins of its tiles where it was checked,
+        until it is told not to."""
+        self.shows_target = shown
+        self.refresh()
 
     def set_iterate(self, T: np.ndarray, q: np.ndarray) -> None:
         """Draws a layout that a solver has at hand (M x 3 x 2 and M x 2 x 3, mm) until `show_design`.
@@ -211,6 +218,13 @@ class Overlay:
     def set_field(self, name: str) -> None:
         """Colours by a field; "None": tiles are plain. A field that there is not yet shows once there is."""
         self._view.Field = name
+
+    @staticmethod
+    def age(one: Optional[Field]) -> str:
+        """Says that a field's values are not those of the design as it stands; empty where they are."""
+        if one is None or not one.changed:
+            return ""
+        return translate("CurveUps_Overlay", "out of date ({changed})", changed=", ".join(one.changed))
 
     def range(self) -> tuple[float, float]:
         """Of the field that is shown, in its unit."""
@@ -401,11 +415,11 @@ class Overlay:
         one, notes = self.field(), []
         if self._iterating:
             notes.append(translate("CurveUps_Overlay", "as the solver has it"))
-        if one is not None and one.note:
-            notes.append(one.note)
+        if self.age(one):
+            notes.append(self.age(one))
         if self.note:
             notes.append(translate("CurveUps_Overlay", "not as it is now: {why}", why=self.note))
-        marks = tuple((field.mark, f"{len(field.problems)} {translate('CurveUps_Fields', field.problem)}")
+        marks = tuple((field.mark, f"{translate('CurveUps_Fields', field.problem)}: {len(field.problems)}")
                       for field in self._problems())
         if one is None:
             title = self.object.Label
@@ -449,12 +463,13 @@ class Overlay:
 class _State:
     """What a scene is made from: equal for projects that are drawn alike."""
 
-    STAGES = ("target", "fairing", "relief", "cuts", "layout", "design", "verification of the layout",
-              "verification")
+    STAGES = ("target", "feasibility", "fairing", "relief", "cuts", "layout", "design",
+              "verification of the layout", "verification")
 
-    def __init__(self, project: Any):
+    def __init__(self, project: Any, of_target: bool):
         self._made = [project.latest(name) for name in self.STAGES]
-        self._values = project.parameters.to_dict(), project.out_of_date("verification")
+        self._values = (project.parameters.to_dict(), project.out_of_date("verification"),
+                        project.out_of_date("feasibility"), of_target)
 
     def same(self, other: Optional["_State"]) -> bool:
         return other is not None and self._values == other._values and all(

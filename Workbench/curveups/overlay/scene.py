@@ -10,7 +10,8 @@ from typing import Any, Optional
 import numpy as np
 
 from ..native import native
-from .fields import (MEMBRANE, SIDE, TILE, Field, design_fields, deviation_field, force_fields,
+from ..stages.cut_request import resolve_cuts
+from .fields import (MEMBRANE, SIDE, TILE, Field, check_fields, design_fields, deviation_field, force_fields,
                      target_fields)
 from .motion import Motion
 from .prisms import SLOTS
@@ -139,18 +140,57 @@ def scene_of(project: Any) -> Optional[Scene]:
         made = project.latest(name)
         if made is not None:
             return _of_design(project, made.design.with_parameters(parameters))
-    target = project.latest("target")
+    return target_scene_of(project)
+
+
+def target_scene_of(project: Any) -> Optional[Scene]:
+    """Of a Project's target as it is before any layout, though there may be one."""
+    parameters, target = project.parameters, project.latest("target")
     if target is None:
         return None
-    moved = project.latest("relief") or project.latest("fairing")
-    V = target.V if moved is None else moved.V
-    cuts = project.latest("cuts")
+    names = ("feasibility", "relief", "fairing", "cuts")
+    check, relief, fairing, cuts = (_current(project, name) for name in names)
+    V = next((one.V for one in (check, relief, fairing) if one is not None), target.V)
     edges = np.empty((0, 2), np.int32) if cuts is None else cuts.edges
-    shapes = native.tile_shapes_at(V, target.F, edges, parameters)
-    found = target_fields(V, target.F, edges, parameters, shapes.contacts, True)
-    found += _deviation(project, V, target.F)
-    return Scene(V, target.F, edges, parameters, **shapes_of(shapes, parameters),
-                 fields={one.name: one for one in found})
+    if check is not None and cuts is None:
+        edges = resolve_cuts(project.latest("cut request"), (fairing or target).V, target.F)
+    try:
+        shapes = shapes_of(native.tile_shapes_at(V, target.F, edges, parameters), parameters)
+    except native.Error:
+        if check is None:
+            raise
+        shapes = _plates(V, target.F, check.contacts)  # it is to be seen why there are no tiles
+    contacts = shapes["contacts"]
+    fields = check_fields(check, parameters, contacts) if check is not None else []
+    known = {one.name for one in fields}
+    fields += [one for one in target_fields(V, target.F, edges, parameters, contacts, True)
+               if one.name not in known]
+    fields += _deviation(project, V, target.F)
+    return Scene(V, target.F, edges, parameters, **shapes, fields={one.name: one for one in fields})
+
+
+def _plates(V: np.ndarray, F: np.ndarray, contacts: np.ndarray) -> dict[str, Any]:
+    """The front faces as thin plates without pins: members of a Scene as `shapes_of` gives them."""
+    front = V[F]
+    across = np.cross(front[:, 1] - front[:, 0], front[:, 2] - front[:, 0])
+    size = np.sqrt(np.linalg.norm(across, axis=1, keepdims=True))
+    back = front - (_PLATE * across / size)[:, None]
+    sides = np.empty((len(contacts), 2), int)
+    for number, (a, b) in enumerate(contacts):
+        for k, (tile, other) in enumerate(((a, b), (b, a))):
+            shared = np.isin(F[tile], F[other])  # edge t is that of the corners t and t + 1
+            sides[number, k] = int(np.argmax(shared & np.roll(shared, -1)))
+    return {"actuated": np.concatenate([front, back], axis=1), "flat": None,
+            "actuated_pins": np.empty((0, 2, 6, 3)), "flat_pins": np.empty((0, 2, 6, 3)),
+            "contacts": np.asarray(contacts).reshape(-1, 2), "sides": sides}
+
+
+_PLATE = 0.05  # their thickness over about their edge
+
+
+def _current(project: Any, name: str) -> Any:
+    """A result that belongs to the target as it is; None where there is none."""
+    return project.latest(name) if project.out_of_date(name) == () else None
 
 
 def _of_design(project: Any, design: Any) -> Scene:
@@ -160,8 +200,8 @@ def _of_design(project: Any, design: Any) -> Scene:
         made = project.latest(name)
         made = getattr(made, "verification", made)
         if made is not None and made.judged and len(made.design.F) == len(design.F):
-            note = _note(project.out_of_date(name))
-            fields += force_fields(made, shapes.contacts, parameters, note)
+            changed = project.out_of_date(name) or ()
+            fields += force_fields(made, shapes.contacts, parameters, changed)
             break
     fields += design_fields(design, shapes.contacts)
     fields += _deviation(project, design.V, design.F)
@@ -174,10 +214,6 @@ def _deviation(project: Any, V: np.ndarray, F: np.ndarray) -> list[Field]:
     """None where the surface before remeshing is not known: of a design file, say."""
     target = project.latest("target")
     return [] if target is None else [deviation_field(V, F, *target.given)]
-
-
-def _note(changed: Any) -> str:
-    return f"out of date ({', '.join(changed)})" if changed else ""
 
 
 def _height(parameters: Any) -> float:

@@ -287,8 +287,8 @@ class CutsPanel(Following):
         self._soft.show(self._overlay)
         count = len(self._soft.weak)
         self.form.doing.setText(translate(
-            "CurveUps_Cuts", "Quick layout in {seconds:.1f} s; {count} contacts are likely to be weak (marked"
-            " by triangles). Solve makes the real one.", seconds=self._soft.seconds, count=count))
+            "CurveUps_Cuts", "Quick layout in {seconds:.1f} s; contacts that are likely to be weak (marked by"
+            " triangles): {count}. Solve makes the real one.", seconds=self._soft.seconds, count=count))
         self._draw()
 
     def _stop_soft(self) -> None:

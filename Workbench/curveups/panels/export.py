@@ -113,7 +113,7 @@ class ExportPanel:
         actions.hand_over("export", design, names)
         call("actions.export", named(design), repr(folder), repr(choice.files), repr(choice.mask),
              repr(choice.deviation), repr(choice.reports), repr(choice.insist))
-        self._say(escape(translate("CurveUpsExport", "{count} files are in {folder}", count=len(names),
+        self._say(escape(translate("CurveUpsExport", "files in {folder}: {count}", count=len(names),
                                    folder=folder)))
         FreeCAD.Console.PrintMessage(f"CurveUps: {', '.join(names)} -> {folder}\n")
 

@@ -67,7 +67,7 @@ class OverlayPanel(Following):
             form.membranes.setEnabled(flat)
             form.morph.setValue(round(_STEPS * overlay.morph()))
             self._show_range(one)
-            form.note.setText((one.note if one else "") or overlay.note)
+            form.note.setText(overlay.age(one) or overlay.note)
             form.note.setVisible(bool(form.note.text()))
             self._show_values()
         finally:

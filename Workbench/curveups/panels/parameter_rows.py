@@ -4,7 +4,8 @@ fields with expressions and the user's units. Edits reach the document when the 
 
 from __future__ import annotations
 
-from typing import Any, Callable
+from types import MappingProxyType
+from typing import Any, Callable, Mapping
 
 import FreeCADGui
 
@@ -20,9 +21,10 @@ Changed = Callable[[], object]
 
 class ParameterRows:
     """Fields for some properties of one object, put into the layout `place`. changed: called after
-    properties were set."""
+    properties were set. beside: makes what stands beside the field of a property, by its name."""
 
-    def __init__(self, place: Any, obj: Any, names: list[str], changed: Changed):
+    def __init__(self, place: Any, obj: Any, names: list[str], changed: Changed,
+                 beside: Mapping[str, Callable[[], Any]] = MappingProxyType({})):
         self._object, self._changed = obj, changed
         self._page = QtWidgets.QWidget()
         form = QtWidgets.QFormLayout(self._page)
@@ -40,7 +42,7 @@ class ParameterRows:
             field.setToolTip(translate("App::Property", obj.getDocumentationOfProperty(name)))
             label = QtWidgets.QLabel(_spaced(name))
             label.setToolTip(field.toolTip())
-            form.addRow(label, field)
+            form.addRow(label, _in_row(field, beside[name]()) if name in beside else field)
             self._fields[name] = field
         place.addWidget(self._page)
         self.refresh()
@@ -143,6 +145,13 @@ class ParameterRows:
         field = self._fields.get(name)
         if field is not None:
             self._edit(name, field.property(which))
+
+
+def _in_row(field: Any, other: Any) -> Any:
+    row = QtWidgets.QHBoxLayout()
+    row.addWidget(field, 1)
+    row.addWidget(other)
+    return row
 
 
 def _value_of(field: Any) -> str:

@@ -5,19 +5,24 @@ commands that run something; a run goes on when it is closed."""
 from __future__ import annotations
 
 import time
+from functools import partial
 from html import escape
 from typing import Any, Callable, Optional
 
 import FreeCAD
 import FreeCADGui
 
+from .. import profiles
 from ..commands import runs
+from ..commands.command import call, named
 from ..commands.notice import errors_shown, select_tiles, show_in, with_links
 from ..errors import CurveUpsError
 from ..features import properties
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, load_ui, translate
+from ..stages.sizes import AUTOMATIC
 from ..worker import Status
 from . import preferences
+from .check import choose_sizes
 from .curves import Curves
 from .edits import Edits
 from .live import LIVE
@@ -53,7 +58,17 @@ _GROUPS = {
     "Bumps": QT_TRANSLATE_NOOP("CurveUpsSolve", "Bumps"),
     "Support": QT_TRANSLATE_NOOP("CurveUpsSolve", "Support"),
     "Anchors": QT_TRANSLATE_NOOP("CurveUpsSolve", "Anchors"),
+    "Files": QT_TRANSLATE_NOOP("CurveUpsSolve", "Files"),
 }
+# What properties say in English; the panel translates it.
+_STATES = (
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "valid"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "not valid"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "not judged"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "out of date"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "empty"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "invalid"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "running"))
 DONE, RUNNING, WAITING = "✓", "▶", "·"
 
 _open: Optional["SolvePanel"] = None
@@ -187,7 +202,44 @@ class SolvePanel:
         self._edits = Edits(self.design, names)
         form.revert.clicked.connect(lambda: self._revert())
         form.remember.clicked.connect(lambda: preferences.remember(self.design, names))
+        self._prepare_profiles()
         self._show_group()
+
+    def _prepare_profiles(self) -> None:
+        menu = QtWidgets.QMenu(self.form.profile)
+        menu.setToolTipsVisible(True)
+        for name in ("", *profiles.profile_names()):
+            action = menu.addAction(name.upper() or translate("CurveUpsSolve", "Standard"))
+            action.setToolTip(profiles.about(name) if name else translate(
+                "CurveUpsSolve", "The defaults of all that a profile sets"))
+            action.triggered.connect(lambda *_, name=name: self._apply_profile(name))
+        self.form.profile.setMenu(menu)
+
+    def _apply_profile(self, name: str) -> None:
+        if self._rows:
+            self._rows.flush()
+        with errors_shown(translate("CurveUpsSolve", "Profile")):
+            call("actions.apply_profile", named(self.design), repr(name))
+            self.design.Document.recompute()
+        if self._rows:
+            self._rows.refresh()
+        self._show_verdict()
+
+    def _automatic(self, name: str) -> Any:
+        """The button beside a size that looks for the largest that can be made."""
+        button = QtWidgets.QToolButton()
+        button.setObjectName(f"auto_{name}")
+        button.setText(translate("CurveUpsSolve", "Auto"))
+        button.setToolTip(translate("CurveUpsSolve", "Look for the largest value with which all tiles can be "
+                                    "made; of lengths, as long as the surface stays within Fidelity"))
+        button.clicked.connect(lambda *_: self._choose(name))
+        return button
+
+    def _choose(self, name: str) -> None:
+        if self._rows:
+            self._rows.flush()
+        self._say("")
+        choose_sizes(self.design, (name,))
 
     def turn_to(self, name: str) -> None:
         """Turns to a group of parameters; one that there is not is no harm."""
@@ -200,7 +252,8 @@ class SolvePanel:
             self._rows.flush()
             self._rows.close()
         names = self._groups.get(self.form.group.currentData(), [])
-        self._rows = ParameterRows(self.form.rows, self.design, names, self._edited)
+        beside = {properties.property_name(name): partial(self._automatic, name) for name in AUTOMATIC}
+        self._rows = ParameterRows(self.form.rows, self.design, names, self._edited, beside)
 
     def _revert(self) -> None:
         if self._rows:
@@ -223,7 +276,7 @@ class SolvePanel:
 
     def _show_verdict(self) -> None:
         state = self.design.Status
-        head = self.design.Verdict if state == "current" else state
+        head = translate("CurveUpsSolve", self.design.Verdict if state == "current" else state)
         lines = "<br>".join(with_links(text) for text in self.design.Reasons[:6])
         self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"
                                   + (f"<br>{lines}" if lines else ""))

@@ -50,8 +50,8 @@ class WorstContactsPanel(Following):
                 self._shown = None
                 return
             form.field.setCurrentIndex(form.field.findData(one.name))
-            form.note.setText(one.note)
-            form.note.setVisible(bool(one.note))
+            form.note.setText(self._overlay.age(one))
+            form.note.setVisible(bool(one.changed))
             schema = FreeCAD.Units.getSchema()
             if (one, schema) != self._shown:
                 self._fill(one)
@@ -75,8 +75,8 @@ class WorstContactsPanel(Following):
                 rows.setItem(row, column, QtWidgets.QTableWidgetItem(text))
         left = len(one.order) - len(worst)
         self.form.count.setText(
-            translate("CurveUps_WorstContacts", "{count} have problems", count=len(problems))
-            + (translate("CurveUps_WorstContacts", "; {left} better ones are not listed", left=left)
+            translate("CurveUps_WorstContacts", "with problems: {count}", count=len(problems))
+            + (translate("CurveUps_WorstContacts", "; better ones that are not listed: {left}", left=left)
                if left else ""))
 
     def _set_field(self) -> None:

@@ -54,7 +54,8 @@ class VerificationView(PartView):
 _BUILT = ("CurveUps_BuildSolids", "CurveUps_ShowSolids", "CurveUps_Export")
 # Icon, menu and group of parameters by kind of body; a target has none.
 _SHAPES: dict[str, tuple[str, tuple[str, ...], str]] = {
-    "": ("CurveUps_Target", ("CurveUps_Target", "CurveUps_Cuts", "CurveUps_Solve"), "Target"),
+    "": ("CurveUps_Target", ("CurveUps_Target", "CurveUps_Check", "CurveUps_Cuts", "CurveUps_Solve"),
+         "Target"),
     "tiles": ("CurveUps_Tiles", _BUILT, "Tiles"),
     "support": ("CurveUps_Support", _BUILT, "Support"),
     "anchors": ("CurveUps_Anchors", _BUILT, "Anchors")}

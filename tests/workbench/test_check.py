@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The check of a target, sizes that are chosen and profiles of printers, by mouse in a real window."""
+
+import shutil
+
+import pytest
+from test_commands import START
+from window import run_in_window
+
+pytestmark = pytest.mark.skipif(not shutil.which("xvfb-run"), reason="there is no xvfb-run")
+
+CHECK = START + """
+from curveups.overlay import overlay_of
+from curveups.overlay.overlay import Overlay
+
+def checking(form):
+    until(lambda: live().busy or form.verdict.text(), 10, 'the check')
+    at_rest()
+"""
+
+
+def run(text, homes, tmp_path, **names):
+    out = run_in_window(CHECK + text, homes[True], tmp_path, pictures=tmp_path / "pictures", **names)
+    assert "Traceback" not in out, out
+
+
+def test_a_check_says_what_is_in_the_way_and_sizes_that_do(homes, tmp_path):
+    run("""
+def work():
+    made, design = example('mask', L=14, HBody=28)
+    before = design.Results
+    press('CurveUps_Check')
+    form = widget('CheckPanel')
+    assert live().busy and form.cancel.isEnabled()
+    click(form.cancel)
+    at_rest()
+    assert design.Results == before and 'cancelled' in form.line.text(), form.line.text()
+    click(form.check)
+    checking(form)
+
+    # Tiles that can't be made are drawn, marked and listed all the same.
+    overlay = overlay_of(design)
+    assert overlay.shows_target and overlay.note == '', overlay.note
+    assert overlay.field().name == 'Fold margin', overlay.fields()
+    problems = overlay.scene.fields['Obstacles'].problems
+    assert len(problems) and 'Not feasible' in form.verdict.text(), form.verdict.text()
+    assert picture('not-feasible') > 20
+    listed = {form.obstacles.topLevelItem(row).text(0) for row in range(form.obstacles.topLevelItemCount())}
+    assert listed == {f'T{tile + 1:05d}' for tile in problems}, listed
+    assert made.UndoNames[0] == 'Check', made.UndoNames
+
+    item = form.obstacles.topLevelItem(0)
+    click_at(form.obstacles.viewport().mapToGlobal(form.obstacles.visualItemRect(item).center()))
+    until(lambda: [tile + 1 for tile in overlay.selected] == [int(item.text(0)[1:])], 5, 'its tile')
+    rows = {form.margins.topLevelItem(row).text(0): form.margins.topLevelItem(row)
+            for row in range(form.margins.topLevelItemCount())}
+    row = next(row for name, row in rows.items() if name.startswith('room of the front'))
+    form.margins.scrollToItem(row)
+    settle(200)
+    click_at(form.margins.viewport().mapToGlobal(form.margins.visualItemRect(row).center()))
+    until(lambda: overlay.field().name == 'Membrane room', 5, 'its field')
+
+    # A thickness that does is taken over and checked; both are steps of undo.
+    assert not form.use_length.isVisible() and 'HBody' in form.use_thickness.text(), form.use_thickness.text()
+    click(form.use_thickness)
+    until(lambda: live().busy, 10, 'the next check')
+    at_rest()
+    assert 1 < design.HBody.Value < 28 and made.UndoNames[:2] == ['Check', 'Use HBody'], made.UndoNames
+    assert '<b>Feasible' in form.verdict.text() and not form.obstacles.isVisible(), form.verdict.text()
+    assert len(overlay.scene.fields['Obstacles'].problems) == 0
+    picture('feasible')
+
+    # What was checked is out of date with the next edit, here by undo.
+    made.undo()
+    made.undo()
+    settle(500)
+    until(lambda: design.HBody.Value == 28 and 'Not feasible' in form.verdict.text(), 5, 'the check before')
+    design.HBody = 3
+    made.recompute()
+    until(lambda: 'Out of date' in form.verdict.text() and not form.sizes.isEnabled(), 5, 'that it is old')
+    close_panel()
+    until(lambda: not overlay.shows_target, 5)
+    assert report().count('error') == 0, report()
+""", homes, tmp_path)
+
+
+def test_the_target_of_a_solved_design_is_checked_beside_its_layout(homes, tmp_path):
+    run("""
+def work():
+    made, design = example(L=13)
+    from curveups.features import actions
+    actions.solve(design)
+    made.recompute()
+    settle(500)
+    assert design.Verdict == 'valid', list(design.Reasons)
+    overlay = overlay_of(design)
+    press('CurveUps_Check')
+    form = widget('CheckPanel')
+    checking(form)
+    assert overlay.scene.flat is None and 'Fold margin' in overlay.fields()
+    assert design.Verdict == 'valid' and 'Feasible' in form.verdict.text()
+    picture('of-a-valid-design')
+    close_panel()
+    until(lambda: overlay.scene.flat is not None and 'Fold margin' not in overlay.fields(), 10, 'the layout')
+    assert design.Verdict == 'valid'
+""", homes, tmp_path)
+
+
+def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(homes, tmp_path):
+    run("""
+def item(menu, text):
+    return next(action for action in menu.actions() if action.text() == text)
+
+def work():
+    made, design = example('half-sphere', L=13, HBody=8, Fidelity=0.4)
+    FreeCADGui.ActiveDocument.setEdit(design.Name)
+    settle(300)
+    form = panel().form
+    panel().turn_to('Target')
+    settle(200)
+    picture('with-auto')
+    click(form.findChild(QtGui.QToolButton, 'auto_L'))
+    until(lambda: live().busy, 10, 'the search')
+    at_rest()
+    assert made.UndoNames[0] == 'Choose Sizes' and design.L.Value != 13, (design.L, made.UndoNames)
+    field = form.findChild(QtGui.QAbstractSpinBox, 'L')
+    assert abs(field.property('rawValue') - design.L.Value) < 1e-9
+    assert 'L = ' in form.line.text(), form.line.text()
+
+    chosen = design.L.Value
+    menu = form.profile.menu()
+    assert [action.text() for action in menu.actions()] == ['Standard', 'FDM']
+    QtCore.QTimer.singleShot(700, lambda: (picture('profiles'), item(menu, 'FDM').trigger(), menu.close()))
+    click(form.profile)
+    until(lambda: design.Printer == 'fdm', 10, 'the profile')
+    assert design.L.Value == 10 and design.Bumps == 'none' and made.UndoNames[0] == 'Apply Profile'
+    panel().turn_to('Files')
+    settle(200)
+    assert form.findChild(QtGui.QComboBox, 'Printer').currentText() == 'fdm'
+    picture('profile-applied')
+    made.undo()
+    settle(300)
+    assert design.L.Value == chosen and design.Printer == 'polyjet'
+    close_panel()
+    assert report().count('error') == 0, report()
+""", homes, tmp_path)
