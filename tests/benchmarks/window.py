@@ -80,7 +80,7 @@ def canvas_of_view():
 
 def thickness(overlay):
     # mm, of the tiles as they are drawn
-    corners = overlay._figure.corners
+    corners = overlay._picture.corners
     return ((corners[:, :3].mean(axis=1) - corners[:, 3:].mean(axis=1)) ** 2).sum(axis=1).mean() ** 0.5
 
 def frames(view):

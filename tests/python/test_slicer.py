@@ -4,6 +4,7 @@
 import json
 import re
 import shutil
+import signal
 import struct
 import subprocess
 import zipfile
@@ -23,8 +24,17 @@ IN_PLACE = ("--dont-arrange", "--no-ensure-on-bed")
 def slicer(folder, *arguments):
     done = subprocess.run([SLICER, "--datadir", folder / "settings", *map(str, arguments)], cwd=folder,
                           capture_output=True, text=True, timeout=500)
-    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.returncode == 0 or crashed_at_its_end(done, folder), done.stdout + done.stderr
     return done.stdout
+
+
+def crashed_at_its_end(done, folder):
+    """PrusaSlicer 2.9.2 does, where it adds supports, once the G-code is there as a whole."""
+    code = folder / "a.gcode"
+    if done.returncode != -signal.SIGSEGV or not code.exists():
+        return False
+    text = code.read_text()
+    return "PrusaSlicer 2.9.2" in text[:200] and text.rstrip().endswith("; prusaslicer_config = end")
 
 
 def corners_of(path):
@@ -74,10 +84,9 @@ def test_every_body_is_sound(print_files):
 
 
 def test_it_can_be_sliced(print_files):
-    """Without supports of the slicer: the print has its own, and PrusaSlicer 2.9.2 crashes once it has
-    written what has such supports."""
     code = print_files / "a.gcode"
-    slicer(print_files, "--export-gcode", *IN_PLACE, "--output", code, "small-cap-print.3mf")
+    slicer(print_files, "--export-gcode", "--support-material", *IN_PLACE, "--output", code,
+           "small-cap-print.3mf")
     heights = [float(z) for z in re.findall(r"^G1 Z([0-9.]+)", code.read_text(), re.MULTILINE)]
     assert 4.5 < max(heights) < 12  # the print is 5 mm high; the nozzle is lifted between parts
 

@@ -14,8 +14,17 @@ from curveups.overlay import overlay_of
 from curveups.overlay.overlay import Overlay
 
 def checking(form):
-    until(lambda: live().busy or form.verdict.text(), 10, 'the check')
+    until(lambda: live().busy or form.verdict.text() or form.line.text(), 10, 'the check')
     at_rest()
+
+def click_item(tree, item):
+    area = tree.parentWidget()
+    while not isinstance(area, QtGui.QScrollArea):
+        area = area.parentWidget()
+    area.ensureWidgetVisible(tree)
+    tree.scrollToItem(item)
+    settle(200)
+    click_at(tree.viewport().mapToGlobal(tree.visualItemRect(item).center()))
 """
 
 
@@ -50,14 +59,12 @@ def work():
     assert made.UndoNames[0] == 'Check', made.UndoNames
 
     item = form.obstacles.topLevelItem(0)
-    click_at(form.obstacles.viewport().mapToGlobal(form.obstacles.visualItemRect(item).center()))
+    click_item(form.obstacles, item)
     until(lambda: [tile + 1 for tile in overlay.selected] == [int(item.text(0)[1:])], 5, 'its tile')
     rows = {form.margins.topLevelItem(row).text(0): form.margins.topLevelItem(row)
             for row in range(form.margins.topLevelItemCount())}
     row = next(row for name, row in rows.items() if name.startswith('room of the front'))
-    form.margins.scrollToItem(row)
-    settle(200)
-    click_at(form.margins.viewport().mapToGlobal(form.margins.visualItemRect(row).center()))
+    click_item(form.margins, row)
     until(lambda: overlay.field().name == 'Membrane room', 5, 'its field')
 
     # A thickness that does is taken over and checked; both are steps of undo.
@@ -143,4 +150,75 @@ def work():
     assert design.L.Value == chosen and design.Printer == 'polyjet'
     close_panel()
     assert report().count('error') == 0, report()
+""", homes, tmp_path)
+
+
+def test_a_part_with_a_wall_is_taken_as_it_is_drawn(homes, tmp_path):
+    """Its outer skin without the rim; the inner one by a parameter, and faces that are selected."""
+    run("""
+def radii(design):
+    # Of the corners of the target about the bowl's middle.
+    return [point.Vector.Length for point in design.Target.Mesh.Points]
+
+def check():
+    press('CurveUps_Check')
+    form = widget('CheckPanel')
+    checking(form)
+    return form
+
+def work():
+    made = begin()
+    import Part
+    outer, inner = Part.makeSphere(45), Part.makeSphere(40)
+    below = Part.makeBox(100, 100, 100, FreeCAD.Vector(-50, -50, -90))
+    bowl = made.addObject('Part::Feature', 'Bowl')
+    bowl.Shape = outer.cut(inner).common(below).removeSplitter()
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView('ViewFit')
+    FreeCADGui.Selection.addSelection(bowl)
+    press('CurveUps_NewDesign')
+    bowl.ViewObject.Visibility = False
+    design = made.Design
+    design.L = 14
+    made.recompute()
+    form = check()
+    found = radii(design)
+    assert min(found) > 44.9 and max(found) < 45.1, (min(found), max(found))
+    assert 'Feasible' in form.verdict.text(), form.verdict.text()
+    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    picture('bowl-outer')
+    close_panel()
+
+    design.Skin = 'inner'
+    made.recompute()
+    form = check()
+    found = radii(design)
+    assert min(found) > 39.9 and max(found) < 40.1, (min(found), max(found))
+    picture('bowl-inner')
+    close_panel()
+
+    # A part that can't be read so is a line with the remedy, and the check before stays.
+    design.Faces = 'Face99'
+    made.recompute()
+    form = check()
+    assert 'Face99' in form.line.text() and 'Face1 to Face' in form.line.text(), form.line.text()
+    picture('bowl-no-such-face')
+    close_panel()
+    made.undo()
+
+    # Only the selected face: the wall's rim and its other skin are no part of the target.
+    name = next(f'Face{number}' for number, face in enumerate(bowl.Shape.Faces, 1)
+                if face.Surface.TypeId == 'Part::GeomSphere' and abs(face.Surface.Radius - 40) < 1e-6)
+    bowl.ViewObject.Visibility = True
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(bowl, name)
+    press('CurveUps_NewDesign')
+    second = [obj for obj in made.Objects if obj.Name.startswith('Design')][-1]
+    assert second.Faces == name, second.Faces
+    second.L = 14
+    made.recompute()
+    check()
+    found = radii(second)
+    assert len(found) > 20 and min(found) > 39.9 and max(found) < 40.1, (min(found), max(found))
+    close_panel()
 """, homes, tmp_path)

@@ -37,14 +37,15 @@ from curveups.features.document import settings_of
 from curveups.native import native
 kept = native.read_design(open(json_path, encoding='utf-8').read()).parameters
 assert {row.group for row in native.parameter_table()} - {row.group for row in properties.rows()} == {
-    'Files', 'Stages'}
+    'Stages'}
 for row in properties.rows():
     name = properties.property_name(row.name)
     assert name[0].isupper() and '_' not in name
     assert design.getGroupOfProperty(name).endswith(' ' + row.group)
     tip = design.getDocumentationOfProperty(name)
     assert tip.startswith(row.meaning)
-    assert {'rebuild': 'at once', 'verify': 'Verify', 'layout': 'Solve'}[row.tier] in tip, tip
+    follows = {'rebuild': 'at once', 'verify': 'Verify', 'layout': 'Solve', 'files': 'next export'}
+    assert follows[row.tier] in tip, tip
     assert properties.tier_of(design, name) == row.tier, row.name
     kind = design.getTypeIdOfProperty(name)
     assert (kind == 'App::PropertyLength') == (row.unit == 'mm'), row.name
@@ -57,7 +58,7 @@ for row in properties.rows():
 assert design.ShearModulusFront.getValueAs('kPa').Value == 1000 * kept.get('shear_modulus_front')
 groups = sorted({design.getGroupOfProperty(properties.property_name(row.name)) for row in properties.rows()})
 assert [group[2:] for group in groups] == ['Target', 'Tiles', 'Layout', 'Physics', 'Repair', 'Bumps',
-                                           'Support', 'Anchors']
+                                           'Support', 'Anchors', 'Files']
 assert design.CurveUpsVersion
 done()
 """, path=document, json_path=document.parent / "design.json")

@@ -12,16 +12,14 @@ from typing import Any, Callable, Iterable, Optional, Sequence
 import FreeCAD
 import FreeCADGui
 import numpy as np
-from pivy import coin
 
 from ..errors import CurveUpsError, tile_name
 from ..native import translated
 from ..qt import QtCore, translate
 from . import cameras, colours, overlays
 from .fields import MEMBRANE, Field
-from .figure import Figure
 from .legend import Content, Dragging, Legend, arrange
-from .nodes import fill
+from .picture import Picture
 from .scene import NO_FIELD, Membrane, Scene, scene_of, target_scene_of
 from .units import text_of
 
@@ -50,27 +48,16 @@ class Overlay:
         self._hovered: list[int] = []
         self._shown: Optional[_State] = None  # what the scene was made from
         self._iterating = False
-        self._drawn_at = 0.0
         self._dragging: list[Dragging] = []
         self._waiting = False
         self.shows_target = False           # the target before any layout, though there may be one
         self.observers: list[Callable[[], None]] = []  # called when what is shown has changed
         self.folding: Any = None                       # what moves the tiles just now
         self.closed = False
-        self._build_nodes()
+        self._picture, self.legend = Picture(), Legend()
+        self.node = self._picture.node
+        self.node.addChild(self.legend.node)
         self._add_properties()
-
-    def _build_nodes(self) -> None:
-        self.node, self._placement = coin.SoSeparator(), coin.SoTransform()
-        self._tile_colours = coin.SoPackedColor()
-        self._sheet_colours = [coin.SoPackedColor(), coin.SoPackedColor()]
-        self._figure, self._beside = (Figure(self._tile_colours, self._sheet_colours) for _ in range(2))
-        self._beside_shown, self.legend = coin.SoSwitch(), Legend()
-        self._beside_shown.addChild(self._beside.node)
-        matt = coin.SoMaterial()
-        matt.specularColor = (0, 0, 0)
-        for part in (self._placement, matt, self._figure.node, self._beside_shown, self.legend.node):
-            self.node.addChild(part)
 
     def _add_properties(self) -> None:
         view = self._view
@@ -252,14 +239,14 @@ class Overlay:
 
     def morph(self) -> float:
         """Where the tiles are drawn, from 0, flat, to 1, actuated."""
-        return self._drawn_at
+        return self._picture.t
 
     def set_morph(self, t: float) -> None:
         """Folds: 0 is flat, 1 actuated. Cameras go along, so that the tiles stay in sight."""
-        before = self._drawn_at
+        before = self._picture.t
         self._view.Morph = min(1.0, max(0.0, float(t)))
         if self.scene is not None and self.scene.motion is not None:
-            step = self.scene.motion.middle(self._drawn_at) - self.scene.motion.middle(before)
+            step = self.scene.motion.middle(self._picture.t) - self.scene.motion.middle(before)
             cameras.shift(self.object.Document.Name,
                           self.placement().Rotation.multVec(FreeCAD.Vector(*step)))
 
@@ -272,14 +259,13 @@ class Overlay:
 
     def look_at(self, tiles: Sequence[int]) -> None:
         """Turns the camera to tiles, head on."""
-        cameras.look_at(self.object.Document.Name, self._figure.corners[list(tiles), :3], self.placement())
+        cameras.look_at(self.object.Document.Name, self._picture.corners[list(tiles), :3], self.placement())
 
     # What FreeCAD's selection says.
 
     def tile_of(self, picked: Any) -> int:
         """The tile that a SoPickedPoint is on; -1 where it is none."""
-        tile = self._figure.tile_of(picked)
-        return tile if tile >= 0 else self._beside.tile_of(picked)
+        return self._picture.tile_of(picked)
 
     def mark_selected(self, tiles: Sequence[int], hovered: Sequence[int]) -> None:
         """Lights tiles up, in every figure."""
@@ -306,13 +292,7 @@ class Overlay:
 
     def figures(self) -> list[tuple[np.ndarray, np.ndarray]]:
         """Corners of what is drawn (M x 6 x 3, mm) and its place beside the design's, for picking."""
-        if self.scene is None:
-            return []
-        found = [(self._figure.corners, np.zeros(3))]
-        if self._beside_shown.whichChild.getValue() != coin.SO_SWITCH_NONE:
-            shift = np.array(self._beside.shift.translation.getValue().getValue())
-            found.append((self._beside.corners, shift))
-        return found
+        return [] if self.scene is None else self._picture.figures()
 
     def placement(self) -> Any:
         """Where the Design stands."""
@@ -337,13 +317,7 @@ class Overlay:
     def _draw(self) -> None:
         scene, view = self.scene, self._view
         assert scene is not None
-        both = view.Both and scene.flat is not None
-        self._drawn_at = 1.0 if scene.flat is None else 0.0 if both else view.Morph
-        self._figure.draw(scene, self._drawn_at, view.Pins, view.Membranes)
-        self._beside_shown.whichChild = coin.SO_SWITCH_ALL if both else coin.SO_SWITCH_NONE
-        if both:
-            self._beside.draw(scene, 1.0, view.Pins, view.Membranes)
-            self._beside.shift.translation = tuple(_beside(self._figure.corners, self._beside.corners))
+        self._picture.draw(scene, view.Morph, view.Pins, view.Membranes, view.Both)
         self._place()
         self._mark()
         self._outline()
@@ -355,35 +329,21 @@ class Overlay:
         self._mark()
         self._explain()
 
-    def _colour_map(self, one: Field) -> str:
+    def _colour_map(self, one: Optional[Field]) -> str:
         name = self._view.ColourMap
-        return (colours.SIGNED if one.signed else colours.NAMES[0]) if name == AUTOMATIC else name
+        if name != AUTOMATIC:
+            return name
+        return colours.SIGNED if one is not None and one.signed else colours.NAMES[0]
 
     def _colour_tiles(self) -> None:
         scene, one = self.scene, self.field()
-        if scene is None:
-            return
-        if one is None or one.on == MEMBRANE:
-            rgb = np.broadcast_to(np.array(colours.PLAIN), (len(scene.F), 6, 3))
-        else:
-            rgb = colours.sample(self._colour_map(one), colours.shares(scene.slots(one), *self.range()))
-        found = colours.packed(rgb)
-        found[self.selected] = colours.packed(np.array(_preferred("SelectionColor", (0.11, 0.68, 0.11))))
-        fill(self._tile_colours.orderedRGBA, found.ravel())
+        if scene is not None:
+            self._picture.colour_tiles(scene, one, self._colour_map(one), self.range(), self.selected)
 
     def _colour_sheets(self) -> None:
-        scene, one, start = self.scene, self.field(), 0
-        if scene is None:
-            return
-        for node, membrane in zip(self._sheet_colours, scene.membranes):
-            count = len(membrane.triangles)
-            if one is not None and one.on == MEMBRANE:
-                shares = colours.shares(one.values[start : start + count], *self.range())
-                found = colours.packed(colours.sample(self._colour_map(one), shares))
-            else:
-                found = np.full(count, colours.packed(np.array(colours.MEMBRANE)), np.uint32)
-            start += count
-            fill(node.orderedRGBA, found)
+        scene, one = self.scene, self.field()
+        if scene is not None:
+            self._picture.colour_sheets(scene, one, self._colour_map(one), self.range())
 
     def _tell(self) -> None:
         for observer in list(self.observers):
@@ -394,20 +354,11 @@ class Overlay:
         return [one for one in fields if one.mark and len(one.problems)]
 
     def _mark(self) -> None:
-        scene = self.scene
-        if scene is None:
-            return
-        for figure in (self._figure, self._beside):
-            if len(figure.corners):
-                figure.mark({one.mark: scene.places(one, one.problems, figure.corners)
-                             for one in self._problems()})
+        if self.scene is not None:
+            self._picture.mark(self.scene, self._problems())
 
     def _outline(self) -> None:
-        selection = _preferred("SelectionColor", (0.11, 0.68, 0.11))
-        highlight = _preferred("HighlightColor", (0.88, 0.88, 0.08))
-        for figure in (self._figure, self._beside):
-            if len(figure.corners):
-                figure.outline(self.selected, self._hovered, selection, highlight)
+        self._picture.outline(self.selected, self._hovered)
 
     def _explain(self) -> None:
         """The legend."""
@@ -447,9 +398,7 @@ class Overlay:
             return False
 
     def _place(self) -> None:
-        placement = self.placement()
-        self._placement.translation = tuple(placement.Base)
-        self._placement.rotation = coin.SbRotation(*placement.Rotation.Q)
+        self._picture.place(self.placement())
 
     def _watch_views(self) -> None:
         """Lets the mouse drag the legend in views that have come since."""
@@ -474,20 +423,3 @@ class _State:
     def same(self, other: Optional["_State"]) -> bool:
         return other is not None and self._values == other._values and all(
             mine is theirs for mine, theirs in zip(self._made, other._made))
-
-
-def _beside(first: np.ndarray, second: np.ndarray) -> np.ndarray:
-    """Where to put the second of two figures so that it stands beside the first and as high."""
-    low, high = first.reshape(-1, 3).min(0), first.reshape(-1, 3).max(0)
-    other_low, other_high = second.reshape(-1, 3).min(0), second.reshape(-1, 3).max(0)
-    shift = (low + high) / 2 - (other_low + other_high) / 2
-    shift[0] = high[0] + 0.1 * (high[0] - low[0]) - other_low[0]
-    shift[2] = low[2] - other_low[2]
-    return shift
-
-
-def _preferred(name: str, default: tuple[float, float, float]) -> tuple[float, float, float]:
-    """A colour of the user's preferences."""
-    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
-    number = group.GetUnsigned(name, int(colours.packed(np.array(default))))
-    return tuple((number >> shift & 255) / 255 for shift in (24, 16, 8))  # type: ignore[return-value]

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The picture of one Design: a figure of its tiles, a second one beside it where both states are wanted, and
+the colours that these share. It knows scenes and fields, no document."""
+
+from __future__ import annotations
+
+from typing import Any, Iterable, Optional, Sequence
+
+import FreeCAD
+import numpy as np
+from pivy import coin
+
+from . import colours
+from .fields import MEMBRANE, Field
+from .figure import Figure
+from .nodes import fill
+from .scene import Scene
+
+
+class Picture:
+    """`node` holds all of it. `t`: where between flat (0) and actuated (1) the tiles are drawn."""
+
+    def __init__(self) -> None:
+        self.node, self._placement = coin.SoSeparator(), coin.SoTransform()
+        self._tile_colours = coin.SoPackedColor()
+        self._sheet_colours = [coin.SoPackedColor(), coin.SoPackedColor()]
+        self._figure, self._beside = (Figure(self._tile_colours, self._sheet_colours) for _ in range(2))
+        self._beside_shown = coin.SoSwitch()
+        self._beside_shown.addChild(self._beside.node)
+        self.t = 0.0
+        matt = coin.SoMaterial()
+        matt.specularColor = (0, 0, 0)
+        for part in (self._placement, matt, self._figure.node, self._beside_shown):
+            self.node.addChild(part)
+
+    @property
+    def corners(self) -> np.ndarray:
+        """Of the tiles as they are drawn, M x 6 x 3, mm."""
+        return self._figure.corners
+
+    def place(self, placement: Any) -> None:
+        """Puts it where the Design stands."""
+        self._placement.translation = tuple(placement.Base)
+        self._placement.rotation = coin.SbRotation(*placement.Rotation.Q)
+
+    def draw(self, scene: Scene, t: float, pins: bool, membranes: bool, both: bool) -> None:
+        """A scene at t; `both`: flat and, beside it, actuated. Marks and outlines are drawn apart."""
+        both = both and scene.flat is not None
+        self.t = 1.0 if scene.flat is None else 0.0 if both else t
+        self._figure.draw(scene, self.t, pins, membranes)
+        self._beside_shown.whichChild = coin.SO_SWITCH_ALL if both else coin.SO_SWITCH_NONE
+        if both:
+            self._beside.draw(scene, 1.0, pins, membranes)
+            self._beside.shift.translation = tuple(_beside(self._figure.corners, self._beside.corners))
+
+    def colour_tiles(self, scene: Scene, one: Optional[Field], map_name: str, ends: tuple[float, float],
+                     selected: Sequence[int]) -> None:
+        """By a field between the ends of its range; plain without one, or where it is the membranes'."""
+        if one is None or one.on == MEMBRANE:
+            rgb = np.broadcast_to(np.array(colours.PLAIN), (len(scene.F), 6, 3))
+        else:
+            rgb = colours.sample(map_name, colours.shares(scene.slots(one), *ends))
+        found = colours.packed(rgb)
+        found[list(selected)] = colours.packed(np.array(_selection()))
+        fill(self._tile_colours.orderedRGBA, found.ravel())
+
+    def colour_sheets(self, scene: Scene, one: Optional[Field], map_name: str,
+                      ends: tuple[float, float]) -> None:
+        """The membranes, by a field of theirs."""
+        start = 0
+        for node, membrane in zip(self._sheet_colours, scene.membranes):
+            count = len(membrane.triangles)
+            if one is not None and one.on == MEMBRANE:
+                shares = colours.shares(one.values[start : start + count], *ends)
+                found = colours.packed(colours.sample(map_name, shares))
+            else:
+                found = np.full(count, colours.packed(np.array(colours.MEMBRANE)), np.uint32)
+            start += count
+            fill(node.orderedRGBA, found)
+
+    def mark(self, scene: Scene, fields: Iterable[Field]) -> None:
+        """Marks the problems of fields by their shapes."""
+        for figure in self._drawn():
+            figure.mark({one.mark: scene.places(one, one.problems, figure.corners) for one in fields})
+
+    def outline(self, selected: Sequence[int], hovered: Sequence[int]) -> None:
+        """Rims of tiles by number."""
+        highlight = _preferred("HighlightColor", (0.88, 0.88, 0.08))
+        for figure in self._drawn():
+            figure.outline(selected, hovered, _selection(), highlight)
+
+    def tile_of(self, picked: Any) -> int:
+        """The tile that a SoPickedPoint is on; -1 where it is none."""
+        tile = self._figure.tile_of(picked)
+        return tile if tile >= 0 else self._beside.tile_of(picked)
+
+    def figures(self) -> list[tuple[np.ndarray, np.ndarray]]:
+        """Corners of what is drawn (M x 6 x 3, mm) and its place beside the design's, for picking."""
+        found = [(self._figure.corners, np.zeros(3))]
+        if self._beside_shown.whichChild.getValue() != coin.SO_SWITCH_NONE:
+            shift = np.array(self._beside.shift.translation.getValue().getValue())
+            found.append((self._beside.corners, shift))
+        return found
+
+    def _drawn(self) -> list[Figure]:
+        return [figure for figure in (self._figure, self._beside) if len(figure.corners)]
+
+
+def _beside(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """Where to put the second of two figures so that it stands beside the first and as high."""
+    low, high = first.reshape(-1, 3).min(0), first.reshape(-1, 3).max(0)
+    other_low, other_high = second.reshape(-1, 3).min(0), second.reshape(-1, 3).max(0)
+    shift = (low + high) / 2 - (other_low + other_high) / 2
+    shift[0] = high[0] + 0.1 * (high[0] - low[0]) - other_low[0]
+    shift[2] = low[2] - other_low[2]
+    return shift
+
+
+def _selection() -> tuple[float, float, float]:
+    return _preferred("SelectionColor", (0.11, 0.68, 0.11))
+
+
+def _preferred(name: str, default: tuple[float, float, float]) -> tuple[float, float, float]:
+    """A colour of the user's preferences."""
+    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    number = group.GetUnsigned(name, int(colours.packed(np.array(default))))
+    return tuple((number >> shift & 255) / 255 for shift in (24, 16, 8))  # type: ignore[return-value]
