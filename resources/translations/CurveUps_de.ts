@@ -148,10 +148,6 @@
       <translation>Mittlere Kantenlänge der Kacheln; mit --no-remesh gilt die des Netzes. Von 0.5 bis 200 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Mending may move the target's border, too. Takes effect with Solve.</source>
-      <translation>Das Ausbessern darf auch den Rand der Zielfläche verschieben. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
       <source>Mends the target where it can't be tiles: not (off), only says what it would do (ask), or does (on). Takes effect with Solve.</source>
       <translation>Bessert die Zielfläche aus, wo sie keine Kacheln ergibt: nicht (off), sagt nur, was es täte (ask), oder tut es (on). Wirkt mit „Lösen“.</translation>
     </message>
@@ -313,6 +309,14 @@
     <message>
       <source>Find out what of the target can be tiles, and which sizes would do</source>
       <translation>Herausfinden, was von der Zielfläche Kacheln werden kann und welche Größen gingen</translation>
+    </message>
+    <message>
+      <source>Mend the Target</source>
+      <translation>Zielfläche ausbessern</translation>
+    </message>
+    <message>
+      <source>Moves vertices until the sizes that are set do: mend=on, one step of undo. It is checked at once</source>
+      <translation>Verschiebt Ecken, bis die eingestellten Größen gehen: mend=on, ein Schritt beim Rückgängigmachen. Die Machbarkeit wird gleich neu ermittelt</translation>
     </message>
     <message>
       <source>Sets the tiles' length: one step of undo. It is checked at once</source>

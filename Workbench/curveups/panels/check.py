@@ -50,6 +50,7 @@ class CheckPanel(Following):
         form.cancel.clicked.connect(lambda *_: LIVE.cancel())
         form.use_length.clicked.connect(lambda *_: self._use("L"))
         form.use_thickness.clicked.connect(lambda *_: self._use("H_body"))
+        form.use_mending.clicked.connect(lambda *_: self._set("mend", "on"))
         form.choose.clicked.connect(lambda *_: self._choose())
         form.margins.itemSelectionChanged.connect(lambda: self._show_margin())
         form.obstacles.itemSelectionChanged.connect(lambda: self._go())
@@ -121,6 +122,7 @@ class CheckPanel(Following):
     def _fill_sizes(self, found: Results) -> None:
         form, sizes, get = self.form, found["sizes"], found.parameters.get
         form.advice.setText("\n".join(words.advice(found)))
+        form.use_mending.setVisible(found["feasibility"].mending is not None)
         wanted = {"L": length_to_use(sizes, get("L")), "H_body": sizes.H_body}
         for name, button in (("L", form.use_length), ("H_body", form.use_thickness)):
             value = wanted[name]
@@ -180,7 +182,10 @@ class CheckPanel(Following):
         if self._found is None:
             return
         sizes = self._found["sizes"]
-        value = length_to_use(sizes, self._found.parameters.get("L")) if name == "L" else sizes.H_body
+        get = self._found.parameters.get
+        self._set(name, length_to_use(sizes, get("L")) if name == "L" else sizes.H_body)
+
+    def _set(self, name: str, value: Any) -> None:
         called = properties.property_name(name)
         with errors_shown(translate("CurveUps_Check", "Check")):
             actions.refuse_bound(self.design, (name,))

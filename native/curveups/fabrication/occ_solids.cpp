@@ -4,10 +4,11 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepCheck_Shell.hxx>
-#include <BRepGProp.hxx>
+#include <BRepGProp_Domain.hxx>
+#include <BRepGProp_Face.hxx>
+#include <BRepGProp_Vinert.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
@@ -190,9 +191,18 @@ std::vector<TopoDS_Shape> make_solids(const std::vector<const PrintBody*>& bodie
 }
 
 double solid_volume(const TopoDS_Shape& shape) {
-  GProp_GProps properties;
-  BRepGProp::VolumeProperties(shape, properties);
-  return properties.Mass();
+  // As BRepGProp::VolumeProperties has it, face by face: a slab has thousands.
+  const TopExp_Explorer corner(shape, TopAbs_VERTEX);
+  if (!corner.More()) return 0;
+  const gp_Pnt apex = BRep_Tool::Pnt(TopoDS::Vertex(corner.Current()));
+  double volume = 0;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
+    checkpoint();
+    BRepGProp_Face face(TopoDS::Face(it.Current()));
+    BRepGProp_Domain domain(TopoDS::Face(it.Current()));
+    volume += BRepGProp_Vinert(face, domain, apex).Mass();
+  }
+  return volume;
 }
 
 namespace {

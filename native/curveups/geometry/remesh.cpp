@@ -91,6 +91,7 @@ IsotropicMesh remesh_component(const TriangleMesh& surface, const ClosestPoints&
   const std::size_t loops = boundary_loop_count(surface);
   IsotropicMesh mesh =
       space_lines(surface, features, options.L, corner_angle, options.corner_reach);
+  checkpoint();
 
   double length = options.L;
   IsotropicMesh best;
@@ -143,6 +144,7 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   }
   const ClosestPoints closest(surface);  // refuses empty and non-finite surfaces
   for (int f = 0; f < surface.F.rows(); ++f) {
+    checkpoint_now_and_then(static_cast<std::size_t>(f));
     if (has_no_area(surface, f)) {
       throw InvalidInput("face " + std::to_string(f) + " of the surface has no area",
                          "clean the mesh first");
@@ -166,7 +168,9 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   }
   checkpoint("remeshing", 0);
   const MeshTopology topology = build_topology(surface.F, static_cast<int>(surface.V.rows()));
+  checkpoint();
   const std::vector<int> component = face_components(topology, {});
+  checkpoint();
   const int count = *std::max_element(component.begin(), component.end()) + 1;
 
   RemeshResult result;
@@ -200,8 +204,10 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
       if (a >= 0 && b >= 0) given.push_back({a, b});
     }
     Edges lines = all_features(part, given, options);
+    checkpoint();
     std::optional<ClosestPoints> own;
     if (count > 1) own.emplace(part);
+    checkpoint();
     coarsen_scan(part, lines, options.L);
     const IsotropicMesh made_part = remesh_component(part, own ? *own : closest, lines, options);
     const TriangleMesh& made = made_part.mesh;
