@@ -148,6 +148,10 @@
       <translation>Mittlere Kantenlänge der Kacheln; mit --no-remesh gilt die des Netzes. Von 0.5 bis 200 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
+      <source>Mending may move the target's border, too. Takes effect with Solve.</source>
+      <translation>Das Ausbessern darf auch den Rand der Zielfläche verschieben. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
       <source>Mends the target where it can't be tiles: not (off), only says what it would do (ask), or does (on). Takes effect with Solve.</source>
       <translation>Bessert die Zielfläche aus, wo sie keine Kacheln ergibt: nicht (off), sagt nur, was es täte (ask), oder tut es (on). Wirkt mit „Lösen“.</translation>
     </message>
