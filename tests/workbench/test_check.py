@@ -17,6 +17,19 @@ def checking(form):
     until(lambda: live().busy or form.verdict.text() or form.line.text(), 10, 'the check')
     at_rest()
 
+def marked():
+    # Pixels of the colour of marks beside the legend.
+    from curveups.overlay.colours import MARK
+    image = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
+    wanted = [int(255 * part) for part in MARK]
+    count = 0
+    for y in range(100, 740):
+        for x in range(660, 1200):
+            pixel = image.pixel(x, y)
+            found = (pixel >> 16 & 255, pixel >> 8 & 255, pixel & 255)
+            count += all(abs(a - b) < 12 for a, b in zip(found, wanted))
+    return count
+
 def click_item(tree, item):
     area = tree.parentWidget()
     while not isinstance(area, QtGui.QScrollArea):
@@ -54,6 +67,7 @@ def work():
     problems = overlay.scene.fields['Obstacles'].problems
     assert len(problems) and 'Not feasible' in form.verdict.text(), form.verdict.text()
     assert picture('not-feasible') > 20
+    assert marked() > 3 * len(problems), marked()
     listed = {form.obstacles.topLevelItem(row).text(0) for row in range(form.obstacles.topLevelItemCount())}
     assert listed == {f'T{tile + 1:05d}' for tile in problems}, listed
     assert made.UndoNames[0] == 'Check', made.UndoNames

@@ -122,7 +122,10 @@ class Markers:
         disc, mark = self._marks
         disc.markerIndex = coin.SoMarkerSet.CIRCLE_FILLED_9_9
         mark.markerIndex = getattr(coin.SoMarkerSet, self.SHAPES[shape])
-        for part in (_unpickable(), self._points, _flat_colour((1, 1, 1)), disc, _flat_colour(colour), mark):
+        depth = coin.SoDepthBuffer()
+        depth.write = False  # otherwise the disc hides its mark, which is no nearer
+        for part in (_unpickable(), depth, self._points, _flat_colour((1, 1, 1)), disc, _flat_colour(colour),
+                     mark):
             self.node.addChild(part)
 
     def set_points(self, points: np.ndarray) -> None:
