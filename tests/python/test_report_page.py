@@ -28,6 +28,16 @@ def test_moved_vertices_mended_contacts_and_recheck_are_named():
     assert "half the size the design is valid, too" in text
 
 
+def test_mending_says_what_it_did_or_would_do():
+    block = {"actions": ["2 holes filled"], "applied": True, "moved_vertices": 3, "mean_mm": 0.5,
+             "max_mm": 1.25, "hausdorff_mm": 0.75, "tiles": [3], "remaining": [4]}
+    text = text_of(changes({"mending": block}))
+    assert "The target was mended:" in text and "2 holes filled" in text and "1.25 mm" in text
+    assert "too little room after that, too: T00005" in text
+    assert "mend=on would do" in text_of(changes({"mending": {**block, "applied": False}}))
+    assert "nothing to mend" in text_of(changes({"mending": {**block, "actions": [], "remaining": []}}))
+
+
 def test_what_did_not_run_is_not_spoken_of():
     assert changes({"contact_forces": {}}) == []
     assert worst_contacts([], 0.1) == []

@@ -48,7 +48,7 @@ def _mending(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
                          ("Mean of these", _mm(block["mean_mm"])), ("Largest", _mm(block["max_mm"])),
                          ("Hausdorff distance between before and after", _mm(block["hausdorff_mm"]))])]
     if remaining:
-        parts.append(f"<p>Tiles that have too little room all the same: {tile_list(remaining, 12)}.</p>")
+        parts.append(f"<p>Tiles that had too little room after that, too: {tile_list(remaining, 12)}.</p>")
     return parts
 
 
