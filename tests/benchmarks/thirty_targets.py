@@ -162,7 +162,7 @@ MESHES: dict[str, Callable[[], Surface]] = {
     "monkey saddle": lambda: sheet(lambda x, y: (x ** 3 - 3 * x * y * y) / 3000, 35),
 }
 PARTS = ("bowl", "rounded_bowl", "lid", "lid_sharp_inside", "pipe", "tee", "loft", "plate")
-CUT = {"torus": 2, "closed ball": 1, "vase": 1, "pipe": 1, "tee": 2, "loft": 1}  # --auto-cuts
+CUT = {"torus": 4, "closed ball": 4, "vase": 2, "pipe": 1, "tee": 2, "loft": 1}  # --auto-cuts
 
 
 def targets(folder: Path, only: Optional[set[str]]) -> dict[str, Path]:
@@ -199,8 +199,8 @@ def design(path: Path, out: Path, cuts: int, *settings: str) -> tuple[str, Optio
         return "no end", None, LONGEST, f"more than {LONGEST} s"
     seconds = time.perf_counter() - begun
     if done.returncode > 1:
-        error = done.stderr.strip().splitlines()[-1]
-        return "refused", None, seconds, error.replace("curveups: error: ", "")
+        error = done.stderr.strip().splitlines()[-1].replace("curveups: error: ", "")
+        return "refused", None, seconds, error.split(" (")[0]
     report = json.loads((out / "report.json").read_text(encoding="utf-8"))
     return "valid" if report["valid"] else "no", report, seconds, "; ".join(report["reasons"][:1])
 
