@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <string>
 
 namespace curveups {
@@ -14,6 +16,16 @@ using Progress = std::function<bool(const std::string& what, double fraction)>;
 
 inline bool keep_going(const Progress& progress, const std::string& what, double fraction = -1) {
   return !progress || progress(what, fraction);
+}
+
+// The same for several threads: its calls come one at a time.
+inline Progress one_at_a_time(Progress progress) {
+  if (!progress) return progress;
+  return [progress = std::move(progress), mutex = std::make_shared<std::mutex>()](
+             const std::string& what, double fraction) {
+    const std::lock_guard<std::mutex> lock(*mutex);
+    return progress(what, fraction);
+  };
 }
 
 }  // namespace curveups

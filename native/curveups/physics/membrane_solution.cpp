@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/physics/membrane_solution.hpp"
 
-#include <mutex>
-
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 
@@ -66,14 +64,7 @@ std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const FlatPoses& poses, const Array6& q,
                                                 const Parameters& parameters,
                                                 const Progress& progress) {
-  std::mutex mutex;
-  Progress serial;
-  if (progress) {
-    serial = [&](const std::string& what, double fraction) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      return progress(what, fraction);
-    };
-  }
+  const Progress serial = one_at_a_time(progress);
   std::array<MembraneSolution, 2> out;
   auto solve = [&](Side side) {
     out[static_cast<int>(side)] = solve_membrane(geometry, poses, q, parameters, side, serial);

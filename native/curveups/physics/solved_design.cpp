@@ -95,6 +95,24 @@ SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
   return solved;
 }
 
+double force_scale(const SolvedDesign& solved) {
+  if (solved.forces.normal_mean > 0) return solved.forces.normal_mean;
+  return std::max(solved.elastic.leftCols<3>().rowwise().norm().mean(), 1e-12);
+}
+
+const UnilateralResult& find_floor(SolvedDesign& solved, Touching where, BalanceSystem& system,
+                                   const Progress& progress) {
+  std::optional<UnilateralResult>& kept = solved.floor[static_cast<int>(where)];
+  if (kept) return *kept;
+  const Points3 start = where == Touching::at_corners
+                            ? solved.forces.force
+                            : solve_contact_forces(system, solved.loads).force;
+  UnilateralOptions options;
+  options.friction_coefficient = solved.design.parameters.friction_coefficient;
+  options.scale = force_scale(solved);
+  return kept.emplace(solve_unilateral(system, solved.loads, start, options, progress));
+}
+
 void SolutionStore::put(SolvedDesign solved) {
   const std::lock_guard<std::mutex> lock(mutex_);
   solved_ = std::move(solved);

@@ -10,6 +10,8 @@
 #include "curveups/physics/contact_forces.hpp"
 #include "curveups/physics/loads.hpp"
 #include "curveups/physics/membrane_solution.hpp"
+#include "curveups/physics/touch_points.hpp"
+#include "curveups/physics/unilateral.hpp"
 
 namespace curveups {
 
@@ -23,6 +25,8 @@ struct SolvedDesign {
   // largest, and of the least normal force.
   double normal_force_error = 0, largest_normal_force_error = 0, least_force_error = 0;
   double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the error where larger
+  // What find_floor found, by Touching.
+  std::array<std::optional<UnilateralResult>, 2> floor;
 };
 
 // How much the least of the forces may be overestimated where each is uncertain by its own error:
@@ -44,6 +48,15 @@ BalanceSystem make_balance_system(const DesignGeometry& geometry, const Paramete
                                   std::vector<ContactPoint> points);
 // At the contact corners.
 BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters);
+
+// The unit of a design's forces, N: the mean normal force of contacts, where membranes press.
+double force_scale(const SolvedDesign& solved);
+
+// The largest floor of pushing forces within friction (unilateral.hpp) where tiles touch, kept in
+// `solved`; of corners and of tips at once where threads ask. system: the balance at these points,
+// whose factorization changes. Throws what solve_unilateral and solve_contact_forces throw.
+const UnilateralResult& find_floor(SolvedDesign& solved, Touching where, BalanceSystem& system,
+                                   const Progress& progress);
 
 // Holds one solution at most. Whoever takes it owns it and nobody gets it a second time; a design
 // that differs from the solution's in a bit of its mesh, cuts, layout, pins or parameters gets

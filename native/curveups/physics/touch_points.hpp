@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where tiles touch that carry bumps: at the tips of these. Bumps stand where they fit on an
-// interface (bump_tips), in steps and pieces; while vertices move a little, tips are taken to stay
-// at the same place of their interface: a fixed affine combination of its corners, and a fixed
-// height over its plane.
+// Where tiles touch: at the corners of their interfaces, or at the tips of bumps. Bumps stand where
+// they fit on an interface (bump_tips), in steps and pieces; while vertices move a little, tips are
+// taken to stay at the same place of their interface: a fixed affine combination of its corners,
+// and a fixed height over its plane.
 #pragma once
 
 #include <array>
@@ -11,6 +11,11 @@
 #include "curveups/physics/balance_system.hpp"
 
 namespace curveups {
+
+// Where pushing forces within friction are asked for f_min: at the interfaces' corners, and at the
+// bumps' tips where tiles carry bumps. One rule for both (verdict.hpp).
+enum class Touching { at_corners = 0, at_tips = 1 };
+inline constexpr std::array<Touching, 2> touchings = {Touching::at_corners, Touching::at_tips};
 
 struct TouchPoints {
   // points[p] = sum_l weight[l] corners[first + l].position + height * corners[first].normal

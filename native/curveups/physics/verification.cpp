@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 
 #include "curveups/bodies/bumps.hpp"
 #include "curveups/core/errors.hpp"
@@ -118,59 +117,50 @@ void describe_contacts(const TileMesh& tiles, const BalanceSystem& system,
 // Second-order cone programs of a verdict, and how far membranes stay from bodies: independent of
 // one another.
 struct Programs {
-  UnilateralResult coulomb, unlimited, tips;
+  UnilateralResult unlimited;  // those within friction stay in the solved design
   std::array<MembraneClearance, 2> clearance;
 };
 
-// system, unlimited_system: at the interfaces' corners; tips: null without bumps. scale: the unit
-// of forces, N.
+// system, unlimited_system: at the interfaces' corners; tips: null without bumps.
 Programs solve_programs(BalanceSystem& system, BalanceSystem& unlimited_system, BalanceSystem* tips,
-                        const SolvedDesign& solved, double scale, const DesignGeometry& geometry,
+                        SolvedDesign& solved, const DesignGeometry& geometry,
                         const Progress& progress) {
-  const Parameters& parameters = solved.design.parameters;
-  UnilateralOptions coulomb;
-  coulomb.friction_coefficient = parameters.friction_coefficient;
-  coulomb.scale = scale;
-  UnilateralOptions unlimited = coulomb;
+  UnilateralOptions unlimited;
   unlimited.friction_coefficient = std::numeric_limits<double>::infinity();
-  std::mutex mutex;
-  const Progress serial = [&](const std::string& what, double fraction) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    return keep_going(progress, what, fraction);
-  };
+  unlimited.scale = force_scale(solved);
+  const Progress serial = one_at_a_time(progress);
   Programs out;
-  auto solve = [&](BalanceSystem& at, const Points3& first, const UnilateralOptions& options) {
-    return solve_unilateral(at, solved.loads, first, options, serial);
-  };
   auto clearance = [&](int side) {
-    return membrane_clearance(geometry, solved.membranes[side], parameters.H_pin);
+    return membrane_clearance(geometry, solved.membranes[side], solved.design.parameters.H_pin);
   };
-  parallel_tasks({[&] { out.coulomb = solve(system, solved.forces.force, coulomb); },
+  parallel_tasks({[&] { find_floor(solved, Touching::at_corners, system, serial); },
                   [&] {
-                    if (!tips) return;
-                    const ContactForces start = solve_contact_forces(*tips, solved.loads);
-                    out.tips = solve(*tips, start.force, coulomb);
+                    if (tips) find_floor(solved, Touching::at_tips, *tips, serial);
                   },
-                  [&] { out.unlimited = solve(unlimited_system, solved.forces.force, unlimited); },
+                  [&] {
+                    out.unlimited = solve_unilateral(unlimited_system, solved.loads,
+                                                     solved.forces.force, unlimited, serial);
+                  },
                   [&] { out.clearance[0] = clearance(0); },
                   [&] { out.clearance[1] = clearance(1); }});
   return out;
 }
 
-UnilateralFigures describe_programs(const Programs& programs, bool with_tips, double f_min,
-                                    double friction_coefficient, double scale) {
+UnilateralFigures describe_programs(const UnilateralResult& coulomb,
+                                    const UnilateralResult& unlimited, const UnilateralResult* tips,
+                                    double f_min, double friction_coefficient, double scale) {
   UnilateralFigures u;
   u.friction_coefficient = friction_coefficient;
   u.floor = f_min;
-  u.status = programs.coulomb.solve.status;
-  u.largest_floor = programs.coulomb.largest_floor;
+  u.status = coulomb.solve.status;
+  u.largest_floor = coulomb.largest_floor;
   u.feasible =
       u.status == SolveStatus::converged && floor_is_reached(u.largest_floor, f_min, scale);
-  u.unlimited_status = programs.unlimited.solve.status;
-  u.unlimited_largest_floor = programs.unlimited.largest_floor;
-  if (with_tips) {
-    u.tips_status = programs.tips.solve.status;
-    u.tips_largest_floor = programs.tips.largest_floor;
+  u.unlimited_status = unlimited.solve.status;
+  u.unlimited_largest_floor = unlimited.largest_floor;
+  if (tips) {
+    u.tips_status = tips->solve.status;
+    u.tips_largest_floor = tips->largest_floor;
     u.feasible_at_tips = u.tips_status == SolveStatus::converged &&
                          floor_is_reached(u.tips_largest_floor, f_min, scale);
   }
@@ -216,20 +206,19 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
     tips_system.emplace(make_balance_system(
         geometry, parameters, tie_to_corners(contact_corners(geometry, parameters), tips).points));
   }
-  const double scale =
-      forces.normal_mean > 0 ? forces.normal_mean : std::max(report.physics.mean_tile_force, 1e-12);
-  const Programs programs =
-      solve_programs(system, unlimited_system, tips_system ? &*tips_system : nullptr, solved, scale,
-                     geometry, progress);
+  const Programs programs = solve_programs(
+      system, unlimited_system, tips_system ? &*tips_system : nullptr, solved, geometry, progress);
+  const UnilateralResult& coulomb = *solved.floor[static_cast<int>(Touching::at_corners)];
+  const UnilateralResult* at_tips =
+      tips_system ? &*solved.floor[static_cast<int>(Touching::at_tips)] : nullptr;
   report.physics.clearance_mm =
       std::min(programs.clearance[0].distance, programs.clearance[1].distance);
-  report.unilateral = describe_programs(programs, tips_system.has_value(), f_min,
-                                        parameters.friction_coefficient, scale);
+  report.unilateral = describe_programs(coulomb, programs.unlimited, at_tips, f_min,
+                                        parameters.friction_coefficient, force_scale(solved));
   if (parameters.bumps == "dimples") report.unilateral.sliding_play = sliding_play(plan, tiles);
-  give_verdict({system, forces, programs.coulomb, tips_system ? &programs.tips : nullptr,
-                tips_system ? &*tips_system : nullptr, programs.clearance, slack_tiles,
-                solved.f_min_ratio > parameters.f_min_ratio, parameters,
-                pieces_in_the_air(geometry, parameters)},
+  give_verdict({system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr,
+                programs.clearance, slack_tiles, solved.f_min_ratio > parameters.f_min_ratio,
+                parameters, pieces_in_the_air(geometry, parameters)},
                report);
   if (store) store->put(std::move(solved));
   return report;

@@ -8,15 +8,12 @@
 #include <vector>
 
 #include "curveups/physics/contact_forces.hpp"
+#include "curveups/physics/touch_points.hpp"
 #include "curveups/physics/verdict.hpp"
 #include "curveups/refinement/repair_options.hpp"
 
 namespace curveups {
 
-// Where pushing forces within friction are asked for f_min: at the interfaces' corners, and at the
-// bumps' tips where tiles carry bumps. One rule for both (verdict.hpp).
-enum class Touching { at_corners = 0, at_tips = 1 };
-inline constexpr std::array<Touching, 2> touchings = {Touching::at_corners, Touching::at_tips};
 // By Touching; NaN where it was not computed.
 using Floors = std::array<double, 2>;
 inline constexpr Floors no_floors = {std::numeric_limits<double>::quiet_NaN(),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "curveups/bodies/bumps.hpp"
+#include "curveups/core/parallel.hpp"
 #include "curveups/physics/verdict.hpp"
 
 namespace curveups {
@@ -43,18 +44,18 @@ UnilateralResult TrackedForces::unilateral(const DesignGeometry& geometry, const
   return solve_unilateral(system, loads, start.force, options, progress_);
 }
 
-void TrackedForces::plan_tips(const Iterate& place) {
-  const TileMesh& tiles = place.geometry().tiles;
+void TrackedForces::plan_tips(const DesignGeometry& geometry, const FlatPoses& poses) {
   const std::vector<Points3> tips =
-      bump_tips(plan_bumps(place.geometry(), place.poses(), parameters_), tiles);
+      bump_tips(plan_bumps(geometry, poses, parameters_), geometry.tiles);
   has_tips_ =
       std::any_of(tips.begin(), tips.end(), [](const Points3& at) { return at.rows() > 0; });
-  if (has_tips_) touch_ = tie_to_corners(contact_corners(place.geometry(), parameters_), tips);
+  if (has_tips_) touch_ = tie_to_corners(contact_corners(geometry, parameters_), tips);
 }
 
-Judgement TrackedForces::judge_fresh(const Iterate& place, const SolvedDesign& fresh) {
+Judgement TrackedForces::judge_fresh(const Iterate& place, SolvedDesign& fresh) {
   f_min_ratio_ = fresh.f_min_ratio;
-  plan_tips(place);
+  // From the design, as verification does: what find_floor keeps is the same to the bit.
+  plan_tips(place.geometry(), fit_poses(place.geometry().tiles, fresh.design.T));
   const BalanceSystem system = make_balance_system(place.geometry(), parameters_);
   const Eigen::VectorXd normal = fresh.forces.force.col(0);
   Floors floors = no_floors;
@@ -62,14 +63,20 @@ Judgement TrackedForces::judge_fresh(const Iterate& place, const SolvedDesign& f
     return curveups::judge(system.points(), normal, floors, f_min_ratio_, options_);
   };
   const bool weak = judged().weak > 0;
+  const Progress serial = one_at_a_time(progress_);
+  std::vector<std::function<void()>> tasks;
   for (Touching where : touchings) {
     const int k = static_cast<int>(where);
     const bool exists = where == Touching::at_corners || has_tips_;
     active_[k] = active_[k] && exists;
     if (!exists || (weak && !active_[k])) continue;
-    floors[k] =
-        unilateral(place.geometry(), fresh.loads, fresh.forces.normal_mean, where).largest_floor;
+    tasks.emplace_back([&, where, k] {
+      BalanceSystem at =
+          make_balance_system(place.geometry(), parameters_, points_at(place.geometry(), where));
+      floors[k] = find_floor(fresh, where, at, serial).largest_floor;
+    });
   }
+  parallel_tasks(tasks);
   Judgement now = judged();
   for (Touching where : touchings) {
     if (!weak && now.is_short_of(where)) active_[static_cast<int>(where)] = true;
@@ -105,7 +112,7 @@ void TrackedForces::move(const Iterate& place) {
   forces_->move(place.geometry(), place.poses(), place.insets(), progress_);
   // Where a corner came or went tips are planned anew.
   if (has_tips_ && !follow_corners(contact_corners(place.geometry(), parameters_), touch_)) {
-    plan_tips(place);
+    plan_tips(place.geometry(), place.poses());
   }
 }
 

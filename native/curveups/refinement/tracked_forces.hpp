@@ -30,7 +30,7 @@ class TrackedForces {
   // The verdict on a place. The largest floors are a part of it where no point is weak, and from
   // then on each where it is what fails. Throws InfeasibleDesign where the membranes don't press
   // the tiles together.
-  Judgement judge_fresh(const Iterate& place, const SolvedDesign& fresh);
+  Judgement judge_fresh(const Iterate& place, SolvedDesign& fresh);
   // Follows from here on; takes the membranes. judged: what judge_fresh said of them.
   void follow(const Iterate& place, SolvedDesign& fresh, const Judgement& judged);
 
@@ -60,7 +60,7 @@ class TrackedForces {
   UnilateralResult unilateral(const DesignGeometry& geometry, const Wrenches& loads, double scale,
                               Touching where) const;
   void solve_active_floors();
-  void plan_tips(const Iterate& place);
+  void plan_tips(const DesignGeometry& geometry, const FlatPoses& poses);
 
   Parameters parameters_;
   RepairOptions options_;

@@ -98,6 +98,9 @@ TEST(Repair, LiftsWeakContactsAboveAHigherFloor) {
   ASSERT_TRUE(left);
   EXPECT_EQ(left->elastic, fresh.elastic);
   EXPECT_EQ(left->forces.normal_min, fresh.contact_forces.normal_min);
+  ASSERT_TRUE(left->floor[0] && left->floor[1]);
+  EXPECT_EQ(left->floor[0]->largest_floor, fresh.unilateral.largest_floor);
+  EXPECT_EQ(left->floor[1]->largest_floor, fresh.unilateral.tips_largest_floor);
 }
 
 TEST(Repair, RestoresSpoiledPinsAndPoses) {
