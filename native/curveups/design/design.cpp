@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/design/remote_overlaps.hpp"
 
@@ -21,9 +22,12 @@ DesignGeometry make_geometry(const TriangleMesh& mesh, const Edges& cuts,
   }
   require_back_faces(geometry.tiles);
   geometry.truncation = truncate_at_vertices(geometry.tiles);
+  checkpoint();
   geometry.patches = compute_contact_patches(geometry.tiles, geometry.truncation);
+  checkpoint();
   separate_remote_tiles(geometry.tiles, geometry.patches, geometry.truncation);
   separate_remote_front_pins(geometry.tiles, parameters.H_pin, geometry.truncation);
+  checkpoint();
   geometry.pin_bounds = compute_pin_bounds(geometry.tiles, geometry.truncation, parameters);
   return geometry;
 }

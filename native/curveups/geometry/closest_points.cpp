@@ -59,11 +59,21 @@ ClosestPoints::ClosestPoints(const TriangleMesh& mesh) : impl_(std::make_unique<
   }
   impl_->triangles.reserve(mesh.F.rows());
   for (int f = 0; f < mesh.F.rows(); ++f) {
+    checkpoint_now_and_then(f);
     impl_->triangles.emplace_back(point(mesh.V, mesh.F(f, 0)), point(mesh.V, mesh.F(f, 1)),
                                   point(mesh.V, mesh.F(f, 2)));
   }
+  checkpoint();
   impl_->tree.insert(impl_->triangles.begin(), impl_->triangles.end());
-  impl_->tree.build();
+  const Traits& traits = impl_->tree.traits();
+  std::size_t boxes = 0;
+  impl_->tree.custom_build(
+      traits.compute_bbox_object(),
+      [&, split = traits.split_primitives_object()](auto first, auto beyond, const auto& box) {
+        checkpoint_now_and_then(boxes++);
+        split(first, beyond, box);
+      });
+  checkpoint();
   impl_->tree.accelerate_distance_queries();
 }
 ClosestPoints::~ClosestPoints() = default;
@@ -131,6 +141,7 @@ Points3 surface_samples(const TriangleMesh& mesh) {
   std::unordered_set<std::uint64_t> seen;
   seen.reserve(2 * static_cast<std::size_t>(faces));
   for (int f = 0; f < faces; ++f) {
+    checkpoint_now_and_then(f);
     for (int t = 0; t < 3; ++t) {
       const int a = mesh.F(f, t), b = mesh.F(f, next3(t));
       const auto low = static_cast<std::uint64_t>(std::min(a, b));

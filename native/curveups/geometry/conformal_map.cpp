@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/numerics/sparse_cholesky.hpp"
 
@@ -190,6 +191,7 @@ Eigen::VectorXd least_mode(const TriangleMesh& mesh, const MeshTopology& topolog
   Eigen::VectorXd least = x.col(0), turned(x.rows());
   double last_change = 1;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    checkpoint();
     improve(solver, weight, norm, x);
     if (!x.allFinite()) {
       throw SolverFailure("the conformal map could not be computed", "remesh the surface");

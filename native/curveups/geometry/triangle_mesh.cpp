@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 
 namespace curveups {
@@ -29,6 +30,7 @@ MeshTopology build_topology(const Triangles& F, int vertex_count) {
   index.reserve(face_count * 2);
   std::vector<int> crowded, twisted;
   for (int f = 0; f < face_count; ++f) {
+    checkpoint_now_and_then(f);
     for (int t = 0; t < 3; ++t) {
       const int a = F(f, t), b = F(f, next3(t));
       if (a < 0 || a >= vertex_count) {

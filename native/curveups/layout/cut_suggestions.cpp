@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/geometry/cut_graph.hpp"
@@ -123,6 +124,7 @@ class Suggester {
       for (int k = begin; k < end; ++k) {
         const DesignGeometry cut =
             make_geometry(mesh_, with(with(cuts_, pending), found[k].cut.edges), parameters_);
+        checkpoint();
         found[k].unevenness = unevenness(cut.tiles, relative_scale(cut.tiles));
         found[k].sides_with_room = sides_with_room(cut.pin_bounds);
       }
