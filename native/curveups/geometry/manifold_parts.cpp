@@ -4,11 +4,13 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
 #include <algorithm>
 #include <limits>
 #include <vector>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
 namespace {
@@ -28,7 +30,13 @@ Polygons polygons_of(const TriangleMesh& mesh) {
 }  // namespace
 
 bool is_manifold(const TriangleMesh& mesh) {
-  return pmp::is_polygon_soup_a_polygon_mesh(polygons_of(mesh));
+  try {
+    const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+    // Vertices that join several fans of faces come out as several.
+    return static_cast<Eigen::Index>(cut_open(mesh, topology, {}).original.size()) == mesh.V.rows();
+  } catch (const TopologyError&) {
+    return false;
+  }
 }
 
 int part_manifolds(TriangleMesh& mesh) {
