@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 import json
+import threading
 import time
+from contextlib import ExitStack, nullcontext
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, ContextManager, Optional
 
 import numpy as np
 
@@ -17,6 +19,7 @@ from .project import Results
 from .report import check
 from .report.data import build_report, to_text
 from .report.html import build_html
+from .stages import solids as solids_stage
 from .stages.solids import Solids
 from .stages.stage import Job, Row
 
@@ -24,30 +27,105 @@ REPORTS = ("report.json", "report.html")
 
 
 def write_results(results: Results, path: Path, job: Job) -> bool:
-    """design.json, the solids' files and the document, then the reports. A stop between files leaves
-    those already complete and the reports, which say so. Returns whether the run was stopped at any time.
+    """All files of a run that has ended (`Writing`). Returns whether the run was stopped at any time."""
+    with Writing(path, job) as writing:
+        return writing.end(results)
 
-    The folder never claims what it doesn't hold: the reports of an earlier run go first, its files under
-    this name next, and report.json comes last."""
-    with Folder(path) as folder:
+
+class Writing:
+    """The files of a run: those of the design and its bodies, from the moment that they are known, on a
+    thread of its own while the run goes on and checks the solids; the document and the reports at the end.
+
+    A stop between files leaves those already complete and the reports, which say so. The folder never claims
+    what it doesn't hold: the reports of an earlier run go first, its files under this name next, and
+    report.json comes last. A run that breaks off (`with`) takes back what was written. `shield`: keeps
+    signals from cutting off what is being written.
+    """
+
+    def __init__(self, path: Path, job: Job, shield: Callable[[], ContextManager] = nullcontext):
+        self._path, self._job, self._shield = path, job, shield
+        self._thread: Optional[threading.Thread] = None
+        self._began = ExitStack()
+        self._error: Optional[BaseException] = None
+        self._stopped = self._ended = False
+
+    def __enter__(self) -> "Writing":
+        return self
+
+    def __exit__(self, kind: Any, error: Optional[BaseException], trace: Any) -> None:
+        with self._began:
+            if error is not None and self._thread is not None and not self._ended:
+                self._job.stopped = True
+                self._thread.join()
+                self._folder.withdraw()
+
+    def watch(self, goal: str, results: Results) -> None:
+        """For `Project.run`: begins as soon as there are solids."""
+        if goal == solids_stage.STAGE.name and not self._job.stopped:
+            self._begin(results)
+
+    def end(self, results: Results) -> bool:
+        """What is left to write. Returns whether the run was stopped at any time."""
         start = time.perf_counter()
-        folder.remove(*REPORTS, *_earlier(results, path))
-        folder.write_text("design.json", native.write_design(results.design))
-        suggested = results.get("suggestions")
-        if suggested is not None and suggested.proposed:
-            folder.write_text(_cuts_name(results.name), cuts_text(results))
+        self._ended = True
+        if self._thread is None:
+            self._begin(results)
+        assert self._thread is not None
+        while self._thread.is_alive():
+            self._thread.join(0.05)
+            self._job(self._doing)
+        if self._error is not None:
+            raise self._error
+        rows, stopped = results.rows(), results.stopped or self._stopped
         software: dict[str, str] = {}
-        rows, stopped = results.rows(), results.stopped
-        solids = results.get("solids")
-        if solids is not None and solids.model is not None:
-            try:
-                _write_solids(solids, results.name, folder, job)
-                _write_document(results, folder, job, software)
-            except (Stopped, native.Cancelled):
-                stopped = True
-            rows.append(Row("export", time.perf_counter() - start))
-        write_reports(results, folder, rows, stopped, software)
-    return stopped
+        with self._folder as folder:
+            solids = results.get("solids")
+            if solids is not None and solids.model is not None:
+                if not self._stopped:
+                    try:
+                        _write_document(results, folder, self._job, software)
+                    except (Stopped, native.Cancelled):
+                        stopped = True
+                rows.append(Row("export", time.perf_counter() - start))
+            write_reports(results, folder, rows, stopped, software)
+        return stopped
+
+    def _begin(self, results: Results) -> None:
+        self._began.enter_context(self._shield())
+        self._folder = Folder(self._path)
+        self._doing = "writing design.json"
+        self._thread = threading.Thread(target=self._write_first, args=(results,), daemon=True)
+        self._thread.start()
+
+    def _write_first(self, results: Results) -> None:
+        try:
+            with self._folder as folder:
+                folder.remove(*REPORTS, *_earlier(results, self._path))
+                folder.write_text("design.json", native.write_design(results.design))
+                suggested = results.get("suggestions")
+                if suggested is not None and suggested.proposed:
+                    folder.write_text(_cuts_name(results.name), cuts_text(results))
+                solids = results.get("solids")
+                if solids is not None and solids.model is not None:
+                    try:
+                        self._write_solids(solids, results.name)
+                    except (Stopped, native.Cancelled):
+                        self._stopped = True
+        except BaseException as error:
+            self._error, self._job.stopped = error, True  # nobody needs the checks of what can't be written
+
+    def _write_solids(self, solids: Solids, name: str) -> None:
+        """A kind of which there are no bodies (anchors switched off) has no file. What is sent to the printer
+        comes first."""
+        model: Any = solids.model
+        for ending, kinds in sorted(native.print_formats(), key=lambda found: found[0] != "3mf"):
+            for kind in kinds:
+                if kind in (*solids.kinds, "print", "actuated"):
+                    file = _print_name(name, kind, ending)
+                    self._doing = f"writing {file}"
+                    # Asks for nothing but a stop: what is shown meanwhile is the checks' progress.
+                    _write(self._folder, file, self._job,
+                           lambda path: model.write(ending, kind, path, lambda *_: not self._job.stopped))
 
 
 def write_verification(results: Results, design: Any, path: Path) -> None:
@@ -92,16 +170,6 @@ def _document_name(name: str) -> str:
 
 def _cuts_name(name: str) -> str:
     return f"{name}-cuts.json"
-
-
-def _write_solids(solids: Solids, name: str, folder: Folder, job: Job) -> None:
-    """A kind of which there are no bodies (anchors switched off) has no file."""
-    model: Any = solids.model
-    for ending, kinds in native.print_formats():
-        for kind in kinds:
-            if kind in (*solids.kinds, "print", "actuated"):
-                _write(folder, _print_name(name, kind, ending), job,
-                       lambda path: model.write(ending, kind, path, job))
 
 
 def _write_document(results: Results, folder: Folder, job: Job, software: dict[str, str]) -> None:

@@ -104,6 +104,12 @@ class Folder:
                                     str(self.path / name), "remove it, or choose another folder",
                                     NOT_WRITTEN) from error
 
+    def withdraw(self) -> None:
+        """Takes away what was written, and the folders that were made for it."""
+        self.remove(*self.files)
+        self.files.clear()
+        self._remove_made()
+
     def holds(self, name: str, text: str) -> bool:
         """Whether a file is there with just this content."""
         try:

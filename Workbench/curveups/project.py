@@ -10,7 +10,7 @@ from __future__ import annotations
 import threading
 import time
 from dataclasses import dataclass, field
-from typing import Any, Iterable, Iterator, Mapping, Optional, Sequence
+from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence
 
 from .errors import CurveUpsError, Stopped
 from .native import native, translated
@@ -173,8 +173,9 @@ class Project:
         return tuple(changed) if self._compare(name, known, parameters, changed) else None
 
     def run(self, goals: Sequence[str], job: Optional[Job] = None, strict: bool = False,
-            note: str = "") -> Results:
-        """Makes the goals, each with what it needs, and returns all there is then.
+            note: str = "", watch: Optional[Callable[[str, Results], object]] = None) -> Results:
+        """Makes the goals, each with what it needs, and returns all there is then. watch: told each goal as
+        it is made, with all there is by then.
 
         A stage that fails or is stopped where work before it is worth its files ends in a result that
         says so; `strict`: failures are raised. Raises CurveUpsError, and Stopped where there is nothing.
@@ -187,6 +188,8 @@ class Project:
             try:
                 for goal in goals:
                     run.make(goal)
+                    if watch is not None:
+                        watch(goal, run.results(note))
             finally:
                 with self._reading:
                     self._made.update(run.lasting)

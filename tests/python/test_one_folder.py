@@ -91,8 +91,8 @@ def test_killed_in_the_middle_of_writing(cap, used):
     assert not left & {"report.json", "report.html"}
     assert (used / "design.json").read_text() != "of the earlier run"
     whole = {name for name in left if not name.startswith(".")}
-    assert "small-cap.FCStd" not in whole and whole - OWN <= {"design.json", "small-cap-tiles.step",
-                                                              "small-cap-support.step"}
+    assert "small-cap.FCStd" not in whole and whole - OWN <= {"design.json", "small-cap-print.3mf",
+                                                              "small-cap-tiles.step"}
 
 
 def test_something_unexpected_between_the_files_has_status_4(tmp_path):

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Iterator, TextIO
 
 from ..errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
-from ..files import write_check, write_obj, write_results, write_verification
+from ..files import Writing, write_check, write_obj, write_verification
 from ..native import native, translated
 from ..output import Folder, is_text, plain_name, require_folder_name, safe_name
 from ..profiles import ABOUT, profile_path
@@ -53,9 +53,10 @@ def design(options: Any, session: Session) -> int:
     job = session.job
     if cuts.suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
-    results = project.run((*DESIGNED, *(() if options.no_solids else PRINTED)), job)
-    with session.interrupt.shielded():
-        stopped = write_results(results, options.output, job)
+    goals = (*DESIGNED, *(() if options.no_solids else PRINTED))
+    with Writing(options.output, job, session.interrupt.shielded) as writing:
+        results = project.run(goals, job, watch=writing.watch)
+        stopped = writing.end(results)
     return _finish(results, options.output, session, stopped)
 
 
@@ -136,11 +137,10 @@ def export(options: Any, session: Session) -> int:
         rebuilt |= rows[name].tier == "rebuild" and values.get(name) != before
     project.parameters = values
     job = session.job
-    results = project.run(
-        ("figures", *PRINTED), job, strict=True,
-        note="geometry changed since verification" if rebuilt else "an export does not verify")
-    with session.interrupt.shielded():
-        stopped = write_results(results, options.output, job)
+    note = "geometry changed since verification" if rebuilt else "an export does not verify"
+    with Writing(options.output, job, session.interrupt.shielded) as writing:
+        results = project.run(("figures", *PRINTED), job, strict=True, note=note, watch=writing.watch)
+        stopped = writing.end(results)
     return _finish(results, options.output, session, stopped)
 
 

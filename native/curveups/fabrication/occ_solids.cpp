@@ -9,6 +9,7 @@
 #include <BRepGProp_Vinert.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <gp_Cylinder.hxx>
 #include <gp_Sphere.hxx>
+#include <optional>
 #include <unordered_map>
 
 #include "curveups/core/checkpoint.hpp"
@@ -190,16 +192,62 @@ std::vector<TopoDS_Shape> make_solids(const std::vector<const PrintBody*>& bodie
   return solids;
 }
 
+namespace {
+
+// The integral of p x dp / 2 along an edge as its face passes it, from a point `apex`. Around a
+// plane face these sum up to its area times its normal. Nothing where the curve is no line and no
+// circle.
+std::optional<gp_XYZ> area_share(const TopoDS_Edge& edge, const gp_Pnt& apex) {
+  double first, last;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+  if (curve.IsNull()) return std::nullopt;
+  const gp_XYZ from = curve->Value(first).XYZ() - apex.XYZ();
+  const gp_XYZ to = curve->Value(last).XYZ() - apex.XYZ();
+  const Handle(Geom_Circle) circle = Handle(Geom_Circle)::DownCast(curve);
+  gp_XYZ share;
+  if (!circle.IsNull()) {
+    const gp_XYZ centre = circle->Location().XYZ() - apex.XYZ();
+    const double r = circle->Radius();
+    share = centre.Crossed(to - from) + r * r * (last - first) * circle->Axis().Direction().XYZ();
+  } else if (curve->IsKind(STANDARD_TYPE(Geom_Line))) {
+    share = from.Crossed(to);
+  } else {
+    return std::nullopt;
+  }
+  return (edge.Orientation() == TopAbs_REVERSED ? -0.5 : 0.5) * share;
+}
+
+// What a plane face spans with the apex, by the curves of its edges; nothing where it is curved.
+std::optional<double> plane_cone(const TopoDS_Face& face, const gp_Pnt& apex) {
+  const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
+  if (plane.IsNull()) return std::nullopt;
+  gp_XYZ area(0, 0, 0);
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const std::optional<gp_XYZ> share = area_share(TopoDS::Edge(it.Current()), apex);
+    if (!share) return std::nullopt;
+    area += *share;
+  }
+  return (plane->Location().XYZ() - apex.XYZ()).Dot(area) / 3;
+}
+
+}  // namespace
+
 double solid_volume(const TopoDS_Shape& shape) {
-  // As BRepGProp::VolumeProperties has it, face by face: a slab has thousands.
+  // As BRepGProp::VolumeProperties has it, face by face: a slab has thousands. Those of plane faces
+  // are sums over their edges, where BRepGProp integrates numerically.
   const TopExp_Explorer corner(shape, TopAbs_VERTEX);
   if (!corner.More()) return 0;
   const gp_Pnt apex = BRep_Tool::Pnt(TopoDS::Vertex(corner.Current()));
   double volume = 0;
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
     checkpoint();
-    BRepGProp_Face face(TopoDS::Face(it.Current()));
-    BRepGProp_Domain domain(TopoDS::Face(it.Current()));
+    const TopoDS_Face found = TopoDS::Face(it.Current());
+    if (const std::optional<double> cone = plane_cone(found, apex)) {
+      volume += *cone;
+      continue;
+    }
+    BRepGProp_Face face(found);
+    BRepGProp_Domain domain(found);
     volume += BRepGProp_Vinert(face, domain, apex).Mass();
   }
   return volume;
