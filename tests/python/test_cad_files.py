@@ -103,7 +103,7 @@ def test_what_a_step_file_has_lost_is_missed(spherical_cap, tmp_path):
     path.write_text("\n".join(spherical_cap))
     whole = cad_files.read_cad(path, 0.5)
     assert whole.V.min() > -1e-6
-    for word in ("= CIRCLE(", "= SURFACE_CURVE(", "= AXIS2_PLACEMENT_3D("):
+    for word in ("= CIRCLE(", "= EDGE_CURVE(", "= AXIS2_PLACEMENT_3D("):
         place = max(k for k, line in enumerate(spherical_cap) if word in line)
         path.write_text("\n".join(spherical_cap[:place] + spherical_cap[place + 1:]))
         with pytest.raises(CurveUpsError, match="lost 1 of its entities"):

@@ -120,7 +120,7 @@ def test_without_mending_all_of_these_are_refused_with_a_way_out(run):
         ran, report, _ = run(surface())
         assert ran.status == 2 and report is None
         assert "or set mend=on (" in ran.error_lines[0], ran.err
-    ran, report, _ = run(tent(9, 9), "H_body=5")
+    ran, report, _ = run(tent(12, 9), "H_body=5")
     assert ran.status == 2 and "so does mend=on, which moves vertices by up to" in ran.error_lines[0], ran.err
 
 

@@ -5,6 +5,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/version.h>
 
 #include <algorithm>
 #include <exception>
@@ -77,6 +78,20 @@ struct SoundPoints {
   Mesh* mesh;
 };
 
+// CGAL 6 removes a face without area at the boundary, such as collapsing leaves where three boundary
+// vertices are on a line, and then asks for its edges, at times for ever. Here no face is one, and
+// collapses that would make one turn a face over, which CGAL does not do.
+struct Traits : Kernel {
+#if CGAL_VERSION_NR >= 1060000000
+  struct Collinear_3 {
+    bool operator()(const Kernel::Point_3&, const Kernel::Point_3&, const Kernel::Point_3&) const {
+      return false;
+    }
+  };
+  [[nodiscard]] Collinear_3 collinear_3_object() const { return {}; }
+#endif
+};
+
 }  // namespace
 
 IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int iterations) {
@@ -106,6 +121,7 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
     pmp::isotropic_remeshing(faces(mesh), length, mesh,
                              CGAL::parameters::number_of_iterations(iterations)
                                  .number_of_relaxation_steps(3)
+                                 .geom_traits(Traits())
                                  .vertex_point_map(SoundPoints{&mesh})
                                  .edge_is_constrained_map(feature)
                                  .vertex_is_constrained_map(FixedVertices{fixed}));

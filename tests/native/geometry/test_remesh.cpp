@@ -308,6 +308,32 @@ TEST(Remesh, BodiesOfTheSizeOfATileAreRefusedOrWhole) {
   EXPECT_GT(made, 10);
 }
 
+TEST(Remesh, PlatesOfAFewTilesEnd) {
+  const WithOneThread guard;
+  // A square plate with a ridge: nearly all vertices end on its straight sides.
+  TriangleMesh plate{Points3(625, 3), Triangles(1152, 3)};
+  for (int v = 0; v < 625; ++v) {
+    const double x = 2 * (v % 25) - 24, y = 2 * (v / 25) - 24;
+    const double away = std::hypot(std::max(std::abs(x) - 8, 0.0), y);
+    plate.V.row(v) << x, y, 12 * std::max(0.0, 1 - away / 9);
+  }
+  for (int k = 0; k < 576; ++k) {
+    const int a = k / 24 * 25 + k % 24;
+    plate.F.row(2 * k) << a, a + 1, a + 26;
+    plate.F.row(2 * k + 1) << a, a + 26, a + 25;
+  }
+  for (const double L : {10.0, 12.0, 14.0, 15.0, 16.0, 17.0, 18.0, 19.0, 20.0}) {
+    const RemeshResult result = remesh(plate, {L});
+    EXPECT_EQ(loop_count(result.mesh), 1u) << L;
+    EXPECT_TRUE(check_mesh(result.mesh, L, false).empty()) << L;
+    double from_above = 0;  // the sides are straight: what is seen from above is the whole square
+    for (int f = 0; f < result.mesh.F.rows(); ++f) {
+      from_above += face_area_vector(result.mesh, f).z();
+    }
+    EXPECT_NEAR(from_above, 48 * 48, 1e-6) << L;
+  }
+}
+
 TEST(Remesh, RandomSheetsKeepEveryFace) {
   const WithOneThread guard;  // meshes this small gain nothing by threads
   // Graphs over stars: corners that jut out and in, facets of all sizes, waves up to slope 1.
