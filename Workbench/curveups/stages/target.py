@@ -70,18 +70,19 @@ def _run(inputs: Inputs, job: Job) -> Target:
     job("checking the target")
     V, F, notes = surface.V, surface.F, list(surface.notes)
     mended: dict[str, Any] = {}
+    apart = False  # whether no face is known to run through another, which takes seconds to find out
     if source.remesh:
         # Otherwise the mesh is taken as it is: cuts name its vertices by number.
         clean = native.clean_mesh(V, F, job)
         V, F = clean.V, clean.F
         notes += clean.notes
         if inputs.parameters.get("mend") != "off":
-            V, F, mended = _mend(V, F, L, inputs.parameters.get("mend") == "on", clean.notes, job)
+            V, F, mended, apart = _mend(V, F, L, inputs.parameters.get("mend") == "on", clean.notes, job)
     else:
         settle([f for f in native.check_mesh(V, F, 1.0, True, job) if f.kind in BROKEN], inputs.where,
                faces_place)
         L = _own_length(V, F, inputs.where)
-    findings = native.check_mesh(V, F, L, source.will_be_cut, job)
+    findings = native.check_mesh(V, F, L, source.will_be_cut, job, without_crossings=apart)
     notes += [finding.message for finding in findings if finding.kind == "components"]
     try:
         found = settle([f for f in findings if f.kind != "components"], inputs.where, faces_place)
@@ -105,17 +106,20 @@ def remesh(V: np.ndarray, F: np.ndarray, L: float, parameters: Any, job: Job) ->
 
 
 def _mend(V: np.ndarray, F: np.ndarray, L: float, apply: bool, cleaned: Sequence[str],
-          job: Job) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
-    """What is to be remeshed, and what the result says of mending. `cleaned`: what is done to any mesh."""
+          job: Job) -> tuple[np.ndarray, np.ndarray, dict[str, Any], bool]:
+    """What is to be remeshed, what the result says of mending, and whether no face of the first is known to
+    run through another. `cleaned`: what is done to any mesh."""
     done = tuple(cleaned) if apply else ()
     if not len(F) or not np.isfinite(V).all():  # said by check_mesh
-        return V, F, {}
+        return V, F, {}, False
     made = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
     if not made.actions:
-        return V, F, {"actions": done}
+        return V, F, {"actions": done}, made.without_crossings
     _, _, hausdorff = native.surface_deviation(made.V, made.F, V, F, job)
     said = {"actions": (*done, *made.actions), "mended_by": float(hausdorff)}
-    return (made.V, made.F, {"unmended": (V, F), **said}) if apply else (V, F, said)
+    if not apply:
+        return V, F, said, False
+    return made.V, made.F, {"unmended": (V, F), **said}, made.without_crossings
 
 
 def _with_mending(error: CurveUpsError, V: np.ndarray, F: np.ndarray, L: float, will_be_cut: bool,

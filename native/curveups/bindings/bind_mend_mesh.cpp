@@ -8,7 +8,8 @@ void bind_mend_mesh(py::module_& module) {
   py::class_<MendedMesh>(module, "MendedMesh", "A mesh that can be remeshed, and what was done.")
       .def_property_readonly("V", [](const MendedMesh& m) { return m.mesh.V; })
       .def_property_readonly("F", [](const MendedMesh& m) { return m.mesh.F; })
-      .def_readonly("actions", &MendedMesh::actions);
+      .def_readonly("actions", &MendedMesh::actions)
+      .def_readonly("without_crossings", &MendedMesh::without_crossings);
   module.def(
       "mend_mesh",
       [](const PointsIn& V, const TrianglesIn& F, double L, double hole_edge, py::object progress) {

@@ -17,15 +17,18 @@ void bind_mesh_checks(py::module_& module) {
       });
   module.def(
       "check_mesh",
-      [](const PointsIn& V, const TrianglesIn& F, double L, bool cuts_given, py::object progress) {
+      [](const PointsIn& V, const TrianglesIn& F, double L, bool cuts_given, py::object progress,
+         bool without_crossings) {
         require_positive(L, "L");
         const TriangleMesh mesh = read_unchecked_mesh(V, F);
-        return without_gil(std::move(progress),
-                           [&](const Progress&) { return check_mesh(mesh, L, cuts_given); });
+        return without_gil(std::move(progress), [&](const Progress&) {
+          return check_mesh(mesh, L, cuts_given, without_crossings);
+        });
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("cuts_given") = false,
-      py::arg("progress") = py::none(),
-      "What can't be made from the surface: a list of MeshFinding.");
+      py::arg("progress") = py::none(), py::arg("without_crossings") = false,
+      "What can't be made from the surface: a list of MeshFinding. without_crossings: no face is "
+      "known to run through another, which is then not looked for.");
 }
 
 }  // namespace curveups::bindings

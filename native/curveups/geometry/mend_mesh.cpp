@@ -74,10 +74,11 @@ void grow(const TriangleMesh& mesh, std::vector<char>& marked) {
 }
 
 // Cuts faces that run through others out and fills the gaps, with more and more of what is around
-// them; returns how many faces did, 0 where it did not help.
-int replace_intersections(TriangleMesh& mesh, double L) {
+// them; returns how many faces did, 0 where it did not help. left: whether some still do.
+int replace_intersections(TriangleMesh& mesh, double L, bool& left) {
   const std::vector<int> crossing = self_intersecting_faces(mesh);
-  if (crossing.empty()) return 0;
+  left = !crossing.empty();
+  if (!left) return 0;
   std::vector<char> gone(mesh.F.rows(), 0), on_boundary(mesh.V.rows(), 0);
   for (int f : crossing) gone[f] = 1;
   for (const MeshEdge& edge : topology_of(mesh).edges) {
@@ -110,6 +111,7 @@ int replace_intersections(TriangleMesh& mesh, double L) {
     if (fill_holes(open, gaps) != static_cast<int>(gaps.size())) continue;
     if (!self_intersecting_faces(open).empty()) continue;
     mesh = std::move(open);
+    left = false;
     return static_cast<int>(crossing.size());
   }
   return 0;
@@ -137,10 +139,13 @@ MendedMesh mend_mesh(const TriangleMesh& soup, const MendOptions& options) {
   }
   note(remove_crumbs(out.mesh, options.L), " loose parts smaller than two tiles removed");
   checkpoint("mending the target", 0.4);
-  note(replace_intersections(out.mesh, options.L),
+  bool crossings = false;
+  note(replace_intersections(out.mesh, options.L, crossings),
        " faces that ran through others cut out and filled");
   checkpoint("mending the target", 0.8);
-  note(fill_holes(out.mesh, small_holes(out.mesh, options.hole_edge)), " holes filled");
+  const int filled = fill_holes(out.mesh, small_holes(out.mesh, options.hole_edge));
+  note(filled, " holes filled");
+  out.without_crossings = !crossings && filled == 0;
   return out;
 }
 

@@ -20,6 +20,8 @@ struct MendOptions {
 struct MendedMesh {
   TriangleMesh mesh;
   std::vector<std::string> actions;  // one per kind, with its count; empty: the mesh is as given
+  // No face runs through another: that was looked for, and nothing was added since.
+  bool without_crossings = false;
 };
 
 // In this order:

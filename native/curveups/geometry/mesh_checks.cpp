@@ -130,7 +130,8 @@ void check_manifold(const TriangleMesh& mesh, Findings& findings) {
   }
 }
 
-void check_shape(const TriangleMesh& mesh, double L, bool cuts_given, Findings& findings) {
+void check_shape(const TriangleMesh& mesh, double L, bool cuts_given, bool without_crossings,
+                 Findings& findings) {
   const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
   const std::vector<int> component = face_components(topology, {});
   const int count = *std::max_element(component.begin(), component.end()) + 1;
@@ -146,9 +147,11 @@ void check_shape(const TriangleMesh& mesh, double L, bool cuts_given, Findings& 
     findings.add("closed", "the surface is closed: it can't lie flat in one piece",
                  "let it be cut open (--auto-cuts 1), give --cuts, or remove a part of it", closed);
   }
-  findings.add_faces("self-intersections", " faces run through others of the same surface",
-                     "repair the surface: tiles can't pass through one another",
-                     self_intersecting_faces(mesh));
+  if (!without_crossings) {
+    findings.add_faces("self-intersections", " faces run through others of the same surface",
+                       "repair the surface: tiles can't pass through one another",
+                       self_intersecting_faces(mesh));
+  }
   const double largest = mesh.V.cwiseAbs().maxCoeff();
   if (largest > coarse_coordinates) {
     findings.add("huge-coordinates",
@@ -179,11 +182,12 @@ void check_shape(const TriangleMesh& mesh, double L, bool cuts_given, Findings& 
 
 }  // namespace
 
-std::vector<MeshFinding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given) {
+std::vector<MeshFinding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given,
+                                    bool without_crossings) {
   Findings findings;
   check_arrays(mesh, findings);
   if (findings.list.empty()) check_manifold(mesh, findings);
-  if (findings.list.empty()) check_shape(mesh, L, cuts_given, findings);
+  if (findings.list.empty()) check_shape(mesh, L, cuts_given, without_crossings, findings);
   return findings.list;
 }
 

@@ -25,8 +25,10 @@ struct MeshFinding {
 //   non-manifold-vertices, boundary-touches-itself;
 //   closed (unless cuts are given), self-intersections, huge-coordinates, too-small, too-large,
 //   and as information (no error) components.
-// L: the edge length the tiles will have, mm. Throws Cancelled.
-std::vector<MeshFinding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given);
+// L: the edge length the tiles will have, mm. without_crossings: no face is known to run through
+// another, which is then not looked for again. Throws Cancelled.
+std::vector<MeshFinding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given,
+                                    bool without_crossings = false);
 
 // Pairs of faces that run through one another, each face once, ascending. The mesh must have passed
 // the first two groups of check_mesh. Throws Cancelled.

@@ -105,12 +105,14 @@ TEST(MendMesh, ReplacesSmallIntersectionsAndLeavesLargeOnes) {
   const MendedMesh mended = mend_mesh(plate, options);
   expect_mended(mended.mesh, options);
   EXPECT_LT(mended.mesh.V.col(2).cwiseAbs().maxCoeff(), 0.35);
+  EXPECT_TRUE(mended.without_crossings && self_intersecting_faces(mended.mesh).empty());
   // Two plates that cross: there is no one answer.
   TriangleMesh upright = test::flat_square(20, 40);
   upright.V.col(2) = upright.V.col(0).array() - 20.3;
   upright.V.col(0).setConstant(30.7);  // no vertex in common
   const MendedMesh crossing = mend_mesh(together(test::flat_square(20, 60), upright), {2, 8, {}});
   EXPECT_TRUE(crossing.actions.empty());
+  EXPECT_FALSE(crossing.without_crossings);
   EXPECT_FALSE(self_intersecting_faces(crossing.mesh).empty());
 }
 
