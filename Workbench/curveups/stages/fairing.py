@@ -60,13 +60,18 @@ def _run(inputs: Inputs, job: Job) -> Fairing:
     made = fair(target.V, target.F, parameters, job)
     move = np.asarray(made.move, float)
     moved, largest = int((move > 0).sum()), float(move.max(initial=0.0))
+    border = move[_border(target.F)]
     tiles = sorted({int(pin.tile) for pin in made.fixed})
     actions = list(target.actions)
     if moved:
         actions.append(f"{moved} vertices moved by up to {largest:.2g} mm, which gives {len(tiles)} tiles "
                        f"room ({tile_list(tiles)})")
+    if border.any():
+        actions.append(f"{int((border > 0).sum())} of these are of the border, which moved by up to "
+                       f"{border.max():.2g} mm where tiles had no room otherwise")
     faired_by = native.surface_deviation(made.V, target.F, target.V, target.F, job)[2] if moved else 0.0
     block = {"actions": actions, "applied": asked == "on", "moved_vertices": moved,
+             "border_max_mm": float(border.max(initial=0.0)),
              "mean_mm": float(move[move > 0].mean()) if moved else 0.0, "max_mm": largest,
              "hausdorff_mm": max(target.mended_by, float(faired_by)), "tiles": tiles,
              "remaining": sorted({int(pin.tile) for pin in made.remaining})}
@@ -80,12 +85,16 @@ def _run(inputs: Inputs, job: Job) -> Fairing:
     return Fairing(target.V, asked, block, tuple(found))
 
 
-def _remaining(tiles: list[int], F: np.ndarray, parameters: Any) -> dict[str, Any]:
+def _border(F: np.ndarray) -> np.ndarray:
+    """The vertices of the boundary."""
     sides = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     pairs, count = np.unique(sides, axis=0, return_counts=True)
-    border = np.isin(F[tiles], pairs[count == 1]).any()
+    return np.unique(pairs[count == 1])
+
+
+def _remaining(tiles: list[int], F: np.ndarray, parameters: Any) -> dict[str, Any]:
     remedy = f"set mend_max above {parameters.get('mend_max'):g}, or another L or H_body"
-    if border and not parameters.get("mend_border"):
+    if not parameters.get("mend_border") and np.isin(F[tiles], _border(F)).any():
         remedy = f"set mend_border=on, as some are at the border; or {remedy}"
     return {"what": "mending left these tiles with too little room for pins or under membranes",
             "kind": "mending", "remedy": remedy, "tiles": tiles}

@@ -24,7 +24,7 @@ struct Parameters {
   double crease_angle = 180.0;
   std::string mend = "off";
   double mend_max = 2.0;
-  bool mend_border = false;
+  bool mend_border = true;
   // Tiles
   double H_body = 3.0;
   double H_pin = 1.0;

@@ -74,6 +74,56 @@ void keep_faces(const TriangleMesh& before, TriangleMesh& after) {
   after = before;
 }
 
+// The way to less and less that is missing; the best surface on it stands in `best`.
+struct Fairing {
+  const TriangleMesh& given;
+  const RoomProgram& program;
+  const MoveLimits limits;
+  const Progress& progress;
+  PinSides lacked;  // sides of the given surface without room
+  Shortfall least;
+  FairedSurface best;
+
+  // From the given surface until nothing is missing or no step helps; fixed: vertices that stay.
+  void improve(const std::vector<char>& fixed) {
+    PinSides asked = lacked;  // grows with what comes to be short on the way
+    TriangleMesh moved = given;
+    DesignGeometry here = program.geometry(moved);
+    Shortfall reached = shortfall(program, here);
+    for (int step = 1, since = 0; step <= most_steps && since < patience; ++step, ++since) {
+      const std::size_t left = std::min(lacked.size(), best.remaining.size());
+      if (!keep_going(
+              progress, "fairing the target",
+              static_cast<double>(lacked.size() - left) / static_cast<double>(lacked.size()))) {
+        throw Cancelled();
+      }
+      const std::vector<int> vertices = free_vertices(asked, given, fixed);
+      if (vertices.empty()) return;
+      const TriangleMesh before = moved;
+      const bool moves =
+          program.step(program.rows(here, asked, asked, vertices), vertices, limits, moved);
+      keep_faces(before, moved);
+      here = program.geometry(moved);
+      std::vector<SmallPin> lacking = program.lacking(here);
+      const bool done = lacking.empty();
+      for (const PinSide& side : sides_of(lacking)) asked.insert(side);
+      const Shortfall now = shortfall(program, here);
+      ++best.steps;
+      if (now < reached) {
+        reached = now;
+        since = 0;
+      }
+      if (now < least) {
+        least = now;
+        best.mesh = moved;
+        best.remaining = std::move(lacking);
+        best.overlapping = here.truncation.unresolved;
+      }
+      if (done || !moves) return;
+    }
+  }
+};
+
 }  // namespace
 
 FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Edges& kept,
@@ -86,57 +136,29 @@ FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Ed
     throw InvalidInput("a kept edge names a vertex that there is not", "give pairs of vertices");
   }
   const RoomProgram program(mesh, cuts, parameters, true);
-  FairedSurface out;
-  out.mesh = mesh;
-  out.move.assign(mesh.V.rows(), 0);
-  DesignGeometry here = program.geometry(mesh);
-  std::vector<SmallPin> lacking = program.lacking(here);
-  const std::vector<SmallPin> small_before = lacking;
-  const PinSides given = sides_of(lacking);
-  out.remaining = lacking;
-  out.overlapping = here.truncation.unresolved;
-  if (given.empty() || largest_move == 0) return out;
-
-  std::vector<char> fixed(mesh.V.rows(), 0);
-  for (const MeshEdge& edge : here.tiles.topology.edges) {
-    if (edge.boundary() && !parameters.mend_border) fixed[edge.v[0]] = fixed[edge.v[1]] = 1;
-  }
-  for (Eigen::Index k = 0; k < kept.size(); ++k) fixed[kept.data()[k]] = 1;
-
+  const DesignGeometry here = program.geometry(mesh);
+  const std::vector<SmallPin> lacking = program.lacking(here);
   // Coordinates are bounded one by one: the corner of their box is largest_move away.
   const MoveLimits limits{largest_step_of_L * parameters.L, largest_move / std::sqrt(3.0)};
-  TriangleMesh moved = mesh;
-  Shortfall best = shortfall(program, here);
-  PinSides asked = given;  // grows with what comes to be short on the way
-  for (int step = 1, since = 0; step <= most_steps && since < patience; ++step, ++since) {
-    if (!keep_going(progress, "fairing the target",
-                    static_cast<double>(given.size() - std::min(given.size(), lacking.size())) /
-                        static_cast<double>(given.size()))) {
-      throw Cancelled();
-    }
-    const std::vector<int> vertices = free_vertices(asked, mesh, fixed);
-    if (vertices.empty()) break;
-    const TriangleMesh before = moved;
-    const bool moves =
-        program.step(program.rows(here, asked, asked, vertices), vertices, limits, moved);
-    keep_faces(before, moved);
-    here = program.geometry(moved);
-    lacking = program.lacking(here);
-    const Shortfall now = shortfall(program, here);
-    if (now < best) {
-      best = now;
-      since = 0;
-      out.mesh = moved;
-      out.steps = step;
-      out.remaining = lacking;
-      out.overlapping = here.truncation.unresolved;
-    }
-    if (lacking.empty() || !moves) break;
-    for (const PinSide& side : sides_of(lacking)) asked.insert(side);
+  Fairing fairing{mesh, program, limits, progress, sides_of(lacking), shortfall(program, here), {}};
+  FairedSurface& out = fairing.best;
+  out.mesh = mesh;
+  out.move.assign(mesh.V.rows(), 0);
+  out.remaining = lacking;
+  out.overlapping = here.truncation.unresolved;
+  if (lacking.empty() || largest_move == 0) return out;
+
+  std::vector<char> kept_only(mesh.V.rows(), 0);
+  for (Eigen::Index k = 0; k < kept.size(); ++k) kept_only[kept.data()[k]] = 1;
+  std::vector<char> fixed = kept_only;
+  for (const MeshEdge& edge : here.tiles.topology.edges) {
+    if (edge.boundary()) fixed[edge.v[0]] = fixed[edge.v[1]] = 1;
   }
+  fairing.improve(fixed);
+  if (parameters.mend_border && !out.remaining.empty()) fairing.improve(kept_only);
   for (int v = 0; v < mesh.V.rows(); ++v) out.move[v] = (out.mesh.V.row(v) - mesh.V.row(v)).norm();
   const PinSides small = sides_of(out.remaining);
-  for (const SmallPin& pin : small_before) {
+  for (const SmallPin& pin : lacking) {
     if (!small.count({pin.tile, pin.side})) out.fixed.push_back(pin);
   }
   return out;

@@ -20,14 +20,14 @@ struct FairedSurface {
   std::vector<SmallPin> remaining;  // those that have too little now, with what they have
   std::vector<std::array<int, 2>> overlapping;  // pairs of tiles that no plane parts; not looked
                                                 // for while tiles have no back face
-  int steps = 0;
+  int steps = 0;                                // that were tried
 };
 
-// No vertex moves farther than `largest_move` (mm); those of the boundary, unless mend_border
-// is on, and of `kept` (vertex pairs) stay. Vertices that nothing asks for stay, too.
-// Deterministic; faired again, the result stays as it is unless sides remain. Throws what
-// make_tile_mesh throws, InvalidInput (a kept edge names no vertex, largest_move negative or not
-// finite), Cancelled.
+// No vertex moves farther than `largest_move` (mm); those of `kept` (vertex pairs) stay. Those of
+// the boundary stay, too, unless tiles then remain without room and mend_border is on. Vertices
+// that nothing asks for stay. Deterministic; faired again, the result stays as it is unless sides
+// remain. Throws what make_tile_mesh throws, InvalidInput (a kept edge names no vertex,
+// largest_move negative or not finite), Cancelled.
 FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Edges& kept,
                            double largest_move, const Parameters& parameters,
                            const Progress& progress);
