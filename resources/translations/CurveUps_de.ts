@@ -148,8 +148,8 @@
       <translation>Mittlere Kantenlänge der Kacheln; mit --no-remesh gilt die des Netzes. Von 0.5 bis 200 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Mending may move the target's border, too. Takes effect with Solve.</source>
-      <translation>Das Ausbessern darf auch den Rand der Zielfläche verschieben. Wirkt mit „Lösen“.</translation>
+      <source>Mending may move the target's border, too, where tiles have no room otherwise. Takes effect with Solve.</source>
+      <translation>Das Ausbessern darf auch den Rand der Zielfläche verschieben, wo Kacheln sonst keinen Platz haben. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Mends the target where it can't be tiles: not (off), only says what it would do (ask), or does (on). Takes effect with Solve.</source>
@@ -321,6 +321,10 @@
     <message>
       <source>Moves vertices until the sizes that are set do: mend=on, one step of undo. It is checked at once</source>
       <translation>Verschiebt Ecken, bis die eingestellten Größen gehen: mend=on, ein Schritt beim Rückgängigmachen. Die Machbarkeit wird gleich neu ermittelt</translation>
+    </message>
+    <message>
+      <source>Sets the height of the pins: one step of undo. It is checked at once</source>
+      <translation>Setzt die Höhe der Stifte: ein Schritt beim Rückgängigmachen. Die Machbarkeit wird gleich neu ermittelt</translation>
     </message>
     <message>
       <source>Sets the tiles' length: one step of undo. It is checked at once</source>

@@ -79,6 +79,10 @@ def test_a_tip_is_named_and_a_higher_pin_clears_it(curveups, tmp_path):
     tip = int(np.argmin(np.linalg.norm(remeshed.V, axis=1)))
     assert all(tip in remeshed.F[one["tile"]] for one in found["blocked"])
     assert curveups("check", path, "--set", "H_pin=2").status == 0
+    height = found["recommended"]["H_pin"]
+    assert 1 < height < 2 and f"H_body = 3 mm, H_pin = {height:g} mm does" in ran.out
+    assert "H_pin, mm" in (tmp_path / "check.html").read_text(encoding="utf-8")
+    assert curveups("check", path, "--set", f"H_pin={height:g}").status == 0
 
 
 def test_bad_input_leaves_nothing(curveups, tmp_path):
@@ -113,8 +117,8 @@ def test_recommended_sizes_do_and_those_beyond_do_not(height):
     V, F = sheet(height, 25, 40)
     results = project(V, F).run(("feasibility", "sizes"))
     found = results["sizes"]
-    told = {(L, H_body): feasible for L, H_body, _, feasible in found.tried}
-    assert told[7.0, 3.0] == results["feasibility"].feasible
+    told = {(L, H_body): feasible for L, H_body, H_pin, _, feasible in found.tried if H_pin == 1}
+    assert told[7.0, 3.0] == found.as_set == results["feasibility"].feasible
     if found.L is not None:
         low, high = found.L
         for end in found.L:
@@ -125,6 +129,13 @@ def test_recommended_sizes_do_and_those_beyond_do_not(height):
     if found.H_body is not None:
         assert project(V, F, H_body=found.H_body).run(("feasibility",))["feasibility"].feasible
     assert found.L is not None or found.H_body is not None or not any(told.values())
+    pins = {H_pin: feasible for L, H_body, H_pin, _, feasible in found.tried if (L, H_body) == (7.0, 3.0)}
+    assert len(pins) > 3 and found.H_pin is not None and pins[found.H_pin]
+    assert (found.H_pin <= 1) == found.as_set
+    lower = max(height for height in pins if height < found.H_pin)
+    assert not pins[lower] and lower > 0.9 * found.H_pin
+    assert project(V, F, H_pin=found.H_pin).run(("feasibility",))["feasibility"].feasible
+    assert not project(V, F, H_pin=lower).run(("feasibility",))["feasibility"].feasible
 
 
 def test_errors_of_design_say_which_size_would_do():

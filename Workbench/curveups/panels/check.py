@@ -50,6 +50,7 @@ class CheckPanel(Following):
         form.cancel.clicked.connect(lambda *_: LIVE.cancel())
         form.use_length.clicked.connect(lambda *_: self._use("L"))
         form.use_thickness.clicked.connect(lambda *_: self._use("H_body"))
+        form.use_pin.clicked.connect(lambda *_: self._use("H_pin"))
         form.use_mending.clicked.connect(lambda *_: self._set("mend", "on"))
         form.choose.clicked.connect(lambda *_: self._choose())
         form.margins.itemSelectionChanged.connect(lambda: self._show_margin())
@@ -120,15 +121,14 @@ class CheckPanel(Following):
         self._fill_obstacles(found)
 
     def _fill_sizes(self, found: Results) -> None:
-        form, sizes, get = self.form, found["sizes"], found.parameters.get
+        form, get = self.form, found.parameters.get
         form.advice.setText("\n".join(words.advice(found)))
         form.use_mending.setVisible(found["feasibility"].mending is not None)
-        wanted = {"L": length_to_use(sizes, get("L")), "H_body": sizes.H_body}
-        for name, button in (("L", form.use_length), ("H_body", form.use_thickness)):
-            value = wanted[name]
-            other = value is not None and not properties.same(value, get(name))
-            button.setVisible(other)
-            if other:
+        for name, button in (("L", form.use_length), ("H_body", form.use_thickness),
+                             ("H_pin", form.use_pin)):
+            value = size_to_use(name, found)
+            button.setVisible(value is not None and not properties.same(value, get(name)))
+            if value is not None:
                 button.setText(translate("CurveUps_Check", "Use {name} = {value}",
                                          name=properties.property_name(name),
                                          value=properties.shown(_row(name), value)))
@@ -181,9 +181,7 @@ class CheckPanel(Following):
         """Takes a size over, one step of undo, and checks it."""
         if self._found is None:
             return
-        sizes = self._found["sizes"]
-        get = self._found.parameters.get
-        self._set(name, length_to_use(sizes, get("L")) if name == "L" else sizes.H_body)
+        self._set(name, size_to_use(name, self._found))
 
     def _set(self, name: str, value: Any) -> None:
         called = properties.property_name(name)
@@ -243,12 +241,16 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
         LIVE.start(design, Task(title, actions.sizes_work(design, names), finish, told=told))
 
 
-def length_to_use(sizes: Recommendation, L: float) -> Optional[float]:
-    """The feasible length that is nearest to L."""
-    if sizes.L is None:
-        return None
+def size_to_use(name: str, found: Results) -> Optional[float]:
+    """What is offered for L, H_body or H_pin: the feasible length that is nearest to the one that is set, the
+    largest thickness; another height of pins only where the one that is set does not do."""
+    sizes: Recommendation = found["sizes"]
+    if name == "H_pin":
+        return None if sizes.as_set else sizes.H_pin
+    if name == "H_body" or sizes.L is None:
+        return sizes.H_body if name == "H_body" else None
     low, high = sizes.L
-    return min(max(L, low), high)
+    return min(max(found.parameters.get("L"), low), high)
 
 
 def _row(name: str) -> Any:

@@ -24,7 +24,7 @@ def build_check(results: Results) -> dict[str, Any]:
     get = results.parameters.get
     return {
         "format": FORMAT, "version": VERSION, "name": results.name, "feasible": found.feasible,
-        "L": get("L"), "H_body": get("H_body"),
+        "L": get("L"), "H_body": get("H_body"), "H_pin": get("H_pin"),
         "tiles": [{"tile": i, "fold_margin": float(found.fold_margin[i]),
                    "back_scale": float(found.back_scale[i]), "pin_room_mm2": found.pin_room[i].tolist(),
                    "membrane_room_mm": found.membrane_room[i].tolist(), "stretch": float(found.stretch[i]),
@@ -37,9 +37,10 @@ def build_check(results: Results) -> dict[str, Any]:
                     for one in found.blocked],
         "trimmed": found.trimmed.tolist(), "overlapping": found.overlapping.tolist(),
         "relieved_pin_sides": found.relieved, "mending_would_move_mm": found.mending,
-        "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body},
-        "tried": [{"L": L, "H_body": H_body, "tiles": tiles, "feasible": feasible}
-                  for L, H_body, tiles, feasible in sizes.tried],
+        "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body,
+                        "H_pin": sizes.H_pin},
+        "tried": [{"L": L, "H_body": H_body, "H_pin": H_pin, "tiles": tiles, "feasible": feasible}
+                  for L, H_body, H_pin, tiles, feasible in sizes.tried],
     }
 
 
@@ -93,12 +94,13 @@ def advice(results: Results) -> list[str]:
     get, sizes, moved = results.parameters.get, results["sizes"], results["feasibility"].mending
     mended = [] if moved is None else [f"with mend=on, which moves vertices by up to {moved:.2g} mm, "
                                        "these sizes do"]
-    return [*length_words(sizes, get("L"), get("H_body")), *thickness_words(sizes, get("L")), *mended]
+    return [*length_words(sizes, get("L"), get("H_body")), *thickness_words(sizes, get("L")),
+            *pin_words(sizes, get("L"), get("H_body")), *mended]
 
 
 def length_words(sizes: Recommendation, L: float, H_body: float) -> Sequence[str]:
     if sizes.L is None:
-        none = any(one[1] == H_body and not one[3] for one in sizes.tried)
+        none = any(one[1] == H_body and not one[-1] for one in sizes.tried)
         return (f"no L that was tried does with H_body = {H_body:g} mm",) if none else ()
     return (f"with H_body = {H_body:g} mm, L from {sizes.L[0]:g} to {sizes.L[1]:g} mm does",)
 
@@ -108,6 +110,13 @@ def thickness_words(sizes: Recommendation, L: float) -> Sequence[str]:
         return (f"with L = {L:.4g} mm, no H_body does",)
     more = " and more" if sizes.H_body >= sizes.thickest else ""
     return (f"with L = {L:.4g} mm, H_body up to {sizes.H_body:g} mm{more} does",)
+
+
+def pin_words(sizes: Recommendation, L: float, H_body: float) -> Sequence[str]:
+    both = f"with L = {L:.4g} mm and H_body = {H_body:g} mm"
+    if sizes.H_pin is None:
+        return (f"{both}, no H_pin that was tried does",)
+    return (f"{both}, H_pin {'down to' if sizes.as_set else '='} {sizes.H_pin:g} mm does",)
 
 
 HEAD = ("", "worst", "tile", "wanted", "tiles short")
@@ -141,9 +150,9 @@ def build_page(results: Results) -> str:
         if len(found.blocked) > _MOST_LISTED:
             parts.append(f'<p class="note">and {len(found.blocked) - _MOST_LISTED} more, in check.json</p>')
     parts += ["<h2>Sizes tried</h2>",
-              tables.table([(L, H_body, tiles or None, feasible)
-                            for L, H_body, tiles, feasible in results["sizes"].tried],
-                           ("L, mm", "H_body, mm", "Tiles", "Feasible"))]
+              tables.table([(L, H_body, H_pin, tiles or None, feasible)
+                            for L, H_body, H_pin, tiles, feasible in results["sizes"].tried],
+                           ("L, mm", "H_body, mm", "H_pin, mm", "Tiles", "Feasible"))]
     return html.page(results.title, parts)
 
 

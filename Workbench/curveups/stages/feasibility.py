@@ -101,7 +101,7 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, jo
 
 def sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
     """Whether `examine` finds nothing in the way that depends on sizes, after fairing where mending is on:
-    closed surfaces stay closed. Room is only made where pins lack nothing else."""
+    closed surfaces stay closed. Room for pins is only made where folds and other parts leave any."""
     if _sizes_do(V, F, edges, parameters, job):
         return True
     return parameters.get("mend") == "on" and _mends(V, F, edges, parameters, job) is not None
@@ -121,7 +121,7 @@ def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, jo
 
 def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
     blocked = {one.obstacle for one in _margins(V, F, edges, parameters, 0).blocked} - {"closed"}
-    if blocked == {"pin"}:
+    if blocked and not blocked & {"fold", "overlap"}:
         found = examine(V, F, edges, parameters, job)
         blocked = {one.obstacle for one in found.blocked} - {"closed"}
     return not blocked

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Sizes of tiles that would do for a target as it is, found by trying: the surface is remeshed at other L
-and given other thicknesses, and examined as a design would be (feasibility.py)."""
+and given other thicknesses and pins, and examined as a design would be (feasibility.py)."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from .feasibility import mending, sizes_do
 from .stage import Inputs, Job, Result, Stage, digest
 from .target import remesh
 
-# Lengths are tried up to this factor from the one that is set, as long as that makes no more tiles than
-# these or than there are, and thicknesses up to so many lengths.
+# Lengths and heights of pins are tried up to this factor from the one that is set, lengths as long as that
+# makes no more tiles than these or than there are, and thicknesses up to so many lengths.
 FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1500, 12, 2.0
 # As long as there are no more tiles than these a length is chosen; thicknesses between these lengths (the
 # paper's tiles have 3/7).
@@ -45,6 +45,7 @@ class Trial:
 
     L: float
     H_body: float
+    H_pin: float
     tiles: int
     feasible: bool
     sagitta: float
@@ -57,7 +58,7 @@ class Trials:
     def __init__(self, V: np.ndarray, F: np.ndarray, cuts: CutRequest, parameters: Any, job: Job):
         self._surface, self._cuts, self._job = (V, F), cuts, job
         self._parameters = parameters
-        self.made: dict[tuple[float, float], Trial] = {}
+        self.made: dict[tuple[float, float, float], Trial] = {}
         corners = V[F]
         self._area = float(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0],
                                                    corners[:, 2] - corners[:, 0]), axis=1).sum() / 2)
@@ -72,18 +73,20 @@ class Trials:
         self._mesh = lru_cache(maxsize=1)(
             lambda asked: (made.V, made.F, made.sagitta) if asked == L else self._remesh(asked))
 
-    def __call__(self, L: float, H_body: float) -> Trial:
-        known = self.made.get((L, H_body))
+    def __call__(self, L: float, H_body: float, H_pin: Optional[float] = None) -> Trial:
+        """H_pin: else as it is set."""
+        pin = float(self._parameters.get("H_pin") if H_pin is None else H_pin)
+        known = self.made.get((L, H_body, pin))
         if known is None:
-            if not self._job(f"trying L = {L:g} mm, H_body = {H_body:g} mm"):
+            if not self._job(f"trying L = {L:g} mm, H_body = {H_body:g} mm, H_pin = {pin:g} mm"):
                 raise Stopped
-            known = self.made[L, H_body] = self._try(L, H_body)
+            known = self.made[L, H_body, pin] = self._try(L, H_body, pin)
         return known
 
-    def _try(self, L: float, H_body: float) -> Trial:
+    def _try(self, L: float, H_body: float, H_pin: float) -> Trial:
         values = native.Parameters(self._parameters)
-        values.set("L", L)
-        values.set("H_body", H_body)
+        for name, value in (("L", L), ("H_body", H_body), ("H_pin", H_pin)):
+            values.set(name, value)
         tiles, sagitta = 0, math.nan
         try:
             with translated():
@@ -92,7 +95,7 @@ class Trials:
                 feasible = sizes_do(V, F, resolve_cuts(self._cuts, V, F), values, self._job)
         except CurveUpsError:
             feasible = False
-        return Trial(L, H_body, tiles, feasible, sagitta)
+        return Trial(L, H_body, H_pin, tiles, feasible, sagitta)
 
     def _remesh(self, L: float) -> tuple[np.ndarray, np.ndarray, float]:
         made = remesh(*self._surface, L, self._parameters, self._job)
@@ -131,31 +134,21 @@ class Trials:
         raise CurveUpsError(f"no L does that keeps tiles within {fidelity:g} mm of the surface", where,
                             "raise fidelity, or see 'curveups check'")
 
-    def lengths(self, L: float) -> tuple[list[float], int]:
-        """The series of lengths about L, and the place of L itself in it."""
-        low, high = _range("L")
-        low, high = max(low, L / FARTHEST), min(high, L * FARTHEST)
+    def lengths(self, L: float) -> list[float]:
+        """The series of lengths about L, with L itself in it."""
         most = max(MOST_TILES, self.tiles(L))
-        values = [value for value in series(low, high)
-                  if abs(value - L) > 0.01 * L and LEAST_TILES <= self.tiles(value) <= most]
-        values = sorted([*values, L])
-        return values, values.index(L)
+        return [value for value in _about("L", L) if value == L or LEAST_TILES <= self.tiles(value) <= most]
 
     def nearest_length(self, L: float, H_body: float) -> Optional[float]:
         """The feasible length nearest to L of those tried, with every _STRIDE-th of the series."""
-        values, here = self.lengths(L)
-        for away in range(0, len(values), _STRIDE):
-            for place in (here + away, here - away):  # fewer tiles first: that is quicker
-                if 0 <= place < len(values) and self(values[place], H_body).feasible:
-                    return values[place]
-        return None
+        # Fewer tiles first: that is quicker.
+        return _nearest(self.lengths(L), L, lambda value: self(value, H_body).feasible)
 
     def range_of_lengths(self, L: float, H_body: float) -> Optional[tuple[float, float]]:
         """Ends of the range of feasible lengths that holds L, or of the nearest one; both were tried."""
-        start = self.nearest_length(L, H_body)
+        start, values = self.nearest_length(L, H_body), self.lengths(L)
         if start is None:
             return None
-        values, _ = self.lengths(L)
         first = values.index(start)
 
         def feasible(value: float) -> bool:
@@ -164,6 +157,39 @@ class Trials:
         low = values[first - _reach(values[first::-1], feasible)]
         high = values[first + _reach(values[first:], feasible)]
         return low, high
+
+    def least_pin(self, L: float, H_body: float) -> Optional[float]:
+        """The lower end of the range of feasible heights of pins that holds the one that is set, or of the
+        nearest one; it was tried. Membranes clear tiles under high pins; beside sharp folds high pins run
+        into one another."""
+        H_pin = self._parameters.get("H_pin")
+        values = _about("H_pin", H_pin)
+
+        def feasible(value: float) -> bool:
+            return self(L, H_body, value).feasible
+
+        start = _nearest(values, H_pin, feasible)
+        if start is None:
+            return None
+        first = values.index(start)
+        return values[first - _reach(values[first::-1], feasible)]
+
+
+def _about(name: str, value: float) -> list[float]:
+    """The series about a parameter's value, with the value itself in it."""
+    low, high = _range(name)
+    values = series(max(low, value / FARTHEST), min(high, value * FARTHEST))
+    return sorted([*(one for one in values if abs(one - value) > 0.01 * value), value])
+
+
+def _nearest(values: Sequence[float], value: float, good: Callable[[float], bool]) -> Optional[float]:
+    """The good one nearest to `value`, which is one of them, of every _STRIDE-th; larger ones first."""
+    here = values.index(value)
+    for away in range(0, len(values), _STRIDE):
+        for place in (here + away, here - away):
+            if 0 <= place < len(values) and good(values[place]):
+                return values[place]
+    return None
 
 
 def _reach(values: Sequence[float], good: Callable[[float], bool]) -> int:
@@ -241,6 +267,7 @@ def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
     found = {"H_body": trials.largest_thickness(L, H_body)}
     if _can_remesh(target, cuts):
         found["L"] = trials.nearest_length(L, H_body)
+    found["H_pin"] = trials.least_pin(L, H_body)
     said = [f"{name}={value:g}" for name, value in found.items() if value is not None]
     sizes = (f"of {len(trials.made)} other sizes that were tried, {' or '.join(said)} does" if said
              else f"none of {len(trials.made)} other sizes that were tried does")
@@ -266,17 +293,21 @@ def _can_remesh(target: Any, cuts: CutRequest) -> bool:
 class Recommendation(Result):
     """Values that would do, each of which was tried. `L`: the ends of a range of lengths with the thickness
     that is set; it holds the length that is set, or is the nearest to it, and every value tried between its
-    ends did. `H_body`: the largest thickness with the length that is set. None where none of those tried
-    did, or where the mesh is given as it is. `thickest`: no larger ones were tried."""
+    ends did. `H_body`: the largest thickness with the length that is set. `H_pin`: the least height of pins
+    with both that are set, where the height that is set does; else that of the nearest range of heights that
+    do. None where none of those tried did, or where the mesh is given as it is. `thickest`: no larger ones
+    were tried."""
 
     L: Optional[tuple[float, float]]
     H_body: Optional[float]
+    H_pin: Optional[float]
     thickest: float
-    tried: tuple[tuple[float, float, int, bool], ...]  # L, H_body, tiles, feasible
+    as_set: bool  # whether the sizes that are set do
+    tried: tuple[tuple[float, float, float, int, bool], ...]  # L, H_body, H_pin, tiles, feasible
 
     @property
     def content(self) -> str:
-        return digest(self.L, self.H_body)
+        return digest(self.L, self.H_body, self.H_pin)
 
 
 def _run(inputs: Inputs, job: Job) -> Recommendation:
@@ -286,8 +317,9 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     most = max(THICKEST * L, H_body)
     thickness = trials.largest_thickness(L, most)
     lengths = trials.range_of_lengths(L, H_body) if _can_remesh(target, cuts) else None
-    tried = tuple((one.L, one.H_body, one.tiles, one.feasible) for one in trials.made.values())
-    return Recommendation(lengths, thickness, most, tried)
+    pin = trials.least_pin(L, H_body)
+    tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in trials.made.values())
+    return Recommendation(lengths, thickness, pin, most, trials(L, H_body).feasible, tried)
 
 
 STAGE = Stage("sizes", ("target", "cut request"), frozenset({"target", "tiles", "layout", "repair"}), _run)
