@@ -236,3 +236,85 @@ def work():
     assert len(found) > 20 and min(found) > 39.9 and max(found) < 40.1, (min(found), max(found))
     close_panel()
 """, homes, tmp_path)
+
+
+def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(homes, tmp_path):
+    """A ridge that is too sharp for thick tiles: mended, and with sizes that do; all texts are in inches."""
+    run("""
+def tent():
+    import math
+    points = [(x, y, 9 * max(0.0, 1 - math.hypot(max(abs(x) - 8, 0.0), y) / 9))
+              for y in range(-24, 25, 2) for x in range(-24, 25, 2)]
+    found = []
+    for row in range(24):
+        for a in range(25 * row, 25 * row + 24):
+            found += [FreeCAD.Vector(*points[k]) for k in (a, a + 1, a + 26, a, a + 26, a + 25)]
+    return found
+
+def texts(form):
+    found = [form.verdict.text(), form.advice.text(), form.line.text()]
+    for tree in (form.margins, form.obstacles):
+        for row in range(tree.topLevelItemCount()):
+            found += [tree.topLevelItem(row).text(column) for column in range(tree.columnCount())]
+    return found
+
+def work():
+    from curveups.overlay.units import in_user_units
+    line = 'T00012 cuts 0.254 mm into 6.4516 mm2 (H_pin 5 to 50.8 mm, tau 2, 8 N, part2 mm-wide)'
+    assert in_user_units(line) == line
+    FreeCAD.ParamGet('User parameter:BaseApp/Preferences/Units').SetInt('UserSchema', 3)
+    FreeCAD.Units.setSchema(3)
+    shown = in_user_units(line)
+    assert shown.startswith('T00012 cuts 0.0100 in into 0.0100 in^2 (H_pin 0.197 to 2.00 in, tau 2, '), shown
+    assert shown.endswith(', part2 mm-wide)'), shown
+    sheet = 'QWidget { background: #2b2b2b; color: #dddddd; }'
+    QtGui.QApplication.instance().setStyleSheet(sheet)
+    made = begin()
+    import Mesh
+    given = made.addObject('Mesh::Feature', 'Tent')
+    given.Mesh = Mesh.Mesh(tent())
+    FreeCADGui.Selection.addSelection(given)
+    press('CurveUps_NewDesign')
+    given.ViewObject.Visibility = False
+    design = made.Design
+    design.HBody = '5 mm'
+    design.Fidelity = '3 mm'
+    made.recompute()
+    press('CurveUps_Check')
+    form = widget('CheckPanel')
+    checking(form)
+    assert 'Not feasible' in form.verdict.text(), form.verdict.text()
+    said = texts(form)
+    assert not [text for text in said if ' mm' in text], [text for text in said if ' mm' in text]
+    assert any(' in' in text or '"' in text for text in said), said
+    assert 'HBody = ' in form.advice.text() and not any('_' in text for text in said), said
+    row = next(form.margins.topLevelItem(k) for k in range(form.margins.topLevelItemCount())
+               if form.margins.topLevelItem(k).text(0).startswith('pin room front'))
+    # The room that is wanted, A_pin_floor - A_pin_min, in square inches.
+    wanted = (design.APinFloor.Value - design.APinMin.Value) / 25.4 ** 2
+    assert abs(float(row.text(3)) - wanted) < 0.01 * abs(wanted), (row.text(3), wanted)
+    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    picture('dark-inches')
+
+    click(form.use_mending)
+    until(lambda: live().busy, 10, 'the next check')
+    at_rest()
+    assert design.Mend == 'on' and '<b>Feasible' in form.verdict.text(), form.verdict.text()
+    assert not form.use_mending.isVisible() and made.UndoNames[:2] == ['Check', 'Use Mend'], made.UndoNames
+    picture('mended')
+    made.undo()
+    made.undo()
+    settle(500)
+    until(lambda: design.Mend == 'off' and 'Not feasible' in form.verdict.text(), 5, 'the check before')
+
+    before = design.L.Value, design.HBody.Value
+    click(form.choose)
+    until(lambda: live().busy, 10, 'the search')
+    at_rest()
+    until(lambda: (design.L.Value, design.HBody.Value) != before and not live().busy, 10, 'the sizes')
+    until(lambda: '<b>Feasible' in form.verdict.text(), 20, 'the check of them')
+    assert 'Choose Sizes' in made.UndoNames[:2], made.UndoNames
+    picture('chosen')
+    close_panel()
+    assert report().count('error') == 0, report()
+""", homes, tmp_path)

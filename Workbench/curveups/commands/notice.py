@@ -15,6 +15,7 @@ import FreeCAD
 import FreeCADGui
 
 from ..errors import CurveUpsError, Stopped
+from ..overlay.units import in_user_units
 from ..qt import QtCore, QtWidgets, translate
 
 _TILE = re.compile(r"\bT\d{5,}\b")
@@ -61,8 +62,9 @@ def show_in(panel: Optional[Callable[[str], None]]) -> None:
 
 
 def with_links(line: str) -> str:
-    """Rich text in which names of tiles can be clicked."""
-    return _TILE.sub(lambda match: f'<a href="{match[0]}">{match[0]}</a>', escape(line, quote=False))
+    """Rich text in the user's units, in which names of tiles can be clicked."""
+    text = escape(in_user_units(line), quote=False)
+    return _TILE.sub(lambda match: f'<a href="{match[0]}">{match[0]}</a>', text)
 
 
 def select_tiles(link: str) -> None:

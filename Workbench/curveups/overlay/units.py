@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers as the user's unit schema writes them."""
+"""Numbers, and numbers in messages, as the user's unit schema writes them."""
 
 from __future__ import annotations
 
 import math
+import re
+from typing import Sequence
 
 import FreeCAD
+
+_NUMBER = r"\d+(?:\.\d+)?(?:e[-+]?\d+)?"
+_FREECADS = {"mm": "mm", "mm2": "mm^2", "mm3": "mm^3", "N": "N", "MPa": "MPa"}
+_QUANTITY = re.compile(rf"(?<![\w.])({_NUMBER})(?: to ({_NUMBER}))? ({'|'.join(_FREECADS)})(?![\w/^])")
 
 
 def user_unit(unit: str, size: float) -> tuple[float, str]:
@@ -34,3 +40,32 @@ def text_of(value: float, unit: str, size: float) -> str:
         return "–"
     factor, name = user_unit(unit, size)
     return f"{short(value * factor)} {name}".rstrip()
+
+
+def in_user_units(text: str) -> str:
+    """A message with its lengths, areas, volumes, forces and pressures in the user's units. Where those of
+    lengths are millimetres it stays as it is."""
+    if user_unit("mm", 10.0)[1] == "mm":
+        return text
+
+    def quantity(match: re.Match) -> str:
+        first, last, unit = match.groups()
+        factor, name = user_unit(_FREECADS[unit], float(last or first))
+        numbers = (short(float(number) * factor) for number in (first, last) if number)
+        return f"{' to '.join(numbers)} {name}"
+
+    return _QUANTITY.sub(quantity, text)
+
+
+def row_in_user_units(row: Sequence[str]) -> tuple[str, ...]:
+    """A row of a table whose head names the unit of its numbers."""
+    head, *cells = row
+    unit = re.search(rf"\b({'|'.join(_FREECADS)})\b", head)
+    if unit is None:
+        return tuple(row)
+    factor, name = user_unit(_FREECADS[unit[1]], 1.0)
+    if factor == 1.0:
+        return tuple(row)
+    return (head[:unit.start()] + name + head[unit.end():],
+            *(re.sub(rf"(?<![\w.])-?{_NUMBER}", lambda match: short(float(match[0]) * factor), cell)
+              for cell in cells))

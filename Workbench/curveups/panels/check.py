@@ -14,6 +14,7 @@ from ..commands.notice import errors_shown, select_tiles, show_in, show_line, wi
 from ..errors import CurveUpsError, tile_name
 from ..features import actions, document, properties
 from ..features.actions import transaction
+from ..overlay.units import in_user_units, row_in_user_units
 from ..project import Results
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, load_ui, translate
 from ..report import check as words
@@ -122,7 +123,7 @@ class CheckPanel(Following):
 
     def _fill_sizes(self, found: Results) -> None:
         form, get = self.form, found.parameters.get
-        form.advice.setText("\n".join(words.advice(found)))
+        form.advice.setText(self._shown("\n".join(words.advice(found))))
         form.use_mending.setVisible(found["feasibility"].mending is not None)
         for name, button in (("L", form.use_length), ("H_body", form.use_thickness),
                              ("H_pin", form.use_pin)):
@@ -137,7 +138,8 @@ class CheckPanel(Following):
         tree = self.form.margins
         tree.clear()
         for row in words.rows(found):
-            item = QtWidgets.QTreeWidgetItem(list(row))
+            head, *cells = row_in_user_units(row)
+            item = QtWidgets.QTreeWidgetItem([properties.as_properties(self.design, head), *cells])
             for column in range(1, len(row)):
                 item.setTextAlignment(column, QtCore.Qt.AlignRight)
             tree.addTopLevelItem(item)
@@ -147,14 +149,17 @@ class CheckPanel(Following):
         form, blocked = self.form, found["feasibility"].blocked
         form.obstacles.clear()
         for one in blocked[:_MOST]:
-            why = one.why if one.certain else f"{one.why} *"
-            item = QtWidgets.QTreeWidgetItem([tile_name(one.tile), why])
-            item.setToolTip(1, one.why)
+            why = self._shown(one.why)
+            item = QtWidgets.QTreeWidgetItem([tile_name(one.tile), why if one.certain else f"{why} *"])
+            item.setToolTip(1, why)
             item.setData(0, QtCore.Qt.UserRole, one.tile)
             form.obstacles.addTopLevelItem(item)
         form.obstacles.setVisible(bool(blocked))
         form.left.setVisible(len(blocked) > _MOST)
         form.left.setText(translate("CurveUps_Check", "and {count} more", count=len(blocked) - _MOST))
+
+    def _shown(self, text: str) -> str:
+        return in_user_units(properties.as_properties(self.design, text))
 
     # What is done with it.
 

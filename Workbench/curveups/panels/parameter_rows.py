@@ -11,6 +11,7 @@ import FreeCADGui
 
 from ..commands.notice import errors_shown
 from ..features.actions import transaction
+from ..overlay.units import in_user_units
 from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, translate
 
@@ -31,6 +32,7 @@ class ParameterRows:
         form.setContentsMargins(0, 0, 0, 0)
         self._pending: dict[str, Any] = {}
         self._fields: dict[str, Any] = {}
+        self._labels: dict[str, Any] = {}
         self._bindings: list[Any] = []
         self._filling = False
         self._timer = QtCore.QTimer()
@@ -39,11 +41,10 @@ class ParameterRows:
         for name in names:
             field = self._make(name)
             field.setObjectName(name)
-            field.setToolTip(translate("App::Property", obj.getDocumentationOfProperty(name)))
-            label = QtWidgets.QLabel(_spaced(name))
-            label.setToolTip(field.toolTip())
+            label = self._labels[name] = QtWidgets.QLabel(_spaced(name))
             form.addRow(label, _in_row(field, beside[name]()) if name in beside else field)
             self._fields[name] = field
+        self._show_tips()
         place.addWidget(self._page)
         self.refresh()
         unit_observers.append(self._show_units)
@@ -86,6 +87,7 @@ class ParameterRows:
         self._pending = {}
         self._bindings.clear()
         self._fields.clear()
+        self._labels.clear()
         self._page.setParent(None)
         self._page.deleteLater()
 
@@ -93,6 +95,7 @@ class ParameterRows:
         """The user's unit schema is another: fields write their numbers anew."""
         self._filling = True
         try:
+            self._show_tips()
             for name, field in self._fields.items():
                 value = getattr(self._object, name)
                 if hasattr(value, "Unit"):
@@ -103,6 +106,12 @@ class ParameterRows:
             unit_observers.remove(self._show_units)
         finally:
             self._filling = False
+
+    def _show_tips(self) -> None:
+        for name, field in self._fields.items():
+            about = translate("App::Property", self._object.getDocumentationOfProperty(name))
+            for part in (field, self._labels[name]):
+                part.setToolTip(in_user_units(about))
 
     def _edit(self, name: str, value: Any) -> None:
         if self._filling:
