@@ -277,7 +277,8 @@ def work():
     press('CurveUps_NewDesign')
     given.ViewObject.Visibility = False
     design = made.Design
-    design.HBody = '5 mm'
+    design.L = '10 mm'
+    design.HBody = '9 mm'
     design.Fidelity = '3 mm'
     made.recompute()
     press('CurveUps_Check')
