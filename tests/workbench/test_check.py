@@ -140,6 +140,7 @@ def work():
     panel().turn_to('Target')
     settle(200)
     picture('with-auto')
+    assert form.minimumSizeHint().width() <= 310, form.minimumSizeHint().width()  # of FreeCAD's dock
     click(form.findChild(QtGui.QToolButton, 'auto_L'))
     until(lambda: live().busy, 10, 'the search')
     at_rest()

@@ -16,6 +16,7 @@ from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, translate
 
 PAUSE = 400  # ms without typing after which an edit counts
+_NARROW = 90  # pixels of a field that shares its row
 
 Changed = Callable[[], object]
 
@@ -160,6 +161,9 @@ def _in_row(field: Any, other: Any) -> Any:
     row = QtWidgets.QHBoxLayout()
     row.addWidget(field, 1)
     row.addWidget(other)
+    # FreeCAD's fields ask for the width of their largest number: with a button the panel would be wider
+    # than the dock that FreeCAD gives it.
+    field.setMinimumWidth(_NARROW)
     return row
 
 
