@@ -25,14 +25,15 @@ Above neighbours_above(const std::vector<int>& number, int count,
 
 }  // namespace
 
-BlockPattern::BlockPattern(const std::vector<char>& free, const std::vector<Coupling>& couplings)
+BlockPattern::BlockPattern(const std::vector<char>& free, const std::vector<Coupling>& couplings,
+                           Elimination by)
     : rank_(free.size(), -1), start_(1, 0) {
   int count = 0;
   for (std::size_t i = 0; i < free.size(); ++i) {
     if (free[i]) rank_[i] = count++;
   }
   {
-    const std::vector<int> order = elimination_order(neighbours_above(rank_, count, couplings));
+    const std::vector<int> order = elimination_order(neighbours_above(rank_, count, couplings), by);
     std::vector<int> place(count);
     for (int k = 0; k < count; ++k) place[order[k]] = k;
     for (int& rank : rank_) {

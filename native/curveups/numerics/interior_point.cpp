@@ -55,8 +55,8 @@ struct InteriorPoint<Constraint>::Linearization {
       constraints[c]->couple(couplings);
       values[c].resize(constraints[c]->element_count());
     }
-    const auto pattern =
-        std::make_shared<const BlockPattern>(std::vector<char>(blocks, 1), couplings);
+    const auto pattern = std::make_shared<const BlockPattern>(std::vector<char>(blocks, 1),
+                                                              couplings, Elimination::dissection);
     matrix = std::make_unique<BlockMatrix<W>>(pattern);
     constraint_matrix = std::make_unique<BlockMatrix<W>>(pattern);
     gradient.resize(blocks, W);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
@@ -14,6 +15,8 @@
 
 namespace curveups {
 namespace {
+
+constexpr int least_dissected = 2000;  // blocks; of fewer dissection saves less than it takes
 
 cholmod_sparse view(const SparseMatrix& a) {
   cholmod_sparse s{};
@@ -55,6 +58,11 @@ struct SparseCholesky::Impl {
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
+  // By least degree and by dissection: CHOLMOD takes the order with less fill.
+  void try_dissection() {
+    common.nmethods = 2;
+    common.method[1].ordering = CHOLMOD_NESDIS;
+  }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -67,7 +75,7 @@ SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
-std::vector<int> elimination_order(const std::vector<std::vector<int>>& above) {
+std::vector<int> elimination_order(const std::vector<std::vector<int>>& above, Elimination by) {
   const int count = static_cast<int>(above.size());
   if (count == 0) return {};
   SparseMatrix graph(count, count);
@@ -83,7 +91,16 @@ std::vector<int> elimination_order(const std::vector<std::vector<int>>& above) {
   graph.outerIndexPtr()[count] = at;
   std::fill(graph.valuePtr(), graph.valuePtr() + entries, 1.0);
   SparseCholesky symbolic;
-  symbolic.analyze(graph);
+  if (by == Elimination::least_degree || count < least_dissected) {
+    symbolic.analyze(graph);
+  } else {
+    // METIS draws from the C library's random numbers, from the same seed at every call: one at a
+    // time gives the same order whatever the threads.
+    static std::mutex one_at_a_time;
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    symbolic.impl_->try_dissection();
+    symbolic.analyze(graph);
+  }
   return symbolic.order();
 }
 

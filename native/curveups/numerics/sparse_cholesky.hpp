@@ -13,10 +13,19 @@ namespace curveups {
 // Only the lower triangle of the matrix is read.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-// An order of elimination with little fill (AMD, in postorder) for a graph: `above[v]` are the
+enum class Elimination {
+  least_degree,  // AMD
+  // Where there are thousands, by separators, too (CHOLMOD's nested dissection), and the order with
+  // less fill of the two: a fifth to two fifths fewer operations from 2800 to 11,000 tiles, for ten
+  // times as long an analysis. For wide blocks that are factorized often.
+  dissection
+};
+
+// An order of elimination with little fill (in postorder) for a graph: `above[v]` are the
 // neighbours of v with higher numbers, ascending. The k-th entry goes k-th. Unknowns that come in
 // blocks of one pattern are ordered many times faster by the graph of their blocks.
-std::vector<int> elimination_order(const std::vector<std::vector<int>>& above);
+std::vector<int> elimination_order(const std::vector<std::vector<int>>& above,
+                                   Elimination by = Elimination::least_degree);
 
 enum class Ordering {
   by_fill,  // AMD, when the pattern is analyzed
@@ -41,6 +50,7 @@ class SparseCholesky {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
 
  private:
+  friend std::vector<int> elimination_order(const std::vector<std::vector<int>>&, Elimination);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
