@@ -131,7 +131,7 @@ def _printed(project: Project, choice: Choice, job: Job) -> Results:
     known = {name: made for name, made in project.made().items() if name not in (*PRINTED, "design")}
     twin = Project(design.name, parameters, {"design": FinishedDesign(design, None, finished.unsettled)},
                    project.where, known)
-    goals = (*_current(twin, ("verification", "recheck")), *PRINTED)
+    goals = (*_current(twin, ("verification", "recheck", "pieces")), *PRINTED)
     results = twin.run(goals, job, strict=True, note="an export does not verify")
     if job.stopped:
         raise Stopped

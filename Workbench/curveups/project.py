@@ -215,12 +215,9 @@ class Project:
         if not all(self._compare(upstream, known, parameters, changed) for upstream in stage.reads):
             return False
         expected = _key(stage, known, parameters)
-        for part in stage.parameters:
+        for part in expected:
             if made.key.get(part) != expected[part]:
                 changed[part] = None
-        for upstream in stage.reads:
-            if made.key.get(upstream) != expected[upstream]:
-                changed[upstream] = None
         return True
 
 
@@ -243,7 +240,7 @@ def _settled(names: Iterable[str], made: Mapping[str, Made], parameters: Any) ->
 
 def _key(stage: Stage, made: Mapping[str, Made], parameters: Any) -> dict[str, str]:
     values = _settled(stage.reads, made, parameters)
-    key = {name: repr(values.get(name)) for name in stage.parameters}
+    key = {name: repr(values.get(name)) for name in stage.parameters(values)}
     key.update({name: made[name].content for name in stage.reads})
     return key
 

@@ -156,6 +156,10 @@
       <translation>Bessert die Zielfläche aus, wo sie keine Kacheln ergibt: nicht (off), sagt nur, was es täte (ask), oder tut es (on). Wirkt mit „Lösen“.</translation>
     </message>
     <message>
+      <source>Pieces into which the target is divided, laid out side by side: 1 to 24, or auto (as few as lie flat). Takes effect with Solve.</source>
+      <translation>Stücke, in die die Zielfläche geteilt wird, nebeneinander ausgelegt: 1 bis 24, oder auto (so wenige, wie flach liegen können). Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
       <source>Pins smaller than this make a design invalid. From 0 to 1000 mm2. Takes effect with Solve.</source>
       <translation>Kleinere Zapfen machen einen Entwurf ungültig. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
     </message>
@@ -588,6 +592,10 @@
     <message>
       <source>Physics</source>
       <translation>Physik</translation>
+    </message>
+    <message>
+      <source>Pieces</source>
+      <translation>Stücke</translation>
     </message>
     <message>
       <source>Profile</source>

@@ -42,8 +42,8 @@ OPTIONAL = {
 }
 STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}
-STAGES = ("remesh", "fairing", "cuts", "relief", "flatten", "layout", "verify", "refine", "recheck", "solids",
-          "check", "export")
+STAGES = ("remesh", "fairing", "pieces", "cuts", "relief", "flatten", "layout", "verify", "refine", "recheck",
+          "solids", "check", "export")
 
 
 def check(value, expected, where):

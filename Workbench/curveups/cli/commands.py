@@ -115,7 +115,8 @@ def verify(options: Any, session: Session) -> int:
     parameters = project.parameters
     parameters.set("verify", True)
     project.parameters = parameters
-    results = project.run(("figures", "clearances", "verification", "recheck"), session.job, strict=True)
+    goals = ("figures", "clearances", "verification", "recheck", "pieces")
+    results = project.run(goals, session.job, strict=True)
     if options.output:
         with session.interrupt.shielded():
             write_verification(results, design, options.output)
@@ -191,7 +192,8 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
         put(name, text, f"--set {name}")
     if options.fit is not None:
         put("fit", options.fit, "--fit")
-    source = find_source(options.target, remesh=remesh, will_be_cut=bool(cuts) or cuts.suggested > 0)
+    will_be_cut = bool(cuts) or cuts.suggested > 0 or values.get("pieces") != "1"
+    source = find_source(options.target, remesh=remesh, will_be_cut=will_be_cut)
     given = {"source": source, "cut request": cuts}
     project = Project(safe_name(source.name), values, given, options.target)
     if automatic:
@@ -248,7 +250,8 @@ def _default(row: Any) -> str:
 
 
 # What the texts of parameters name, by the type of their rows.
-TEXTS = {"tiles": "tile names", "faces": "face names", "opening": "auto, largest, none, z=0, ..."}
+TEXTS = {"tiles": "tile names", "faces": "face names", "opening": "auto, largest, none, z=0, ...",
+         "pieces": "1 to 24, or auto"}
 
 
 def _range(row: Any) -> str:

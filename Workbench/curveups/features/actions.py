@@ -25,7 +25,7 @@ from . import live, properties, rebuild, status
 from .document import state_of, take, take_bodies
 
 Work = Callable[[Job], Results]
-VERIFIED = ("figures", "clearances", "verification", "recheck")
+VERIFIED = ("figures", "clearances", "verification", "recheck", "pieces")
 
 
 @dataclass(frozen=True)

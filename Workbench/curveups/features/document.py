@@ -171,7 +171,7 @@ def _take_design(obj: Any, results: Results, solved: bool) -> None:
     design, values = results.design, properties.named(results.parameters)
     if solved:
         source = results.get("source")
-        cuts = results["cuts"].edges if "cuts" in results else design.cuts
+        cuts = results["division"].given if "division" in results else design.cuts
         places = results["target"] if "target" in results else design
         write_cuts(obj.Cuts, cuts, places.V)
         write(obj, "Solved", json.dumps({
@@ -187,7 +187,7 @@ def _take_design(obj: Any, results: Results, solved: bool) -> None:
         found = results.get("verification")
         write_verification(obj.Verification, found)
         verdict = results.verdict
-        judging = ("figures", "clearances", "verification", "recheck",
+        judging = ("figures", "clearances", "verification", "recheck", "pieces",
                    *(_SOLIDS if "check" in results else ()))
         read = {properties.property_name(name) for stage in judging if stage in results
                 for name in results.made[stage].key}

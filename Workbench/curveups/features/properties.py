@@ -14,7 +14,8 @@ _NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}
 
 _TYPES = {"integer": "App::PropertyInteger", "switch": "App::PropertyBool",
           "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString",
-          "faces": "App::PropertyString", "opening": "App::PropertyString"}
+          "faces": "App::PropertyString", "opening": "App::PropertyString",
+          "pieces": "App::PropertyString"}
 # Types whose editor shows the unit. Where a FreeCAD lacks one (density before 0.21) the number is
 # plain and its tooltip names the unit.
 _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",

@@ -10,7 +10,6 @@ from typing import Any, Optional
 import numpy as np
 
 from ..native import native
-from ..stages.cut_request import resolve_cuts
 from .fields import (MEMBRANE, SIDE, TILE, Field, check_fields, design_fields, deviation_field, force_fields,
                      target_fields)
 from .motion import Motion
@@ -148,12 +147,10 @@ def target_scene_of(project: Any) -> Optional[Scene]:
     parameters, target = project.parameters, project.latest("target")
     if target is None:
         return None
-    names = ("feasibility", "relief", "fairing", "cuts")
-    check, relief, fairing, cuts = (_current(project, name) for name in names)
+    names = ("feasibility", "relief", "fairing", "division")
+    check, relief, fairing, division = (_current(project, name) for name in names)
     V = next((one.V for one in (check, relief, fairing) if one is not None), target.V)
-    edges = np.empty((0, 2), np.int32) if cuts is None else cuts.edges
-    if check is not None and cuts is None:
-        edges = resolve_cuts(project.latest("cut request"), (fairing or target).V, target.F)
+    edges = np.empty((0, 2), np.int32) if division is None else division.edges
     try:
         shapes = shapes_of(native.tile_shapes_at(V, target.F, edges, parameters), parameters)
     except native.Error:

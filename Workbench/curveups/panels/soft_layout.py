@@ -10,6 +10,8 @@ import numpy as np
 
 from ..native import native
 from ..qt import translate
+from ..stages.cut_request import CutRequest
+from ..stages.division import all_cuts
 from ..stages.stage import Job
 from .live import LIVE, Task
 
@@ -36,8 +38,8 @@ class SoftLayout:
         self.seconds, self.shown, self.restarting = 0.0, False, False
 
     def start(self, edges: np.ndarray, done: Callable[[], None]) -> None:
-        """With these cuts, C x 2. What runs of it already is dropped. done is called in the window's
-        thread, after the run's end."""
+        """With these cuts, C x 2, and those of pieces. What runs of it already is dropped. done is called in
+        the window's thread, after the run's end."""
         if LIVE.runs_on(self._design):
             self.restarting = True
             try:
@@ -45,7 +47,7 @@ class SoftLayout:
             finally:
                 self.restarting = False
         begun, last = time.perf_counter(), self._last
-        edges = np.ascontiguousarray(edges, np.int32).reshape(-1, 2)
+        request = CutRequest(edges=np.asarray(edges, np.int32).reshape(-1, 2))
 
         def work(job: Job) -> Any:
             job.stage = "soft layout"
@@ -55,6 +57,7 @@ class SoftLayout:
             def tell(T: np.ndarray, *others: Any) -> bool:
                 return listener is None or listener(self._in_sight(T), *others)
 
+            edges = all_cuts(request, self._V, self._F, self._parameters, job)
             found = native.solve_soft_layout(self._V, self._F, edges, self._parameters, start, _ITERATIONS,
                                              job, tell)
             fields = native.design_fields(self._as_design(found.T, found.q, edges))

@@ -33,6 +33,7 @@ _STAGES = {
     "surface": QT_TRANSLATE_NOOP("CurveUpsSolve", "Reading the surface"),
     "target": QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"),
     "fairing": QT_TRANSLATE_NOOP("CurveUpsSolve", "Mending"),
+    "division": QT_TRANSLATE_NOOP("CurveUpsSolve", "Pieces"),
     "cuts": QT_TRANSLATE_NOOP("CurveUpsSolve", "Cuts"),
     "relief": QT_TRANSLATE_NOOP("CurveUpsSolve", "Room for pins"),
     "layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"),

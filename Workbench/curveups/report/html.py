@@ -7,7 +7,7 @@ import base64
 from html import escape
 from typing import Any, Callable, Sequence
 
-from ..errors import tile_list
+from ..errors import tile_list, tile_name
 from ..native import native
 from ..project import Results
 from ..stages.solids import fits_bed, read_printer
@@ -49,6 +49,7 @@ def build_html(results: Results, report: dict) -> str:
     parts += changes(report)
     parts += worst_contacts(report.get("worst_contacts", ()),
                             report.get("contact_forces", {}).get("f_min", 0.0))
+    parts += _pieces(report.get("pieces", ()))
     if "print" in report:
         parts += ["<h2>For the print shop</h2>", _quote(report, results.parameters),
                   "<h2>Assembly</h2>", _assembly(report, results.parameters)]
@@ -95,6 +96,19 @@ def _cuts(cuts: Sequence[dict]) -> list[str]:
                          "Slack membrane at")),
             '<p class="note">Figures are predictions by draft layouts, each with the cuts before it '
             "made.</p>"]
+
+
+def _pieces(pieces: Sequence[dict]) -> list[str]:
+    """What is known of each piece for itself."""
+    words = {True: "yes", False: "no", None: "not judged"}
+    rows = [(one["piece"], f"{tile_name(one['first_tile'])} and {one['tiles'] - 1} more", one["contacts"],
+             one["actuated_cm2"], one["normal_mean"], one["normal_min"], one["f_min"], words[one["valid"]])
+            for one in pieces]
+    if not rows:
+        return []
+    return ["<h2>Pieces</h2>",
+            table(rows, ("Piece", "Tiles", "Contacts", "Actuated, cm²", "Mean normal force, N", "Least, N",
+                         "f_min of its own mean, N", "Holds"))]
 
 
 def picture(png: bytes, caption: str) -> str:

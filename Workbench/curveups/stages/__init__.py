@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Work as stages: one file a stage, listed here in the order in which reports show their results."""
 
-from . import (anchoring, clearances, cuts, design, deviation, fairing, feasibility, layout, relief, repair,
-               sizes, solids, suggestions, surface, target, verification)
+from . import (anchoring, clearances, cuts, design, deviation, division, fairing, feasibility, layout,
+               pieces, relief, repair, sizes, solids, suggestions, surface, target, verification)
 
-STAGES = (surface.STAGE, target.STAGE, fairing.STAGE, feasibility.STAGE, sizes.STAGE, cuts.STAGE,
-          suggestions.SEARCH, relief.STAGE, layout.STAGE, verification.OF_LAYOUT, repair.STAGE,
+STAGES = (surface.STAGE, target.STAGE, fairing.STAGE, division.STAGE, feasibility.STAGE, sizes.STAGE,
+          cuts.STAGE, suggestions.SEARCH, relief.STAGE, layout.STAGE, verification.OF_LAYOUT, repair.STAGE,
           design.STAGE, design.FIGURES, deviation.STAGE, clearances.STAGE, verification.STAGE,
-          verification.RECHECK, anchoring.STAGE, solids.BODIES, solids.STAGE, solids.CHECK, suggestions.STAGE)
+          verification.RECHECK, pieces.STAGE, anchoring.STAGE, solids.BODIES, solids.STAGE, solids.CHECK,
+          suggestions.STAGE)
 
 # What is known of a target without a design; what prints are made of; all that is known of a design without
 # them, but for cuts that nobody asked for.

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..native import native
-from .cut_request import resolve_cuts
 from .findings import settle, tiles_place
 from .sizes import with_advice
 from .stage import Inputs, Job, Result, Stage, digest
@@ -16,7 +15,7 @@ from .stage import Inputs, Job, Result, Stage, digest
 
 @dataclass(frozen=True)
 class Cuts(Result):
-    """edges: C x 2 vertex pairs of the target, each once, ascending as they were asked for."""
+    """edges: C x 2 vertex pairs of the target, each once, ascending."""
 
     edges: np.ndarray
 
@@ -27,11 +26,11 @@ class Cuts(Result):
 
 def _run(inputs: Inputs, job: Job) -> Cuts:
     V, F = inputs["fairing"].V, inputs["target"].F
-    edges = resolve_cuts(inputs["cut request"], V, F)
+    edges = inputs["division"].edges
     findings = native.check_target(V, F, edges, inputs.parameters)
     with with_advice(inputs, inputs["cut request"], job):
         settle([finding for finding in findings if finding.is_error], inputs.where, tiles_place)
     return Cuts(edges)
 
 
-STAGE = Stage("cuts", ("target", "fairing", "cut request"), frozenset({"tiles"}), _run)
+STAGE = Stage("cuts", ("target", "fairing", "cut request", "division"), frozenset({"tiles"}), _run)

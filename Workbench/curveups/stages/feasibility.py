@@ -16,7 +16,6 @@ import numpy as np
 
 from ..errors import tile_name
 from ..native import native
-from .cut_request import resolve_cuts
 from .fairing import fair
 from .relief import make_room
 from .stage import Inputs, Job, Result, Stage, Value, digest
@@ -181,26 +180,29 @@ def _cut_by_membranes(room: np.ndarray, least: float) -> Iterator[Obstacle]:
 def _badly_stretched(stretch: np.ndarray, ranges: np.ndarray) -> Iterator[Obstacle]:
     if np.isnan(stretch).any():  # what has to be cut open first
         return
-    with np.errstate(invalid="ignore"):
-        slack, narrow = stretch > TOO_SLACK * ranges[:, 1], stretch < TOO_NARROW * ranges[:, 0]
-    # One scale for the whole map: where it must be too large for some, it is too small for others.
-    if slack.mean() <= SHARE or narrow.mean() <= SHARE:
-        return
-    for tile in np.flatnonzero(slack | narrow):
+    for tile in np.flatnonzero(too_stretched(stretch, ranges)):
         low, high = ranges[tile]
         yield Obstacle(int(tile), "stretch", f"the flat map scales it by {stretch[tile]:.2f}; it can do with "
                                              f"{low:.2f} to {high:.2f}: cuts would even that out", False)
 
 
+def too_stretched(stretch: np.ndarray, ranges: np.ndarray) -> np.ndarray:
+    """Of each tile of a map whether it is beyond the range of stretch that it can do with, as Feasibility has
+    them; none where a layout evens that out."""
+    with np.errstate(invalid="ignore"):
+        slack, narrow = stretch > TOO_SLACK * ranges[:, 1], stretch < TOO_NARROW * ranges[:, 0]
+    # One scale for the whole map: where it must be too large for some, it is too small for others.
+    return (slack | narrow) & (slack.mean() > SHARE) & (narrow.mean() > SHARE)
+
+
 def _run(inputs: Inputs, job: Job) -> Feasibility:
-    V, F = inputs["fairing"].V, inputs["target"].F
+    V, edges, F = inputs["fairing"].V, inputs["division"].edges, inputs["target"].F
     job("checking tiles")
-    edges = resolve_cuts(inputs["cut request"], V, F)
     found = examine(V, F, edges, inputs.parameters, job)
     if not {one.obstacle for one in found.blocked} - {"closed"}:
         return found
     return replace(found, mending=mending(V, F, edges, inputs.parameters, job))
 
 
-STAGE = Stage("feasibility", ("target", "fairing", "cut request"),
+STAGE = Stage("feasibility", ("target", "fairing", "division"),
               frozenset({"target", "tiles", "layout", "repair"}), _run)

@@ -14,7 +14,8 @@ import numpy as np
 
 from ..errors import CurveUpsError, Stopped
 from ..native import native, translated
-from .cut_request import CutRequest, resolve_cuts
+from .cut_request import CutRequest
+from .division import all_cuts
 from .feasibility import mending, sizes_do
 from .stage import Inputs, Job, Result, Stage, digest
 from .target import remesh
@@ -92,7 +93,7 @@ class Trials:
             with translated():
                 V, F, sagitta = self._mesh(L)
                 tiles = len(F)
-                feasible = sizes_do(V, F, resolve_cuts(self._cuts, V, F), values, self._job)
+                feasible = sizes_do(V, F, all_cuts(self._cuts, V, F, values, self._job), values, self._job)
         except CurveUpsError:
             feasible = False
         return Trial(L, H_body, H_pin, tiles, feasible, sagitta)
@@ -271,7 +272,7 @@ def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
     said = [f"{name}={value:g}" for name, value in found.items() if value is not None]
     sizes = (f"of {len(trials.made)} other sizes that were tried, {' or '.join(said)} does" if said
              else f"none of {len(trials.made)} other sizes that were tried does")
-    edges = resolve_cuts(cuts, target.V, target.F)
+    edges = all_cuts(cuts, target.V, target.F, parameters, job)
     moved = mending(target.V, target.F, edges, parameters, job)
     if moved is None:
         return sizes
@@ -322,4 +323,5 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     return Recommendation(lengths, thickness, pin, most, trials(L, H_body).feasible, tried)
 
 
-STAGE = Stage("sizes", ("target", "cut request"), frozenset({"target", "tiles", "layout", "repair"}), _run)
+STAGE = Stage("sizes", ("target", "cut request"),
+              frozenset({"target", "pieces", "tiles", "layout", "repair"}), _run)

@@ -11,8 +11,8 @@ from __future__ import annotations
 import hashlib
 import math
 from dataclasses import dataclass, field
-from functools import cached_property
-from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence
+from functools import lru_cache
+from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
@@ -144,21 +144,26 @@ class Inputs:
 
 @dataclass(frozen=True)
 class Stage:
-    """`reads`: upstream stages; `parts`: whose parameters it reads (native `ParameterInfo.readers`);
-    `on_failure`: the result of a failure that must not cost what there is already; `on_stop`: of a stop
-    (with the stage that was stopped) where work before it is worth its files."""
+    """`reads`: upstream stages; `parts`: whose parameters it reads (native `ParameterInfo.readers`), or a
+    function of the parameters that says so, where some decide whether others are read at all; `on_failure`:
+    the result of a failure that must not cost what there is already; `on_stop`: of a stop (with the stage
+    that was stopped) where work before it is worth its files."""
 
     name: str
     reads: tuple[str, ...]
-    parts: frozenset[str]
+    parts: Union[frozenset[str], Callable[[Any], frozenset[str]]]
     run: Callable[[Inputs, Job], Result]
     on_failure: Optional[Callable[[CurveUpsError, Inputs], Result]] = None
     on_stop: Optional[Callable[[str, Inputs], Result]] = None
 
-    @cached_property
-    def parameters(self) -> tuple[str, ...]:
-        """Names of the parameters it reads, from the one table."""
-        return tuple(row.name for row in native.parameter_table() if self.parts & set(row.readers))
+    def parameters(self, values: Any) -> tuple[str, ...]:
+        """Names of the parameters that it reads where they have these values, from the one table."""
+        return _parameters_of(self.parts(values) if callable(self.parts) else self.parts)
+
+
+@lru_cache(maxsize=None)
+def _parameters_of(parts: frozenset[str]) -> tuple[str, ...]:
+    return tuple(row.name for row in native.parameter_table() if parts & set(row.readers))
 
 
 def moved_vertices(before: np.ndarray, after: np.ndarray, F: np.ndarray) -> list[dict[str, Any]]:

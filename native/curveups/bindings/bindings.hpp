@@ -82,6 +82,7 @@ void bind_clean_mesh(py::module_& module);
 void bind_mesh_checks(py::module_& module);
 void bind_mend_mesh(py::module_& module);
 void bind_remesh(py::module_& module);
+void bind_divide_surface(py::module_& module);
 void bind_parameters(py::module_& module);
 void bind_design(py::module_& module);
 void bind_design_figures(py::module_& module);

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_native, module) {
   bind_mesh_checks(module);
   bind_mend_mesh(module);
   bind_remesh(module);
+  bind_divide_surface(module);
   bind_parameters(module);
   bind_design(module);
   bind_design_figures(module);

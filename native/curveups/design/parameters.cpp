@@ -51,6 +51,9 @@ std::vector<ParameterInfo> make_table() {
     {"mend_border", "", "Target",
      "Mending may move the target's border, too, where tiles have no room otherwise.",
      target, &P::mend_border},
+    {"pieces", "", "Target",
+     "Pieces into which the target is divided, laid out side by side: 1 to 24, or auto (as few as lie flat).",
+     pieces, &P::pieces, 0, 0, {}, "pieces"},
     {"H_body", "mm", "Tiles", "Thickness of a tile between its front and its back face.",
      tiles, &P::H_body, 0.2, 100},
     {"H_pin", "mm", "Tiles", "Height of the pins on both faces, to whose tops membranes are glued.",
@@ -261,6 +264,7 @@ bool to_switch(const ParameterInfo& info, const ParameterValue& value) {
 std::string text_remedy(std::string_view kind) {
   if (kind == "faces") return "name faces as FreeCAD does, from 1: Face3,Face7-9";
   if (kind == "opening") return "give auto, largest, none, or a plane as z=0, z>0 or x<12.5";
+  if (kind == "pieces") return "give auto, or a whole number from 1 to 24";
   return "name tiles as reports do: T00012,T00345";
 }
 
@@ -269,6 +273,8 @@ void check_text(std::string_view kind, const std::string& text) {
     check_faces(text);
   } else if (kind == "opening") {
     check_opening(text);
+  } else if (kind == "pieces") {
+    check_pieces(text);
   } else {
     listed_tiles(text);
   }
@@ -356,6 +362,14 @@ void check_opening(std::string_view text) {
   throw InvalidInput("'" + std::string(text) + "' is no opening", text_remedy("opening"));
 }
 
+void check_pieces(std::string_view text) {
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  if (text == "auto" || (whole && text[0] != '0' && count >= 1 && count <= 24)) return;
+  throw InvalidInput("'" + std::string(text) + "' is no number of pieces", text_remedy("pieces"));
+}
+
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value) {
   const ParameterInfo& info = find(name);
   if (const auto* member = std::get_if<double P::*>(&info.member)) {
@@ -370,10 +384,12 @@ void set_parameter(Parameters& parameters, std::string_view name, const Paramete
   } else if (const auto* flag = std::get_if<bool P::*>(&info.member)) {
     parameters.*(*flag) = to_switch(info, value);
   } else if (info.choices.empty()) {
-    const std::string* text = std::get_if<std::string>(&value);
-    if (!text) refuse(info, value, text_remedy(info.text));
-    check_text(info.text, *text);
-    parameters.*std::get<std::string P::*>(info.member) = *text;
+    const double* x = std::get_if<double>(&value);
+    const std::string* given = std::get_if<std::string>(&value);
+    if (!given && !(x && info.text == "pieces")) refuse(info, value, text_remedy(info.text));
+    const std::string text = given ? *given : number(*x);
+    check_text(info.text, text);
+    parameters.*std::get<std::string P::*>(info.member) = text;
   } else {
     std::string choices;
     for (std::string_view choice : info.choices) {

@@ -25,6 +25,7 @@ struct Parameters {
   std::string mend = "off";
   double mend_max = 2.0;
   bool mend_border = true;
+  std::string pieces = "1";  // as check_pieces reads it
   // Tiles
   double H_body = 3.0;
   double H_pin = 1.0;
@@ -113,11 +114,12 @@ enum Part : unsigned {
   repair = 64,
   recheck = 128,
   files = 256,
-  check = 512
+  check = 512,
+  pieces = 1024
 };
-inline constexpr std::array<std::string_view, 10> names = {
-    "target",  "tiles",  "layout",  "bodies", "support",
-    "physics", "repair", "recheck", "files",  "check"};
+inline constexpr std::array<std::string_view, 11> names = {
+    "target", "tiles",   "layout", "bodies", "support", "physics",
+    "repair", "recheck", "files",  "check",  "pieces"};
 }  // namespace reader
 
 struct ParameterInfo {
@@ -133,7 +135,7 @@ struct ParameterInfo {
   double maximum = 0;
   std::vector<std::string_view> choices = {};  // texts; none where `text` says what they are
   // Texts without choices: "tiles" (listed_tiles), "faces" (check_faces), "opening"
-  // (check_opening).
+  // (check_opening), "pieces" (check_pieces).
   std::string_view text = {};
 };
 
@@ -161,6 +163,9 @@ void check_faces(std::string_view text);
 // Where a closed part is opened: "auto", "largest", "none", or a plane: "z=0", "x>12.5", "y<-3".
 // Throws InvalidInput for anything else.
 void check_opening(std::string_view text);
+// Into how many pieces a target is divided: "auto", or a whole number from 1 to 24. Throws
+// InvalidInput for anything else.
+void check_pieces(std::string_view text);
 ParameterValue get_parameter(const Parameters& parameters, std::string_view name);
 bool operator==(const Parameters& a, const Parameters& b);
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/core/text.hpp"
+#include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
 namespace {
@@ -21,30 +21,6 @@ void check_vertices(const TriangleMesh& mesh) {
                          "repair the file");
     }
   }
-}
-
-std::vector<char> mark_cuts(const MeshTopology& topology, const Edges& cuts) {
-  std::vector<char> cut(topology.edges.size(), 0);
-  if (cuts.rows() == 0) return cut;
-  std::unordered_map<long long, int> index;
-  auto key = [](int a, int b) {
-    return (static_cast<long long>(std::min(a, b)) << 32) | std::max(a, b);
-  };
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-    if (!topology.edges[e].boundary()) {
-      index[key(topology.edges[e].v[0], topology.edges[e].v[1])] = static_cast<int>(e);
-    }
-  }
-  for (int c = 0; c < cuts.rows(); ++c) {
-    const auto it = index.find(key(cuts(c, 0), cuts(c, 1)));
-    if (it == index.end()) {
-      throw InvalidInput("cut " + std::to_string(c) + " (" + std::to_string(cuts(c, 0)) + ", " +
-                             std::to_string(cuts(c, 1)) + ") is no interior edge of the mesh",
-                         "give pairs of neighbouring vertices of the remeshed target");
-    }
-    cut[it->second] = 1;
-  }
-  return cut;
 }
 
 TileFrame make_frame(const TriangleMesh& mesh, int tile) {

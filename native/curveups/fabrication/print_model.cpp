@@ -17,6 +17,7 @@
 #include "curveups/fabrication/labels.hpp"
 #include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/supports.hpp"
+#include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
 namespace {
@@ -85,11 +86,7 @@ class Builder {
   }
 
   void find_pieces() {
-    std::vector<char> joined;
-    for (std::size_t e = 0; e < tiles().topology.edges.size(); ++e) {
-      joined.push_back(!tiles().topology.edges[e].boundary() && !tiles().cut[e]);
-    }
-    model_.piece_of_tile = face_components(tiles().topology, joined);
+    model_.piece_of_tile = pieces_of_faces(tiles().topology, tiles().cut);
     for (int piece : model_.piece_of_tile) {
       model_.piece_count = std::max(model_.piece_count, piece + 1);
     }

@@ -29,13 +29,13 @@ void check_topology(const TriangleMesh& mesh, const MeshTopology& topology) {
   const int loops = static_cast<int>(boundary_loops(topology).size());
   if (loops == 0) {
     throw TopologyError("the surface is closed and has no flat layout",
-                        "cut it open (--auto-cuts 1 does)");
+                        "cut it open (--auto-cuts 1 or pieces=auto does)");
   }
   const int handles = handle_count(topology, loops);
   if (handles > 0) {
     throw TopologyError("the surface has " + std::to_string(handles) +
                             (handles == 1 ? " handle" : " handles") + " and no flat layout",
-                        "cut each handle open (--auto-cuts 1 does)");
+                        "cut each handle open (--auto-cuts 1 or pieces=auto does)");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <unordered_map>
 
 #include "curveups/core/errors.hpp"
 
@@ -79,12 +80,40 @@ CutMesh cut_open(const TriangleMesh& mesh, const MeshTopology& topology,
   return out;
 }
 
+std::vector<char> mark_cuts(const MeshTopology& topology, const Edges& cuts) {
+  std::vector<char> cut(topology.edges.size(), 0);
+  if (cuts.rows() == 0) return cut;
+  std::unordered_map<long long, int> index;
+  auto key = [](int a, int b) {
+    return (static_cast<long long>(std::min(a, b)) << 32) | std::max(a, b);
+  };
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    if (!topology.edges[e].boundary()) {
+      index[key(topology.edges[e].v[0], topology.edges[e].v[1])] = static_cast<int>(e);
+    }
+  }
+  for (int c = 0; c < cuts.rows(); ++c) {
+    const auto it = index.find(key(cuts(c, 0), cuts(c, 1)));
+    if (it == index.end()) {
+      throw InvalidInput("cut " + std::to_string(c) + " (" + std::to_string(cuts(c, 0)) + ", " +
+                             std::to_string(cuts(c, 1)) + ") is no interior edge of the mesh",
+                         "give pairs of neighbouring vertices of the remeshed target");
+    }
+    cut[it->second] = 1;
+  }
+  return cut;
+}
+
+std::vector<int> pieces_of_faces(const MeshTopology& topology, const std::vector<char>& cut) {
+  std::vector<char> joined(topology.edges.size(), 1);
+  for (std::size_t e = 0; e < cut.size(); ++e) joined[e] = !cut[e];
+  return face_components(topology, joined);
+}
+
 std::vector<MeshPiece> cut_into_pieces(const TriangleMesh& mesh, const MeshTopology& topology,
                                        const std::vector<char>& cut) {
   const CutMesh open = cut_open(mesh, topology, cut);
-  std::vector<char> joined(topology.edges.size(), 1);
-  for (std::size_t e = 0; e < cut.size(); ++e) joined[e] = !cut[e];
-  const std::vector<int> component = face_components(topology, joined);
+  const std::vector<int> component = pieces_of_faces(topology, cut);
   std::vector<MeshPiece> pieces;
   for (int f = 0; f < mesh.F.rows(); ++f) {
     if (component[f] >= static_cast<int>(pieces.size())) pieces.resize(component[f] + 1);

@@ -21,6 +21,13 @@ struct CutMesh {
 CutMesh cut_open(const TriangleMesh& mesh, const MeshTopology& topology,
                  const std::vector<char>& cut);
 
+// One entry per topology.edges: whether it is among `cuts` (vertex pairs, in any order). Throws
+// InvalidInput, naming the pair, where one is no interior edge.
+std::vector<char> mark_cuts(const MeshTopology& topology, const Edges& cuts);
+
+// The piece of each face, from 0 in the order of the lowest faces: `cut` as above.
+std::vector<int> pieces_of_faces(const MeshTopology& topology, const std::vector<char>& cut);
+
 // A component of a cut mesh as a mesh of its own.
 struct MeshPiece {
   TriangleMesh mesh;          // only the vertices that its faces use, in the order of their use

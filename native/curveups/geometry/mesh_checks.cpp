@@ -145,7 +145,9 @@ void check_shape(const TriangleMesh& mesh, double L, bool cuts_given, bool witho
   }
   if (!closed.empty() && !cuts_given) {
     findings.add("closed", "the surface is closed: it can't lie flat in one piece",
-                 "let it be cut open (--auto-cuts 1), give --cuts, or remove a part of it", closed);
+                 "let it be cut open (--auto-cuts 1) or divided (pieces=auto), give --cuts, or "
+                 "remove a part of it",
+                 closed);
   }
   if (!without_crossings) {
     findings.add_faces("self-intersections", " faces run through others of the same surface",

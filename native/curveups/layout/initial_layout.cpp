@@ -24,9 +24,7 @@ double room_with_gap(const TileMesh& tiles, int tile, double d_gap_min) {
 }
 
 std::vector<std::vector<int>> pieces_of(const TileMesh& tiles) {
-  std::vector<char> joined(tiles.cut.size());
-  for (std::size_t e = 0; e < joined.size(); ++e) joined[e] = !tiles.cut[e];
-  const std::vector<int> component = face_components(tiles.topology, joined);
+  const std::vector<int> component = pieces_of_faces(tiles.topology, tiles.cut);
   std::vector<std::vector<int>> pieces;
   for (int i = 0; i < tiles.tile_count(); ++i) {
     if (component[i] >= static_cast<int>(pieces.size())) pieces.resize(component[i] + 1);

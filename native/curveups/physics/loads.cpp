@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "curveups/bodies/bumps.hpp"
+#include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/physics/membrane_domain.hpp"
 
 namespace curveups {
@@ -16,13 +17,6 @@ constexpr double membrane_density = 0.93;  // g / cm3: natural rubber (thermoped
 
 Vec3 downwards(const Parameters& parameters) {
   return Vec3(parameters.gravity_x, parameters.gravity_y, parameters.gravity_z).normalized();
-}
-
-// Per tile the number of its piece.
-std::vector<int> pieces(const TileMesh& tiles) {
-  std::vector<char> joined(tiles.topology.edges.size(), 0);
-  for (const Contact& contact : tiles.contacts) joined[contact.edge] = 1;
-  return face_components(tiles.topology, joined);
 }
 
 class Weights {
@@ -116,7 +110,7 @@ std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& pa
   const TileMesh& tiles = geometry.tiles;
   const Vec3 down = downwards(parameters);
   const Points3 centres = tile_centres(tiles);
-  const std::vector<int> piece = pieces(tiles);
+  const std::vector<int> piece = pieces_of_faces(tiles.topology, tiles.cut);
   std::vector<int> lowest(piece.empty() ? 0 : *std::max_element(piece.begin(), piece.end()) + 1,
                           -1);
   for (int i = 0; i < tiles.tile_count(); ++i) {
@@ -158,7 +152,7 @@ std::vector<ContactPoint> ground_points(const DesignGeometry& geometry,
 
 std::vector<int> pieces_in_the_air(const DesignGeometry& geometry, const Parameters& parameters) {
   if (parameters.gravity == "off") return {};
-  const std::vector<int> piece = pieces(geometry.tiles);
+  const std::vector<int> piece = pieces_of_faces(geometry.tiles.topology, geometry.tiles.cut);
   std::vector<int> first;
   for (std::size_t i = 0; i < piece.size(); ++i) {
     if (piece[i] == static_cast<int>(first.size())) first.push_back(static_cast<int>(i));

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The target in pieces, where one layout can't do it all: closed, with handles, stretched too far.
+
+Pieces are decided on the remeshed target as cuts are: borders between them are cut, and what inside of a
+piece keeps it from lying flat. They are a result like any other, so that the same target and parameters
+give the same pieces, and a document keeps them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, Optional, Sequence
+
+import numpy as np
+
+from ..errors import CurveUpsError
+from ..native import native, translated
+from .cut_request import CutRequest, resolve_cuts
+from .feasibility import too_stretched
+from .stage import Inputs, Job, Result, Row, Stage, digest
+
+MOST_TRIED = 12    # numbers of pieces that auto tries
+LEAST_TILES = 12   # of a piece, on average: native divide_surface refuses more pieces
+
+
+@dataclass(frozen=True)
+class Division(Result):
+    """edges: C x 2 vertices of the target, all cuts: those that are asked for, borders of pieces, slits
+    inside of them; given: those that are asked for; piece: M, from 0."""
+
+    edges: np.ndarray
+    given: np.ndarray
+    piece: np.ndarray
+    asked: str = "1"
+    found: tuple[dict, ...] = ()   # warnings
+
+    @property
+    def content(self) -> str:
+        return digest(self.edges, self.given)
+
+    def warnings(self) -> Sequence[dict]:
+        return self.found
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return () if self.asked == "1" else (Row("pieces", seconds),)
+
+
+def all_cuts(request: CutRequest, V: np.ndarray, F: np.ndarray, parameters: Any, job: Job) -> np.ndarray:
+    """C x 2: the cuts that are asked for, and those between and inside of pieces."""
+    return _divide(resolve_cuts(request, V, F), V, F, parameters, job).edges
+
+
+def _divide(given: np.ndarray, V: np.ndarray, F: np.ndarray, parameters: Any, job: Job) -> Division:
+    asked = parameters.get("pieces")
+    if asked == "1":
+        return Division(given, given, np.zeros(0, np.int32))
+    if asked != "auto":
+        return _divided(given, V, F, int(asked), asked, job)
+    best: Optional[Division] = None
+    least = np.inf
+    for count in range(1, min(MOST_TRIED, max(1, len(F) // LEAST_TILES)) + 1):
+        job(f"dividing into {count} piece{'s' if count > 1 else ''}")
+        # A surface that can lie flat in one piece stays as it is.
+        made = (Division(given, given, native.pieces_of_faces(V, F, given), asked) if count == 1
+                else _divided(given, V, F, count, asked, job))
+        share = _worst(made, V, F, parameters)
+        if share < least:
+            best, least = made, share
+        if share == 0:
+            break
+    if best is None or not np.isfinite(least):
+        raise CurveUpsError(f"no division into up to {MOST_TRIED} pieces lies flat", "pieces=auto",
+                            "set pieces to a number, or cut the target (--cuts)")
+    if least > 0:
+        return _warned(best, f"no division into up to {MOST_TRIED} pieces has as little stretch as membranes "
+                             f"bear; the best has {_count(best)}", "set pieces to a number, or raise L")
+    return best
+
+
+def _divided(given: np.ndarray, V: np.ndarray, F: np.ndarray, count: int, asked: str,
+             job: Job) -> Division:
+    with translated(f"pieces={asked}"):
+        made = native.divide_surface(V, F, given, count, job)
+    edges = np.vstack([given, made.borders, made.slits]).astype(np.int32).reshape(-1, 2)
+    division = Division(np.array(sorted(map(tuple, edges.tolist())), np.int32).reshape(-1, 2), given,
+                        np.asarray(made.piece, np.int32), asked)
+    if _count(division) == count or asked == "auto":
+        return division
+    return _warned(division, f"the target is in {_count(division)} pieces, {count} are asked for",
+                   "parts that it has already and cuts that are given count as well")
+
+
+def _warned(division: Division, what: str, remedy: str) -> Division:
+    return replace(division, found=({"what": what, "kind": "pieces", "remedy": remedy, "tiles": []},))
+
+
+def _count(division: Division) -> int:
+    return int(division.piece.max(initial=-1)) + 1
+
+
+def _worst(division: Division, V: np.ndarray, F: np.ndarray, parameters: Any) -> float:
+    """The largest share of a piece's tiles that the flat map stretches too far; 0 where all pieces are within
+    what membranes bear, infinite where one has no flat map."""
+    maps = native.target_fields(V, F, division.edges, parameters)
+    stretch = np.asarray(maps["conformal_stretch"])
+    if np.isnan(stretch).any():
+        return np.inf
+    ranges = np.stack([maps["least_stretch"], maps["most_stretch"]], axis=1)
+    pieces = (division.piece == number for number in range(_count(division)))
+    return max(float(too_stretched(stretch[own], ranges[own]).mean()) for own in pieces)
+
+
+def _run(inputs: Inputs, job: Job) -> Division:
+    V, F = inputs["fairing"].V, inputs["target"].F
+    return _divide(resolve_cuts(inputs["cut request"], V, F), V, F, inputs.parameters, job)
+
+
+def _parts(parameters: Any) -> frozenset[str]:
+    """What membranes bear is asked for by auto alone."""
+    return frozenset({"pieces", "tiles", "layout"} if parameters.get("pieces") == "auto" else {"pieces"})
+
+
+STAGE = Stage("division", ("target", "fairing", "cut request"), _parts, _run)

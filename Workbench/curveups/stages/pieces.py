@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pieces of a design, each for itself: what it is made of and whether it holds."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence
+
+import numpy as np
+
+from ..errors import tile_name
+from ..native import native
+from .stage import Inputs, Job, Result, Stage, Value
+
+_TILE = re.compile(r"\bT(\d{5,})\b")  # as messages name tiles
+
+
+@dataclass(frozen=True)
+class Piece(Value):
+    """Tiles that contacts join. Normal forces at its contacts, N: their mean, the least, and f_min, what
+    f_min_ratio asks for of the piece's own mean; None without verification. `valid`: None where the design is
+    not judged. `reasons`: why not, those of the design that name no tile among them."""
+
+    first: int
+    tiles: int
+    contacts: int
+    actuated_cm2: float
+    normal_mean: Optional[float] = None
+    normal_min: Optional[float] = None
+    f_min: Optional[float] = None
+    valid: Optional[bool] = None
+    reasons: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Pieces(Result):
+    """In the order of their lowest tiles, as files and labels number them; none where all is one piece."""
+
+    pieces: tuple[Piece, ...] = ()
+    weak: tuple[str, ...] = ()  # reasons besides those of the whole design
+
+    def report(self) -> dict[str, Any]:
+        if not self.pieces:
+            return {}
+        return {"pieces": [{"piece": number, "first_tile": one.first, "tiles": one.tiles,
+                            "contacts": one.contacts, "actuated_cm2": one.actuated_cm2,
+                            "normal_mean": one.normal_mean, "normal_min": one.normal_min, "f_min": one.f_min,
+                            "valid": one.valid, "reasons": list(one.reasons)}
+                           for number, one in enumerate(self.pieces, 1)]}
+
+    def reasons(self) -> Sequence[str]:
+        return self.weak
+
+
+def _run(inputs: Inputs, job: Job) -> Pieces:
+    design, found = inputs["design"].design, inputs["verification"]
+    piece = np.asarray(native.pieces_of_faces(design.V, design.F, design.cuts))
+    count = int(piece.max(initial=0)) + 1
+    if count == 1:
+        return Pieces()
+    corners = design.V[design.F]
+    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    area = np.linalg.norm(cross, axis=1) / 200  # cm2
+    said = (*inputs["figures"].reasons(), *found.reasons())
+    apart = inputs.parameters.get("pieces") != "1"
+    judged = found.judged and not found.failure
+    pieces: list[Piece] = []
+    weak: list[str] = []
+    for number in range(count):
+        own = np.flatnonzero(piece == number)
+        forces = _forces(found, piece, number, inputs.parameters.get("f_min_ratio"))
+        mean, least, f_min = forces or (None, None, None)
+        # What was divided on purpose has to hold by its own mean force: over all pieces it may be less.
+        alone = _weakness(found, piece, number, forces) if apart and judged and forces else ""
+        weak += [alone] if alone else []
+        reasons = (*(reason for reason in said if _concerns(reason, own)), *([alone] if alone else []))
+        pieces.append(Piece(int(own[0]), len(own), _contacts(design, piece, number), float(area[own].sum()),
+                            mean, least, f_min, not reasons if judged else None, reasons))
+    return Pieces(tuple(pieces), tuple(weak))
+
+
+def _contacts(design: Any, piece: np.ndarray, number: int) -> int:
+    """Edges between two of its tiles, but for those that are cut."""
+    F = design.F[piece == number]
+    sides = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    pairs, times = np.unique(sides, axis=0, return_counts=True)
+    cut = {tuple(sorted(pair)) for pair in design.cuts.tolist()}
+    return sum(1 for pair in pairs[times == 2].tolist() if tuple(pair) not in cut)
+
+
+def _own(found: Any, piece: np.ndarray, number: int) -> np.ndarray:
+    """The contacts of a piece, by their places among all."""
+    pairs = np.asarray(found.arrays.get("contact_tiles", ()), int).reshape(-1, 2)
+    return np.flatnonzero(piece[pairs[:, 0]] == number)
+
+
+def _forces(found: Any, piece: np.ndarray, number: int, ratio: float) -> Optional[tuple[float, float, float]]:
+    """Mean, least and wanted normal force of a piece, N; None where it has none."""
+    own = _own(found, piece, number)
+    if not len(own):
+        return None
+    mean = float(np.mean(found.arrays["contact_normal_mean"][own]))
+    return mean, float(np.min(found.arrays["contact_normal_min"][own])), ratio * max(0.0, mean)
+
+
+def _weakness(found: Any, piece: np.ndarray, number: int, forces: tuple[float, float, float]) -> str:
+    """What a piece lacks by itself that the design as a whole does not; empty where it holds."""
+    _, least, f_min = forces
+    if not max(0.0, found.blocks["contact_forces"]["f_min"]) <= least < f_min:
+        return ""
+    own = _own(found, piece, number)
+    a, b = found.arrays["contact_tiles"][own[np.argmin(found.arrays["contact_normal_min"][own])]]
+    return (f"piece {number + 1} by itself: a contact point of {tile_name(int(a))}-{tile_name(int(b))} has "
+            f"{least:.3g} N, less than f_min = {f_min:.3g} N of this piece")
+
+
+def _concerns(reason: str, tiles: np.ndarray) -> bool:
+    named = [int(number) - 1 for number in _TILE.findall(reason)]
+    return not named or bool(np.isin(named, tiles).any())
+
+
+STAGE = Stage("pieces", ("design", "figures", "verification"), frozenset({"pieces", "physics"}), _run,
+              on_stop=lambda stage, inputs: Pieces())
