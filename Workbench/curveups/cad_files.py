@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Any, Callable, Optional
 import numpy as np
 
 from . import freecad_session
+from .cad_creases import creases
 from .cad_parts import Choice, choose
 from .errors import CurveUpsError, Stopped
 from .native import native, translated
@@ -51,12 +52,13 @@ ENDINGS = (*_FACES, *_SAME)
 @dataclass(frozen=True)
 class Read:
     """A surface (V: N x 3, F: M x 3) and what there is to say of it. `wall`: how thick it is drawn, mm; None
-    where it is drawn as a sheet."""
+    where it is drawn as a sheet. `creases`: as cad_creases has them; None of what is no CAD part."""
 
     V: np.ndarray
     F: np.ndarray
     notes: tuple[str, ...] = ()
     wall: Optional[float] = None
+    creases: Optional[np.ndarray] = None
 
 
 def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: True,
@@ -89,12 +91,13 @@ def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: 
         with np.load(answer) as found:
             said = json.loads(str(found["said"]))
             V, F = found["V"], found["F"]
+            sharp = found["creases"]
     if said["error"]:
         raise CurveUpsError(said["error"], str(path), said["remedy"])
     if said["faces"] < announced:
         raise CurveUpsError(f"only {said['faces']} of the file's {announced} faces could be read",
                             str(path), _AGAIN)
-    return Read(V, F, tuple(said["notes"]), said["wall"])
+    return Read(V, F, tuple(said["notes"]), said["wall"], sharp)
 
 
 def _lost_entities(data: bytes) -> list[int]:
@@ -149,11 +152,12 @@ def surface_of_shape(shape: Any, deflection: float, choice: Choice, where: str) 
     _, part = freecad_session.load("Part")
     whole = len(chosen.faces) == len(shape.Faces) and not chosen.notes
     V, F = triangles_of_shape(shape if whole else part.Compound(chosen.faces), deflection, where)
+    sharp = creases(chosen.faces, V, choice.crease_angle)
     if chosen.opposite:
         other = triangles_of_shape(part.Compound(chosen.opposite), deflection, where)
         with translated(where):
             V = (V + native.closest_points(V, *other)) / 2
-    return Read(V, F, tuple(chosen.notes), chosen.wall)
+    return Read(V, F, tuple(chosen.notes), chosen.wall, sharp)
 
 
 def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
@@ -196,15 +200,15 @@ def _read(path: Path, deflection: float, choice: Choice) -> tuple[int, Read]:
 
 def _main(path: str, deflection: str, answer: str, choice: str) -> None:
     said: dict[str, Any] = {"error": "", "remedy": "", "faces": 0, "notes": [], "wall": None}
-    V, F = np.zeros((0, 3)), np.zeros((0, 3), np.int32)
+    found = Read(np.zeros((0, 3)), np.zeros((0, 3), np.int32))
     try:
         said["faces"], found = _read(Path(path), float(deflection), Choice(**json.loads(choice)))
-        V, F = found.V, found.F
         said.update(notes=found.notes, wall=found.wall)
     except CurveUpsError as error:
         said.update(error=error.what, remedy=error.remedy)
     with open(answer + ".part", "wb") as file:  # whole, or not there
-        np.savez(file, said=json.dumps(said), V=V, F=F)
+        np.savez(file, said=json.dumps(said), V=found.V, F=found.F,
+                 creases=np.zeros((0, 2), np.int32) if found.creases is None else found.creases)
     os.replace(answer + ".part", answer)
 
 

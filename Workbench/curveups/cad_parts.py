@@ -24,6 +24,7 @@ class Choice:
     skin: str = "outer"
     faces: str = ""
     open: str = "auto"
+    crease_angle: float = 180.0
 
 
 @dataclass

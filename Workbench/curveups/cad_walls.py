@@ -11,6 +11,8 @@ from typing import Any, Iterator, Optional, Sequence
 
 import numpy as np
 
+from .cad_creases import shared_edges
+
 _EVEN = 0.2          # by which a wall may be thinner or thicker than most of it, relative: lofts are
 _OPPOSITE = -0.9     # of normals: the faces of a wall look away from one another
 _FACE_SHARE = 0.7    # of a face's area that lies opposite a face at the wall's distance
@@ -154,19 +156,8 @@ def _weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
 def _meetings(faces: Sequence[Any]) -> Iterator[tuple[int, int, float, bool]]:
     """Edges between two faces: their numbers, the edge's length, whether the faces go over into one another
     without a bend."""
-    known: dict[int, list[tuple[Any, int]]] = {}
-    for number, face in enumerate(faces):
-        for edge in face.Edges:
-            known.setdefault(edge.hashCode(), []).append((edge, number))
-    for places in known.values():
-        while places:
-            edge, first = places.pop()
-            for k, (other, second) in enumerate(places):
-                if edge.isSame(other):
-                    places.pop(k)
-                    if first != second:
-                        yield first, second, float(edge.Length), _is_smooth(edge, faces[first], faces[second])
-                    break
+    for edge, first, second in shared_edges(faces):
+        yield first, second, float(edge.Length), _is_smooth(edge, faces[first], faces[second])
 
 
 def _is_smooth(edge: Any, first: Any, second: Any) -> bool:

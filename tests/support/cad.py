@@ -2,6 +2,7 @@
 """CAD parts as people draw them, made by FreeCAD in a process of its own: `make(folder, "bowl", ...)` writes
 bowl.brep and so on."""
 
+import math
 import subprocess
 import sys
 from pathlib import Path
@@ -127,9 +128,33 @@ def gaping():
     return part.Compound([part.makePlane(40, 30), part.makePlane(40, 30, vector(40.004, 0, 0))])
 
 
+def folded():
+    """A sheet of three planes, 50 mm along y; folds of 8 and 35 degrees."""
+    vector, part = _part()
+    points, at, turn = [vector(0, 0, 0)], vector(0, 0, 0), 0.0
+    for bend, length in ((0, 30), (8, 30), (35, 30)):
+        turn += math.radians(bend)
+        at = at + vector(length * math.cos(turn), 0, length * math.sin(turn))
+        points.append(at)
+    return part.makePolygon(points).extrude(vector(0, 50, 0))
+
+
+def sharp_lid():
+    """A box lid with sharp edges, open below: 80 x 60 x 20 mm, 2 mm thick."""
+    vector, part = _part()
+    return part.makeBox(80, 60, 20).cut(part.makeBox(76, 56, 18, vector(2, 2, 0)))
+
+
+def dished():
+    """A flat disc of radius 25 mm with a cone around it."""
+    vector, part = _part()
+    profile = part.makePolygon([vector(0, 0, 0), vector(25, 0, 0), vector(40, 0, 10)])
+    return profile.revolve(vector(0, 0, 0), vector(0, 0, 1), 360)
+
+
 PARTS = {function.__name__: function for function in (
     bowl, rounded_bowl, lid, lid_sharp_inside, pipe, tee, loft, plate, block, ball, hollow, two_bodies,
-    gaping)}
+    gaping, folded, sharp_lid, dished)}
 
 if __name__ == "__main__":
     sys.exit(write(sys.argv[1], sys.argv[2:]))

@@ -53,11 +53,12 @@ class Trial:
 
 
 class Trials:
-    """Sizes on one surface (V, F: as it is remeshed from). What can't be remeshed or has no tiles is not
+    """Sizes on one surface (V, F, creases: what is remeshed). What can't be remeshed or has no tiles is not
     feasible; only stopping ends the search."""
 
-    def __init__(self, V: np.ndarray, F: np.ndarray, cuts: CutRequest, parameters: Any, job: Job):
-        self._surface, self._cuts, self._job = (V, F), cuts, job
+    def __init__(self, V: np.ndarray, F: np.ndarray, cuts: CutRequest, parameters: Any, job: Job,
+                 creases: Optional[np.ndarray] = None):
+        self._surface, self._creases, self._cuts, self._job = (V, F), creases, cuts, job
         self._parameters = parameters
         self.made: dict[tuple[float, float, float], Trial] = {}
         corners = V[F]
@@ -99,7 +100,7 @@ class Trials:
         return Trial(L, H_body, H_pin, tiles, feasible, sagitta)
 
     def _remesh(self, L: float) -> tuple[np.ndarray, np.ndarray, float]:
-        made = remesh(*self._surface, L, self._parameters, self._job)
+        made = remesh(*self._surface, L, self._parameters, self._job, self._creases)
         return made.V, made.F, float(made.sagitta)
 
     def largest_thickness(self, L: float, most: float) -> Optional[float]:
@@ -280,7 +281,7 @@ def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
 
 
 def _trials(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> Trials:
-    trials = Trials(target.source_V, target.source_F, cuts, parameters, job)
+    trials = Trials(target.source_V, target.source_F, cuts, parameters, job, target.creases)
     trials.start_from(parameters.get("L"), target)
     return trials
 

@@ -48,15 +48,18 @@ class Surface(Result):
     F: np.ndarray
     notes: tuple[str, ...] = ()    # on what of a CAD part it is
     wall: Optional[float] = None   # how thick that is drawn, mm; None: as a sheet
+    # Sides of faces (E x 2 vertices) where a CAD part bends by more than crease_angle; None of what is none.
+    creases: Optional[np.ndarray] = None
 
     @property
     def content(self) -> str:
-        return digest(self.V, self.F, *self.notes, *(() if self.wall is None else (self.wall,)))
+        sharp = () if self.creases is None or not len(self.creases) else (self.creases,)
+        return digest(self.V, self.F, *self.notes, *(() if self.wall is None else (self.wall,)), *sharp)
 
 
 def _run(inputs: Inputs, job: Job) -> Surface:
     source, get = inputs["source"], inputs.parameters.get
-    choice = Choice(get("skin"), get("faces"), get("open"))
+    choice = Choice(get("skin"), get("faces"), get("open"), get("crease_angle"))
 
     def read(scale: float) -> Read:
         # A tenth of what remeshing may move a vertex, in the target's own coordinates: they are scaled
@@ -82,7 +85,8 @@ def _run(inputs: Inputs, job: Job) -> Surface:
     V = np.ascontiguousarray(found.V, float) * scale
     F = np.ascontiguousarray(found.F[:, ::-1] if get("flip") else found.F, np.int32)
     notes = (*found.notes, f"scaled by {scale:.6g} to fit {fit:g} mm") if fit else found.notes
-    return Surface(V, F, notes, None if found.wall is None else found.wall * scale)
+    wall = None if found.wall is None else found.wall * scale
+    return Surface(V, F, notes, wall, found.creases)
 
 
 def _longest_side(V: np.ndarray, where: str) -> float:

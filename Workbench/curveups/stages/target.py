@@ -10,6 +10,7 @@ import numpy as np
 
 from ..errors import CurveUpsError
 from ..native import native
+from .cut_request import interior_edges
 from .findings import faces_place, settle
 from .stage import Inputs, Job, Result, Row, Stage, digest
 
@@ -41,6 +42,7 @@ class Target(Result):
     unmended: Optional[tuple[np.ndarray, np.ndarray]] = None
     actions: tuple[str, ...] = ()
     mended_by: float = 0.0
+    creases: Optional[np.ndarray] = None  # edges of source_F that stay (E x 2), where a CAD part has them
 
     @property
     def given(self) -> tuple[np.ndarray, np.ndarray]:
@@ -94,15 +96,31 @@ def _run(inputs: Inputs, job: Job) -> Target:
         lengths = _edge_lengths(V, F)
         return Target(V, F, V, F, float(lengths.mean()), float(lengths.std() / lengths.mean()), 0.0,
                       tuple(notes), found, L, surface.wall)
-    made = remesh(V, F, L, inputs.parameters, job)
+    creases = _creases(surface, V, F)
+    made = remesh(V, F, L, inputs.parameters, job, creases)
     return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta, tuple(notes), found, None,
-                  surface.wall, **mended)
+                  surface.wall, creases=creases, **mended)
 
 
-def remesh(V: np.ndarray, F: np.ndarray, L: float, parameters: Any, job: Job) -> Any:
-    """The native RemeshResult of a clean mesh. Boundaries of what is to be mended may be ragged."""
-    return native.remesh(V, F, L, job, crease_angle=parameters.get("crease_angle"),
+def remesh(V: np.ndarray, F: np.ndarray, L: float, parameters: Any, job: Job,
+           creases: Optional[np.ndarray] = None) -> Any:
+    """The native RemeshResult of a clean mesh. creases: edges (E x 2) that stay; None: those where facets
+    turn by more than crease_angle. Boundaries of what is to be mended may be ragged."""
+    kept = {"crease_angle": parameters.get("crease_angle")} if creases is None else {"features": creases}
+    return native.remesh(V, F, L, job, **kept,
                          corner_reach=CORNER_REACH * L if parameters.get("mend") == "on" else 0.0)
+
+
+def _creases(surface: Any, V: np.ndarray, F: np.ndarray) -> Optional[np.ndarray]:
+    """The creases of a CAD part as far as cleaning and mending have left them: interior edges (E x 2) of the
+    mesh V, F; None of what is no CAD part."""
+    sharp = surface.creases
+    if sharp is None or not len(sharp):
+        return sharp
+    number = {tuple(point): v for v, point in enumerate(V.tolist())}
+    ends = [[number.get(tuple(point), -1) for point in pair] for pair in surface.V[sharp].tolist()]
+    found = {(min(pair), max(pair)) for pair in ends} & interior_edges(F)
+    return np.array(sorted(found), np.int32).reshape(-1, 2)
 
 
 def _mend(V: np.ndarray, F: np.ndarray, L: float, apply: bool, cleaned: Sequence[str],

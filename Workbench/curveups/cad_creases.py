@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where faces of a CAD part meet in an edge: exactly, however flat the edge and however coarse the triangles.
+Shapes, faces and edges are FreeCAD's Part."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Iterator, Sequence
+
+import numpy as np
+
+_NEAR = 1e-5         # of the part's size: triangles' vertices on an edge are this near to it
+_PLACES = 5          # of an edge at which normals are compared
+
+
+def shared_edges(faces: Sequence[Any]) -> Iterator[tuple[Any, int, int]]:
+    """Edges that two of the faces have in common, with the numbers of both."""
+    known: dict[int, list[tuple[Any, int]]] = {}
+    for number, face in enumerate(faces):
+        for edge in face.Edges:
+            known.setdefault(edge.hashCode(), []).append((edge, number))
+    for places in known.values():
+        while places:
+            edge, first = places.pop()
+            for k, (other, second) in enumerate(places):
+                if edge.isSame(other):
+                    places.pop(k)
+                    if first != second:
+                        yield edge, first, second
+                    break
+
+
+def creases(faces: Sequence[Any], V: np.ndarray, angle: float) -> np.ndarray:
+    """Of the triangulation of faces with vertices V (N x 3) the sides that lie on edges between two of them
+    whose normals differ by more than `angle` (degrees) somewhere along the edge: pairs of vertices, E x 2."""
+    pairs: list[tuple[int, int]] = []
+    if angle < 180:
+        vertices = _Vertices(V)
+        for edge, first, second in shared_edges(faces):
+            if _turn(edge, faces[first], faces[second]) > angle:
+                along = vertices.on(edge)
+                pairs += zip(along, along[1:])
+    return np.array(pairs, np.int32).reshape(-1, 2)
+
+
+def _turn(edge: Any, first: Any, second: Any) -> float:
+    """The largest angle between the normals of two faces along their edge, degrees; 0 where there is none."""
+    largest = 0.0
+    for t in np.linspace(edge.FirstParameter, edge.LastParameter, _PLACES + 2)[1:-1]:
+        try:
+            point = edge.valueAt(float(t))
+            a, b = (face.normalAt(*face.Surface.parameter(point)) for face in (first, second))
+        except Exception:  # a degenerate edge, or a tip; FreeCAD raises its own types
+            continue
+        cross, dot = a.cross(b).Length, a.dot(b)
+        if math.isfinite(cross) and math.isfinite(dot):
+            largest = max(largest, math.degrees(math.atan2(cross, dot)))
+    return largest
+
+
+class _Vertices:
+    """Of a triangulation, found by where they are."""
+
+    def __init__(self, V: np.ndarray):
+        self._V = V
+        self._tolerance = _NEAR * float(np.linalg.norm(np.ptp(V, axis=0)))
+        self._axis = int(np.argmax(np.ptp(V, axis=0)))  # along which they are sorted
+        self._order = np.argsort(V[:, self._axis], kind="stable")
+        self._sorted = V[self._order, self._axis]
+
+    def on(self, edge: Any) -> list[int]:
+        """Rows of V on an edge, in their order along it; of a closed one the first again at its end."""
+        try:
+            line = np.array([tuple(point) for point in edge.discretize(Deflection=self._tolerance / 2)])
+        except Exception:  # an edge without length
+            return []
+        if len(line) < 2:
+            return []
+        side = np.diff(line, axis=0)
+        length = np.linalg.norm(side, axis=1)
+        before = np.concatenate([[0.0], np.cumsum(length)])
+        places: list[tuple[float, int]] = []
+        for v in self._around(line):
+            away = self._V[v] - line[:-1]
+            t = np.clip((away * side).sum(1) / np.maximum(length, 1e-300) ** 2, 0, 1)
+            distance = np.linalg.norm(away - t[:, None] * side, axis=1)
+            k = int(np.argmin(distance))
+            if distance[k] <= self._tolerance:
+                places.append((float(before[k] + t[k] * length[k]), int(v)))
+        places.sort()
+        along = [v for _, v in places]
+        closed = np.linalg.norm(line[0] - line[-1]) <= self._tolerance
+        return [*along, along[0]] if closed and len(along) > 2 else along
+
+    def _around(self, line: np.ndarray) -> np.ndarray:
+        """Rows of V in the box of a line's points."""
+        low, high = line.min(axis=0) - self._tolerance, line.max(axis=0) + self._tolerance
+        first, last = np.searchsorted(self._sorted, [low[self._axis], high[self._axis]])
+        rows = np.sort(self._order[first:last])
+        return rows[((self._V[rows] >= low) & (self._V[rows] <= high)).all(axis=1)]
