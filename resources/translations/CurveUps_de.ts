@@ -590,6 +590,10 @@
       <translation>Ausbessern</translation>
     </message>
     <message>
+      <source>Other sizes</source>
+      <translation>Andere Maße</translation>
+    </message>
+    <message>
       <source>Physics</source>
       <translation>Physik</translation>
     </message>

@@ -6,6 +6,14 @@ import math
 
 import numpy as np
 import pytest
+from curveups.cad_files import Read
+from curveups.errors import Stopped
+from curveups.native import native
+from curveups.project import Project
+from curveups.stages import trials
+from curveups.stages.cut_request import CutRequest
+from curveups.stages.stage import Inputs, Job
+from curveups.stages.surface import Source
 from schema import NUMBER
 from schema import check as check_block
 from shapes import obj_text
@@ -166,3 +174,47 @@ def test_a_sharp_fold_that_runs_into_the_border(run):
     assert any("of the border" in action for action in block["actions"]) and "of the border" in page
     _, inside, _ = run(tent(), "mend=on", "H_body=5")
     assert inside["mending"]["max_mm"] > 0 and inside["mending"]["border_max_mm"] == 0
+
+
+def test_where_membranes_cut_other_sizes_are_tried(run, monkeypatch):
+    """One after another, until one is valid as a design of its own; only where mending was asked for."""
+    V, F = sheet(lambda x, y: -0.9 * math.hypot(x, y), 24, 24)
+    _, report, _ = run((V, F), "H_pin=0.6")
+    assert report["valid"] is False
+    assert not any("suggested: H_" in reason for reason in report["reasons"])
+
+    class Verified:
+        valid, judged, failure, blocks = False, True, "", {"physics": {"membrane_clearance_mm": -0.1}}
+
+    class Given:
+        V = F = edges = np.zeros((3, 3))
+
+    tried = []
+
+    def valid(inputs, edges, sizes, job):
+        tried.append(sizes)
+        return len(tried) == 3
+
+    monkeypatch.setattr(trials, "_valid", valid)
+    parameters = native.Parameters()
+    inputs = Inputs(parameters, {"verification": Verified, "target": Given, "cuts": Given})
+    assert not trials.STAGE.run(inputs, Job()).advice() and not tried
+    parameters.set("mend", "on")
+    said, = trials.STAGE.run(inputs, Job()).advice()
+    assert tried == [(("H_pin", 1.2),), (("H_pin", 1.5),), (("H_body", 1.5),)] and "H_body=1.5, with" in said
+
+
+def test_what_is_tried_is_the_design_that_it_becomes():
+    """A fold of which one height of pins makes a valid design and another none."""
+    V, F = sheet(lambda x, y: -0.9 * abs(x), 24, 24)
+    parameters = native.Parameters()
+    parameters.set("mend", "on")
+    source = Source("made", stamp="made", read=lambda deflection, choice: Read(V, F))
+    made = Project("made", parameters, {"source": source, "cut request": CutRequest()}, "made")
+    results = made.run(("verification",))
+    inputs = Inputs(parameters, {"target": made.run(("target",))["target"]})
+    none = np.zeros((0, 2), np.int32)
+    assert trials._valid(inputs, none, (("H_pin", 1.0),), Job()) == results["verification"].valid
+    assert trials._valid(inputs, none, (("H_pin", 0.2),), Job()) is False
+    with pytest.raises(Stopped):
+        trials._valid(inputs, none, (("H_pin", 1.0),), Job(lambda what, fraction: False))

@@ -48,6 +48,7 @@ _STAGES = {
     "bodies": QT_TRANSLATE_NOOP("CurveUpsSolve", "Bodies"),
     "solids": QT_TRANSLATE_NOOP("CurveUpsSolve", "Solids"),
     "check": QT_TRANSLATE_NOOP("CurveUpsSolve", "Check of the solids"),
+    "trials": QT_TRANSLATE_NOOP("CurveUpsSolve", "Other sizes"),
     "suggestions": QT_TRANSLATE_NOOP("CurveUpsSolve", "Suggestions"),
 }
 _GROUPS = {

@@ -2,13 +2,13 @@
 """Work as stages: one file a stage, listed here in the order in which reports show their results."""
 
 from . import (anchoring, clearances, cuts, design, deviation, division, fairing, feasibility, layout,
-               pieces, relief, repair, sizes, solids, suggestions, surface, target, verification)
+               pieces, relief, repair, sizes, solids, suggestions, surface, target, trials, verification)
 
 STAGES = (surface.STAGE, target.STAGE, fairing.STAGE, division.STAGE, feasibility.STAGE, sizes.STAGE,
           cuts.STAGE, suggestions.SEARCH, relief.STAGE, layout.STAGE, verification.OF_LAYOUT, repair.STAGE,
           design.STAGE, design.FIGURES, deviation.STAGE, clearances.STAGE, verification.STAGE,
           verification.RECHECK, pieces.STAGE, anchoring.STAGE, solids.BODIES, solids.STAGE, solids.CHECK,
-          suggestions.STAGE)
+          trials.STAGE, suggestions.STAGE)
 
 # What is known of a target without a design; what prints are made of; all that is known of a design without
 # them, but for cuts that nobody asked for.

@@ -106,7 +106,7 @@ class Trials:
     def largest_thickness(self, L: float, most: float) -> Optional[float]:
         """The largest feasible thickness of a series up to `most`, found by bisection; None where the
         least has no tiles either."""
-        values = series(_range("H_body")[0], most)
+        values = series(value_range("H_body")[0], most)
         found = _last(values, lambda H_body: self(L, H_body).feasible)
         return None if found < 0 else values[found]
 
@@ -114,7 +114,7 @@ class Trials:
                        where: str) -> float:
         """The largest feasible length at which the surface stays within `fidelity` (mm) of its facets, which
         was tried; L: one that was tried. Raises CurveUpsError where there is none."""
-        low, high = _range("L")
+        low, high = value_range("L")
         values = [value for value in series(low, high) if LEAST_TILES <= self.tiles(value) <= MOST_CHOSEN]
         if not values:
             raise CurveUpsError("the surface is too large or too small for tiles", where,
@@ -179,7 +179,7 @@ class Trials:
 
 def _about(name: str, value: float) -> list[float]:
     """The series about a parameter's value, with the value itself in it."""
-    low, high = _range(name)
+    low, high = value_range(name)
     values = series(max(low, value / FARTHEST), min(high, value * FARTHEST))
     return sorted([*(one for one in values if abs(one - value) > 0.01 * value), value])
 
@@ -218,7 +218,7 @@ def _last(values: Sequence[float], good: Callable[[float], bool]) -> int:
     return low
 
 
-def _range(name: str) -> tuple[float, float]:
+def value_range(name: str) -> tuple[float, float]:
     row = next(row for row in native.parameter_table() if row.name == name)
     return float(row.minimum), float(row.maximum)
 
@@ -239,7 +239,7 @@ def choose(target: Any, cuts: CutRequest, parameters: Any, names: Collection[str
         if not _can_remesh(target, cuts):
             raise CurveUpsError("L can't be auto where the mesh is given", where,
                                 "give cuts as polylines, or L as a number")
-        least = _range("H_body")[0]
+        least = value_range("H_body")[0]
         thickness = (lambda L: max(_THINNEST * L, least)) if "H_body" in names else (lambda L: H_body)
         L = found["L"] = trials.largest_length(L, thickness, parameters.get("fidelity"), where)
     if "H_body" in names:
