@@ -78,9 +78,9 @@ struct SoundPoints {
   Mesh* mesh;
 };
 
-// CGAL 6 removes a face without area at the boundary, such as collapsing leaves where three boundary
-// vertices are on a line, and then asks for its edges, at times for ever. Here no face is one, and
-// collapses that would make one turn a face over, which CGAL does not do.
+// CGAL 6 removes a face without area at the boundary, such as collapsing leaves where three
+// boundary vertices are on a line, and then asks for its edges, at times for ever. Here no face is
+// one, and collapses that would make one turn a face over, which CGAL does not do.
 struct Traits : Kernel {
 #if CGAL_VERSION_NR >= 1060000000
   struct Collinear_3 {
