@@ -155,7 +155,7 @@ def test_cuts_that_are_asked_for_stay_and_are_told_apart():
 
 
 def test_auto_takes_the_fewest_that_are_not_stretched_too_far():
-    """A deep vase is stretched too far in one piece; a divided one is not."""
+    """A ball with a small opening is stretched too far in one piece, halves of it are not."""
     V, F = sphere(40, 4)
     keep = V[F].mean(1)[:, 2] < 36  # a ball with a small opening
     F = F[keep]

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A closed target in pieces, in a document without a window."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+
+from shapes import obj_text, sphere  # noqa: E402
+
+
+def test_a_ball_in_pieces(freecad, tmp_path):
+    ball = tmp_path / "ball.obj"
+    ball.write_text(obj_text(*sphere(25, 3)))
+    freecad("""
+import FreeCAD
+from curveups.features import actions, document
+doc = FreeCAD.newDocument('pieces')
+design = document.new_design(doc, ball)
+design.Pieces = 'auto'
+actions.solve(design)
+doc.recompute()
+assert design.Verdict == 'valid', (design.Verdict, list(design.Reasons))
+project = document.project_of(design)
+division, first = project.latest('division'), project.latest('design').design
+assert set(division.piece.tolist()) == {0, 1} and len(first.cuts) == len(division.edges) > 10
+assert list(design.Cuts.Edges) == []  # nobody asked for a cut
+assert document.state_of(design)[0] == 'current', document.state_of(design)
+name = str(doc.Name)
+doc.saveAs(saved)
+FreeCAD.closeDocument(name)
+doc = FreeCAD.openDocument(saved)
+design = doc.Design
+project = document.project_of(design)
+assert project.out_of_date('verification') == (), project.out_of_date('verification')
+design.Pieces = '3'
+assert document.state_of(design)[0] == 'out of date', document.state_of(design)
+assert 'Solve' in document.state_of(design)[1]
+assert document.project_of(design).out_of_date('layout') == ('pieces',)
+try:
+    design.Pieces = 'some'
+    document.settings_of(design)
+except Exception as error:
+    assert '1 to 24' in str(error), error
+else:
+    raise AssertionError('some')
+design.Pieces = 'auto'
+assert document.state_of(design)[0] == 'current', document.state_of(design)
+done()
+""", ball=ball, saved=tmp_path / "saved.FCStd")
