@@ -80,7 +80,7 @@ void join_loops(const MeshPiece& piece, const Pairs& borders, Pairs& slits) {
 SurfaceDivision divide_surface(const TriangleMesh& mesh, const MeshTopology& topology,
                                const std::vector<char>& cut, int count) {
   const int faces = static_cast<int>(mesh.F.rows());
-  if (count < 1 || (count > 1 && faces < count * least_faces_of_piece)) {
+  if (count < 1 || (count > 1 && count > faces / least_faces_of_piece)) {
     throw InvalidInput(
         std::to_string(faces) + " tiles are too few for " + std::to_string(count) + " pieces",
         "ask for fewer pieces, or lower L");

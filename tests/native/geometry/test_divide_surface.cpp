@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/conformal_map.hpp"
@@ -180,6 +181,7 @@ TEST(DivideSurface, RefusesWhatCantBe) {
   EXPECT_THROW(divide_surface(patch, topology, {}, 0), InvalidInput);
   const int most = static_cast<int>(patch.F.rows()) / least_faces_of_piece;
   EXPECT_THROW(divide_surface(patch, topology, {}, most + 1), InvalidInput);
+  EXPECT_THROW(divide_surface(patch, topology, {}, std::numeric_limits<int>::max()), InvalidInput);
   EXPECT_NO_THROW(divide_surface(patch, topology, {}, most));
 }
 
