@@ -48,14 +48,16 @@ def rows() -> Iterator[Any]:
 def tier_of(obj: Any, name: str) -> str:
     """What has to follow a change of property `name`: rebuild, verify, layout or, of print files alone,
     files; empty for one that is no parameter. Known without the native module."""
-    if name not in obj.PropertiesList:
-        return ""
+    return _tier(obj, name) if name in obj.PropertiesList else ""
+
+
+def _tier(obj: Any, name: str) -> str:
     return _TIERS.get(obj.getGroupOfProperty(name)[2:], "")
 
 
 def parameters_of(obj: Any) -> dict[str, Any]:
     """All parameters by their property's name, in the parameter's unit; without the native module."""
-    return {name: value_of(obj, name) for name in obj.PropertiesList if tier_of(obj, name)}
+    return {name: value_of(obj, name) for name in obj.PropertiesList if _tier(obj, name)}
 
 
 def add_parameters(obj: Any, parameters: Any) -> None:
