@@ -13,6 +13,29 @@ CHECK = START + """
 from curveups.overlay import overlay_of
 from curveups.overlay.overlay import Overlay
 
+def tent():
+    import math
+    points = [(x, y, 9 * max(0.0, 1 - math.hypot(max(abs(x) - 8, 0.0), y) / 9))
+              for y in range(-24, 25, 2) for x in range(-24, 25, 2)]
+    found = []
+    for row in range(24):
+        for a in range(25 * row, 25 * row + 24):
+            found += [FreeCAD.Vector(*points[k]) for k in (a, a + 1, a + 26, a, a + 26, a + 25)]
+    return found
+
+def design_of_tent(**values):
+    made = begin()
+    import Mesh
+    given = made.addObject('Mesh::Feature', 'Tent')
+    given.Mesh = Mesh.Mesh(tent())
+    FreeCADGui.Selection.addSelection(given)
+    press('CurveUps_NewDesign')
+    given.ViewObject.Visibility = False
+    for name, value in values.items():
+        setattr(made.Design, name, value)
+    made.recompute()
+    return made, made.Design
+
 def checking(form):
     until(lambda: live().busy or form.verdict.text() or form.line.text(), 10, 'the check')
     at_rest()
@@ -242,16 +265,6 @@ def work():
 def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(homes, tmp_path):
     """A ridge that is too sharp for thick tiles: mended, and with sizes that do; all texts are in inches."""
     run("""
-def tent():
-    import math
-    points = [(x, y, 9 * max(0.0, 1 - math.hypot(max(abs(x) - 8, 0.0), y) / 9))
-              for y in range(-24, 25, 2) for x in range(-24, 25, 2)]
-    found = []
-    for row in range(24):
-        for a in range(25 * row, 25 * row + 24):
-            found += [FreeCAD.Vector(*points[k]) for k in (a, a + 1, a + 26, a, a + 26, a + 25)]
-    return found
-
 def texts(form):
     found = [form.verdict.text(), form.advice.text(), form.line.text()]
     for tree in (form.margins, form.obstacles):
@@ -270,18 +283,7 @@ def work():
     assert shown.endswith(', part2 mm-wide)'), shown
     sheet = 'QWidget { background: #2b2b2b; color: #dddddd; }'
     QtGui.QApplication.instance().setStyleSheet(sheet)
-    made = begin()
-    import Mesh
-    given = made.addObject('Mesh::Feature', 'Tent')
-    given.Mesh = Mesh.Mesh(tent())
-    FreeCADGui.Selection.addSelection(given)
-    press('CurveUps_NewDesign')
-    given.ViewObject.Visibility = False
-    design = made.Design
-    design.L = '10 mm'
-    design.HBody = '9 mm'
-    design.Fidelity = '3 mm'
-    made.recompute()
+    made, design = design_of_tent(L='10 mm', HBody='9 mm', Fidelity='3 mm')
     press('CurveUps_Check')
     form = widget('CheckPanel')
     checking(form)
@@ -317,6 +319,26 @@ def work():
     until(lambda: '<b>Feasible' in form.verdict.text(), 20, 'the check of them')
     assert 'Choose Sizes' in made.UndoNames[:2], made.UndoNames
     picture('chosen')
+    close_panel()
+    assert report().count('error') == 0, report()
+""", homes, tmp_path)
+
+
+def test_a_height_of_pins_that_does_is_taken_over(homes, tmp_path):
+    run("""
+def work():
+    made, design = design_of_tent(L='12 mm', HPin='0.3 mm')
+    press('CurveUps_Check')
+    form = widget('CheckPanel')
+    checking(form)
+    assert 'Not feasible' in form.verdict.text(), form.verdict.text()
+    assert 'HPin' in form.use_pin.text(), form.use_pin.text()
+    click(form.use_pin)
+    until(lambda: live().busy, 10, 'the next check')
+    at_rest()
+    assert 0.3 < design.HPin.Value < 0.75 and made.UndoNames[:2] == ['Check', 'Use HPin'], made.UndoNames
+    assert '<b>Feasible' in form.verdict.text() and not form.use_pin.isVisible(), form.verdict.text()
+    picture('higher-pins')
     close_panel()
     assert report().count('error') == 0, report()
 """, homes, tmp_path)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import Any, Optional
 
 import FreeCAD
@@ -13,7 +14,7 @@ from ..qt import translate
 from .notice import errors_shown
 
 
-class Command:
+class Command(ABC):
     """One command. Texts are written as QT_TRANSLATE_NOOP(name, text), for FreeCAD to translate; the icon
     is the file of the command's name in resources/icons."""
 
@@ -22,9 +23,9 @@ class Command:
     tooltip = ""
     shortcut = ""
 
+    @abstractmethod
     def run(self) -> None:
         """The work. Raises CurveUpsError, which the user sees as one line."""
-        raise NotImplementedError
 
     def reason(self) -> str:
         """Why it can't run now, as a sentence without a full stop; empty where it can. Asked for several
@@ -77,9 +78,9 @@ class DesignCommand(Command):
     def run(self) -> None:
         self.work(chosen_design())
 
+    @abstractmethod
     def work(self, design: Any) -> None:
         """The work on a Design object."""
-        raise NotImplementedError
 
 
 def no_design() -> str:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Any
 
 import FreeCADGui
@@ -53,6 +54,6 @@ class PanelCommand(DesignCommand):
     def work(self, design: Any) -> None:
         FreeCADGui.Control.showDialog(self.panel(design))
 
+    @abstractmethod
     def panel(self, design: Any) -> Any:
         """FreeCAD's task dialog for a design."""
-        raise NotImplementedError

@@ -250,10 +250,12 @@ def size_to_use(name: str, found: Results) -> Optional[float]:
     """What is offered for L, H_body or H_pin: the feasible length that is nearest to the one that is set, the
     largest thickness; another height of pins only where the one that is set does not do."""
     sizes: Recommendation = found["sizes"]
+    if name == "H_body":
+        return sizes.H_body
     if name == "H_pin":
         return None if sizes.as_set else sizes.H_pin
-    if name == "H_body" or sizes.L is None:
-        return sizes.H_body if name == "H_body" else None
+    if sizes.L is None:
+        return None
     low, high = sizes.L
     return min(max(found.parameters.get("L"), low), high)
 

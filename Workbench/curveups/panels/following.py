@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import Any
 
 import FreeCADGui
@@ -11,7 +12,7 @@ from ..overlay import overlay_of
 from ..qt import QtCore
 
 
-class Following:
+class Following(ABC):
     """Base of a task panel with a `form`; `show` is called when the overlay has changed. The panel closes
     when the design goes."""
 
@@ -26,9 +27,9 @@ class Following:
         self._overlay.observers.append(self._changed)
         self.show()
 
+    @abstractmethod
     def show(self) -> None:
         """Takes over what the overlay shows."""
-        raise NotImplementedError
 
     def _changed(self) -> None:
         try:

@@ -24,7 +24,7 @@ Sizes = tuple[tuple[str, float], ...]
 
 
 @dataclass(frozen=True)
-class Trials(Result):
+class OtherSizes(Result):
     """What does instead of the values that are set (names, mm); None: nothing of what was tried."""
 
     found: Optional[Sizes] = None
@@ -45,18 +45,18 @@ class Trials(Result):
         return (Row("trials", seconds, self.tried),) if self.tried else ()
 
 
-def _run(inputs: Inputs, job: Job) -> Trials:
+def _run(inputs: Inputs, job: Job) -> OtherSizes:
     verification = inputs["verification"]
     if verification.valid or not verification.judged or verification.failure:
-        return Trials()
+        return OtherSizes()
     cut = verification.blocks["physics"]["membrane_clearance_mm"] < 0
     # It takes a while: only for those who want their target made possible.
     if not cut or inputs.parameters.get("mend") != "on" or len(inputs["target"].F) > MOST_TILES:
-        return Trials()
+        return OtherSizes()
     return other_sizes(inputs, inputs["cuts"].edges, job)
 
 
-def other_sizes(inputs: Inputs, edges: np.ndarray, job: Job) -> Trials:
+def other_sizes(inputs: Inputs, edges: np.ndarray, job: Job) -> OtherSizes:
     """Higher pins and thinner tiles one after another, until the target, cut along `edges`, becomes a valid
     design with one of them."""
     tried = 0
@@ -66,8 +66,8 @@ def other_sizes(inputs: Inputs, edges: np.ndarray, job: Job) -> Trials:
         if all(value_range(name)[0] <= value <= value_range(name)[1] for name, value in sizes):
             tried += 1
             if _valid(inputs, edges, sizes, job):
-                return Trials(sizes, tried)
-    return Trials(None, tried)
+                return OtherSizes(sizes, tried)
+    return OtherSizes(None, tried)
 
 
 def _valid(inputs: Inputs, edges: np.ndarray, sizes: Sizes, job: Job) -> bool:
@@ -96,4 +96,4 @@ def _valid(inputs: Inputs, edges: np.ndarray, sizes: Sizes, job: Job) -> bool:
 
 STAGE = Stage("trials", ("target", "cuts", "verification"),
               frozenset({"target", "tiles", "layout", "bodies", "physics", "repair"}), _run,
-              lambda error, inputs: Trials(), lambda stage, inputs: Trials(was_stopped=True))
+              lambda error, inputs: OtherSizes(), lambda stage, inputs: OtherSizes(was_stopped=True))
