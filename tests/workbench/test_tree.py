@@ -15,7 +15,7 @@ SHAPES = ('Target', 'Tiles', 'Support', 'Anchors')
 
 def opened(path):
     document = FreeCAD.openDocument(path)
-    settle()
+    settle(800)  # views of shapes follow
     return document, FreeCADGui.getDocument(document.Name)
 
 def shown(gui):
@@ -90,6 +90,12 @@ def work():
         for slot in SHAPES:
             assert isinstance(getattr(one, slot).ViewObject.Proxy, ShapeView), (one.Name, slot)
     assert drawn(gui) == current
+    assert not gui.Modified, 'opening is no edit'
+    FreeCAD.closeDocument(document.Name)
+    closed = FreeCAD.openDocument(out).Name
+    FreeCAD.closeDocument(closed)  # before its views are all ours
+    settle(600)
+    assert closed not in FreeCAD.listDocuments()
 """
 
 ELSEWHERE = OPEN + """

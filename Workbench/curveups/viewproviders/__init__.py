@@ -3,10 +3,18 @@
 
 from __future__ import annotations
 
+import codecs
+from functools import partial
 from typing import Any
 
-from ..features.proxy import type_of
+import FreeCAD
 
+from ..features.proxy import type_of
+from ..qt import QtCore
+
+# A view measures all of its shape when it gets a class, 0.3 s for thousands of solids, and FreeCAD has just
+# given the stored one (part.py) to those of a document that is opened: ours follow when there is peace.
+PEACE = 300  # ms
 
 # What FreeCAD gives a view that lost its Python, after it has shown it: some FreeCADs without this
 # workbench store no view of ours.
@@ -28,5 +36,17 @@ def attach(obj: Any) -> None:
         return
     if kind is ShapeView and view.Proxy == _SHOWN_BY_FREECAD:
         view.Visibility = False
-    if not isinstance(view.Proxy, kind):
+    if isinstance(view.Proxy, codecs.Codec):
+        QtCore.QTimer.singleShot(PEACE, partial(_replace, obj.Document.Name, obj.Name, kind))
+    elif not isinstance(view.Proxy, kind):
         kind(view)
+
+
+def _replace(document_name: str, name: str, kind: type) -> None:
+    """Gives a view that still has its stored class ours, which is no edit of the document."""
+    document = FreeCAD.listDocuments().get(document_name)
+    obj = document.getObject(name) if document else None
+    if obj is not None and isinstance(obj.ViewObject.Proxy, codecs.Codec):
+        obj.ViewObject.setPropertyStatus("Proxy", "NoModify")
+        kind(obj.ViewObject)
+        obj.ViewObject.setPropertyStatus("Proxy", "-NoModify")
