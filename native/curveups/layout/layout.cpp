@@ -64,7 +64,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   LayoutTerms energies = make_energies(model, false);
   InteriorPoint<LayoutTerm> method(
       {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},
-      make_constraints(model), inset_bounds(model));
+      make_constraints(model), inset_bounds(model), state.leftCols<2>());
   const LayoutTerms terms = make_energies(model, false);  // for those who listen
   LayoutResult result;
   const bool draft = effort == LayoutEffort::draft;

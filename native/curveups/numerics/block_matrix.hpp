@@ -29,7 +29,7 @@ class BlockPattern {
  public:
   // free: per block whether it is unknown; the others have no rows.
   BlockPattern(const std::vector<char>& free, const std::vector<Coupling>& couplings,
-               Elimination by = Elimination::least_degree);
+               const Places& places = {});
 
   int block_count() const { return static_cast<int>(rank_.size()); }
   int free_count() const { return static_cast<int>(start_.size()) - 1; }

@@ -43,7 +43,8 @@ struct Complementarity {
 // Everything at an iterate that the step and the stopping test need.
 template <class Constraint>
 struct InteriorPoint<Constraint>::Linearization {
-  Linearization(int blocks, const Terms<W>& energies, const Constraints& constraints)
+  Linearization(int blocks, const Terms<W>& energies, const Constraints& constraints,
+                const Places& places)
       : values(constraints.size()) {
     std::vector<Coupling> couplings;
     for (const auto& energy : energies) {
@@ -55,8 +56,8 @@ struct InteriorPoint<Constraint>::Linearization {
       constraints[c]->couple(couplings);
       values[c].resize(constraints[c]->element_count());
     }
-    const auto pattern = std::make_shared<const BlockPattern>(std::vector<char>(blocks, 1),
-                                                              couplings, Elimination::dissection);
+    const auto pattern =
+        std::make_shared<const BlockPattern>(std::vector<char>(blocks, 1), couplings, places);
     matrix = std::make_unique<BlockMatrix<W>>(pattern);
     constraint_matrix = std::make_unique<BlockMatrix<W>>(pattern);
     gradient.resize(blocks, W);
@@ -377,7 +378,7 @@ void InteriorPoint<Constraint>::iterate(Vector& z, double mu_start, double mu_en
   const double span = std::log(mu_start / mu_end);
   begin(z, mu);
   const int blocks = static_cast<int>(z.rows());
-  auto linearization = std::make_unique<Linearization>(blocks, energies_, constraints_);
+  auto linearization = std::make_unique<Linearization>(blocks, energies_, constraints_, places_);
   Step step;
   for (; report.iterations < max_iterations; ++report.iterations) {
     linearize(z, *linearization);
@@ -388,7 +389,7 @@ void InteriorPoint<Constraint>::iterate(Vector& z, double mu_start, double mu_en
     if (linearization->error(mu) <= barrier_accuracy * mu) {
       if (discover && discover(z, mu)) {
         take_new_constraints(z, mu);
-        linearization = std::make_unique<Linearization>(blocks, energies_, constraints_);
+        linearization = std::make_unique<Linearization>(blocks, energies_, constraints_, places_);
         linearize(z, *linearization);
       } else if (mu <= mu_end) {
         report.status = SolveStatus::converged;

@@ -38,10 +38,13 @@ class InteriorPoint {
   using Vector = BlockVector<W>;
   using Constraints = std::vector<std::unique_ptr<Constraint>>;
 
-  InteriorPoint(Terms<W> energies, Constraints constraints, std::vector<Bound> bounds)
+  // places: where blocks lie, for the order of elimination (elimination_order).
+  InteriorPoint(Terms<W> energies, Constraints constraints, std::vector<Bound> bounds,
+                Places places = {})
       : energies_(std::move(energies)),
         constraints_(std::move(constraints)),
-        bounds_(std::move(bounds)) {}
+        bounds_(std::move(bounds)),
+        places_(std::move(places)) {}
 
   // Asked with z whenever the problem with the barrier parameter mu is solved: may give constraints
   // more elements and says whether it did. The run goes on with all slacks and multipliers.
@@ -88,6 +91,7 @@ class InteriorPoint {
   Terms<W> energies_;
   Constraints constraints_;
   std::vector<Bound> bounds_;
+  Places places_;
   Vectors slack_, multiplier_;
   Eigen::VectorXd lower_multiplier_, upper_multiplier_;  // of the bounds
 };

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
@@ -58,10 +57,27 @@ struct SparseCholesky::Impl {
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
-  // By least degree and by dissection: CHOLMOD takes the order with less fill.
-  void try_dissection() {
-    common.nmethods = 2;
-    common.method[1].ordering = CHOLMOD_NESDIS;
+  // The order of least degree, or that within one part after another: the one with less fill.
+  void analyze_dissected(const SparseMatrix& lower, std::vector<int> parts) {
+    cholmod_sparse a = view(lower);
+    std::vector<int> order(parts.size());
+    if (cholmod_camd(&a, nullptr, 0, parts.data(), order.data(), &common)) {
+      common.nmethods = 2;
+      common.method[1].ordering = CHOLMOD_AMD;
+      common.method[0].ordering = CHOLMOD_GIVEN;
+    }
+    analyze(lower, order.data());
+  }
+  void analyze(const SparseMatrix& lower, int* order = nullptr) {
+    const OneThread guard;
+    cholmod_free_factor(&factor, &common);
+    cholmod_sparse a = view(lower);
+    factor = cholmod_analyze_p(&a, order, nullptr, 0, &common);
+    if (!factor) {
+      throw SolverFailure("the sparse solver could not order a system of " +
+                              std::to_string(lower.rows()) + " unknowns",
+                          "use a coarser mesh or a machine with more memory");
+    }
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
@@ -75,7 +91,8 @@ SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
-std::vector<int> elimination_order(const std::vector<std::vector<int>>& above, Elimination by) {
+std::vector<int> elimination_order(const std::vector<std::vector<int>>& above,
+                                   const Places& places) {
   const int count = static_cast<int>(above.size());
   if (count == 0) return {};
   SparseMatrix graph(count, count);
@@ -91,30 +108,15 @@ std::vector<int> elimination_order(const std::vector<std::vector<int>>& above, E
   graph.outerIndexPtr()[count] = at;
   std::fill(graph.valuePtr(), graph.valuePtr() + entries, 1.0);
   SparseCholesky symbolic;
-  if (by == Elimination::least_degree || count < least_dissected) {
-    symbolic.analyze(graph);
+  if (count >= least_dissected && places.rows() == count && places.allFinite()) {
+    symbolic.impl_->analyze_dissected(graph, dissected_parts(above, places));
   } else {
-    // METIS draws from the C library's random numbers, from the same seed at every call: one at a
-    // time gives the same order whatever the threads.
-    static std::mutex one_at_a_time;
-    const std::lock_guard<std::mutex> lock(one_at_a_time);
-    symbolic.impl_->try_dissection();
     symbolic.analyze(graph);
   }
   return symbolic.order();
 }
 
-void SparseCholesky::analyze(const SparseMatrix& lower) {
-  const OneThread guard;
-  cholmod_free_factor(&impl_->factor, &impl_->common);
-  cholmod_sparse a = view(lower);
-  impl_->factor = cholmod_analyze(&a, &impl_->common);
-  if (!impl_->factor) {
-    throw SolverFailure("the sparse solver could not order a system of " +
-                            std::to_string(lower.rows()) + " unknowns",
-                        "use a coarser mesh or a machine with more memory");
-  }
-}
+void SparseCholesky::analyze(const SparseMatrix& lower) { impl_->analyze(lower); }
 
 std::vector<int> SparseCholesky::order() const {
   const int* first = static_cast<const int*>(impl_->factor->Perm);

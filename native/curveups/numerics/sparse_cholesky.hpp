@@ -8,24 +8,20 @@
 #include <memory>
 #include <vector>
 
+#include "curveups/numerics/nested_dissection.hpp"
+
 namespace curveups {
 
 // Only the lower triangle of the matrix is read.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-enum class Elimination {
-  least_degree,  // AMD
-  // Where there are thousands, by separators, too (CHOLMOD's nested dissection), and the order with
-  // less fill of the two: a fifth to two fifths fewer operations from 2800 to 11,000 tiles, for ten
-  // times as long an analysis. For wide blocks that are factorized often.
-  dissection
-};
-
 // An order of elimination with little fill (in postorder) for a graph: `above[v]` are the
-// neighbours of v with higher numbers, ascending. The k-th entry goes k-th. Unknowns that come in
-// blocks of one pattern are ordered many times faster by the graph of their blocks.
+// neighbours of v with higher numbers, ascending. The k-th entry goes k-th. By least degree (AMD);
+// with places (empty: none), where there are thousands, by separators too (nested_dissection.hpp),
+// and the order with less fill of the two. Unknowns that come in blocks of one pattern are ordered
+// many times faster by the graph of their blocks.
 std::vector<int> elimination_order(const std::vector<std::vector<int>>& above,
-                                   Elimination by = Elimination::least_degree);
+                                   const Places& places = {});
 
 enum class Ordering {
   by_fill,  // AMD, when the pattern is analyzed
@@ -50,7 +46,7 @@ class SparseCholesky {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
 
  private:
-  friend std::vector<int> elimination_order(const std::vector<std::vector<int>>&, Elimination);
+  friend std::vector<int> elimination_order(const std::vector<std::vector<int>>&, const Places&);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

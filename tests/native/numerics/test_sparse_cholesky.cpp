@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <set>
 #include <thread>
 #include <vector>
@@ -99,7 +101,6 @@ TEST(SparseCholesky, SolvesInTheOrderGiven) {
   EXPECT_LT((P.transpose() * cholesky.solve(P * b) - x).norm(), 1e-10 * x.norm());
 }
 
-}  // namespace
 // Entries below the diagonal of a factor in this order.
 double fill_of(const std::vector<std::vector<int>>& above, const std::vector<int>& order) {
   const int count = static_cast<int>(above.size());
@@ -121,36 +122,99 @@ double fill_of(const std::vector<std::vector<int>>& above, const std::vector<int
   return fill;
 }
 
-TEST(SparseCholesky, DissectionFillsLessAndIsTheSameOnManyThreads) {
-  // A square of squares and their diagonals, numbered as irregularly as tiles are.
-  const int side = 70;
-  std::vector<std::vector<int>> above(side * side);
-  auto join = [&](int a, int b) {
-    a = a * 1237 % (side * side);
-    b = b * 1237 % (side * side);
-    above[std::min(a, b)].push_back(std::max(a, b));
-  };
-  for (int i = 0; i < side; ++i) {
-    for (int j = 0; j < side; ++j) {
-      if (j + 1 < side) join(side * i + j, side * i + j + 1);
-      for (int k = std::max(0, j - 1); i + 1 < side && k <= std::min(side - 1, j + 1); ++k) {
-        join(side * i + j, side * (i + 1) + k);
+// A square of squares and their diagonals, numbered as irregularly as tiles are.
+struct Squares {
+  static constexpr int side = 70, count = side * side;
+  std::vector<std::vector<int>> above{count};
+  Places places{count, 2};
+
+  Squares() {
+    for (int i = 0; i < side; ++i) {
+      for (int j = 0; j < side; ++j) {
+        places.row(number(i, j)) << i, 0.9 * j;
+        if (j + 1 < side) join(number(i, j), number(i, j + 1));
+        for (int k = std::max(0, j - 1); i + 1 < side && k <= std::min(side - 1, j + 1); ++k) {
+          join(number(i, j), number(i + 1, k));
+        }
       }
     }
+    for (std::vector<int>& list : above) std::sort(list.begin(), list.end());
   }
-  for (std::vector<int>& list : above) std::sort(list.begin(), list.end());
-  const std::vector<int> order = elimination_order(above, Elimination::dissection);
-  std::vector<int> sorted = order;
-  std::sort(sorted.begin(), sorted.end());
-  for (int v = 0; v < side * side; ++v) ASSERT_EQ(sorted[v], v);
-  EXPECT_LT(fill_of(above, order), 0.97 * fill_of(above, elimination_order(above)));
-  std::vector<std::vector<int>> again(4);
-  std::vector<std::thread> threads;
-  for (std::vector<int>& other : again) {
-    threads.emplace_back([&] { other = elimination_order(above, Elimination::dissection); });
-  }
-  for (std::thread& thread : threads) thread.join();
-  for (const std::vector<int>& other : again) EXPECT_EQ(other, order);
+  static int number(int i, int j) { return (side * i + j) * 1237 % count; }
+  void join(int a, int b) { above[std::min(a, b)].push_back(std::max(a, b)); }
+};
+
+void expect_all_once(std::vector<int> order) {
+  std::sort(order.begin(), order.end());
+  for (std::size_t v = 0; v < order.size(); ++v) ASSERT_EQ(order[v], static_cast<int>(v));
 }
 
+TEST(SparseCholesky, DissectionFillsLess) {
+  const Squares graph;
+  const std::vector<int> order = elimination_order(graph.above, graph.places);
+  ASSERT_EQ(order.size(), graph.above.size());
+  expect_all_once(order);
+  EXPECT_LT(fill_of(graph.above, order),
+            0.9 * fill_of(graph.above, elimination_order(graph.above)));
+}
+
+TEST(SparseCholesky, PlacesThatSayNothingDoNoHarm) {
+  const Squares graph;
+  const std::vector<int> by_degree = elimination_order(graph.above);
+  Places places = graph.places;
+  places(17, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(elimination_order(graph.above, places), by_degree);
+  places.setZero();
+  const std::vector<int> order = elimination_order(graph.above, places);
+  expect_all_once(order);
+  EXPECT_LE(fill_of(graph.above, order), fill_of(graph.above, by_degree));
+}
+
+TEST(NestedDissection, PartsAreSeparatedByHigherOnes) {
+  const Squares graph;
+  const std::vector<int> part = dissected_parts(graph.above, graph.places);
+  const int last = *std::max_element(part.begin(), part.end());
+  // The last part is the shortest way across, or little more.
+  EXPECT_LE(std::count(part.begin(), part.end(), last), Squares::side + 5);
+  // What hangs together without it, and all below it likewise.
+  std::vector<int> group(part.size());
+  const auto root = [&](int v) {
+    while (group[v] != v) v = group[v] = group[group[v]];
+    return v;
+  };
+  for (int top : {last, last - 1}) {
+    std::iota(group.begin(), group.end(), 0);
+    for (int v = 0; v < Squares::count; ++v) {
+      for (int u : graph.above[v]) {
+        if (part[v] < top && part[u] < top) group[root(u)] = root(v);
+      }
+    }
+    std::map<int, int> size;
+    for (int v = 0; v < Squares::count; ++v) {
+      if (part[v] < top) ++size[root(v)];
+    }
+    ASSERT_GE(size.size(), top == last ? 2u : 3u);
+    for (const auto& [own, vertices] : size) EXPECT_LT(vertices, 0.62 * Squares::count);
+  }
+}
+
+TEST(NestedDissection, TakesGraphsInPiecesAndThoseThatCanNotBeDivided) {
+  // Vertices without a neighbour.
+  Squares graph;
+  for (int v : {5, 17, 4000}) {
+    graph.above[v].clear();
+    for (std::vector<int>& list : graph.above) {
+      list.erase(std::remove(list.begin(), list.end(), v), list.end());
+    }
+  }
+  EXPECT_EQ(dissected_parts(graph.above, graph.places).size(), graph.above.size());
+  // Everybody a neighbour of everybody.
+  std::vector<std::vector<int>> all(300);
+  for (int v = 0; v < 300; ++v) {
+    for (int u = v + 1; u < 300; ++u) all[v].push_back(u);
+  }
+  for (int part : dissected_parts(all, Places::Random(300, 3))) EXPECT_GE(part, 0);
+}
+
+}  // namespace
 }  // namespace curveups
