@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <polyclipping/clipper.hpp>
+#include <utility>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
@@ -17,6 +19,7 @@ using ClipperLib::Paths;
 
 constexpr double unit = tolerance::snap;  // mm, of Clipper's whole numbers
 constexpr double first_step = 0.1;        // mm, of two in which shapes grow
+constexpr std::size_t most_swept = 2000;  // shapes that are united at once
 
 Paths united(const Paths& paths) {
   checkpoint();
@@ -28,15 +31,20 @@ Paths united(const Paths& paths) {
   return out;
 }
 
-// A hole that is no wider than twice the offset closes. Left in, it grows inside out, which takes
-// Clipper seconds where there are a thousand.
-bool closes(const ClipperLib::Path& path, double offset) {
-  if (ClipperLib::Orientation(path)) return false;
+std::pair<Vec2, Vec2> box_of(const ClipperLib::Path& path) {
   Vec2 low(1e300, 1e300), high = -low;
   for (const ClipperLib::IntPoint& p : path) {
     low = low.cwiseMin(unit * Vec2(p.X, p.Y));
     high = high.cwiseMax(unit * Vec2(p.X, p.Y));
   }
+  return {low, high};
+}
+
+// A hole that is no wider than twice the offset closes. Left in, it grows inside out, which takes
+// Clipper seconds where there are a thousand.
+bool closes(const ClipperLib::Path& path, double offset) {
+  if (ClipperLib::Orientation(path)) return false;
+  const auto [low, high] = box_of(path);
   return (high - low).minCoeff() <= 2 * offset;
 }
 
@@ -47,6 +55,43 @@ Paths grown(const Paths& paths, ClipperLib::EndType ends, double offset, double 
   offsetter.AddPaths(paths, ClipperLib::jtRound, ends);
   Paths out;
   offsetter.Execute(out, offset / unit);
+  return out;
+}
+
+// The middle of a path's bounding box.
+Vec2 middle_of(const ClipperLib::Path& path) {
+  const auto [low, high] = box_of(path);
+  return 0.5 * (low + high);
+}
+
+// The union of paths, each grown by `first`, without the holes that close when it grows by `rest`
+// too. A sweep crosses all that it is given at every height: thousands are united near one another
+// first, what is inside of them is gone then, and the time grows as their number.
+Paths joined(Paths paths, double first, double rest, double deviation) {
+  Paths all;
+  if (paths.size() <= most_swept) {
+    all = grown(paths, ClipperLib::etClosedPolygon, first, deviation);
+  } else {
+    Vec2 low = middle_of(paths[0]), high = low;
+    for (const ClipperLib::Path& path : paths) {
+      low = low.cwiseMin(middle_of(path));
+      high = high.cwiseMax(middle_of(path));
+    }
+    const int axis = high.x() - low.x() > high.y() - low.y() ? 0 : 1;
+    std::stable_sort(paths.begin(), paths.end(),
+                     [&](const ClipperLib::Path& a, const ClipperLib::Path& b) {
+                       return middle_of(a)[axis] < middle_of(b)[axis];
+                     });
+    const auto half = paths.begin() + static_cast<std::ptrdiff_t>(paths.size() / 2);
+    all = joined(Paths(paths.begin(), half), first, rest, deviation);
+    const Paths other = joined(Paths(half, paths.end()), first, rest, deviation);
+    all.insert(all.end(), other.begin(), other.end());
+    all = united(all);
+  }
+  Paths out;
+  for (ClipperLib::Path& path : all) {
+    if (!closes(path, rest)) out.push_back(std::move(path));
+  }
   return out;
 }
 
@@ -77,12 +122,8 @@ std::vector<Polygon> outline_of(const std::vector<OutlineShape>& shapes, double 
   };
   for (const auto& [offset, paths] : polygons) {
     const double first = std::min(first_step, 0.5 * offset);
-    Paths joined;
-    for (const ClipperLib::Path& path :
-         grown(paths, ClipperLib::etClosedPolygon, first, deviation)) {
-      if (!closes(path, offset - first)) joined.push_back(path);
-    }
-    add(joined, ClipperLib::etClosedPolygon, offset - first);
+    add(joined(paths, first, offset - first, deviation), ClipperLib::etClosedPolygon,
+        offset - first);
   }
   for (const auto& [offset, paths] : points) add(paths, ClipperLib::etOpenRound, offset);
   std::vector<Polygon> loops;

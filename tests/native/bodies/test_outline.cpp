@@ -105,5 +105,32 @@ TEST(Outline, KeepsItsDistanceFromAnyLayout) {
   }
 }
 
+TEST(Outline, OfThousandsOfShapesIsThatOfAllOfThem) {
+  // Squares of 3, turned, every 4 mm, but for one hole that stays open and many that close.
+  std::vector<OutlineShape> shapes;
+  const int side = 60;
+  const auto left_out = [&](int i, int j) {
+    return (std::abs(i - 30) < 4 && std::abs(j - 29) < 4) || (i % 7 == 3 && j % 5 == 2);
+  };
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      if (left_out(i, j)) continue;
+      const double a = 0.3 * ((3 * i + 5 * j) % 7), r = 1.5 * std::sqrt(2);
+      Polygon square;
+      for (int k = 0; k < 4; ++k) {
+        square.emplace_back(4 * i + r * std::cos(a + k * M_PI / 2),
+                            4 * j + r * std::sin(a + k * M_PI / 2));
+      }
+      shapes.push_back({square, no_disc, 4.0});
+    }
+  }
+  ASSERT_GT(shapes.size(), 3000u);
+  const std::vector<Polygon> loops = outline_of(shapes, 0.05);
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_GT(area(loops[0]), 0);
+  EXPECT_LT(area(loops[1]), 0);
+  expect_on_boundary(shapes, loops, 0.05);
+}
+
 }  // namespace
 }  // namespace curveups
