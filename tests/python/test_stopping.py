@@ -110,9 +110,8 @@ def test_stopping_an_export(laid_out, tmp_path, number, ending):
     out = tmp_path / "out"
     status, said = interrupted(ending, "export", laid_out, "-o", out)
     names = check_stopped(out, status, said)
-    # The file that was being written, and a small one after it, may have been complete before the signal
-    # was seen.
-    assert number <= len(names) - 3 <= number + 2, names
+    # Files after it may have been complete before the signal was sent and seen; not all of them.
+    assert number <= len(names) - 3 and "dome.FCStd" not in names, names
 
 
 def test_stopping_verify(laid_out, tmp_path):
