@@ -11,6 +11,7 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/numerics/one_thread.hpp"
+#include "curveups/numerics/supernodal_cholesky.hpp"
 
 namespace curveups {
 namespace {
@@ -78,12 +79,34 @@ struct SparseCholesky::Impl {
                               std::to_string(lower.rows()) + " unknowns",
                           "use a coarser mesh or a machine with more memory");
     }
+    numbers.reset();
+    if (common.method[0].ordering != CHOLMOD_NATURAL || !factor->is_super) return;
+    numbers = std::make_unique<SupernodalCholesky>(
+        Supernodes{static_cast<int>(factor->nsuper), static_cast<const int*>(factor->super),
+                   static_cast<const int*>(factor->pi), static_cast<const int*>(factor->px),
+                   static_cast<const int*>(factor->s)});
+  }
+  bool factorize(const SparseMatrix& lower) {
+    cholmod_sparse a = view(lower);
+    cholmod_factorize(&a, factor, &common);
+    return common.status == CHOLMOD_OK && factor->minor == factor->n;
+  }
+  // On all threads: without permuted copies, the numbers are ours to fill in.
+  bool factorize_as_given(const SparseMatrix& lower) {
+    if (factor->xtype == CHOLMOD_PATTERN &&
+        !cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor, &common)) {
+      return false;
+    }
+    if (!numbers->factorize(lower, static_cast<double*>(factor->x))) return false;
+    factor->minor = factor->n;
+    return true;
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
   mutable cholmod_common common{};
   cholmod_factor* factor = nullptr;
+  std::unique_ptr<SupernodalCholesky> numbers;  // where the order is as given
 };
 
 SparseCholesky::SparseCholesky(Ordering ordering) : impl_(std::make_unique<Impl>(ordering)) {}
@@ -130,16 +153,14 @@ bool SparseCholesky::factorize(const SparseMatrix& lower) {
   if (!Eigen::Map<const Eigen::ArrayXd>(lower.valuePtr(), lower.nonZeros()).isFinite().all()) {
     return false;
   }
-  cholmod_sparse a = view(lower);
   impl_->common.status = CHOLMOD_OK;
-  cholmod_factorize(&a, impl_->factor, &impl_->common);
+  const bool definite = impl_->numbers ? impl_->factorize_as_given(lower) : impl_->factorize(lower);
   if (impl_->common.status == CHOLMOD_OUT_OF_MEMORY || impl_->common.status == CHOLMOD_TOO_LARGE) {
     throw SolverFailure(
         "the sparse solver ran out of memory at " + std::to_string(lower.rows()) + " unknowns",
         "use a coarser mesh or a machine with more memory");
   }
-  return impl_->common.status == CHOLMOD_OK &&
-         impl_->factor->minor == static_cast<size_t>(lower.rows());
+  return definite;
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sparse Cholesky factorization of a symmetric positive definite matrix whose pattern stays while
-// its values change: CHOLMOD, supernodal, on one BLAS thread. The only file that sees CHOLMOD.
+// its values change: CHOLMOD, supernodal, on one BLAS thread. The only file that sees CHOLMOD. In
+// an order that is given the numbers are supernodal_cholesky's, on all threads.
 #pragma once
 
 #include <Eigen/Core>

@@ -6,10 +6,14 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <random>
 #include <set>
 #include <thread>
 #include <vector>
 
+#include "curveups/core/checkpoint.hpp"
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
 #include "curveups/numerics/sparse_cholesky.hpp"
 
 namespace curveups {
@@ -168,6 +172,84 @@ TEST(SparseCholesky, PlacesThatSayNothingDoNoHarm) {
   const std::vector<int> order = elimination_order(graph.above, places);
   expect_all_once(order);
   EXPECT_LE(fill_of(graph.above, order), fill_of(graph.above, by_degree));
+}
+
+// Of W x W blocks on the graph of squares, in the order of its elimination; enough operations for
+// several subtrees.
+SparseMatrix wide_matrix(const Squares& graph, double diagonal) {
+  constexpr int W = 6;
+  const std::vector<int> order = elimination_order(graph.above, graph.places);
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
+  std::vector<Eigen::Triplet<double>> entries;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int v = 0; v < Squares::count; ++v) {
+    for (int r = 0; r < W; ++r) {
+      entries.emplace_back(W * place[v] + r, W * place[v] + r, diagonal + number(random));
+    }
+    for (int u : graph.above[v]) {
+      const int row = W * std::max(place[v], place[u]), column = W * std::min(place[v], place[u]);
+      for (int r = 0; r < W * W; ++r) {
+        entries.emplace_back(row + r % W, column + r / W, number(random));
+      }
+    }
+  }
+  SparseMatrix out(W * Squares::count, W * Squares::count);
+  out.setFromTriplets(entries.begin(), entries.end());
+  return out;
+}
+
+TEST(SparseCholesky, SubtreesAtOnceGiveTheSameBits) {
+  const Squares graph;
+  const SparseMatrix a = wide_matrix(graph, 40);
+  const Eigen::MatrixXd x = Eigen::MatrixXd::Random(a.rows(), 2);
+  const Eigen::MatrixXd b = a.selfadjointView<Eigen::Lower>() * x;
+  const int before = thread_count();
+  Eigen::MatrixXd alone;
+  for (int threads : {1, 2, 3, 8}) {
+    set_thread_count(threads);
+    SparseCholesky cholesky(Ordering::as_given);
+    for (int run = 0; run < 2; ++run) {
+      ASSERT_TRUE(cholesky.factorize(a));
+      const Eigen::MatrixXd solved = cholesky.solve(b);
+      if (alone.size() == 0) alone = solved;
+      EXPECT_EQ(solved, alone);
+    }
+  }
+  set_thread_count(before);
+  EXPECT_LT((alone - x).norm(), 1e-10 * x.norm());
+  // CHOLMOD's own numbers, in an order of its own.
+  SparseCholesky other;
+  ASSERT_TRUE(other.factorize(a));
+  EXPECT_LT((other.solve(b) - alone).norm(), 1e-10 * x.norm());
+}
+
+TEST(SparseCholesky, FindsWhatIsNotPositiveDefiniteInSubtreesAndAbove) {
+  const Squares graph;
+  const SparseMatrix sound = wide_matrix(graph, 40);
+  SparseCholesky cholesky(Ordering::as_given);
+  for (Eigen::Index at : {Eigen::Index{0}, sound.cols() / 3, sound.cols() - 1}) {
+    SparseMatrix a = sound;
+    a.coeffRef(at, at) = -1000;
+    EXPECT_FALSE(cholesky.factorize(a)) << at;
+    EXPECT_TRUE(cholesky.factorize(sound));
+  }
+}
+
+TEST(SparseCholesky, CanBeStoppedAmongSubtrees) {
+  const SparseMatrix a = wide_matrix(Squares(), 40);
+  SparseCholesky cholesky(Ordering::as_given);
+  cholesky.analyze(a);
+  int asked = 0;
+  const Progress progress = [&](const std::string&, double) { return ++asked < 3; };
+  EXPECT_THROW(
+      {
+        const ProgressScope scope(progress);
+        for (int k = 0; k < 1000; ++k) cholesky.factorize(a);
+      },
+      Cancelled);
+  EXPECT_TRUE(cholesky.factorize(a));
 }
 
 TEST(NestedDissection, PartsAreSeparatedByHigherOnes) {
