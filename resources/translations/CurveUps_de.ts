@@ -32,6 +32,10 @@
       <translation>Durchmesser einer Reibnoppe an ihrer Wand. Von 0.1 bis 10 mm. Wirkt sofort.</translation>
     </message>
     <message>
+      <source>Diameter of a stitching hole; p_floor of material stays around it, and pins make room for it. From 0.2 to 10 mm. Takes effect with Solve.</source>
+      <translation>Durchmesser eines Nählochs; p_floor an Material bleibt darum stehen, und Zapfen machen ihm Platz. Von 0.2 bis 10 mm. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
       <source>Direction in which gravity pulls: x. From -1 to 1. Takes effect with Verify.</source>
       <translation>Richtung, in die die Schwerkraft zieht: x. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
     </message>
@@ -102,6 +106,10 @@
     <message>
       <source>How far walls that meet without bumps in between stand back, as prints grow (XY offset). From 0 to 1 mm. Takes effect at once.</source>
       <translation>Wie weit Wände zurückstehen, die ohne Noppen dazwischen aneinanderliegen, da Drucke wachsen (XY-Versatz). Von 0 bis 1 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>How pieces are joined after printing: by stitching holes in the tiles along their borders, or none. Takes effect with Solve.</source>
+      <translation>Wie Stücke nach dem Druck verbunden werden: durch Nählöcher in den Kacheln an ihren Rändern (holes), oder gar nicht (none). Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Largest deviation of STL and 3MF from the curved surfaces. From 0.0001 to 1 mm. Takes effect with the next export.</source>

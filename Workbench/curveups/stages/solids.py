@@ -10,6 +10,7 @@ from typing import Any, ClassVar, Mapping, Optional, Sequence
 
 from ..errors import tile_list
 from ..native import native
+from .joining import joints_of, not_joined
 from .stage import Inputs, Job, Result, Row, Stage, advice_of
 
 PRINTERS = Path(__file__).parents[3] / "resources" / "printers"
@@ -26,6 +27,10 @@ class Bodies(Result):
     model: Optional[Any] = None       # native PrintModel; none where the work was stopped or failed
     warned: tuple[dict, ...] = ()     # what the bodies lack, though they can be built
     failure: str = ""                 # why there are none
+    joints: Mapping[str, Any] = field(default_factory=dict)  # of report.json, with joint=holes
+
+    def report(self) -> dict[str, Any]:
+        return {"joints": dict(self.joints)} if self.joints else {}
 
     def reasons(self) -> Sequence[str]:
         return (f"the print can't be made: {self.failure}",) if self.failure else ()
@@ -39,7 +44,8 @@ class Bodies(Result):
 
 def _make(inputs: Inputs, job: Job) -> Bodies:
     model = native.make_print_model(inputs["design"].design.with_parameters(inputs.parameters), job)
-    return Bodies(model, tuple(_lacks(model)))
+    joints = joints_of(model, inputs.parameters)
+    return Bodies(model, (*_lacks(model), *not_joined(joints, inputs.parameters)), joints=joints)
 
 
 @dataclass(frozen=True)

@@ -70,6 +70,25 @@ void bind_print_model(py::module_& module) {
             return out;
           },
           "Contacts without bumps: their two tiles and why.")
+      .def_property_readonly(
+          "joints",
+          [](const PrintModel& m) {
+            py::list joined, closed;
+            std::vector<char> open(m.joints.joints.size(), 1);
+            for (int k : m.joints.closed) open[k] = 0;
+            for (std::size_t k = 0; k < open.size(); ++k) {
+              const auto [a, b] = m.joints.joints[k].tile;
+              (open[k] ? joined : closed).append(py::make_tuple(a, b));
+            }
+            std::size_t holes = 0;
+            for (const auto& row : m.joints.of_tile) holes += row.size();
+            return py::make_tuple(joined, closed, holes, m.joints.possible.hole,
+                                  m.joints.possible.area);
+          },
+          "With joint=holes the pairs of tiles along borders of pieces with stitching holes, those "
+          "without room for them, how many holes there are in all, and, where there are such "
+          "without, the largest joint_hole (mm, 0 for none) and the largest A_pin_min (mm2) for "
+          "which pins can make room everywhere.")
       .def_readonly("loose_tiles", &PrintModel::loose_tiles)
       .def_readonly("loose_anchors", &PrintModel::loose_anchors)
       .def_property_readonly(

@@ -14,6 +14,8 @@ namespace {
 
 using P = Parameters;
 
+constexpr double least_wall = 0.1;  // mm, around joint holes: solids stay far from degenerate
+
 #define CURVEUPS_CHOICE(function, name, convex) name,
 
 // clang-format off
@@ -54,6 +56,12 @@ std::vector<ParameterInfo> make_table() {
     {"pieces", "", "Target",
      "Pieces into which the target is divided, laid out side by side: 1 to 24, or auto (as few as lie flat).",
      pieces, &P::pieces, 0, 0, {}, "pieces"},
+    {"joint", "", "Target",
+     "How pieces are joined after printing: by stitching holes in the tiles along their borders, or none.",
+     tiles, &P::joint, 0, 0, {"none", "holes"}},
+    {"joint_hole", "mm", "Target",
+     "Diameter of a stitching hole; p_floor of material stays around it, and pins make room for it.",
+     tiles, &P::joint_hole, 0.2, 10},
     {"H_body", "mm", "Tiles", "Thickness of a tile between its front and its back face.",
      tiles, &P::H_body, 0.2, 100},
     {"H_pin", "mm", "Tiles", "Height of the pins on both faces, to whose tops membranes are glued.",
@@ -470,6 +478,17 @@ void check_parameters(const Parameters& p) {
         "a soluble slab can't be printed front side down: it lies on the bed beside "
         "the back pins",
         "set orientation to front-up, or support to breakaway");
+  }
+  if (p.joint == "holes" && p.p_floor < least_wall) {
+    throw InvalidInput(
+        "p_floor (" + number(p.p_floor) + " mm) leaves no wall around joint holes",
+        "raise p_floor to " + number(least_wall) + " mm or more, or set joint to none");
+  }
+  if (p.joint == "holes" && p.support == "breakaway" && p.bridge_depth >= p.p_floor) {
+    throw InvalidInput("bridges enter tiles by " + number(p.bridge_depth) +
+                           " mm (bridge_depth): into joint holes, behind " + number(p.p_floor) +
+                           " mm of wall (p_floor)",
+                       "lower bridge_depth or raise p_floor");
   }
   if (p.anchors && p.anchor_spacing < 2 * p.anchor_radius + p.d_gap_min) {
     throw InvalidInput("anchors of radius " + number(p.anchor_radius) +

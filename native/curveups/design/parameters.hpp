@@ -26,6 +26,8 @@ struct Parameters {
   double mend_max = 2.0;
   bool mend_border = true;
   std::string pieces = "1";  // as check_pieces reads it
+  std::string joint = "none";
+  double joint_hole = 1.0;
   // Tiles
   double H_body = 3.0;
   double H_pin = 1.0;

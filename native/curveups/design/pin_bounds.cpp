@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "curveups/design/joints.hpp"
+
 namespace curveups {
 namespace {
 
@@ -23,7 +25,13 @@ double lower_bound(const TileMesh& tiles, const Parameters& p, int tile, Side si
   return std::max(recess + p_min, facing);
 }
 
-double upper_bound(const TileMesh& tiles, const Parameters& p, int tile, Side side, int t) {
+constexpr double between = 0.02;  // between bounds that contradict one another, for interior points
+
+// least: what a hole of a joint behind edge t asks of the inset, 0 without one. Beyond a joint no
+// pin pulls, so that p_max has no reason there.
+double upper_bound(const TileMesh& tiles, const Parameters& p, int tile, Side side, int t,
+                   double least) {
+  if (least > 0) return std::max(p.p_max, least + between);
   const int edge = tiles.topology.edge_of(tile, t);
   if (tiles.topology.neighbour(tile, t) < 0 || tiles.cut[edge]) return p.p_max;
   const double half = 0.5 * tiles.fold(tile, t);
@@ -101,15 +109,15 @@ double least_inset_sum(const Vec3& weight, const double* lower, const double* up
 }  // namespace
 
 PinRoom pin_room(const TileMesh& tiles, const Truncation& truncation, const Parameters& p, int tile,
-                 Side side, double p_min) {
-  constexpr double room = 0.02;  // between bounds that contradict one another, for interior points
+                 Side side, double p_min, const std::array<double, 3>& least) {
   const int first = inset_index(side, 0);
   const double face_z = side == Side::front ? 0.0 : -tiles.H_body;
   const double top_z = side == Side::front ? p.H_pin : face_z - p.H_pin;
   std::array<double, 6> lower{}, upper{};
   for (int t = 0; t < 3; ++t) {
-    lower[first + t] = lower_bound(tiles, p, tile, side, t, p_min);
-    upper[first + t] = std::max(lower[first + t] + room, upper_bound(tiles, p, tile, side, t));
+    lower[first + t] = std::max(lower_bound(tiles, p, tile, side, t, p_min), least[t]);
+    upper[first + t] =
+        std::max(lower[first + t] + between, upper_bound(tiles, p, tile, side, t, least[t]));
   }
   PinRoom out;
   const auto& planes = side == Side::front ? truncation.front_pins : truncation.of_tile;
@@ -134,6 +142,31 @@ PinRoom pin_room(const TileMesh& tiles, const Truncation& truncation, const Para
   return out;
 }
 
+namespace {
+
+constexpr double enough = 1.02;  // times A_pin_min, beside holes: room for interior points
+
+// The room that is left beside holes of joints, or as much of the way there as A_pin_min lets pins
+// go: bounds follow vertices without a jump. least: becomes what was asked of the insets for it.
+PinRoom beside_holes(const TileMesh& tiles, const Truncation& truncation, const Parameters& p,
+                     int tile, Side side, const Array6& joint, std::array<double, 3>& least) {
+  const auto part = [&](double share) {
+    for (int t = 0; t < 3; ++t) least[t] = share * joint(tile, inset_index(side, t));
+    return pin_room(tiles, truncation, p, tile, side, p.p_min, least);
+  };
+  const auto fits = [&](const PinRoom& room) { return room.area >= enough * p.A_pin_min; };
+  const PinRoom whole = part(1);
+  if (fits(whole)) return whole;
+  double low = 0, high = 1;
+  for (int k = 0; k < 30; ++k) {
+    const double middle = 0.5 * (low + high);
+    (fits(part(middle)) ? low : high) = middle;
+  }
+  return part(low);
+}
+
+}  // namespace
+
 PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation,
                              const Parameters& p) {
   const int count = tiles.tile_count();
@@ -141,8 +174,10 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
   out.lower.resize(count, 6);
   out.upper.resize(count, 6);
   out.least_area.resize(count, 2);
+  const Array6 joint = joint_insets(tiles, p);
   for (int i = 0; i < count; ++i) {
     for (Side side : {Side::front, Side::back}) {
+      std::array<double, 3> least{};  // for holes of joints
       auto with = [&](double p_min) { return pin_room(tiles, truncation, p, i, side, p_min); };
       PinRoom room = with(p.p_min);
       if (room.area < p.A_pin_floor && p.p_floor < p.p_min) {
@@ -159,9 +194,11 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
             out.relaxed.push_back({"p_min", i, side, t, p.p_min, lowered});
           }
         }
+      } else if (joint.row(i).maxCoeff() > 0) {
+        room = beside_holes(tiles, truncation, p, i, side, joint, least);
       }
       for (int t = 0; t < 3; ++t) {
-        const double upper = upper_bound(tiles, p, i, side, t);
+        const double upper = upper_bound(tiles, p, i, side, t, least[t]);
         if (room.upper[t] > upper) {
           out.relaxed.push_back({"p_max", i, side, t, upper, room.upper[t]});
         }
@@ -181,6 +218,34 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
     }
   }
   return out;
+}
+
+JointRoom joint_room(const TileMesh& tiles, const Truncation& truncation, Parameters p) {
+  // The largest A_pin_min that such holes leave.
+  const auto area = [&](double hole) {
+    p.joint_hole = hole;
+    const Array6 joint = joint_insets(tiles, p);
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < tiles.tile_count(); ++i) {
+      if (!(joint.row(i).maxCoeff() > 0)) continue;
+      for (Side side : {Side::front, Side::back}) {
+        const int at = inset_index(side, 0);
+        const PinRoom room = pin_room(tiles, truncation, p, i, side, p.p_min,
+                                      {joint(i, at), joint(i, at + 1), joint(i, at + 2)});
+        least = std::min(least, room.area / enough);
+      }
+    }
+    return least;
+  };
+  double low = std::min(p.p_floor, p.joint_hole), high = p.joint_hole;
+  const double as_set = area(high);
+  if (as_set >= p.A_pin_min) return {high, as_set};
+  if (area(low) < p.A_pin_min) return {0, as_set};
+  while (high - low > 1e-3) {
+    const double middle = 0.5 * (low + high);
+    (area(middle) >= p.A_pin_min ? low : high) = middle;
+  }
+  return {low, as_set};
 }
 
 }  // namespace curveups

@@ -27,9 +27,10 @@ struct PinRoom {
   double area;   // of the largest pin, mm2; 0 where none is possible
 };
 
-// Bounds as in compute_pin_bounds, with the given p_min.
+// Bounds as in compute_pin_bounds, with the given p_min, and insets of at least `least` (mm) for
+// holes of joints, which it does not look for by itself.
 PinRoom pin_room(const TileMesh& tiles, const Truncation& truncation, const Parameters& parameters,
-                 int tile, Side side, double p_min);
+                 int tile, Side side, double p_min, const std::array<double, 3>& least = {0, 0, 0});
 
 // A pin side whose area is below A_pin_min.
 struct SmallPin {
@@ -61,8 +62,18 @@ struct PinBounds {
 // truncation plane. A side whose bounds allow less than A_pin_min is listed and gets what is
 // possible as its least_area; where not even A_pin_floor is possible its p_min is lowered as far as
 // it must be, to p_floor at most. Where lower and upper contradict one another lower wins: pins
-// that meet are worse than a membrane that touches an edge. What was relaxed is listed.
+// that meet are worse than a membrane that touches an edge. What was relaxed is listed. With
+// joint=holes insets at joints leave room for their holes (joint_inset), as far as A_pin_min lets
+// them.
 PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation,
                              const Parameters& parameters);
+
+// What would leave room for a hole on both sides of every joint, by the bounds of pins.
+struct JointRoom {
+  double hole;  // the largest joint_hole, no larger than the one that is set; 0 where not even one
+                // as wide as p_floor has room
+  double area;  // the largest A_pin_min with the joint_hole that is set, mm2
+};
+JointRoom joint_room(const TileMesh& tiles, const Truncation& truncation, Parameters parameters);
 
 }  // namespace curveups

@@ -62,6 +62,7 @@ class Builder {
     if (p().anchors) add_anchors();
     checkpoint("building the support", 0.4);
     add_support(model_, footprints_);
+    bore_joints();
     checkpoint("measuring bodies", 0.9);
     list_features();
     if (front_down()) {
@@ -147,6 +148,15 @@ class Builder {
     return std::nullopt;
   }
 
+  // After the support, which is to fill no hole: what is printed above its slab stays open.
+  void bore_joints() {
+    model_.joints = plan_joint_holes(model_.geometry, model_.bumps, model_.q, p());
+    for (int i = 0; i < tiles().tile_count(); ++i) {
+      bore(model_.tiles[i], model_.joints.of_tile[i], model_.joints.radius, tiles().H_body,
+           model_.flat[i]);
+    }
+  }
+
   // From the pin on the bed to the farthest corner of the face above it.
   double overhang(int tile) const {
     const Side bed = front_down() ? Side::front : Side::back;
@@ -178,6 +188,10 @@ class Builder {
       consider("height of the pins", p().H_pin);
       consider("body", f.body);
       if (f.bump > 0) consider("bump", f.bump);
+      if (!model_.joints.of_tile[i].empty()) {
+        consider("joint hole", p().joint_hole);
+        consider("wall beside the joint hole", p().p_floor);
+      }
       model_.thin.push_back(std::move(thin));
     }
     if (p().support != "breakaway") return;
@@ -210,6 +224,7 @@ class Builder {
         body = make_tile_print(tiles(), tile_body(tiles(), model_.geometry.truncation, i), {},
                                model_.q.row(i).data(), i, p().H_pin);
         body.piece = model_.piece_of_tile[i];
+        bore(body, model_.joints.of_tile[i], model_.joints.radius, tiles().H_body, {});
         move(body, actuated_motion(tiles().frame[i]));
       }
     });

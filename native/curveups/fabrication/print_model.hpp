@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "curveups/bodies/joint_holes.hpp"
 #include "curveups/bodies/print_body.hpp"
 #include "curveups/bodies/tile_bodies.hpp"
 
@@ -52,6 +53,7 @@ struct PrintModel : TileBodies {
   // whose bodies run into one another, so that no slab fills the gaps between them.
   std::vector<int> loose_tiles;
   int loose_anchors = 0;
+  JointHoles joints;               // through `tiles` and `actuated`
   std::vector<PieceLabel> labels;  // of each piece, where labels are wanted
   // Per tile how far, mm, its body reaches out level beyond the pin that it stands on.
   std::vector<double> overhang;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curveups/bodies/bumps.hpp"
+#include "curveups/bodies/joint_holes.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/physics/membrane_domain.hpp"
 
@@ -81,6 +81,7 @@ Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const A
   Weights out(tiles, downwards(p));
   if (p.gravity == "off") return Wrenches::Zero(tiles.tile_count(), 6);
   const BumpPlan plan = plan_bumps(geometry, poses, p);
+  const JointHoles joints = plan_joint_holes(geometry, plan, q, p);
   for (int i = 0; i < tiles.tile_count(); ++i) {
     const TileFrame& frame = tiles.frame[i];
     auto add = [&](double volume, const Vec3& place) {
@@ -89,6 +90,10 @@ Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const A
     add(volume(plan.body[i]), centroid(plan.body[i]));
     for (const WallCap& cap : plan.of_tile[i]) {
       add((cap.bump ? 1 : -1) * cap_volume(cap), cap.centre);
+    }
+    for (const JointHole& hole : joints.of_tile[i]) {
+      add(-M_PI * joints.radius * joints.radius * tiles.H_body,
+          Vec3(hole.axis.x(), hole.axis.y(), -0.5 * tiles.H_body));
     }
     for (Side side : {Side::front, Side::back}) {
       const std::array<Vec2, 3> pin = pin_corners(tiles, i, side, q.row(i).data());

@@ -131,6 +131,30 @@ class StepFile : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
+TEST_F(StepFile, HoldsStitchingHolesAsCylinders) {
+  Parameters p;
+  p.joint = "holes";
+  p.joint_hole = 0.7;
+  test::SampleOptions o;
+  o.rows = 2;
+  o.columns = 4;
+  o.cuts.resize(2, 2);
+  o.cuts << 2, 7, 7, 12;
+  o.piece_offset = 40;
+  const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+  ASSERT_TRUE(model.joints.closed.empty());
+  for (const char* kind : {"tiles", "actuated"}) {
+    write_step(model, kind, path(), {});
+    expect_bodies(model.bodies(kind), std::string("sample-") + kind);
+    std::ifstream in(path());
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = text.find("CYLINDRICAL_SURFACE", at)) != text.npos; ++at)
+      ++found;
+    EXPECT_EQ(found, 4u);  // two edges, a hole on either side
+  }
+}
+
 TEST_F(StepFile, HoldsEveryBodyByNameAndColourWithItsVolume) {
   for (const char* bumps : {"bumps", "dimples"}) {
     for (const char* support : {"soluble", "breakaway"}) {

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Joints: edges along which two pieces are sewn together after printing, through a stitching hole
+// on either side. What such a hole asks of tiles, in closed form.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "curveups/design/parameters.hpp"
+#include "curveups/design/pins.hpp"
+
+namespace curveups {
+
+// An edge of the target with a piece on either side: a cut that parts them.
+struct Joint {
+  int edge;                 // in topology.edges
+  std::array<int, 2> tile;  // tile[0] < tile[1], of different pieces
+  std::array<int, 2> side;  // which edge (0 to 2) of each tile
+};
+
+// In the order of the edges. Cuts inside of one piece and the target's own boundary are none.
+std::vector<Joint> find_joints(const TileMesh& tiles);
+
+// How far the axis of a hole behind wall t lies from front edge t in the tile's plane, mm: a round
+// hole of joint_hole across, square to the faces, keeps p_floor of material to the wall, which
+// leans by half the fold, at every depth. The same for both tiles of a joint.
+double joint_depth(const TileMesh& tiles, const Parameters& parameters, int tile, int t);
+
+// Least inset of a pin's edge t that leaves p_floor of material between the hole and the pin, mm.
+double joint_inset(const TileMesh& tiles, const Parameters& parameters, int tile, Side side, int t);
+
+// M x 6 (inset_index): these insets at joints, a hair above; 0 elsewhere, and with joint=none.
+Array6 joint_insets(const TileMesh& tiles, const Parameters& parameters);
+
+}  // namespace curveups

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`joint=holes`: pieces that can be sewn together after printing."""
+
+import json
+import math
+import struct
+
+import numpy as np
+import pytest
+from curveups.native import native
+from curveups.stages.joining import joints_of, not_joined
+from schema import check_design, check_report
+from shapes import obj_text, sphere
+
+SIZES = ("pieces=2", "L=8", "H_body=2", "verify=off")
+
+
+@pytest.fixture(scope="module")
+def ball_file(tmp_path_factory):
+    path = tmp_path_factory.mktemp("ball") / "ball.obj"
+    path.write_text(obj_text(*sphere(30, 3)))
+    return path
+
+
+@pytest.fixture(scope="module")
+def sewn(curveups, ball_file, tmp_path_factory):
+    out = tmp_path_factory.mktemp("sewn")
+    ran = curveups("design", ball_file, "-o", out, "--set", *SIZES, "joint=holes")
+    assert ran.status == 0, ran.err
+    return out
+
+
+def read(folder):
+    design, report = (json.loads((folder / f"{name}.json").read_text()) for name in ("design", "report"))
+    check_design(design)
+    check_report(report)
+    return design, report
+
+
+def borders(design):
+    """Edges between pieces."""
+    V, F = np.array(design["V"]), np.array(design["F"], np.int32)
+    piece = native.pieces_of_faces(V, F, np.array(design["cuts"], np.int32))
+    faces = {}
+    for i, face in enumerate(F.tolist()):
+        for t in range(3):
+            faces.setdefault(frozenset((face[t], face[(t + 1) % 3])), []).append(i)
+    return [pair for pair in faces.values() if len(pair) == 2 and piece[pair[0]] != piece[pair[1]]]
+
+
+def exported(curveups, folder, out, joint, status=0):
+    """The report on the same layout with or without holes: what nobody but an editor of files asks for."""
+    design = json.loads((folder / "design.json").read_text())
+    design["parameters"]["joint"] = joint
+    out.mkdir(exist_ok=True)
+    (out / "edited.json").write_text(json.dumps(design))
+    ran = curveups("export", out / "edited.json", "-o", out)
+    assert ran.status == status, ran.err
+    return json.loads((out / "report.json").read_text())
+
+
+def test_every_edge_between_the_pieces_has_two_holes(sewn):
+    design, report = read(sewn)
+    edges = borders(design)
+    assert len(edges) > 20
+    assert report["joints"] == {"edges": len(edges), "holes": 2 * len(edges), "hole_mm": 1.0, "wall_mm": 0.3,
+                                "without": []}
+    assert not [one for one in report["warnings"] if one["kind"] == "joint"]
+    assert report["constraints"]["max_pin_bound_violation_mm"] < 1e-6
+    assert report["solids"]["invalid"] == 0
+    tiles = (sewn / "ball-tiles.step").read_text()
+    assert tiles.count("CYLINDRICAL_SURFACE") == 2 * len(edges)
+    assert (sewn / "ball-actuated.step").read_text().count("CYLINDRICAL_SURFACE") == 2 * len(edges)
+
+
+def test_the_volume_lacks_the_holes(sewn, curveups, tmp_path):
+    _, report = read(sewn)
+    whole = exported(curveups, sewn, tmp_path, "none")
+    assert "joints" not in whole
+    less = report["joints"]["holes"] * math.pi * 0.25 * 2 / 1000  # cm3
+    assert report["solids"]["volume_cm3"] == pytest.approx(whole["solids"]["volume_cm3"] - less, rel=1e-12)
+    assert report["print"]["support_volume_cm3"] == whole["print"]["support_volume_cm3"]
+    assert "CYLINDRICAL_SURFACE" not in (tmp_path / "ball-tiles.step").read_text()
+
+
+def test_the_stl_is_closed_and_has_the_holes(sewn):
+    data = (sewn / "ball-tiles.stl").read_bytes()
+    count = struct.unpack("<I", data[80:84])[0]
+    facets = np.frombuffer(data, np.dtype([("n", "<f4", 3), ("v", "<f4", (3, 3)), ("a", "<u2")]), count, 84)
+    corners = facets["v"].astype(float)
+    points, index = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
+    index = index.reshape(-1, 3)
+    edges = [tuple(edge) for face in index.tolist() for edge in zip(face, face[1:] + face[:1])]
+    assert sorted(edges) == sorted((b, a) for a, b in edges)
+    # V - E + F = 2 - 2 holes, of each tile.
+    _, report = read(sewn)
+    euler = len(points) - len(edges) // 2 + count
+    assert euler == 2 * report["tiles"] - 2 * report["joints"]["holes"]
+
+
+def test_one_piece_has_nothing_to_join(curveups, cap, tmp_path):
+    ran = curveups("design", cap, "-o", tmp_path, "--set", "joint=holes", "verify=off")
+    assert ran.status == 0, ran.err
+    report = json.loads((tmp_path / "report.json").read_text())
+    said, = (one for one in report["warnings"] if one["kind"] == "joint")
+    assert "nothing to join" in said["what"] and "set pieces" in said["remedy"]
+    assert report["joints"]["edges"] == report["joints"]["holes"] == 0
+
+
+def test_what_is_advised_makes_room(curveups, ball_file, tmp_path):
+    """Of a layout without holes, then of one whose pins have no room for them."""
+    tight = ("pieces=2", "verify=off", "joint=holes")
+
+    def run(name, *values):
+        ran = curveups("design", ball_file, "-o", tmp_path / name, "--set", *tight, *values)
+        assert ran.status == 0, ran.err
+        report = json.loads((tmp_path / name / "report.json").read_text())
+        return report["joints"], next((one for one in report["warnings"] if one["kind"] == "joint"), None)
+
+    joints, said = run("tight")
+    assert joints["without"] and said["tiles"] == sorted({i for pair in joints["without"] for i in pair})
+    a, b = joints["without"][0]
+    assert f"{len(joints['without'])} of {joints['edges']} edges" in said["what"]
+    assert f"T{a + 1:05d}-T{b + 1:05d}" in said["what"]
+    area = joints["possible"]["A_pin_min"]
+    assert 1 < area < 4 and f"A_pin_min to {math.floor(100 * area) / 100:g}" in said["remedy"]
+    joints, said = run("advised", f"A_pin_min={math.floor(100 * area) / 100:g}")
+    assert joints["without"] == [] and said is None
+
+
+def test_a_layout_without_holes_is_to_be_made_anew(curveups, ball_file, tmp_path):
+    assert curveups("design", ball_file, "-o", tmp_path / "a", "--no-solids", "--set", *SIZES).status == 0
+    report = exported(curveups, tmp_path / "a", tmp_path / "b", "holes", status=1)
+    said, = (one for one in report["warnings"] if one["kind"] == "joint")
+    assert report["joints"]["holes"] == 0 and "compute the layout" in said["remedy"]
+    assert report["valid"] is False and "pin insets" in report["reasons"][0]
+
+
+@pytest.mark.parametrize("values, named", [
+    (["joint=glue"], "none, holes"), (["joint_hole=0"], "0.2 to 10"), (["joint_hole=wide"], "0.2 to 10"),
+    (["joint=holes", "p_floor=0.05"], "p_floor"),
+    (["joint=holes", "support=breakaway", "bridge_depth=0.4"], "bridge_depth")])
+def test_what_cannot_be_is_refused(curveups, ball_file, tmp_path, values, named):
+    ran = curveups("design", ball_file, "-o", tmp_path / "out", "--set", *values)
+    assert ran.status == 2 and len(ran.error_lines) == 1 and named in ran.error_lines[0]
+    assert not (tmp_path / "out").exists()
+
+
+def test_remedies_by_what_is_possible():
+    class Model:
+        joints = ([(0, 1)], [(2, 3)], 2, 0.0, 0.5)
+
+    parameters = native.Parameters()
+    assert joints_of(Model, parameters) == {} and not_joined({}, parameters) == ()
+    parameters.set("joint", "holes")
+
+    def remedy(hole, area):
+        Model.joints = ([(0, 1)], [(2, 3)], 2, hole, area)
+        said, = not_joined(joints_of(Model, parameters), parameters)
+        assert said["what"] == "1 of 2 edges between pieces have no room for stitching holes: T00003-T00004"
+        return said["remedy"]
+
+    assert remedy(0.0, 0.5) == "raise L or lower H_body"
+    assert "A_pin_min to 2.34," in remedy(0.0, 2.349) and "joint_hole" not in remedy(0.0, 2.349)
+    assert "joint_hole to 0.78 or A_pin_min to 2.34" in remedy(0.789, 2.349)
+    assert "compute the layout" in remedy(1.0, 5.0)
