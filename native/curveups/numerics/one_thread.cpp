@@ -13,19 +13,24 @@ namespace curveups {
 namespace {
 
 std::mutex mutex;
-// OpenBLAS tries for ever where there is no memory for its buffer (128 MB a thread, taken at the
-// first use): asking for as much first makes that an error.
+// OpenBLAS tries for ever where there is no memory for its buffer (128 MB for each call at once,
+// kept from then on): asking for as much before there are more guards than ever makes that an
+// error.
 constexpr std::size_t buffer_bytes = std::size_t{130} << 20;
 
-int guards = 0, threads_before = 1;  // of BLAS, under the mutex
+// Under the mutex: guards, the most there were, and the threads of BLAS before.
+int guards = 0, most_guards = 0, threads_before = 1;
 
 }  // namespace
 
 // No active levels means teams of one.
 OneThread::OneThread() : levels_(omp_get_max_active_levels()) {
-  ::operator delete(::operator new(buffer_bytes));
-  omp_set_max_active_levels(0);
   const std::lock_guard<std::mutex> lock(mutex);
+  if (guards == most_guards) {
+    ::operator delete(::operator new(buffer_bytes));
+    ++most_guards;
+  }
+  omp_set_max_active_levels(0);
   if (guards++ > 0) return;
   threads_before = openblas_get_num_threads();
   openblas_set_num_threads(1);

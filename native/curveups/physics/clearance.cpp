@@ -137,10 +137,9 @@ std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
   return of_patch;
 }
 
-MembraneClearance membrane_clearance(const DesignGeometry& geometry,
-                                     const MembraneSolution& membrane, double H_pin) {
+MembraneClearance least_clearance(const std::vector<MembraneClearance>& of_patches, double H_pin) {
   MembraneClearance best{H_pin, -1, -1};
-  for (const MembraneClearance& one : patch_clearances(geometry, membrane, H_pin)) {
+  for (const MembraneClearance& one : of_patches) {
     if (one.distance < best.distance) best = one;
   }
   return best;

@@ -18,8 +18,7 @@ std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
                                                 const MembraneSolution& membrane, double H_pin);
 
 // The least of them; H_pin where a side has no membrane.
-MembraneClearance membrane_clearance(const DesignGeometry& geometry,
-                                     const MembraneSolution& membrane, double H_pin);
+MembraneClearance least_clearance(const std::vector<MembraneClearance>& of_patches, double H_pin);
 
 // Distance of two triangles that do not cross, 0 where they do.
 double triangle_distance(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);

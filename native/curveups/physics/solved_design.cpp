@@ -113,6 +113,15 @@ const UnilateralResult& find_floor(SolvedDesign& solved, Touching where, Balance
   return kept.emplace(solve_unilateral(system, solved.loads, start, options, progress));
 }
 
+const std::vector<MembraneClearance>& find_clearances(SolvedDesign& solved,
+                                                      const DesignGeometry& geometry, Side side) {
+  const int s = static_cast<int>(side);
+  std::optional<std::vector<MembraneClearance>>& kept = solved.clearances[s];
+  if (kept) return *kept;
+  return kept.emplace(
+      patch_clearances(geometry, solved.membranes[s], solved.design.parameters.H_pin));
+}
+
 void SolutionStore::put(SolvedDesign solved) {
   const std::lock_guard<std::mutex> lock(mutex_);
   solved_ = std::move(solved);

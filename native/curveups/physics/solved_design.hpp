@@ -6,7 +6,9 @@
 #include <array>
 #include <mutex>
 #include <optional>
+#include <vector>
 
+#include "curveups/physics/clearance.hpp"
 #include "curveups/physics/contact_forces.hpp"
 #include "curveups/physics/loads.hpp"
 #include "curveups/physics/membrane_solution.hpp"
@@ -27,6 +29,8 @@ struct SolvedDesign {
   double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the error where larger
   // What find_floor found, by Touching.
   std::array<std::optional<UnilateralResult>, 2> floor;
+  // What find_clearances found, by Side.
+  std::array<std::optional<std::vector<MembraneClearance>>, 2> clearances;
 };
 
 // How much the least of the forces may be overestimated where each is uncertain by its own error:
@@ -57,6 +61,11 @@ double force_scale(const SolvedDesign& solved);
 // whose factorization changes. Throws what solve_unilateral and solve_contact_forces throw.
 const UnilateralResult& find_floor(SolvedDesign& solved, Touching where, BalanceSystem& system,
                                    const Progress& progress);
+
+// How far a side's membrane stays from the bodies (patch_clearances), kept in `solved`; of both
+// sides at once where threads ask.
+const std::vector<MembraneClearance>& find_clearances(SolvedDesign& solved,
+                                                      const DesignGeometry& geometry, Side side);
 
 // Holds one solution at most. Whoever takes it owns it and nobody gets it a second time; a design
 // that differs from the solution's in a bit of its mesh, cuts, layout, pins or parameters gets

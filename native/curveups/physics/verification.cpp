@@ -130,8 +130,9 @@ Programs solve_programs(BalanceSystem& system, BalanceSystem& unlimited_system, 
   unlimited.scale = force_scale(solved);
   const Progress serial = one_at_a_time(progress);
   Programs out;
-  auto clearance = [&](int side) {
-    return membrane_clearance(geometry, solved.membranes[side], solved.design.parameters.H_pin);
+  auto clearance = [&](Side side) {
+    out.clearance[static_cast<int>(side)] =
+        least_clearance(find_clearances(solved, geometry, side), solved.design.parameters.H_pin);
   };
   parallel_tasks({[&] { find_floor(solved, Touching::at_corners, system, serial); },
                   [&] {
@@ -141,8 +142,7 @@ Programs solve_programs(BalanceSystem& system, BalanceSystem& unlimited_system, 
                     out.unlimited = solve_unilateral(unlimited_system, solved.loads,
                                                      solved.forces.force, unlimited, serial);
                   },
-                  [&] { out.clearance[0] = clearance(0); },
-                  [&] { out.clearance[1] = clearance(1); }});
+                  [&] { clearance(Side::front); }, [&] { clearance(Side::back); }});
   return out;
 }
 

@@ -131,7 +131,7 @@ Judgement Repair::judge_fresh() {
   if (!keep_going(progress_, "repair: fresh membranes")) throw Cancelled();
   SolvedDesign fresh = take_or_solve(store_, here_.geometry(), design_here(), progress_);
   Judgement now = tracked_.judge_fresh(here_, fresh);
-  touches_ = find_touches(here_.geometry(), fresh, parameters_);
+  touches_ = find_touches(here_.geometry(), fresh);
   for (const Touch& touch : touches_) now.depth = std::max(now.depth, -touch.clearance);
   if (now.valid()) {
     if (store_) store_->put(std::move(fresh));

@@ -9,12 +9,10 @@
 
 namespace curveups {
 
-std::vector<Touch> find_touches(const DesignGeometry& geometry, const SolvedDesign& solved,
-                                const Parameters& parameters) {
+std::vector<Touch> find_touches(const DesignGeometry& geometry, SolvedDesign& solved) {
   std::vector<Touch> touches;
   for (Side side : {Side::front, Side::back}) {
-    const MembraneSolution& membrane = solved.membranes[static_cast<int>(side)];
-    for (const MembraneClearance& one : patch_clearances(geometry, membrane, parameters.H_pin)) {
+    for (const MembraneClearance& one : find_clearances(solved, geometry, side)) {
       if (one.distance < safe_clearance) touches.push_back({one.tile, side, one.distance});
     }
   }

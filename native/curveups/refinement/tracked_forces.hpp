@@ -19,8 +19,7 @@ struct Touch {
   double clearance;  // mm, negative where it cuts in
 };
 
-std::vector<Touch> find_touches(const DesignGeometry& geometry, const SolvedDesign& solved,
-                                const Parameters& parameters);
+std::vector<Touch> find_touches(const DesignGeometry& geometry, SolvedDesign& solved);
 
 class TrackedForces {
  public:
