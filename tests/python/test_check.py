@@ -15,6 +15,7 @@ from curveups.stages.cut_request import CutRequest
 from curveups.stages.feasibility import examine
 from curveups.stages.stage import Job
 from curveups.stages.surface import Source
+from shapes import obj_text
 
 NO_CUTS = np.zeros((0, 2), np.int32)
 
@@ -106,9 +107,69 @@ def test_parts_that_run_into_one_another_are_named():
     both = np.vstack([V, V - [0, 0, 1.0]])
     found = examine(both, np.vstack([F, F + len(V)]).astype(np.int32), NO_CUTS, native.Parameters(), Job())
     assert found.overlapping.size and not found.feasible
-    named = {one.tile for one in found.blocked if one.obstacle == "overlap"}
+    named = {one.tile for one in found.blocked if one.obstacle == "overlap" and one.certain}
     assert named == set(found.overlapping.ravel().tolist())
-    assert all(one.certain for one in found.blocked if one.obstacle == "overlap")
+
+
+def storeys(apart):
+    V, F = sheet(lambda x, y: 0.0, 14, 4)
+    return np.vstack([V, V + [0, 0, apart]]), np.vstack([F, F + len(V)]).astype(np.int32)
+
+
+def test_pins_between_parts_that_face_one_another_need_room():
+    """A storey as high as a body and the pins of both."""
+    def found(apart, **values):
+        parameters = native.Parameters()
+        for name, value in values.items():
+            parameters.set(name, value)
+        return examine(*storeys(apart), NO_CUTS, parameters, Job())
+
+    assert found(5.01).feasible
+    low = found(4.9)
+    assert low.possible and not low.feasible and not low.overlapping.size
+    assert {one.obstacle for one in low.blocked} == {"overlap"} and "pins" in low.blocked[0].why
+    assert {one.tile for one in low.blocked} == set(low.meeting.ravel().tolist()) == set(range(len(low.F)))
+    assert found(4.9, H_pin=0.94).feasible and found(4.9, H_body=2.89).feasible
+    # Tiles by which a design is held are no tiles of what is tried.
+    parameters = native.Parameters()
+    parameters.set("held_tiles", "T09999")
+    assert native.facing_pins(*storeys(5.01), NO_CUTS, parameters) == []
+
+
+def test_thinner_tiles_with_lower_pins_do_where_neither_does_alone(curveups, tmp_path):
+    """Two strips across one another, 2.2 to 4 mm apart."""
+    def strip(turned):
+        def at(u, v):
+            x, y = 80 * u - 40, 24 * v - 12
+            return (-y, x, 4 - 0.004 * x * x) if turned else (x, y, 0.004 * x * x)
+        columns, rows = 24, 8
+        points = [at(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
+        faces = []
+        for j in range(rows):
+            for i in range(columns):
+                a = j * (columns + 1) + i
+                faces += [(a, a + 1, a + columns + 2), (a, a + columns + 2, a + columns + 1)]
+        return points, faces
+
+    (V, F), (W, G) = strip(False), strip(True)
+    both = np.array(V + W, float), np.array(F + [[i + len(V) for i in face] for face in G], np.int32)
+    path = tmp_path / "strips.obj"
+    path.write_text(obj_text(*both))
+    sizes = project(*both).run(("sizes",))["sizes"]
+    assert not sizes.as_set and sizes.L is None and sizes.H_pin is None
+    H_body, H_pin = sizes.together
+    assert 0.5 < H_pin < 0.6 * H_body < 1.5
+    assert not project(*both, H_body=H_body).run(("feasibility",))["feasibility"].feasible
+    ran = curveups("check", path, "-o", tmp_path / "check")
+    assert ran.status == 1 and f"H_body = {H_body:g} mm and H_pin = {H_pin:g} mm together do" in ran.out
+    told = json.loads((tmp_path / "check" / "check.json").read_text())
+    assert told["recommended"]["together"] == {"H_body": H_body, "H_pin": H_pin} and told["pins_meeting"]
+    advised = f"H_body={H_body:g} with H_pin={H_pin:g}"
+    ran = curveups("design", path, "-o", tmp_path / "as-set", "--no-solids")
+    assert ran.status == 2 and advised in ran.error_lines[0]
+    ran = curveups("design", path, "-o", tmp_path / "advised", "--no-solids", "--set",
+                   *advised.split(" with "))
+    assert ran.status == 0, ran.err
 
 
 @pytest.mark.parametrize("height", [lambda x, y: 14 * math.exp(-(x * x + y * y) / 120),

@@ -248,12 +248,13 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
 
 def size_to_use(name: str, found: Results) -> Optional[float]:
     """What is offered for L, H_body or H_pin: the feasible length that is nearest to the one that is set, the
-    largest thickness; another height of pins only where the one that is set does not do."""
+    largest thickness; another height of pins only where the one that is set does not do; both where none of
+    these does by itself."""
     sizes: Recommendation = found["sizes"]
     if name == "H_body":
-        return sizes.H_body
+        return sizes.together[0] if sizes.together else sizes.H_body
     if name == "H_pin":
-        return None if sizes.as_set else sizes.H_pin
+        return sizes.together[1] if sizes.together else None if sizes.as_set else sizes.H_pin
     if sizes.L is None:
         return None
     low, high = sizes.L

@@ -36,9 +36,12 @@ def build_check(results: Results) -> dict[str, Any]:
         "blocked": [{"tile": one.tile, "why": one.why, "obstacle": one.obstacle, "certain": one.certain}
                     for one in found.blocked],
         "trimmed": found.trimmed.tolist(), "overlapping": found.overlapping.tolist(),
+        "pins_meeting": found.meeting.tolist(),
         "relieved_pin_sides": found.relieved, "mending_would_move_mm": found.mending,
         "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body,
-                        "H_pin": sizes.H_pin},
+                        "H_pin": sizes.H_pin,
+                        "together": (dict(zip(("H_body", "H_pin"), sizes.together)) if sizes.together
+                                     else None)},
         "tried": [{"L": L, "H_body": H_body, "H_pin": H_pin, "tiles": tiles, "feasible": feasible}
                   for L, H_body, H_pin, tiles, feasible in sizes.tried],
     }
@@ -76,8 +79,8 @@ def rows(results: Results) -> list[Row]:
         low, high = (found.stretch[:, None] / found.stretch_range).T
     table.append(_row("stretch / least that leaves gaps", low, f"{TOO_NARROW:g} *", short["stretch"]))
     table.append(_row("stretch / most before slack", high, f"{TOO_SLACK:g} *", short["stretch"], True))
-    table.append(("parts that run into one another", f"{len(found.overlapping)} pairs", "", "0",
-                  str(short["overlap"])))
+    pairs = len(found.overlapping) + len(found.meeting)
+    table.append(("parts that run into one another", f"{pairs} pairs", "", "0", str(short["overlap"])))
     return table
 
 
@@ -95,7 +98,7 @@ def advice(results: Results) -> list[str]:
     mended = [] if moved is None else [f"with mend=on, which moves vertices by up to {moved:.2g} mm, "
                                        "these sizes do"]
     return [*length_words(sizes, get("L"), get("H_body")), *thickness_words(sizes, get("L")),
-            *pin_words(sizes, get("L"), get("H_body")), *mended]
+            *pin_words(sizes, get("L"), get("H_body")), *words_together(sizes, get("L")), *mended]
 
 
 def length_words(sizes: Recommendation, L: float, H_body: float) -> Sequence[str]:
@@ -117,6 +120,13 @@ def pin_words(sizes: Recommendation, L: float, H_body: float) -> Sequence[str]:
     if sizes.H_pin is None:
         return (f"{both}, no H_pin that was tried does",)
     return (f"{both}, H_pin {'down to' if sizes.as_set else '='} {sizes.H_pin:g} mm does",)
+
+
+def words_together(sizes: Recommendation, L: float) -> Sequence[str]:
+    if sizes.together is None:
+        return ()
+    return (f"with L = {L:.4g} mm, H_body = {sizes.together[0]:g} mm and H_pin = {sizes.together[1]:g} mm "
+            "together do",)
 
 
 HEAD = ("", "worst", "tile", "wanted", "tiles short")

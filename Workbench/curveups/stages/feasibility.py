@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What of a target can be tiles, known before any layout: margins of every tile and contact.
 
-Folds, back faces, pins and overlaps are closed forms of the mesh, the same that a design is refused by:
-what they block is certain. Where membranes cut into tiles or are slack depends on the layout: that is
-estimated from pins that stand as near to corners as they may, and from the conformal map with which
-layouts begin. The limits of these estimates are those at which designs began to fail.
+Folds, back faces, pins and overlaps of bodies are closed forms of the mesh, the same that a design is
+refused by: what they block is certain. Where pins run into parts that face them, and where membranes cut
+into tiles or are slack, depends on the layout: that is estimated from pins that stand as near to corners
+as they may, and from the conformal map with which layouts begin. The limits of these estimates are those
+at which designs began to fail.
 """
 
 from __future__ import annotations
@@ -61,6 +62,7 @@ class Feasibility(Result):
     #                               membranes are slack
     trimmed: np.ndarray           # pairs of tiles without a common vertex that are cut off
     overlapping: np.ndarray       # pairs that no plane parts
+    meeting: np.ndarray           # other pairs without a common vertex of which pins run into one another
     relieved: int                 # pin sides for which vertices were moved
     mending: Optional[float] = None  # mm, by how much mend=on would move vertices so that sizes do; None: it
     #                                  is on, it would not help, or there is nothing to mend
@@ -141,17 +143,19 @@ def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, r
     fold_margin[np.isinf(fold_margin)] = np.nan
     stretch = np.asarray(maps["conformal_stretch"])
     overlapping = np.array(margins.overlapping, np.int32).reshape(-1, 2)
+    meeting = _meeting(V, F, edges, parameters, overlapping) if margins.shaped else overlapping
     room = np.asarray(margins.membrane_room) if margins.shaped else np.full((count, 2), np.nan)
     ranges = np.stack([maps["least_stretch"], maps["most_stretch"]], axis=1)
     blocked = [Obstacle(int(tile), "fold", NO_BACK) for tile in np.flatnonzero(margins.back_scale < 1e-3)]
-    blocked += [*_without_pins(pin_area, parameters.get("A_pin_floor")), *_overlapping(overlapping)]
+    blocked += [*_without_pins(pin_area, parameters.get("A_pin_floor")), *_overlapping(overlapping),
+                *_facing(meeting)]
     blocked += [Obstacle(int(tile), "closed", CLOSED) for tile in np.flatnonzero(np.isnan(stretch))]
     blocked += [*_cut_by_membranes(room, SAG * parameters.get("H_pin")), *_badly_stretched(stretch, ranges)]
     return Feasibility(
         V, F, float(native.mean_edge_length(V, F)), tuple(sorted(blocked, key=lambda one: one.tile)),
         contacts, np.asarray(margins.fold), fold_room, fold_margin, np.asarray(margins.back_scale), share,
         pin_area - parameters.get("A_pin_min"), room, stretch, ranges,
-        np.array(margins.trimmed, np.int32).reshape(-1, 2), overlapping, relieved)
+        np.array(margins.trimmed, np.int32).reshape(-1, 2), overlapping, meeting, relieved)
 
 
 def _without_pins(area: np.ndarray, floor: float) -> Iterator[Obstacle]:
@@ -166,6 +170,20 @@ def _overlapping(pairs: np.ndarray) -> Iterator[Obstacle]:
     for a, b in (*pairs, *pairs[:, ::-1]):
         yield Obstacle(int(a), "overlap", f"it runs through {tile_name(int(b))}, another part of the target, "
                                           "and no plane parts them")
+
+
+def _meeting(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, others: np.ndarray
+             ) -> np.ndarray:
+    """Pairs whose pins meet, but for those whose bodies do."""
+    known = {tuple(sorted(pair)) for pair in others.tolist()}
+    pairs = [pair for pair in native.facing_pins(V, F, edges, parameters) if tuple(pair) not in known]
+    return np.array(pairs, np.int32).reshape(-1, 2)
+
+
+def _facing(pairs: np.ndarray) -> Iterator[Obstacle]:
+    for a, b in (*pairs, *pairs[:, ::-1]):
+        yield Obstacle(int(a), "overlap", f"{tile_name(int(b))}, another part of the target, faces it so "
+                                          "near that pins between them would meet", False)
 
 
 def _cut_by_membranes(room: np.ndarray, least: float) -> Iterator[Obstacle]:

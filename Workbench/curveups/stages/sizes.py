@@ -8,7 +8,7 @@ import math
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, Callable, Collection, Iterator, Optional, Sequence
+from typing import Any, Callable, Collection, Iterator, Optional, Sequence, TypeVar
 
 import numpy as np
 
@@ -26,6 +26,7 @@ FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1500, 12, 2.0
 # As long as there are no more tiles than these a length is chosen; thicknesses between these lengths (the
 # paper's tiles have 3/7).
 MOST_CHOSEN, _THINNEST, _STOUTEST = 5000, 1 / 7, 3 / 7
+_Value = TypeVar("_Value")
 _STRIDE = 6  # values of the series from one trial to the next, before the ends are narrowed down
 
 
@@ -176,6 +177,18 @@ class Trials:
         first = values.index(start)
         return values[first - _reach(values[first::-1], feasible)]
 
+    def thinner_with_pins(self, L: float, H_body: float, alone: Optional[float]
+                          ) -> Optional[tuple[float, float]]:
+        """The largest feasible thickness between `alone`, which does by itself (None: none does), and the
+        one that is set, with pins lower in proportion, mm: between parts that face one another both are in
+        the way. None where there is none."""
+        least, H_pin = value_range("H_pin")[0], self._parameters.get("H_pin")
+        low = value_range("H_body")[0] if alone is None else alone
+        sizes = [(thickness, max(least, math.floor(100 * H_pin * thickness / H_body) / 100))
+                 for thickness in series(low, H_body) if low < thickness < H_body]
+        found = _last(sizes, lambda size: self(L, *size).feasible)
+        return None if found < 0 else sizes[found]
+
 
 def _about(name: str, value: float) -> list[float]:
     """The series about a parameter's value, with the value itself in it."""
@@ -206,7 +219,7 @@ def _reach(values: Sequence[float], good: Callable[[float], bool]) -> int:
     return place
 
 
-def _last(values: Sequence[float], good: Callable[[float], bool]) -> int:
+def _last(values: Sequence[_Value], good: Callable[[_Value], bool]) -> int:
     """The place of the last good value, where good ones come first; -1 where there is none."""
     low, high = -1, len(values)
     while high - low > 1:
@@ -271,6 +284,9 @@ def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
         found["L"] = trials.nearest_length(L, H_body)
     found["H_pin"] = trials.least_pin(L, H_body)
     said = [f"{name}={value:g}" for name, value in found.items() if value is not None]
+    if found["H_pin"] is None and found.get("L") is None:
+        together = trials.thinner_with_pins(L, H_body, found["H_body"])
+        said += [f"H_body={together[0]:g} with H_pin={together[1]:g}"] if together else []
     sizes = (f"of {len(trials.made)} other sizes that were tried, {' or '.join(said)} does" if said
              else f"none of {len(trials.made)} other sizes that were tried does")
     edges = all_cuts(cuts, target.V, target.F, parameters, job)
@@ -306,10 +322,11 @@ class Recommendation(Result):
     thickest: float
     as_set: bool  # whether the sizes that are set do
     tried: tuple[tuple[float, float, float, int, bool], ...]  # L, H_body, H_pin, tiles, feasible
+    together: Optional[tuple[float, float]] = None  # H_body and H_pin, where no other L or H_pin does
 
     @property
     def content(self) -> str:
-        return digest(self.L, self.H_body, self.H_pin)
+        return digest(self.L, self.H_body, self.H_pin, self.together)
 
 
 def _run(inputs: Inputs, job: Job) -> Recommendation:
@@ -320,8 +337,9 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     thickness = trials.largest_thickness(L, most)
     lengths = trials.range_of_lengths(L, H_body) if _can_remesh(target, cuts) else None
     pin = trials.least_pin(L, H_body)
+    together = trials.thinner_with_pins(L, H_body, thickness) if pin is None and lengths is None else None
     tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in trials.made.values())
-    return Recommendation(lengths, thickness, pin, most, trials(L, H_body).feasible, tried)
+    return Recommendation(lengths, thickness, pin, most, trials(L, H_body).feasible, tried, together)
 
 
 STAGE = Stage("sizes", ("target", "cut request"),

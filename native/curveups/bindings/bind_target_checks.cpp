@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Checks of a remeshed target.
 #include "curveups/bindings/arrays.hpp"
+#include "curveups/bodies/facing_pins.hpp"
 #include "curveups/design/target_checks.hpp"
 #include "curveups/design/tile_margins.hpp"
 
@@ -59,6 +60,19 @@ void bind_target_checks(py::module_& module) {
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
       "How much every tile and contact has left before it can't be made.");
+  module.def(
+      "facing_pins",
+      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, Parameters parameters) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+        parameters.held_tiles.clear();  // of the design, not of any mesh that is tried
+        const py::gil_scoped_release release;
+        return facing_pins(make_geometry(mesh, edges, parameters), parameters.H_pin);
+      },
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      "Pairs of tiles without a common vertex of which a pin of one would run into the other. "
+      "Raises "
+      "InfeasibleDesign where tiles have no back face.");
 }
 
 }  // namespace curveups::bindings

@@ -54,6 +54,7 @@ void add_shapes(const TileMesh& tiles, const Parameters& parameters, TileMargins
   Truncation truncation = truncate_at_vertices(tiles);
   std::vector<ContactPatch> patches = compute_contact_patches(tiles, truncation);
   separate_remote_tiles(tiles, patches, truncation);
+  separate_remote_front_pins(tiles, parameters.H_pin, truncation);
   out.interface_share.resize(static_cast<Eigen::Index>(patches.size()));
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const ContactPatch& patch = patches[k];
