@@ -55,6 +55,36 @@ TEST(Loads, WeightCountsPinsBumpsAndMembranes) {
   EXPECT_NEAR((all - light) / sheets, 1, 0.15);
 }
 
+TEST(Loads, WeightLacksTheHolesOfJoints) {
+  Parameters p;
+  p.joint = "holes";
+  p.joint_hole = 0.7;
+  p.gravity = "held";
+  test::SampleOptions o;
+  o.rows = 2;
+  o.columns = 4;
+  o.cuts.resize(2, 2);
+  o.cuts << 2, 7, 7, 12;
+  o.piece_offset = 40;
+  const Design design = test::sample_design(p, o);
+  const FlatPoses poses = fit_poses(make_geometry(design.mesh, design.cuts, p).tiles, design.T);
+  auto loads = [&](const char* joint) {
+    p.joint = joint;
+    return weights(make_geometry(design.mesh, design.cuts, p), poses, design.q, p);
+  };
+  const Wrenches less = loads("none") - loads("holes");
+  // Four holes, each pulling less at its own tile alone.
+  const double hole = 9.80665e-6 * p.density * M_PI * 0.35 * 0.35 * p.H_body;
+  int tiles = 0;
+  for (int i = 0; i < less.rows(); ++i) {
+    if (less.row(i).norm() == 0) continue;
+    ++tiles;
+    EXPECT_NEAR(less(i, 2), -hole, 1e-12);
+    EXPECT_GT(less.row(i).tail<3>().norm(), hole);  // more than 1 mm from the tile's centre
+  }
+  EXPECT_EQ(tiles, 4);
+}
+
 TEST(Loads, APieceThatNothingCarriesIsSaid) {
   // Two domes, one above the other's height, in one mesh.
   const TriangleMesh one = hexagon(1, test::cap_height);
