@@ -12,6 +12,9 @@
 namespace curveups {
 namespace {
 
+// Free vertices: of fewer a nested dissection takes what it saves.
+constexpr int least_dissected = 40000;
+
 Matrix6 positive_part(const Matrix6& H) {
   const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(H);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
@@ -72,7 +75,8 @@ MembraneEnergy::MembraneEnergy(const MembraneMesh& mesh, const Points2& flat, do
   for (int pin : mesh.pin) free.push_back(pin < 0);
   std::vector<Coupling> couplings;
   couple(couplings);
-  pattern_ = std::make_shared<const BlockPattern>(free, couplings);
+  const bool many = std::count(free.begin(), free.end(), 1) > least_dissected;
+  pattern_ = std::make_shared<const BlockPattern>(free, couplings, many ? Places(flat) : Places());
 }
 
 void MembraneEnergy::couple(std::vector<Coupling>& couplings) const {
