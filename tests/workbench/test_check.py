@@ -342,3 +342,44 @@ def work():
     close_panel()
     assert report().count('error') == 0, report()
 """, homes, tmp_path)
+
+
+def test_thickness_and_pins_that_do_together_are_taken_over(homes, tmp_path):
+    run("""
+def storeys():
+    # Two sheets, one 3 mm above the other.
+    found = []
+    for z in (0, 3):
+        for x in range(-14, 14, 7):
+            for y in range(-14, 14, 7):
+                a, b, c, d = (FreeCAD.Vector(x + i, y + j, z) for i, j in ((0, 0), (7, 0), (7, 7), (0, 7)))
+                found += [a, b, c, a, c, d]
+    return found
+
+def work():
+    import Mesh
+    made = begin()
+    given = made.addObject('Mesh::Feature', 'Storeys')
+    given.Mesh = Mesh.Mesh(storeys())
+    FreeCADGui.Selection.addSelection(given)
+    press('CurveUps_NewDesign')
+    given.ViewObject.Visibility = False
+    design = made.Design
+    press('CurveUps_Check')
+    form = widget('CheckPanel')
+    checking(form)
+    assert 'Not feasible' in form.verdict.text(), form.verdict.text()
+    assert 'together do' in form.advice.text(), form.advice.text()
+    picture('together')
+    for button, name in ((form.use_thickness, 'HBody'), (form.use_pin, 'HPin')):
+        before = getattr(design, name).Value
+        assert name in button.text(), button.text()
+        click(button)
+        until(lambda: live().busy, 10, 'the next check')
+        at_rest()
+        assert getattr(design, name).Value < before
+    assert '<b>Feasible' in form.verdict.text(), (form.verdict.text(), form.advice.text())
+    assert design.HBody.Value + 2 * design.HPin.Value < 3.001 and design.HBody.Value > 1
+    close_panel()
+    assert report().count('error') == 0, report()
+""", homes, tmp_path)
