@@ -155,7 +155,7 @@ PinRoom beside_holes(const TileMesh& tiles, const Truncation& truncation, const 
     return pin_room(tiles, truncation, p, tile, side, p.p_min, least);
   };
   const auto fits = [&](const PinRoom& room) { return room.area >= enough * p.A_pin_min; };
-  const PinRoom whole = part(1);
+  PinRoom whole = part(1);
   if (fits(whole)) return whole;
   double low = 0, high = 1;
   for (int k = 0; k < 30; ++k) {
