@@ -10,8 +10,9 @@
 #include "curveups/core/parallel.hpp"
 #include "curveups/numerics/one_thread.hpp"
 
-extern "C" void dpotrf_(const char* triangle, const int* n, double* a, const int* stride,
-                        int* info);
+// LAPACK's, which has no header here.
+extern "C" void dpotrf_(  // NOLINT(readability-identifier-naming)
+    const char* triangle, const int* n, double* a, const int* stride, int* info);
 
 namespace curveups {
 namespace {
