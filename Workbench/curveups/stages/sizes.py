@@ -61,6 +61,7 @@ class Trials:
                  creases: Optional[np.ndarray] = None):
         self._surface, self._creases, self._cuts, self._job = (V, F), creases, cuts, job
         self._parameters = parameters
+        self.thinnest = max(value_range("H_body")[0], parameters.get("p_floor"))  # that a printer makes
         self.made: dict[tuple[float, float, float], Trial] = {}
         corners = V[F]
         self._area = float(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0],
@@ -105,9 +106,9 @@ class Trials:
         return made.V, made.F, float(made.sagitta)
 
     def largest_thickness(self, L: float, most: float) -> Optional[float]:
-        """The largest feasible thickness of a series up to `most`, found by bisection; None where the
-        least has no tiles either."""
-        values = series(value_range("H_body")[0], most)
+        """The largest feasible thickness of a series from `thinnest` to `most`, found by bisection; None
+        where the least has no tiles either."""
+        values = series(self.thinnest, most)
         found = _last(values, lambda H_body: self(L, H_body).feasible)
         return None if found < 0 else values[found]
 
@@ -183,7 +184,7 @@ class Trials:
         one that is set, with pins lower in proportion, mm: between parts that face one another both are in
         the way. None where there is none."""
         least, H_pin = value_range("H_pin")[0], self._parameters.get("H_pin")
-        low = value_range("H_body")[0] if alone is None else alone
+        low = self.thinnest if alone is None else alone
         sizes = [(thickness, max(least, math.floor(100 * H_pin * thickness / H_body) / 100))
                  for thickness in series(low, H_body) if low < thickness < H_body]
         found = _last(sizes, lambda size: self(L, *size).feasible)
@@ -252,8 +253,8 @@ def choose(target: Any, cuts: CutRequest, parameters: Any, names: Collection[str
         if not _can_remesh(target, cuts):
             raise CurveUpsError("L can't be auto where the mesh is given", where,
                                 "give cuts as polylines, or L as a number")
-        least = value_range("H_body")[0]
-        thickness = (lambda L: max(_THINNEST * L, least)) if "H_body" in names else (lambda L: H_body)
+        thin = trials.thinnest
+        thickness = (lambda L: max(_THINNEST * L, thin)) if "H_body" in names else (lambda L: H_body)
         L = found["L"] = trials.largest_length(L, thickness, parameters.get("fidelity"), where)
     if "H_body" in names:
         thickest = trials.largest_thickness(L, _STOUTEST * L)
