@@ -147,6 +147,7 @@ def work():
     document = FreeCAD.ActiveDocument
     design = next(obj for obj in document.Objects if obj.Name == 'Design')
     assert design.Verdict == 'valid', (design.Verdict, list(design.Reasons))
+    settle(3000)  # views of shapes follow, a quarter of a second each
     design.Tau = design.Tau * 0.99
     document.recompute()
     found['longest pause while solving, no pictures'] = 1000 * solve(design, False)

@@ -15,7 +15,7 @@ SHAPES = ('Target', 'Tiles', 'Support', 'Anchors')
 
 def opened(path):
     document = FreeCAD.openDocument(path)
-    settle(800)  # views of shapes follow
+    settle(3000)  # views of shapes follow, one after another
     return document, FreeCADGui.getDocument(document.Name)
 
 def shown(gui):
@@ -75,7 +75,7 @@ def work():
     document.undo()
     settle()
     copy = document.copyObject(document.Design, True)
-    settle(500)
+    settle(3000)
     for one in (document.Design, copy):
         for slot in SHAPES:
             view = getattr(one, slot).ViewObject
@@ -94,7 +94,7 @@ def work():
     FreeCAD.closeDocument(document.Name)
     closed = FreeCAD.openDocument(out).Name
     FreeCAD.closeDocument(closed)  # before its views are all ours
-    settle(600)
+    settle(3000)
     assert closed not in FreeCAD.listDocuments()
 """
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import codecs
-from functools import partial
 from typing import Any
 
 import FreeCAD
@@ -13,8 +12,9 @@ from ..features.proxy import type_of
 from ..qt import QtCore
 
 # A view measures all of its shape when it gets a class, 0.3 s for thousands of solids, and FreeCAD has just
-# given the stored one (part.py) to those of a document that is opened: ours follow when there is peace.
-PEACE = 300  # ms
+# given the stored one (part.py) to those of a document that is opened: ours follow, one after another.
+PEACE = 300  # ms before each
+_waiting: list[tuple[str, str, type]] = []  # document, object, the class of its view
 
 # What FreeCAD gives a view that lost its Python, after it has shown it: some FreeCADs without this
 # workbench store no view of ours.
@@ -37,13 +37,16 @@ def attach(obj: Any) -> None:
     if kind is ShapeView and view.Proxy == _SHOWN_BY_FREECAD:
         view.Visibility = False
     if isinstance(view.Proxy, codecs.Codec):
-        QtCore.QTimer.singleShot(PEACE, partial(_replace, obj.Document.Name, obj.Name, kind))
+        _waiting.append((obj.Document.Name, obj.Name, kind))
+        QtCore.QTimer.singleShot(PEACE * len(_waiting), _replace_next)
     elif not isinstance(view.Proxy, kind):
         kind(view)
 
 
-def _replace(document_name: str, name: str, kind: type) -> None:
-    """Gives a view that still has its stored class ours, which is no edit of the document."""
+def _replace_next() -> None:
+    """Gives the view that has waited longest ours, where it still has its stored class: no edit of the
+    document."""
+    document_name, name, kind = _waiting.pop(0)
     document = FreeCAD.listDocuments().get(document_name)
     obj = document.getObject(name) if document else None
     if obj is not None and isinstance(obj.ViewObject.Proxy, codecs.Codec):
