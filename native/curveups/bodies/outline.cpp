@@ -19,6 +19,7 @@ using ClipperLib::Paths;
 
 constexpr double unit = tolerance::snap;  // mm, of Clipper's whole numbers
 constexpr double first_step = 0.1;        // mm, of two in which shapes grow
+constexpr double least_corner = 1e-4;     // mm: finer ones get lost where files round
 constexpr std::size_t most_swept = 2000;  // shapes that are united at once
 
 Paths united(const Paths& paths) {
@@ -126,6 +127,8 @@ std::vector<Polygon> outline_of(const std::vector<OutlineShape>& shapes, double 
         offset - first);
   }
   for (const auto& [offset, paths] : points) add(paths, ClipperLib::etOpenRound, offset);
+  all = united(all);
+  ClipperLib::CleanPolygons(all, least_corner / unit);
   std::vector<Polygon> loops;
   for (const ClipperLib::Path& path : united(all)) {
     Polygon loop;

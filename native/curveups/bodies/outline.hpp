@@ -23,8 +23,9 @@ struct OutlineShape {
 
 // Loops of the boundary of the union of all shapes grown by their offsets, simple; the outer ones
 // counter-clockwise, holes clockwise, the one with the largest area first. Arcs are chords that lie
-// up to `deviation` (mm) inside of them; holes smaller than its square are closed. Throws
-// InvalidInput without shapes.
+// up to `deviation` (mm) inside of them; holes smaller than its square are closed, and corners that
+// stand out by less than 0.1 micrometres, or are as near to the next, are left out: meshes in
+// single precision would cross themselves there. Throws InvalidInput without shapes.
 std::vector<Polygon> outline_of(const std::vector<OutlineShape>& shapes, double deviation);
 
 }  // namespace curveups

@@ -105,6 +105,24 @@ TEST(Outline, KeepsItsDistanceFromAnyLayout) {
   }
 }
 
+// Single precision, as in an STL, takes every corner less than 1e-5 mm away here.
+TEST(Outline, HasNoCornersThatRoundingTurnsOver) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-60, 60), radius(1, 6);
+  for (int run = 0; run < 20; ++run) {
+    std::vector<OutlineShape> shapes;
+    for (int k = 0; k < 200; ++k)
+      shapes.push_back(disc(place(random), place(random), radius(random), 5));
+    for (const Polygon& loop : outline_of(shapes, 0.05)) {
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Vec2 &a = loop[k], &b = loop[(k + 1) % loop.size()], &c = loop[(k + 2) % loop.size()];
+        EXPECT_GT((b - a).norm(), 0.9e-4);
+        EXPECT_GT(std::abs(wedge(b - a, c - a)) / (c - a).norm(), 0.9e-4);
+      }
+    }
+  }
+}
+
 TEST(Outline, OfThousandsOfShapesIsThatOfAllOfThem) {
   // Squares of 3, turned, every 4 mm, but for one hole that stays open and many that close.
   std::vector<OutlineShape> shapes;
