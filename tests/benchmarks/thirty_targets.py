@@ -39,6 +39,8 @@ from running import command, environment  # noqa: E402
 Surface = tuple[np.ndarray, np.ndarray]
 LONGEST = 400  # seconds a design may take
 ADVICE = re.compile(r"suggested: ((?:\w+=\S+ ?)+), with which it is valid")  # of stages/trials.py
+# Of stages/sizes.py, the last that it names.
+ADVICE_OF_ERRORS = re.compile(r".* sizes that were tried, (?:\S+ or )*(\S+=\S+)(?: with (\S+))? does")
 
 
 def grid(place: Callable[[np.ndarray, np.ndarray], Any], columns: int, rows: int) -> Surface:
@@ -202,7 +204,7 @@ def design(path: Path, out: Path, cuts: int, *settings: str) -> tuple[str, Optio
     seconds = time.perf_counter() - begun
     if done.returncode > 1:
         error = done.stderr.strip().splitlines()[-1].replace("curveups: error: ", "")
-        return "refused", None, seconds, error.split(" (")[0]
+        return "refused", None, seconds, error
     report = json.loads((out / "report.json").read_text(encoding="utf-8"))
     return "valid" if report["valid"] else "no", report, seconds, "; ".join(report["reasons"][:1])
 
@@ -211,18 +213,18 @@ def row(name: str, path: Path, folder: Path) -> tuple[Any, ...]:
     cuts = CUT.get(name, 0)
     first, report, seconds, reason = design(path, folder / f"{path.stem}-out", cuts, "mend=on")
     second = ""
-    for said in (report or {}).get("reasons", ()):
-        advised = ADVICE.match(said)
+    for said in (report or {}).get("reasons", [reason]):
+        advised = ADVICE.match(said) or ADVICE_OF_ERRORS.match(said)
         if advised:
-            sizes = advised[1].split()
+            sizes = " ".join(filter(None, advised.groups())).split()
             again, *_ = design(path, folder / f"{path.stem}-advice", cuts, "mend=on", *sizes)
-            second = f"{again}: {advised[1]}"
+            second = f"{again}: {' '.join(sizes)}"
     block, deviation = (report or {}).get("mending", {}), (report or {}).get("deviation", {})
     moved, far = block.get("max_mm", math.nan), deviation.get("hausdorff_mm", math.nan)
     checked = check(path, cuts, "off"), check(path, cuts, "on")
     tiles = (report or {}).get("tiles", "-")
     figures = f"{moved:.2f}", f"{far:.2f}", f"{seconds:.1f}"
-    return (name, *checked, tiles, first, second or "-", *figures, reason[:110])
+    return (name, *checked, tiles, first, second or "-", *figures, reason.split(" (")[0][:110])
 
 
 def main() -> None:
