@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The formats of design.json and report.json, field by field, and the files of a whole design."""
 
+import json
 import math
 
 NUMBER, COUNT, TEXT = "number", "count", "text"
@@ -109,3 +110,11 @@ def check_design(design):
     for tile in T:  # counter-clockwise from the front
         (ax, ay), (bx, by), (cx, cy) = tile
         assert (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0
+
+
+def read_run(folder):
+    """design.json and report.json of a finished run, both checked."""
+    design, report = (json.loads((folder / f"{name}.json").read_text()) for name in ("design", "report"))
+    check_design(design)
+    check_report(report)
+    return design, report

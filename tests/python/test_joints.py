@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from curveups.native import native
 from curveups.stages.joining import joints_of, not_joined
-from schema import check_design, check_report
+from schema import read_run
 from shapes import obj_text, sphere
 
 SIZES = ("pieces=2", "L=8", "H_body=2", "verify=off")
@@ -28,13 +28,6 @@ def sewn(curveups, ball_file, tmp_path_factory):
     ran = curveups("design", ball_file, "-o", out, "--set", *SIZES, "joint=holes")
     assert ran.status == 0, ran.err
     return out
-
-
-def read(folder):
-    design, report = (json.loads((folder / f"{name}.json").read_text()) for name in ("design", "report"))
-    check_design(design)
-    check_report(report)
-    return design, report
 
 
 def borders(design):
@@ -60,7 +53,7 @@ def exported(curveups, folder, out, joint, status=0):
 
 
 def test_every_edge_between_the_pieces_has_two_holes(sewn):
-    design, report = read(sewn)
+    design, report = read_run(sewn)
     edges = borders(design)
     assert len(edges) > 20
     assert report["joints"] == {"edges": len(edges), "holes": 2 * len(edges), "hole_mm": 1.0, "wall_mm": 0.3,
@@ -74,7 +67,7 @@ def test_every_edge_between_the_pieces_has_two_holes(sewn):
 
 
 def test_the_volume_lacks_the_holes(sewn, curveups, tmp_path):
-    _, report = read(sewn)
+    _, report = read_run(sewn)
     whole = exported(curveups, sewn, tmp_path, "none")
     assert "joints" not in whole
     less = report["joints"]["holes"] * math.pi * 0.25 * 2 / 1000  # cm3
@@ -93,7 +86,7 @@ def test_the_stl_is_closed_and_has_the_holes(sewn):
     edges = [tuple(edge) for face in index.tolist() for edge in zip(face, face[1:] + face[:1])]
     assert sorted(edges) == sorted((b, a) for a, b in edges)
     # V - E + F = 2 - 2 holes, of each tile.
-    _, report = read(sewn)
+    _, report = read_run(sewn)
     euler = len(points) - len(edges) // 2 + count
     assert euler == 2 * report["tiles"] - 2 * report["joints"]["holes"]
 

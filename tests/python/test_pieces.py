@@ -16,7 +16,7 @@ from curveups.stages.division import all_cuts
 from curveups.stages.stage import Inputs, Job
 from curveups.stages.surface import Source
 from curveups.stages.verification import Verification
-from schema import check_design, check_report
+from schema import read_run
 from shapes import obj_text, ring, sphere
 
 NO_CUTS = np.zeros((0, 2), np.int32)
@@ -39,13 +39,6 @@ def ball(curveups, shapes_folder, tmp_path_factory):
     return out
 
 
-def read(folder):
-    design, report = (json.loads((folder / f"{name}.json").read_text()) for name in ("design", "report"))
-    check_design(design)
-    check_report(report)
-    return design, report
-
-
 def pieces_of(design):
     return native.pieces_of_faces(np.array(design["V"], float), np.array(design["F"], np.int32),
                                   np.array(design["cuts"], np.int32).reshape(-1, 2))
@@ -66,7 +59,7 @@ def divided(V, F, cuts=CutRequest(), **values):
 
 
 def test_a_ball_is_valid_in_two_pieces(ball):
-    design, report = read(ball)
+    design, report = read_run(ball)
     assert report["valid"] is True
     piece = pieces_of(design)
     sizes = np.bincount(piece)
@@ -86,7 +79,7 @@ def test_a_ball_is_valid_in_two_pieces(ball):
 
 
 def test_pieces_lie_side_by_side(ball):
-    design, report = read(ball)
+    design, report = read_run(ball)
     piece, T = pieces_of(design), np.array(design["T"])
     boxes = [(T[piece == k].min((0, 1)), T[piece == k].max((0, 1))) for k in range(2)]
     (low, high), (other_low, other_high) = boxes
@@ -95,7 +88,7 @@ def test_pieces_lie_side_by_side(ball):
 
 
 def test_each_piece_is_printed_and_anchored_by_itself(ball):
-    _, report = read(ball)
+    _, report = read_run(ball)
     assert report["print"]["pieces"] == 2
     with zipfile.ZipFile(ball / "ball-print.3mf") as archive:
         model = archive.read("3D/3dmodel.model").decode("utf-8")
@@ -106,7 +99,7 @@ def test_a_torus_is_valid(curveups, shapes_folder, tmp_path):
     ran = curveups("design", shapes_folder / "ring.obj", "-o", tmp_path, "--no-solids", "--set",
                    "pieces=auto")
     assert ran.status == 0, ran.err
-    design, report = read(tmp_path)
+    design, report = read_run(tmp_path)
     assert report["valid"] is True and len(report["pieces"]) == len(set(pieces_of(design).tolist())) > 1
 
 
@@ -125,7 +118,7 @@ def test_the_number_is_kept_and_the_threads_do_not_matter(curveups, shapes_folde
 
 def test_designs_reopen_with_their_pieces(curveups, shapes_folder, ball, tmp_path):
     """The borders of a design, given as its cuts, are the pieces that are asked for."""
-    design, _ = read(ball)
+    design, _ = read_run(ball)
     (tmp_path / "cuts.json").write_text(json.dumps({"edges": design["cuts"]}))
     ran = curveups("design", shapes_folder / "ball.obj", "-o", tmp_path / "out", "--no-solids", "--set",
                    "pieces=2", "verify=off", "--cuts", tmp_path / "cuts.json")

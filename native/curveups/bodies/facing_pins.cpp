@@ -6,6 +6,7 @@
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/core/tolerances.hpp"
+#include "curveups/design/remote_overlaps.hpp"
 #include "curveups/geometry/overlapping_boxes.hpp"
 
 namespace curveups {
@@ -44,13 +45,6 @@ Parts make_parts(const DesignGeometry& geometry, int tile, double H_pin) {
   const RigidMotion motion = actuated_motion(tiles.frame[tile]);
   for (ConvexBody& part : parts) part = moved(part, motion);
   return parts;
-}
-
-bool share_vertex(const Triangles& F, int i, int j) {
-  for (int s = 0; s < 3; ++s) {
-    if ((F.row(j).array() == F(i, s)).any()) return true;
-  }
-  return false;
 }
 
 bool pins_meet(const Parts& a, const Parts& b) {

@@ -23,15 +23,6 @@ Corners world_corners(const TileMesh& tiles, int tile) {
   return corners;
 }
 
-bool share_vertex(const Triangles& F, int i, int j) {
-  for (int s = 0; s < 3; ++s) {
-    for (int t = 0; t < 3; ++t) {
-      if (F(i, s) == F(j, t)) return true;
-    }
-  }
-  return false;
-}
-
 std::array<Plane, 5> face_planes(const Corners& c) {
   std::array<Plane, 5> planes;
   auto through = [](const Vec3& a, const Vec3& b, const Vec3& d) {
@@ -192,6 +183,15 @@ bool middle_plane(const Corners& a, const Corners& b, Plane& plane) {
 }
 
 }  // namespace
+
+bool share_vertex(const Triangles& F, int i, int j) {
+  for (int s = 0; s < 3; ++s) {
+    for (int t = 0; t < 3; ++t) {
+      if (F(i, s) == F(j, t)) return true;
+    }
+  }
+  return false;
+}
 
 void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& patches,
                            Truncation& truncation) {

@@ -22,4 +22,7 @@ void separate_remote_tiles(const TileMesh& tiles, std::vector<ContactPatch>& pat
 // names them.
 void separate_remote_front_pins(const TileMesh& tiles, double H_pin, Truncation& truncation);
 
+// Whether faces i and j have a vertex in common.
+bool share_vertex(const Triangles& F, int i, int j);
+
 }  // namespace curveups
