@@ -46,6 +46,20 @@ namespace {
 
 thread_local Watch* current = nullptr;
 
+// Asks where that is due and nobody else asks just now; fraction: where it is known anew.
+void ask_now_and_then(const double* fraction) {
+  Watch* watch = current;
+  if (!watch) return;
+  if (!watch->stopped) {
+    if (!watch->due()) return;
+    const std::unique_lock<std::mutex> lock(watch->mutex, std::try_to_lock);
+    if (!lock) return;
+    if (fraction) watch->fraction = *fraction;
+    if (watch->ask()) return;
+  }
+  throw Cancelled();
+}
+
 }  // namespace
 
 ProgressScope::ProgressScope(Progress progress)
@@ -59,16 +73,9 @@ Progress ProgressScope::sink() const {
   };
 }
 
-void checkpoint() {
-  Watch* watch = current;
-  if (!watch) return;
-  if (!watch->stopped) {
-    if (!watch->due()) return;
-    const std::unique_lock<std::mutex> lock(watch->mutex, std::try_to_lock);
-    if (!lock || watch->ask()) return;  // somebody else asks just now
-  }
-  throw Cancelled();
-}
+void checkpoint() { ask_now_and_then(nullptr); }
+
+void checkpoint_at(double fraction) { ask_now_and_then(&fraction); }
 
 void checkpoint(const std::string& what, double fraction) {
   Watch* watch = current;

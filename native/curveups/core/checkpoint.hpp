@@ -35,6 +35,8 @@ class ProgressScope {
 void checkpoint();
 // The same, saying what is being done and how much of it: for phases, as it asks every time.
 void checkpoint(const std::string& what, double fraction = -1);
+// As checkpoint(), with how much is done by now.
+void checkpoint_at(double fraction);
 // For loops over millions of items: at every 4096th.
 inline void checkpoint_now_and_then(std::size_t item) {
   if (item % 4096 == 0) checkpoint();

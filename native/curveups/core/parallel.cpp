@@ -108,6 +108,28 @@ void parallel_ranges(int count, const std::function<void(int, int)>& body) {
   if (error) std::rethrow_exception(error);
 }
 
+void parallel_each(int count, const std::function<void(int)>& work) {
+  std::atomic<int> next{0};
+  std::mutex mutex;  // of the two below
+  int failed = count;
+  std::exception_ptr error;
+  parallel_ranges(std::min(count, thread_count()), [&](int, int) {
+    for (int i = next++; i < count; i = next++) {
+      try {
+        checkpoint_at(static_cast<double>(i) / count);
+        work(i);
+      } catch (...) {
+        next = count;  // those before it are done, or at work
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (i >= failed) continue;
+        failed = i;
+        error = std::current_exception();
+      }
+    }
+  });
+  if (error) std::rethrow_exception(error);
+}
+
 void parallel_tasks(const std::vector<std::function<void()>>& tasks) {
   parallel_ranges(static_cast<int>(tasks.size()), [&](int begin, int end) {
     for (int i = begin; i < end; ++i) tasks[i]();

@@ -20,7 +20,11 @@ void set_thread_count(int count);
 // rethrown once all have ended (the one of the lowest range).
 void parallel_ranges(int count, const std::function<void(int begin, int end)>& body);
 
-// Runs all, at once where there are threads; exceptions as above.
+// work(i) for each index, taken in their order by whichever thread is free: for work that costs now
+// this and now a thousand times as much. Of several that fail, the first one's exception is thrown.
+void parallel_each(int count, const std::function<void(int i)>& work);
+
+// Runs all, at once where there are threads; exceptions as of ranges.
 void parallel_tasks(const std::vector<std::function<void()>>& tasks);
 
 // A loop whose results are gathered one after another: `make` on consecutive ranges at once, `take`

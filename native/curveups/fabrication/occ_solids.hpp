@@ -8,7 +8,6 @@
 
 #include "curveups/bodies/print_body.hpp"
 #include "curveups/core/progress.hpp"
-#include "curveups/fabrication/soundness.hpp"
 
 namespace curveups {
 
@@ -20,13 +19,6 @@ TopoDS_Shape make_solid(const PrintBody& body);
 std::vector<TopoDS_Shape> make_solids(const std::vector<const PrintBody*>& bodies,
                                       const Progress& progress);
 
-// Those that are unsound (UnsoundSolid).
-std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodies,
-                                       const std::vector<TopoDS_Shape>& solids,
-                                       const Progress& progress);
-
 TopoDS_Shape make_compound(const std::vector<TopoDS_Shape>& shapes);
-
-double solid_volume(const TopoDS_Shape& shape);
 
 }  // namespace curveups

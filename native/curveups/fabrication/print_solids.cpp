@@ -12,6 +12,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/occ_errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
+#include "curveups/fabrication/solid_checks.hpp"
 
 namespace curveups {
 namespace {

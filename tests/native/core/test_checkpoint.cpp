@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <thread>
+#include <vector>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
@@ -53,6 +54,34 @@ TEST(Checkpoint, LoopsThatKnowOfNoSinkAskItAndEnd) {
         200, [](int, int, int) {}, [&](int begin, int end, int) { finished += end - begin; }));
     EXPECT_EQ(finished, 200);
   }
+  set_thread_count(before);
+}
+
+TEST(Checkpoint, LoopsSayHowFarTheyAreAndWaitForNoSink) {
+  const int before = thread_count();
+  set_thread_count(2);
+  std::atomic<int> done{0};
+  std::atomic<bool> waited{false};
+  std::vector<double> said;
+  const ProgressScope scope([&](const std::string&, double fraction) {
+    said.push_back(fraction);
+    // The second answer comes only when all else is done.
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (said.size() == 2 && done < 199 && std::chrono::steady_clock::now() < end) work();
+    waited = waited || done == 199;
+    return true;
+  });
+  checkpoint("counting", 0);
+  parallel_each(200, [&](int) {
+    work();
+    ++done;
+  });
+  EXPECT_EQ(done, 200);
+  EXPECT_TRUE(waited);
+  ASSERT_GE(said.size(), 2u);
+  EXPECT_EQ(said[0], 0);
+  EXPECT_GT(said[1], 0);
+  EXPECT_LT(said[1], 1);
   set_thread_count(before);
 }
 

@@ -45,6 +45,53 @@ TEST(Parallel, TheExceptionOfTheLowestRangeComesOut) {
   set_thread_count(before);
 }
 
+TEST(Parallel, EachIndexIsTakenOnceByWhoeverIsFree) {
+  const int before = thread_count();
+  for (int threads : {1, 2, 5}) {
+    set_thread_count(threads);
+    for (int count : {0, 1, 2, 7, 1000}) {
+      std::vector<int> visits(count, 0);
+      parallel_each(count, [&](int i) { ++visits[i]; });
+      EXPECT_EQ(visits, std::vector<int>(count, 1));
+    }
+  }
+  // One that takes long keeps no other from being done meanwhile.
+  set_thread_count(2);
+  std::atomic<int> done{0};
+  parallel_each(100, [&](int i) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (i == 0 && done < 99 && std::chrono::steady_clock::now() < end) {
+      std::this_thread::yield();
+    }
+    if (i == 0) {
+      EXPECT_EQ(done, 99);
+    }
+    ++done;
+  });
+  set_thread_count(before);
+}
+
+TEST(Parallel, OfEachTheFirstExceptionComesOutAndNoMoreIsBegun) {
+  const int before = thread_count();
+  for (int threads : {1, 4}) {
+    set_thread_count(threads);
+    std::atomic<int> begun{0};
+    try {
+      parallel_each(10000, [&](int i) {
+        ++begun;
+        // The second one fails before the first one does.
+        std::this_thread::sleep_for(std::chrono::milliseconds(i == 10 ? 20 : 0));
+        if (i == 10 || i == 11) throw std::runtime_error(std::to_string(i));
+      });
+      ADD_FAILURE();
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "10");
+    }
+    EXPECT_LT(begun, 10000);
+  }
+  set_thread_count(before);
+}
+
 TEST(Parallel, TasksAllRun) {
   const int before = thread_count();
   for (int threads : {1, 2, 4}) {

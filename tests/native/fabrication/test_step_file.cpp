@@ -30,6 +30,7 @@
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/palette.hpp"
 #include "curveups/fabrication/print_files.hpp"
+#include "curveups/fabrication/solid_volume.hpp"
 #include "curveups/fabrication/step_file.hpp"
 #include "curveups/fabrication/step_text.hpp"
 #include "support/designs.hpp"

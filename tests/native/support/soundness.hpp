@@ -10,6 +10,7 @@
 #include "curveups/fabrication/body_mesh.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/print_model.hpp"
+#include "curveups/fabrication/solid_checks.hpp"
 
 namespace curveups::test {
 
