@@ -6,15 +6,17 @@ from __future__ import annotations
 import json
 import threading
 import time
-from contextlib import ExitStack, nullcontext
+from contextlib import ExitStack, nullcontext, suppress
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, ContextManager, Optional
 
 import numpy as np
 
-from .errors import Stopped
+from . import freecad_session
+from .errors import CurveUpsError, Stopped
 from .native import native
-from .output import Folder
+from .output import Folder, Prepared
 from .project import Results
 from .report import check
 from .report.data import build_report, to_text
@@ -32,14 +34,30 @@ def write_results(results: Results, path: Path, job: Job) -> bool:
         return writing.end(results)
 
 
+@dataclass(frozen=True)
+class _Ahead:
+    """The document and the page of results that are expected, which `document` waits for without its name."""
+
+    results: Results
+    document: Prepared
+    page: bytes
+    software: dict[str, str]
+
+    def holds(self, results: Results) -> bool:
+        """Whether the results are those expected."""
+        return not results.stopped and results.keys() == self.results.keys() and all(
+            result is self.results[name] or result == self.results[name] for name, result in results.items())
+
+
 class Writing:
     """The files of a run: those of the design and its bodies, from the moment that they are known, on a
-    thread of its own while the run goes on and checks the solids; the document and the reports at the end.
+    thread of its own while the run goes on and checks the solids. The document and the page follow there,
+    for the case that the checks find no fault: where they do, both are made anew at the end.
 
     A stop between files leaves those already complete and the reports, which say so. The folder never claims
-    what it doesn't hold: the reports of an earlier run go first, its files under this name next, and
-    report.json comes last. A run that breaks off (`with`) takes back what was written. `shield`: keeps
-    signals from cutting off what is being written.
+    what it doesn't hold: the reports of an earlier run go first, its files under this name next, what waits
+    for the checks has no name yet, and report.json comes last. A run that breaks off (`with`) takes back what
+    was written. `shield`: keeps signals from cutting off what is being written.
     """
 
     def __init__(self, path: Path, job: Job, shield: Callable[[], ContextManager] = nullcontext):
@@ -48,6 +66,8 @@ class Writing:
         self._began = ExitStack()
         self._error: Optional[BaseException] = None
         self._stopped = self._ended = False
+        self._expected: Optional[Results] = None
+        self._ahead: Optional[_Ahead] = None
 
     def __enter__(self) -> "Writing":
         return self
@@ -57,12 +77,21 @@ class Writing:
             if error is not None and self._thread is not None and not self._ended:
                 self._job.stopped = True
                 self._thread.join()
+                self._drop_ahead()
                 self._folder.withdraw()
 
     def watch(self, goal: str, results: Results) -> None:
         """For `Project.run`: begins as soon as there are solids."""
         if goal == solids_stage.STAGE.name and not self._job.stopped:
             self._begin(results)
+
+    def expect(self, results: Results) -> None:
+        """For `Project.run`: what there will be unless the checks find a fault. On the main thread, where
+        FreeCAD has to be imported."""
+        if self._thread is not None and has_solids(results):
+            with suppress(CurveUpsError):  # whoever writes the document says so
+                freecad_session.load("Part", "Mesh")
+            self._expected = results
 
     def end(self, results: Results) -> bool:
         """What is left to write. Returns whether the run was stopped at any time."""
@@ -74,21 +103,31 @@ class Writing:
         while self._thread.is_alive():
             self._thread.join(0.05)
             self._job(self._doing)
+        if self._ahead is not None and not self._ahead.holds(results):
+            self._drop_ahead()
         if self._error is not None:
             raise self._error
         rows, stopped = results.rows(), results.stopped or self._stopped
         software: dict[str, str] = {}
         with self._folder as folder:
-            solids = results.get("solids")
-            if solids is not None and solids.model is not None:
-                if not self._stopped:
+            if has_solids(results):
+                if self._ahead is not None:
+                    folder.keep(self._ahead.document)
+                    software = self._ahead.software
+                elif not self._stopped:
                     try:
-                        _write_document(results, folder, self._job, software)
+                        document, software = _prepare_document(results, folder, self._job)
+                        folder.keep(document)
                     except (Stopped, native.Cancelled):
                         stopped = True
                 rows.append(Row("export", time.perf_counter() - start))
-            write_reports(results, folder, rows, stopped, software)
+            write_reports(results, folder, rows, stopped, software, self._ahead.page if self._ahead else None)
         return stopped
+
+    def _drop_ahead(self) -> None:
+        if self._ahead is not None:
+            self._folder.drop(self._ahead.document)
+            self._ahead = None
 
     def _begin(self, results: Results) -> None:
         self._began.enter_context(self._shield())
@@ -105,12 +144,14 @@ class Writing:
                 suggested = results.get("suggestions")
                 if suggested is not None and suggested.proposed:
                     folder.write_text(_cuts_name(results.name), cuts_text(results))
-                solids = results.get("solids")
-                if solids is not None and solids.model is not None:
+                if has_solids(results):
                     try:
-                        self._write_solids(solids, results.name)
+                        self._write_solids(results["solids"], results.name)
                     except (Stopped, native.Cancelled):
                         self._stopped = True
+                if self._expected is not None and not self._stopped:
+                    with suppress(Stopped, native.Cancelled):
+                        self._ahead = self._write_ahead(self._expected, folder)
         except BaseException as error:
             self._error, self._job.stopped = error, True  # nobody needs the checks of what can't be written
 
@@ -126,6 +167,22 @@ class Writing:
                     # Asks for nothing but a stop: what is shown meanwhile is the checks' progress.
                     _write(self._folder, file, self._job,
                            lambda path: model.write(ending, kind, path, lambda *_: not self._job.stopped))
+
+    def _write_ahead(self, results: Results, folder: Folder) -> _Ahead:
+        self._doing = f"writing {_document_name(results.name)}"
+        document, software = _prepare_document(results, folder, self._job)
+        try:
+            files = {**folder.files, document.name: document.size}
+            page = _page(results, build_report(results, (), False, files, software))
+            return _Ahead(results, document, page, software)
+        except BaseException:
+            folder.drop(document)
+            raise
+
+
+def has_solids(results: Results) -> bool:
+    """Whether there are solids to be written."""
+    return "solids" in results and results["solids"].model is not None
 
 
 def write_verification(results: Results, design: Any, path: Path) -> None:
@@ -172,36 +229,46 @@ def _cuts_name(name: str) -> str:
     return f"{name}-cuts.json"
 
 
-def _write_document(results: Results, folder: Folder, job: Job, software: dict[str, str]) -> None:
+def _prepare_document(results: Results, folder: Folder, job: Job) -> tuple[Prepared, dict[str, str]]:
+    """The document under its temporary name, and versions of software."""
     from . import freecad_io
 
-    def write(path: str) -> None:
-        software.update(freecad_io.write_document(results, Path(path)))
-
-    _write(folder, _document_name(results.name), job, write)
+    name, software = _document_name(results.name), dict[str, str]()
+    _go_on(job, name)
+    document = folder.prepare(name, lambda path: software.update(freecad_io.write_document(results, path)))
+    return document, software
 
 
 def _write(folder: Folder, name: str, job: Job, writer: Callable[[str], None]) -> None:
-    if not job(f"writing {name}"):
-        raise Stopped
+    _go_on(job, name)
     folder.write(name, lambda path: writer(str(path)))
 
 
-def write_reports(results: Results, folder: Folder, rows: list[Row] | None = None,
-                  stopped: bool = False, software: dict[str, str] | None = None) -> None:
-    """report.html, then report.json, which lists all files but itself. rows: with those of writing."""
+def _go_on(job: Job, name: str) -> None:
+    if not job(f"writing {name}"):
+        raise Stopped
+
+
+def write_reports(results: Results, folder: Folder, rows: list[Row] | None = None, stopped: bool = False,
+                  software: dict[str, str] | None = None, page: bytes | None = None) -> None:
+    """report.html, then report.json, which lists all files but itself. rows: with those of writing. page:
+    report.html, where it is there already."""
     report: dict[str, Any] = {}
     shown = results.rows() if rows is None else rows
     stopped = stopped or results.stopped
 
     def write_page(path: Path) -> None:
         report.update(build_report(results, shown, stopped, folder.files, software or {}))
-        path.write_bytes(build_html(results, report).encode("utf-8"))
+        path.write_bytes(_page(results, report) if page is None else page)
 
     folder.write("report.html", write_page)
     if "print" in report:
         report["print"]["files"] = dict(folder.files)
     folder.write_text("report.json", to_text(report))
+
+
+def _page(results: Results, report: dict[str, Any]) -> bytes:
+    return build_html(results, report).encode("utf-8")
 
 
 def cuts_text(results: Results) -> str:

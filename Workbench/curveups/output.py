@@ -6,8 +6,9 @@ from __future__ import annotations
 import glob
 import os
 import re
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Callable, ClassVar, Optional
+from typing import Any, Callable, ClassVar, NoReturn, Optional
 
 from .errors import NOT_WRITTEN, CurveUpsError, Stopped
 
@@ -53,6 +54,15 @@ def require_folder_name(path: Path) -> None:
 def _unusable(path: Path, error: OSError) -> CurveUpsError:
     return CurveUpsError(f"the output folder can't be made: {error.strerror}", str(path),
                          "choose a folder you may write to", NOT_WRITTEN)
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A file under a temporary name (`path`), with the name that it is to have and its size in bytes."""
+
+    name: str
+    path: Path
+    size: int = 0
 
 
 class Folder:
@@ -123,33 +133,50 @@ class Folder:
         Whatever else keeps the file from being written ends with status 4 and says what is complete;
         only a stop passes as it is.
         """
+        self.keep(self.prepare(name, writer))
+
+    def prepare(self, name: str, writer: Callable[[Path], object]) -> Prepared:
+        """The first half of `write`: a whole file that does not have its name yet, and is nobody's until it
+        is kept or dropped."""
         if not name or name != os.path.basename(name):
             raise CurveUpsError(f"'{name}' is no file name", str(self.path), "name it without slashes")
-        prefix = f".{os.getpid()}-{name}"
-        temporary = self.path / prefix
+        prepared = Prepared(name, self.path / f".{os.getpid()}-{name}")
         try:
             try:
-                writer(temporary)
-                with open(temporary, "rb+") as file:
+                writer(prepared.path)
+                with open(prepared.path, "rb+") as file:
                     os.fsync(file.fileno())
-                size = temporary.stat().st_size
-                os.replace(temporary, self.path / name)
-            finally:
-                # FreeCAD writes beside a name, under one that begins with it.
-                for left in self.path.glob(glob.escape(prefix) + "*"):
-                    left.unlink(missing_ok=True)
+                return replace(prepared, size=prepared.path.stat().st_size)
+            except BaseException:
+                self.drop(prepared)
+                raise
         except Exception as error:
             if isinstance(error, Stopped) or type(error).__name__ == "Cancelled":
                 raise
             self._fail(name, error)
-        self.files[name] = size
+
+    def keep(self, prepared: Prepared) -> None:
+        """Gives a prepared file its name."""
+        try:
+            os.replace(prepared.path, self.path / prepared.name)
+        except OSError as error:
+            self._fail(prepared.name, error)
+        finally:
+            self.drop(prepared)
+        self.files[prepared.name] = prepared.size
         Folder.written += 1
+
+    def drop(self, prepared: Prepared) -> None:
+        """Takes a prepared file away, with what FreeCAD writes beside a name, under one that begins with
+        it."""
+        for left in self.path.glob(glob.escape(prepared.path.name) + "*"):
+            left.unlink(missing_ok=True)
 
     def write_text(self, name: str, text: str) -> None:
         """Writes UTF-8 text with plain line ends."""
         self.write(name, lambda path: path.write_bytes(text.encode("utf-8")))
 
-    def _fail(self, name: str, error: Exception) -> None:
+    def _fail(self, name: str, error: Exception) -> NoReturn:
         remedy = "free space or choose another folder"
         if isinstance(error, CurveUpsError):
             reason, remedy = error.what, error.remedy or remedy

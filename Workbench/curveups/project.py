@@ -10,6 +10,7 @@ from __future__ import annotations
 import threading
 import time
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence
 
 from .errors import CurveUpsError, Stopped
@@ -173,9 +174,11 @@ class Project:
         return tuple(changed) if self._compare(name, known, parameters, changed) else None
 
     def run(self, goals: Sequence[str], job: Optional[Job] = None, strict: bool = False,
-            note: str = "", watch: Optional[Callable[[str, Results], object]] = None) -> Results:
+            note: str = "", watch: Optional[Callable[[str, Results], object]] = None,
+            expect: Optional[Callable[[Results], object]] = None) -> Results:
         """Makes the goals, each with what it needs, and returns all there is then. watch: told each goal as
-        it is made, with all there is by then.
+        it is made, with all there is by then. expect: told, before a stage begins that knows what its result
+        will be unless it finds a fault, all there will be then.
 
         A stage that fails or is stopped where work before it is worth its files ends in a result that
         says so; `strict`: failures are raised. Raises CurveUpsError, and Stopped where there is nothing.
@@ -184,16 +187,16 @@ class Project:
         with self._working:
             with self._reading:
                 run = _Run(self.name, self._parameters, dict(self._given), dict(self._made), self._store,
-                           self.where, job, strict)
+                           self.where, job, strict, note, expect)
             try:
                 for goal in goals:
                     run.make(goal)
                     if watch is not None:
-                        watch(goal, run.results(note))
+                        watch(goal, run.results())
             finally:
                 with self._reading:
                     self._made.update(run.lasting)
-        return run.results(note)
+        return run.results()
 
     def _checked(self, parameters: Any) -> Any:
         values = native.Parameters(parameters)
@@ -249,9 +252,11 @@ class _Run:
     """One run: what it made is its own until it ends."""
 
     def __init__(self, name: str, parameters: Any, given: dict[str, Made], made: dict[str, Made],
-                 store: Any, where: str, job: Job, strict: bool):
+                 store: Any, where: str, job: Job, strict: bool, note: str,
+                 expect: Optional[Callable[[Results], object]]):
         self.name, self.parameters, self.given, self.before = name, parameters, given, made
         self.store, self.where, self.job, self.strict = store, where, job, strict
+        self.note, self.expect = note, expect
         self.made: dict[str, Made] = dict(given)
         self.lasting: dict[str, Made] = {}  # results that may be asked for again
 
@@ -278,6 +283,8 @@ class _Run:
                 if self.job.stopped:
                     raise Stopped
                 self.job.stage = stage.name
+                if self.expect is not None and stage.expected is not None:
+                    self.expect(self.results({stage.name: Made(stage.expected(inputs), key)}))
                 result = stage.run(inputs, self.job)
         except Stopped:
             self.job.stopped = True
@@ -293,8 +300,9 @@ class _Run:
         self.lasting[stage.name] = made
         return made
 
-    def results(self, note: str) -> Results:
-        order = [*self.given, *_BY_NAME]
-        made = {name: self.made[name] for name in order if name in self.made}
+    def results(self, more: Mapping[str, Made] = MappingProxyType({})) -> Results:
+        """All there is, and `more`."""
+        there = {**self.made, **more}
+        made = {name: there[name] for name in (*self.given, *_BY_NAME) if name in there}
         stopped = self.job.stopped or any(one.result.stopped for one in made.values())
-        return Results(self.name, _settled(made, made, self.parameters), made, note, stopped)
+        return Results(self.name, _settled(made, made, self.parameters), made, self.note, stopped)

@@ -3,13 +3,16 @@
 
 import json
 import time
+import zipfile
 
 import pytest
 
+from curveups import files, freecad_io
 from curveups.errors import NOT_WRITTEN, CurveUpsError
-from curveups.files import Writing
+from curveups.files import Writing, write_results
 from curveups.native import native
 from curveups.project import Project
+from curveups.report.html import build_html
 from curveups.stages import PRINTED, solids
 from curveups.stages.stage import Job
 
@@ -39,15 +42,46 @@ def judged_by(monkeypatch, judge):
 
 
 def waits_for(place, seconds=30.0):
+    wait_until(place.exists, seconds)
+
+
+def wait_until(there, seconds=30.0):
     end = time.monotonic() + seconds
-    while not place.exists():
-        assert time.monotonic() < end, place
+    while not there():
+        assert time.monotonic() < end
         time.sleep(0.01)
+
+
+@pytest.fixture
+def documents(monkeypatch):
+    """The paths under which documents were written, whole."""
+    written, write = [], freecad_io.write_document
+
+    def watched(results, path):
+        software = write(results, path)
+        written.append(path)
+        return software
+
+    monkeypatch.setattr(freecad_io, "write_document", watched)
+    return written
+
+
+@pytest.fixture
+def pages(monkeypatch):
+    """The pages that were made."""
+    made = []
+
+    def watched(*given):
+        made.append(build_html(*given))
+        return made[-1]
+
+    monkeypatch.setattr(files, "build_html", watched)
+    return made
 
 
 def run(project, folder, job):
     with Writing(folder, job) as writing:
-        results = project.run(GOALS, job, strict=True, watch=writing.watch)
+        results = project.run(GOALS, job, strict=True, watch=writing.watch, expect=writing.expect)
         return writing.end(results)
 
 
@@ -69,11 +103,90 @@ def test_print_files_come_while_solids_are_checked(project, monkeypatch, tmp_pat
     assert set(report["print"]["files"]) == {path.name for path in out.iterdir()} - {"report.json"}
 
 
-def test_checks_that_break_down_leave_nothing(project, monkeypatch, tmp_path):
+def test_document_and_page_are_made_while_solids_are_checked_and_wait(project, monkeypatch, tmp_path,
+                                                                      documents, pages):
+    out, plain = tmp_path / "out", tmp_path / "plain"
+    assert write_results(project.run(GOALS, strict=True), plain, Job()) is False
+    documents.clear(), pages.clear()
+
+    def judge(job):
+        wait_until(lambda: pages)
+        time.sleep(0.2)  # time to do what must not be done
+        assert len(documents) == 1 and documents[0].parent == out and documents[0].exists()
+        assert not {"report.json", "report.html", "small-cap.FCStd"} & {path.name for path in out.iterdir()}
+        return [], []
+
+    judged_by(monkeypatch, judge)
+    assert run(project, out, Job()) is False
+    assert len(documents) == len(pages) == 1
+    assert {path.name for path in out.iterdir()} == {path.name for path in plain.iterdir()}
+    for path in out.iterdir():
+        if path.name != "report.json":
+            assert path.read_bytes() == (plain / path.name).read_bytes(), path.name
+    one, other = (json.loads((folder / "report.json").read_text()) for folder in (out, plain))
+    for report in (one, other):
+        del report["stages"], report["peak_memory_mb"]
+    assert one == other
+
+
+def test_document_and_page_are_made_anew_where_the_checks_find_faults(project, monkeypatch, tmp_path,
+                                                                      documents, pages):
+    out, reason = tmp_path / "out", "solids are not sound: T00001: open"
+
+    def judge(job):
+        wait_until(lambda: pages)
+        return [("T00001", "open")], [reason]
+
+    judged_by(monkeypatch, judge)
+    assert run(project, out, Job()) is False
+    assert len(documents) == len(pages) == 2
+    assert reason not in pages[0] and reason in (out / "report.html").read_text(encoding="utf-8")
+    with zipfile.ZipFile(out / "small-cap.FCStd") as document:
+        assert reason in document.read("Document.xml").decode()
+    assert not [path.name for path in out.iterdir() if path.name.startswith(".")]
+
+
+def test_a_stop_during_the_checks_leaves_no_document(project, monkeypatch, tmp_path, documents, pages):
+    out, job = tmp_path / "out", Job()
+
+    def judge(progress):
+        wait_until(lambda: pages)
+        job.stopped = True
+        raise native.Cancelled
+
+    judged_by(monkeypatch, judge)
+    assert run(project, out, job) is True
+    names = {path.name for path in out.iterdir()}
+    assert "small-cap-print.3mf" in names and "small-cap.FCStd" not in names
+    assert not [name for name in names if name.startswith(".")] and len(documents) == 1
+    report = json.loads((out / "report.json").read_text())
+    assert report["status"] == "stopped" and "not_covered" in report and len(pages) == 2
+
+
+def test_documents_that_can_not_be_written_end_the_checks(project, monkeypatch, tmp_path):
+    out, job = tmp_path / "out", Job()
+
+    def fail(results, path):
+        raise CurveUpsError("FreeCAD gave up")
+
+    def judge(progress):
+        wait_until(lambda: job.stopped)
+        raise native.Cancelled
+
+    monkeypatch.setattr(freecad_io, "write_document", fail)
+    judged_by(monkeypatch, judge)
+    with pytest.raises(CurveUpsError, match="FCStd could not be written: FreeCAD gave up") as caught:
+        run(project, out, job)
+    assert caught.value.status == NOT_WRITTEN
+    names = {path.name for path in out.iterdir()}
+    assert "small-cap-print.3mf" in names and not any("report" in name or name[0] == "." for name in names)
+
+
+def test_checks_that_break_down_leave_nothing(project, monkeypatch, tmp_path, pages):
     out = tmp_path / "new" / "out"
 
     def judge(job):
-        waits_for(out / "design.json")
+        wait_until(lambda: pages)
         raise native.SolverFailure("OpenCASCADE gave up")
 
     judged_by(monkeypatch, judge)
@@ -87,10 +200,7 @@ def test_files_that_can_not_be_written_end_the_checks(project, monkeypatch, tmp_
     (out / "small-cap-print.3mf" / "in the way").mkdir(parents=True)
 
     def judge(progress):
-        end = time.monotonic() + 30
-        while not job.stopped:
-            assert time.monotonic() < end
-            time.sleep(0.01)
+        wait_until(lambda: job.stopped)
         raise native.Cancelled
 
     judged_by(monkeypatch, judge)

@@ -55,7 +55,7 @@ def design(options: Any, session: Session) -> int:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
     goals = (*DESIGNED, *(() if options.no_solids else PRINTED))
     with Writing(options.output, job, session.interrupt.shielded) as writing:
-        results = project.run(goals, job, watch=writing.watch)
+        results = project.run(goals, job, watch=writing.watch, expect=writing.expect)
         stopped = writing.end(results)
     return _finish(results, options.output, session, stopped)
 
@@ -140,7 +140,8 @@ def export(options: Any, session: Session) -> int:
     job = session.job
     note = "geometry changed since verification" if rebuilt else "an export does not verify"
     with Writing(options.output, job, session.interrupt.shielded) as writing:
-        results = project.run(("figures", *PRINTED), job, strict=True, note=note, watch=writing.watch)
+        results = project.run(("figures", *PRINTED), job, strict=True, note=note, watch=writing.watch,
+                              expect=writing.expect)
         stopped = writing.end(results)
     return _finish(results, options.output, session, stopped)
 

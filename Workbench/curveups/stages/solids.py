@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, ClassVar, Mapping, Optional, Sequence
 
@@ -62,7 +62,8 @@ class Solids(Result):
     @property
     def kinds(self) -> tuple[str, ...]:
         """The kinds of which there are bodies."""
-        return tuple(kind for kind in KINDS if self.model and self.model.volumes[kind] > 0)
+        volumes = self.model.volumes if self.model else {}
+        return tuple(kind for kind in KINDS if volumes.get(kind, 0) > 0)
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("solids", seconds),) if self.model else ()
@@ -128,17 +129,16 @@ class Check(Result):
         return (Row("check", seconds),) if self.print_block else ()
 
 
-def _check(inputs: Inputs, job: Job) -> Check:
+def _if_sound(inputs: Inputs) -> Check:
+    """What is found where every solid is sound: figures of the bodies alone."""
     model = inputs["solids"].model
     if model is None:
         return Check()
-    job("checking solids", 0.0)
-    unsound, reasons = model.judge_solids(job)
     clearances = inputs["clearances"]
     clearance = clearances.flat_mm if clearances.flat_mm is not None else model.min_clearance_flat()
     overlap = clearances.overlap_mm3 if clearances.overlap_mm3 is not None else 0.0
     box = [float(x) for x in model.bbox]
-    volumes = {kind: model.volumes[kind] / 1000 for kind in KINDS}
+    volumes = {kind: volume / 1000 for kind, volume in model.volumes.items()}
     smallest = min((size for _, _, size in model.thinnest), default=0.0)
     printed = {"bbox_mm": box, "bodies": int(model.body_count), "pieces": int(model.piece_count),
                "tile_volume_cm3": volumes["tiles"], "support_volume_cm3": volumes["support"],
@@ -146,18 +146,27 @@ def _check(inputs: Inputs, job: Job) -> Check:
                "glue": {"first": GLUED_FIRST, **{f"{side}_{what}_mm2": area
                                                  for side, areas in model.glued_areas.items()
                                                  for what, area in areas.items()}}}
-    solids = {"tiles": int(model.tile_count), "invalid": len(unsound), "volume_cm3": volumes["tiles"],
+    solids = {"tiles": int(model.tile_count), "invalid": 0, "volume_cm3": volumes["tiles"],
               "min_clearance_flat_mm": clearance, "max_overlap_actuated_mm3": overlap}
     printer = read_printer(inputs.parameters.get("printer"))
     warned = (*_glue_warnings(printed["glue"]),
               *_printer_warnings(model, inputs.parameters, box, clearance, printer),
               *_fit_warnings(inputs.parameters, printer))
-    reasons = [*reasons, *too_thin(inputs["figures"].relaxed, printer)]
-    return Check(printed, solids, tuple(reasons), warned)
+    return Check(printed, solids, too_thin(inputs["figures"].relaxed, printer), warned)
+
+
+def _check(inputs: Inputs, job: Job) -> Check:
+    model, found = inputs["solids"].model, _if_sound(inputs)
+    if model is None:
+        return found
+    job("checking solids", 0.0)
+    unsound, reasons = model.judge_solids(job)
+    return replace(found, solids_block={**found.solids_block, "invalid": len(unsound)},
+                   broken=(*reasons, *found.broken))
 
 
 CHECK = Stage("check", ("solids", "figures", "clearances"), frozenset({"check", "tiles"}), _check,
-              on_stop=lambda stage, inputs: Check())
+              on_stop=lambda stage, inputs: Check(), expected=_if_sound)
 
 
 def _glue_warnings(glue: Mapping[str, Any]) -> Sequence[dict[str, Any]]:

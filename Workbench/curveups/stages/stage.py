@@ -147,7 +147,8 @@ class Stage:
     """`reads`: upstream stages; `parts`: whose parameters it reads (native `ParameterInfo.readers`), or a
     function of the parameters that says so, where some decide whether others are read at all; `on_failure`:
     the result of a failure that must not cost what there is already; `on_stop`: of a stop (with the stage
-    that was stopped) where work before it is worth its files."""
+    that was stopped) where work before it is worth its files; `expected`: the result, equal (==) to that of
+    `run` unless it finds a fault, where that is known without the work."""
 
     name: str
     reads: tuple[str, ...]
@@ -155,6 +156,7 @@ class Stage:
     run: Callable[[Inputs, Job], Result]
     on_failure: Optional[Callable[[CurveUpsError, Inputs], Result]] = None
     on_stop: Optional[Callable[[str, Inputs], Result]] = None
+    expected: Optional[Callable[[Inputs], Result]] = None
 
     def parameters(self, values: Any) -> tuple[str, ...]:
         """Names of the parameters that it reads where they have these values, from the one table."""
