@@ -9,6 +9,14 @@
 namespace curveups {
 namespace {
 
+// mm. Bodies that touch have edges in common: of those as near as this the first is taken, so that
+// what is done about it does not hang on last digits.
+constexpr double as_near = 1e-9;
+
+bool is_nearer(double distance, const MembraneClearance& than) {
+  return distance < than.distance - as_near;
+}
+
 double segment_distance(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   const Vec3 u = a1 - a0, v = b1 - b0, w = a0 - b0;
   const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), uw = u.dot(w), vw = v.dot(w);
@@ -119,7 +127,7 @@ std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
             lowest = std::min(lowest, face->plane.distance(local[c]));
           }
           // The body lies behind its face: nothing nearer than this.
-          if (lowest >= best.distance) continue;
+          if (!is_nearer(lowest, best)) continue;
           double distance = 1e300;
           for (std::size_t k = 1; k + 1 < face->loop.size(); ++k) {
             distance = std::min(
@@ -129,7 +137,7 @@ std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
           }
           const double depth = lowest < 0 ? depth_in_body(local, body, tag) : 0;
           if (depth > 0) distance = -depth;
-          if (distance < best.distance) best = {distance, tile, p};
+          if (is_nearer(distance, best)) best = {distance, tile, p};
         }
       }
     }
@@ -140,7 +148,7 @@ std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
 MembraneClearance least_clearance(const std::vector<MembraneClearance>& of_patches, double H_pin) {
   MembraneClearance best{H_pin, -1, -1};
   for (const MembraneClearance& one : of_patches) {
-    if (one.distance < best.distance) best = one;
+    if (is_nearer(one.distance, best)) best = one;
   }
   return best;
 }

@@ -50,7 +50,7 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
   out.flat = vertex_positions(out.mesh.weights, coarse.flat_corners);
   MembraneEquilibrium equilibrium(out.mesh, out.flat, parameters.tau, material);
   EquilibriumOptions last = options;
-  last.reuse_factor = true;
+  last.few_factorizations = true;
   const Points3 glued = vertex_positions(out.mesh.weights, out.pin_corners);
   out.state = equilibrium.solve(prolong(out.mesh, coarse.state.x, glued), last, progress, what);
   if (!keep_going(progress, what)) throw Cancelled();

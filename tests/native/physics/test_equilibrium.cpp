@@ -160,6 +160,81 @@ TEST(Equilibrium, SweepsLowerTheEnergyAndChangeNothingInTheEnd) {
   }
 }
 
+// A sheet at its equilibrium, crumpled in one place.
+struct Crumpled {
+  Sheet sheet = make_sheet(20, 12, 0.5);
+  Points3 start;
+};
+
+Crumpled crumple(const DensityModel& model) {
+  Crumpled out;
+  const int count = static_cast<int>(out.sheet.flat.rows());
+  Points3 outline(count, 3);
+  for (int v = 0; v < count; ++v) {
+    const double x = out.sheet.flat(v, 0), y = out.sheet.flat(v, 1);
+    outline.row(v) << 0.9 * x, 0.5 * y, 0.02 * x * (20 - x);
+  }
+  MembraneEquilibrium equilibrium(out.sheet.mesh, out.sheet.flat, 1.5, {0.72, 0.5, &model, 1e-4});
+  out.start = equilibrium.solve(outline, {}).x;
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<double> uniform(-0.3, 0.3);
+  for (int v = 0; v < count; ++v) {
+    if (out.sheet.mesh.pin[v] < 0 && (out.sheet.flat.row(v) - Vec2(12, 7).transpose()).norm() < 1)
+      out.start.row(v) +=
+          Vec3(uniform(generator), uniform(generator), uniform(generator)).transpose();
+  }
+  return out;
+}
+
+TEST(Equilibrium, PlacesThatHoldItUpAreSettledByThemselves) {
+  for (const DensityModel& model : density_models()) {
+    const Crumpled crumpled = crumple(model);
+    MembraneEquilibrium equilibrium(crumpled.sheet.mesh, crumpled.sheet.flat, 1.5,
+                                    {0.72, 0.5, &model, 1e-4});
+    EquilibriumOptions options;
+    options.sweeps = 0;
+    const MembraneState all = equilibrium.solve(crumpled.start, options);
+    options.few_factorizations = true;
+    const MembraneState few = equilibrium.solve(crumpled.start, options);
+    EXPECT_TRUE(all.solve.converged() && few.solve.converged());
+    EXPECT_LT((all.x - few.x).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_EQ(all.factorizations, all.solve.iterations);
+    EXPECT_LT(few.factorizations, all.factorizations);
+  }
+}
+
+TEST(Equilibrium, APartIsPulledAsTheWholeWhereItIsFree) {
+  const Crumpled crumpled = crumple(density_model("tension-field"));
+  const MembraneEnergy whole(crumpled.sheet.mesh, crumpled.sheet.flat, 1.5, {});
+  const int count = whole.pattern()->block_count();
+  std::vector<char> chosen(count, 0);
+  int inside = 0;
+  while (!whole.is_free(inside)) ++inside;
+  chosen[inside] = chosen[0] = 1;  // glued ones stay so
+  const MembranePart part = whole.part_around(chosen, 1);
+  Points3 own(static_cast<Eigen::Index>(part.vertices.size()), 3), of_whole, of_part;
+  for (int k = 0; k < own.rows(); ++k) own.row(k) = crumpled.start.row(part.vertices[k]);
+  whole.gradient(crumpled.start, of_whole);
+  part.energy.gradient(own, of_part);
+  std::vector<char> expected = chosen;
+  for (const std::array<int, 3>& t : crumpled.sheet.mesh.triangles) {
+    for (int v : t) {
+      if (chosen[v] == 0) continue;
+      for (int u : t) expected[u] = 1;
+    }
+  }
+  int free = 0;
+  for (int k = 0; k < own.rows(); ++k) {
+    const int v = part.vertices[k];
+    EXPECT_EQ(part.energy.is_free(k), expected[v] != 0 && whole.is_free(v));
+    if (!part.energy.is_free(k)) continue;
+    ++free;
+    EXPECT_LT((of_part.row(k) - of_whole.row(v)).norm(), 1e-12);
+  }
+  EXPECT_EQ(free, part.energy.free_count());
+  EXPECT_GT(free, 5);
+}
+
 TEST(Equilibrium, RefusesImpossibleMaterials) {
   const Sheet sheet = make_sheet(2, 2, 1.0);
   EXPECT_THROW(

@@ -290,6 +290,13 @@ TEST(Verify, AMembraneThatCutsIntoABodyIsNotValid) {
   EXPECT_GT(verify_design(dome(), {}, {}).physics.clearance_mm, 0.3);
 }
 
+TEST(Verify, OfPlacesAsNearTheFirstIsNamed) {
+  const std::vector<MembraneClearance> by_digits = {{0.5, 3, 0}, {0.2, 7, 1}, {0.2 - 1e-12, 8, 2}};
+  EXPECT_EQ(least_clearance(by_digits, 1.2).tile, 7);
+  EXPECT_EQ(least_clearance({{0.2, 7, 1}, {0.1, 8, 2}}, 1.2).tile, 8);
+  EXPECT_EQ(least_clearance({}, 1.2).distance, 1.2);
+}
+
 TEST(Verify, IsTheSameWithOneThreadAndTwo) {
   const int threads = thread_count();
   set_thread_count(1);
