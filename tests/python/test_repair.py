@@ -41,9 +41,9 @@ def patch(tmp_path_factory):
     return path
 
 
-def run(curveups, target, folder, *settings):
+def run(curveups, target, folder, *settings, status=0):
     done = curveups("design", target, "-o", folder, "--no-remesh", "--no-solids", *settings)
-    assert done.status == 0, done.err
+    assert done.status == status, done.err
     report = json.loads((folder / "report.json").read_text())
     design = json.loads((folder / "design.json").read_text())
     check_report(report)
@@ -90,6 +90,17 @@ def test_a_higher_floor_is_repaired(curveups, patch, tmp_path):
     assert report["contact_forces"]["points_below_f_min"] == 0
     stages = [stage["name"] for stage in report["stages"]]
     assert stages.index("refine") < stages.index("verify")  # the last verdict is the repaired design's
+
+
+def test_a_design_that_repair_leaves_as_it_is_has_the_whole_verdict(curveups, patch, tmp_path):
+    def asked(ratio, *more):
+        return run(curveups, patch, tmp_path / "out", "--set", f"f_min_ratio={ratio}", *more, status=1)[0]
+
+    # Without repair, and at a floor that is out of any reach: what the layout lacks was known already.
+    for report in (asked(0.5, "repair=off"), asked(0.99, "move_vertices=off")):
+        assert report["valid"] is False and any("push too weakly" in reason for reason in report["reasons"])
+        assert report["unilateral"]["largest_floor"] > 0
+        assert report["contact_forces"]["points_below_f_min"] > 0
 
 
 def test_recheck_judges_on_a_finer_mesh(curveups, cap, tmp_path):

@@ -127,6 +127,7 @@ VALUES = {
     "tolerance": (0.01, LENGTHS + [1e-300, 1e-9, 1e9], []),
     "cuts_given": (False, ["x"], [2.5]),
     "without_crossings": (False, ["x"], [2.5]),
+    "weak_is_enough": (False, ["x"], [2.5]),
     "pins": ([0], TILES, [[], [0, 0], list(range(len(F)))]),
     "weak": ([(0, 1)], PAIRS, [[], [(0, 0)], [(0, 23)], [(0, 1)] * 1000]),
     "most": (1, [None, "x", 0.5, 2 ** 31, -(2 ** 40)], [0, -1, -(2 ** 31), 2 ** 31 - 1]),

@@ -46,9 +46,10 @@ class Repair(Result):
 
 
 def _run(inputs: Inputs, job: Job) -> Repair:
-    before, known = inputs["layout"].design, inputs["verification of the layout"].verification
+    before, verified = inputs["layout"].design, inputs["verification of the layout"]
+    known = verified.verification
     if known.valid or known.note or known.failure or not inputs.parameters.get("repair"):
-        return Repair(before, known)
+        return Repair(before, verified.verdict)
     design = before.with_parameters(inputs.parameters)
     found = native.repair_design(design, inputs.store, job, job.listener("repair"))
     changed = design_digest(found.design) != design_digest(design)
@@ -66,18 +67,18 @@ def _run(inputs: Inputs, job: Job) -> Repair:
         "blocked": [{"tiles": contact["tiles"], "reason": contact["reason"]} for contact in blocked],
         "suggestions": list(found.suggestions), "mended": mended,
         "moved_vertices": moved_vertices(before.V, found.design.V, before.F)}
-    return Repair(found.design if changed else before, None if changed else known, found.status, block,
-                  blocked, tuple(found.suggestions))
+    return Repair(found.design if changed else before, None if changed else verified.verdict, found.status,
+                  block, blocked, tuple(found.suggestions))
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:
     # No repair can begin from here: the design ends as it is, with the verdict it has.
-    return Repair(inputs["layout"].design, inputs["verification of the layout"].verification,
+    return Repair(inputs["layout"].design, inputs["verification of the layout"].verdict,
                   warned=({"what": f"repair can't begin: {error.what}", "kind": "repair", "tiles": []},))
 
 
 def _stopped(stage: str, inputs: Inputs) -> Repair:
-    return Repair(inputs["layout"].design, inputs["verification of the layout"].verification)
+    return Repair(inputs["layout"].design, inputs["verification of the layout"].verdict)
 
 
 STAGE = Stage("repair", ("layout", "verification of the layout"),

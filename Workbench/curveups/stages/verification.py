@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Mapping, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -26,6 +26,7 @@ class Verification(Result):
     blocks: Mapping[str, Any] = field(default_factory=dict)
     found: tuple[str, ...] = ()      # reasons
     warned: tuple[dict, ...] = ()    # warnings
+    complete: bool = True            # False: points are weak, all else is left out, and there is no verdict
     design: Any = None               # native Design, for pictures
     arrays: Mapping[str, np.ndarray] = field(default_factory=dict)  # per contact and per tile
     membranes: tuple[Mapping[str, np.ndarray], ...] = ()  # front and back, for pictures
@@ -97,22 +98,22 @@ class Verification(Result):
             "stretch", {"membranes": self.membranes}),)
 
 
-def verify(design: Any, job: Job, store: Any = None) -> Verification:
-    """Runs the model on a native Design."""
-    found = native.verify_design(design, store, job)
+def verify(design: Any, job: Job, store: Any = None, weak_is_enough: bool = False) -> Verification:
+    """Runs the model on a native Design; `weak_is_enough`: for repair, which asks for no more."""
+    found = native.verify_design(design, store, job, weak_is_enough)
     names = ("contact_tiles", "contact_normal_min", "contact_normal_mean", "contact_friction_ratio",
              "tile_normal_force")
     sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS}
                   for side in found.membranes)
     return Verification(valid=found.valid, blocks=found.blocks, found=tuple(found.reasons),
-                        warned=tuple(found.warnings), design=design,
+                        warned=tuple(found.warnings), complete=found.complete, design=design,
                         arrays={name: np.asarray(getattr(found, name)) for name in names}, membranes=sides)
 
 
-def _verify(design: Any, inputs: Inputs, job: Job) -> Verification:
+def _verify(design: Any, inputs: Inputs, job: Job, weak_is_enough: bool = False) -> Verification:
     if not inputs.parameters.get("verify"):
         return Verification(note="verification was off")
-    return verify(design.with_parameters(inputs.parameters), job, inputs.store)
+    return verify(design.with_parameters(inputs.parameters), job, inputs.store, weak_is_enough)
 
 
 @dataclass(frozen=True)
@@ -121,12 +122,17 @@ class LayoutVerification(Result):
 
     verification: Verification
 
+    @property
+    def verdict(self) -> Optional[Verification]:
+        """That on the design which stays as the layout has it; None where it remains to be had."""
+        return self.verification if self.verification.complete else None
+
     def rows(self, seconds: float) -> Sequence[Row]:
         return self.verification.rows(seconds)
 
 
 def _verify_layout(inputs: Inputs, job: Job) -> LayoutVerification:
-    found = _verify(inputs["layout"].design, inputs, job)
+    found = _verify(inputs["layout"].design, inputs, job, weak_is_enough=True)
     if found.valid:
         inputs.store.clear()  # otherwise repair starts from it
     return LayoutVerification(found)

@@ -99,7 +99,7 @@ py::dict blocks(const VerificationReport& report) {
   if (!report.computed) return out;
   out["physics"] = physics_block(report.physics);
   out["contact_forces"] = contact_block(report.contact_forces);
-  out["unilateral"] = unilateral_block(report.unilateral);
+  if (report.complete) out["unilateral"] = unilateral_block(report.unilateral);
   out["glue"] = glue_block(report.glue);
   return out;
 }
@@ -140,6 +140,8 @@ void bind_verification(py::module_& module) {
   py::class_<VerificationReport>(module, "VerificationReport",
                                  "The physical model and its verdict.")
       .def_readonly("valid", &VerificationReport::valid)
+      .def_readonly("complete", &VerificationReport::complete,
+                    "Whether there is a verdict: not where weak points were enough.")
       .def_readonly("reasons", &VerificationReport::reasons)
       .def_property_readonly("warnings", &warnings)
       .def_property_readonly("blocks", &blocks, "physics, contact_forces, unilateral, glue.")
@@ -167,14 +169,17 @@ void bind_verification(py::module_& module) {
       });
   module.def(
       "verify_design",
-      [](const Design& design, SolutionStore* store, py::object progress) {
+      [](const Design& design, SolutionStore* store, py::object progress, bool weak_is_enough) {
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return verify_design(design, store, sink);
+          return verify_design(design, store, sink, {weak_is_enough});
         });
       },
       py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
+      py::arg("weak_is_enough") = false,
       "Membranes, contact forces and verdict. store: a SolutionStore that is asked for what is "
-      "solved of the design already, and left with it.");
+      "solved of the design already, and left with it. weak_is_enough: without a verdict where "
+      "points "
+      "push too weakly (complete is False).");
 }
 
 }  // namespace curveups::bindings

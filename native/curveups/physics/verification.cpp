@@ -170,7 +170,7 @@ UnilateralFigures describe_programs(const UnilateralResult& coulomb,
 }  // namespace
 
 VerificationReport verify_design(const Design& design, SolutionStore* store,
-                                 const Progress& progress) {
+                                 const Progress& progress, const VerificationOptions& options) {
   const Parameters& parameters = design.parameters;
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, parameters);
   const TileMesh& tiles = geometry.tiles;
@@ -200,6 +200,11 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   BalanceSystem system = make_balance_system(geometry, parameters),
                 unlimited_system = make_balance_system(geometry, parameters);
   describe_contacts(tiles, system, forces, f_min, report);
+  if (options.weak_is_enough && report.contact_forces.points_below_f_min > 0) {
+    report.complete = false;
+    if (store) store->put(std::move(solved));
+    return report;
+  }
 
   std::optional<BalanceSystem> tips_system;
   if (std::any_of(tips.begin(), tips.end(), [](const Points3& at) { return at.rows() > 0; })) {

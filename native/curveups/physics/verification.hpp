@@ -10,11 +10,17 @@
 
 namespace curveups {
 
+struct VerificationOptions {
+  // Where contact points push too weakly that is enough to know: neither cone programs nor
+  // clearances are looked at, and there is no verdict (VerificationReport::complete).
+  bool weak_is_enough = false;
+};
+
 // store: asked for what is solved of this very design, and left with it; null where nobody needs
 // it. Throws what make_geometry and plan_bumps throw (InfeasibleDesign, TopologyError,
 // InvalidInput), InvalidInput for arrays that disagree, SolverFailure, Cancelled. Results do not
 // depend on the number of threads, nor on the store.
 VerificationReport verify_design(const Design& design, SolutionStore* store,
-                                 const Progress& progress);
+                                 const Progress& progress, const VerificationOptions& options = {});
 
 }  // namespace curveups

@@ -76,6 +76,9 @@ struct VerificationReport {
   std::vector<Warning> warnings;
   // False where the membranes can't be laid out at all: the reasons say why, the rest is empty.
   bool computed = false;
+  // False where weak points were enough (VerificationOptions): reasons, warnings and the unilateral
+  // problem were left out.
+  bool complete = true;
   PhysicsFigures physics;
   ContactFigures contact_forces;
   UnilateralFigures unilateral;

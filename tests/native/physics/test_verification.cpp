@@ -311,6 +311,28 @@ TEST(Verify, IsTheSameWithOneThreadAndTwo) {
   EXPECT_EQ(one.reasons, two.reasons);
 }
 
+TEST(Verify, WeakPointsAreEnoughWhereNoMoreIsAskedFor) {
+  Design design = dome();
+  const VerificationReport valid = verify_design(design, {}, {}, {true});
+  EXPECT_TRUE(valid.complete && valid.valid);
+  const ContactFigures& forces = valid.contact_forces;
+  design.parameters.f_min_ratio = 1.1 * forces.normal_min / forces.normal_mean;
+  SolutionStore store;
+  const VerificationReport brief = verify_design(design, &store, {}, {true});
+  EXPECT_FALSE(brief.complete);
+  EXPECT_FALSE(brief.valid);
+  EXPECT_GT(brief.contact_forces.points_below_f_min, 0);
+  // What was solved is left for the verdict, which is the same.
+  const VerificationReport after = verify_design(design, &store, {}),
+                           alone = verify_design(design, {}, {});
+  EXPECT_TRUE(after.complete && alone.complete);
+  EXPECT_EQ(after.reasons, alone.reasons);
+  EXPECT_EQ(after.elastic, alone.elastic);
+  EXPECT_EQ(after.unilateral.largest_floor, alone.unilateral.largest_floor);
+  EXPECT_EQ(brief.contact_forces.invalid_contacts, alone.contact_forces.invalid_contacts);
+  EXPECT_EQ(brief.contact_normal_min, alone.contact_normal_min);
+}
+
 TEST(Verify, LeavesWhatRepairStartsFrom) {
   const Design design = dome();
   SolutionStore store;
