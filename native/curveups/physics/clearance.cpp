@@ -9,12 +9,12 @@
 namespace curveups {
 namespace {
 
-// mm. Bodies that touch have edges in common: of those as near as this the first is taken, so that
+// mm. Bodies that touch have edges in common: of those as near as this the last is taken, so that
 // what is done about it does not hang on last digits.
 constexpr double as_near = 1e-9;
 
-bool is_nearer(double distance, const MembraneClearance& than) {
-  return distance < than.distance - as_near;
+void take_nearer(double distance, int tile, int patch, MembraneClearance& best) {
+  if (distance < best.distance + as_near) best = {std::min(distance, best.distance), tile, patch};
 }
 
 double segment_distance(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
@@ -127,7 +127,7 @@ std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
             lowest = std::min(lowest, face->plane.distance(local[c]));
           }
           // The body lies behind its face: nothing nearer than this.
-          if (!is_nearer(lowest, best)) continue;
+          if (lowest >= best.distance + as_near) continue;
           double distance = 1e300;
           for (std::size_t k = 1; k + 1 < face->loop.size(); ++k) {
             distance = std::min(
@@ -137,7 +137,7 @@ std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
           }
           const double depth = lowest < 0 ? depth_in_body(local, body, tag) : 0;
           if (depth > 0) distance = -depth;
-          if (is_nearer(distance, best)) best = {distance, tile, p};
+          take_nearer(distance, tile, p, best);
         }
       }
     }
@@ -148,7 +148,7 @@ std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
 MembraneClearance least_clearance(const std::vector<MembraneClearance>& of_patches, double H_pin) {
   MembraneClearance best{H_pin, -1, -1};
   for (const MembraneClearance& one : of_patches) {
-    if (is_nearer(one.distance, best)) best = one;
+    if (one.tile >= 0) take_nearer(one.distance, one.tile, one.patch, best);
   }
   return best;
 }

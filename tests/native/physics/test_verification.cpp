@@ -290,11 +290,13 @@ TEST(Verify, AMembraneThatCutsIntoABodyIsNotValid) {
   EXPECT_GT(verify_design(dome(), {}, {}).physics.clearance_mm, 0.3);
 }
 
-TEST(Verify, OfPlacesAsNearTheFirstIsNamed) {
-  const std::vector<MembraneClearance> by_digits = {{0.5, 3, 0}, {0.2, 7, 1}, {0.2 - 1e-12, 8, 2}};
+TEST(Verify, OfPlacesAsNearTheLastIsNamed) {
+  const std::vector<MembraneClearance> by_digits = {
+      {0.5, 3, 0}, {0.2 - 1e-12, 8, 1}, {0.2, 7, 2}, {1.2, -1, 3}};
   EXPECT_EQ(least_clearance(by_digits, 1.2).tile, 7);
+  EXPECT_EQ(least_clearance(by_digits, 1.2).distance, 0.2 - 1e-12);
   EXPECT_EQ(least_clearance({{0.2, 7, 1}, {0.1, 8, 2}}, 1.2).tile, 8);
-  EXPECT_EQ(least_clearance({}, 1.2).distance, 1.2);
+  EXPECT_EQ(least_clearance({{1.2, -1, 0}}, 1.2).patch, -1);
 }
 
 TEST(Verify, IsTheSameWithOneThreadAndTwo) {
