@@ -130,7 +130,7 @@ TEST(SolidChecks, CurvesOnPlanesHideNoDamage) {
     const PrintModel model = sample(bumps);
     for (int round = 0; round < 150; ++round) {
       PrintBody body = round % 20 == 0   ? model.anchors[below(model.anchors.size())]
-                       : round % 30 == 1 ? model.supports[0]
+                       : round % 50 == 1 ? model.supports[0]
                                          : model.tiles[below(model.tiles.size())];
       const Vec3 shift = Vec3(1, 2, -1) * std::pow(10.0, -9 + static_cast<double>(below(10)));
       PlanarFace& face = body.faces[below(body.faces.size())];
