@@ -20,7 +20,7 @@ from .output import Folder, Prepared
 from .project import Results
 from .report import check
 from .report.data import build_report, to_text
-from .report.html import build_html
+from .report.html import build_html, draw
 from .stages import solids as solids_stage
 from .stages.solids import Solids
 from .stages.stage import Job, Row
@@ -67,6 +67,8 @@ class Writing:
         self._error: Optional[BaseException] = None
         self._stopped = self._ended = False
         self._expected: Optional[Results] = None
+        self._drawn: Optional[list[bytes]] = None
+        self._told = threading.Event()  # what to expect, or that there is nothing
         self._ahead: Optional[_Ahead] = None
 
     def __enter__(self) -> "Writing":
@@ -76,6 +78,7 @@ class Writing:
         with self._began:
             if error is not None and self._thread is not None and not self._ended:
                 self._job.stopped = True
+                self._told.set()
                 self._thread.join()
                 self._drop_ahead()
                 self._folder.withdraw()
@@ -87,16 +90,34 @@ class Writing:
 
     def expect(self, results: Results) -> None:
         """For `Project.run`: what there will be unless the checks find a fault. On the main thread, where
-        FreeCAD has to be imported."""
-        if self._thread is not None and has_solids(results):
-            with suppress(CurveUpsError):  # whoever writes the document says so
-                freecad_session.load("Part", "Mesh")
-            self._expected = results
+        FreeCAD has to be imported. Draws the page's pictures: writing would end later than the checks."""
+        try:
+            if self._thread is not None and has_solids(results):
+                with suppress(CurveUpsError):  # whoever writes the document says so
+                    freecad_session.load("Part", "Mesh")
+                self._drawn = self._draw(results)
+                self._expected = results
+        finally:
+            self._told.set()
+
+    def _draw(self, results: Results) -> Optional[list[bytes]]:
+        drawn = []
+        try:
+            for png in draw(results):
+                drawn.append(png)
+                if not self._job("drawing pictures"):
+                    raise Stopped
+        except Stopped:
+            raise
+        except Exception:  # whoever makes the page says so
+            return None
+        return drawn
 
     def end(self, results: Results) -> bool:
         """What is left to write. Returns whether the run was stopped at any time."""
         start = time.perf_counter()
         self._ended = True
+        self._told.set()
         if self._thread is None:
             self._begin(results)
         assert self._thread is not None
@@ -149,6 +170,7 @@ class Writing:
                         self._write_solids(results["solids"], results.name)
                     except (Stopped, native.Cancelled):
                         self._stopped = True
+                self._told.wait()
                 if self._expected is not None and not self._stopped:
                     with suppress(Stopped, native.Cancelled):
                         self._ahead = self._write_ahead(self._expected, folder)
@@ -173,7 +195,7 @@ class Writing:
         document, software = _prepare_document(results, folder, self._job)
         try:
             files = {**folder.files, document.name: document.size}
-            page = _page(results, build_report(results, (), False, files, software))
+            page = _page(results, build_report(results, (), False, files, software), self._drawn)
             return _Ahead(results, document, page, software)
         except BaseException:
             folder.drop(document)
@@ -267,8 +289,8 @@ def write_reports(results: Results, folder: Folder, rows: list[Row] | None = Non
     folder.write_text("report.json", to_text(report))
 
 
-def _page(results: Results, report: dict[str, Any]) -> bytes:
-    return build_html(results, report).encode("utf-8")
+def _page(results: Results, report: dict[str, Any], drawn: list[bytes] | None = None) -> bytes:
+    return build_html(results, report, drawn).encode("utf-8")
 
 
 def cuts_text(results: Results) -> str:

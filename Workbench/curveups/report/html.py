@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import base64
 from html import escape
-from typing import Any, Callable, Sequence
+from typing import Any, Callable, Iterator, Optional, Sequence
 
 from ..errors import tile_list, tile_name
 from ..native import native
@@ -39,12 +39,18 @@ _VIEWS: dict[str, Callable[..., bytes]] = {
     "stretch": membrane_pictures.stretch_view, "movement": pictures.movement_view}
 
 
-def build_html(results: Results, report: dict) -> str:
-    """The page for the results of a run and their report."""
-    parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report)]
+def draw(results: Results) -> Iterator[bytes]:
+    """The page's pictures in their order, as PNG; they are most of its time."""
     for one in results.pictures():
+        yield _VIEWS[one.view](**one.data)
+
+
+def build_html(results: Results, report: dict, drawn: Optional[Sequence[bytes]] = None) -> str:
+    """The page for the results of a run and their report; `drawn`: its pictures, where they are there."""
+    parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report)]
+    for one, png in zip(results.pictures(), draw(results) if drawn is None else drawn):
         parts += [f"<h2>{escape(one.heading)}</h2>"] if one.heading else []
-        parts.append(picture(_VIEWS[one.view](**one.data), one.caption))
+        parts.append(picture(png, one.caption))
     parts += _cuts(report.get("suggested_cuts", ()))
     parts += changes(report)
     parts += worst_contacts(report.get("worst_contacts", ()),
