@@ -43,9 +43,13 @@ struct Complementarity {
 // Everything at an iterate that the step and the stopping test need.
 template <class Constraint>
 struct InteriorPoint<Constraint>::Linearization {
+  using Values = std::vector<std::vector<typename Constraint::Value>>;
+
+  // room: what another linearization had its values in.
   Linearization(int blocks, const Terms<W>& energies, const Constraints& constraints,
-                const Places& places)
-      : values(constraints.size()) {
+                const Places& places, Values room)
+      : values(std::move(room)) {
+    values.resize(constraints.size());
     std::vector<Coupling> couplings;
     for (const auto& energy : energies) {
       first.push_back(static_cast<int>(couplings.size()));
@@ -74,7 +78,7 @@ struct InteriorPoint<Constraint>::Linearization {
   std::vector<int> first;  // coupling of each energy, then of each constraint
   Vector gradient;         // of the energies
   Vector pull;  // J^T m and the bounds' multipliers: what the constraints hold against it
-  std::vector<std::vector<typename Constraint::Value>> values;
+  Values values;
   double residual_sum = 0, largest_residual = 0;  // of c(z) - s
   double dual_error = 0;
   Complementarity products;
@@ -378,7 +382,15 @@ void InteriorPoint<Constraint>::iterate(Vector& z, double mu_start, double mu_en
   const double span = std::log(mu_start / mu_end);
   begin(z, mu);
   const int blocks = static_cast<int>(z.rows());
-  auto linearization = std::make_unique<Linearization>(blocks, energies_, constraints_, places_);
+  std::unique_ptr<Linearization> linearization;
+  const auto make_room = [&] {
+    typename Linearization::Values room;
+    if (linearization) room = std::move(linearization->values);
+    linearization.reset();
+    linearization =
+        std::make_unique<Linearization>(blocks, energies_, constraints_, places_, std::move(room));
+  };
+  make_room();
   Step step;
   for (; report.iterations < max_iterations; ++report.iterations) {
     linearize(z, *linearization);
@@ -389,7 +401,7 @@ void InteriorPoint<Constraint>::iterate(Vector& z, double mu_start, double mu_en
     if (linearization->error(mu) <= barrier_accuracy * mu) {
       if (discover && discover(z, mu)) {
         take_new_constraints(z, mu);
-        linearization = std::make_unique<Linearization>(blocks, energies_, constraints_, places_);
+        make_room();
         linearize(z, *linearization);
       } else if (mu <= mu_end) {
         report.status = SolveStatus::converged;

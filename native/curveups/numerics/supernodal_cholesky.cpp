@@ -37,12 +37,12 @@ struct SupernodalCholesky::Update {
 struct SupernodalCholesky::Workspace {
   explicit Workspace(std::size_t all_rows) : place(all_rows) {}
   void make_room(std::size_t products, std::size_t targets) {
-    if (product.size() < products) product.resize(products);
+    if (static_cast<std::size_t>(product.size()) < products) product.resize(products);
     if (target.size() < targets) target.resize(targets);
   }
-  std::vector<int> place;       // of a row in the panel at hand
-  std::vector<double> product;  // of updates
-  std::vector<int> target;      // their rows' places
+  std::vector<int> place;   // of a row in the panel at hand
+  Eigen::VectorXd product;  // of updates; not filled with zeros first
+  std::vector<int> target;  // their rows' places
 };
 
 SupernodalCholesky::SupernodalCholesky(const Supernodes& pattern)
