@@ -80,6 +80,7 @@ def _measure(tiles: int, files: bool) -> dict[str, Any]:
     from curveups.stages.stage import Job
     from curveups.stages.surface import find_source
 
+    machine.keep_memory()  # as the command line does
     parameters = native.Parameters()
     parameters.set("scale", math.sqrt(tiles / TILES_AT_ONE))
     project = Project("half-sphere", parameters,

@@ -21,8 +21,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 os.environ.setdefault("MMGT_OPT", "2")
 
 from ..errors import NOT_WRITTEN  # noqa: E402
+from ..machine import keep_memory  # noqa: E402
 from . import main  # noqa: E402
 
+keep_memory()
 try:
     code = main()
 except SystemExit as ended:  # --help and --version
