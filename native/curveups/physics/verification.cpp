@@ -114,34 +114,25 @@ void describe_contacts(const TileMesh& tiles, const BalanceSystem& system,
   }
 }
 
-// Second-order cone programs of a verdict, and how far membranes stay from bodies: independent of
-// one another.
-struct Programs {
-  UnilateralResult unlimited;  // those within friction stay in the solved design
-  std::array<MembraneClearance, 2> clearance;
-};
-
-// system, unlimited_system: at the interfaces' corners; tips: null without bumps.
-Programs solve_programs(BalanceSystem& system, BalanceSystem& unlimited_system, BalanceSystem* tips,
-                        SolvedDesign& solved, const DesignGeometry& geometry,
-                        const Progress& progress) {
-  UnilateralOptions unlimited;
-  unlimited.friction_coefficient = std::numeric_limits<double>::infinity();
-  unlimited.scale = force_scale(solved);
+// Second-order cone programs of a verdict, which stay in the solved design, and how far membranes
+// stay from bodies: independent of one another. system, unlimited_system: at the interfaces'
+// corners; tips: null without bumps.
+std::array<MembraneClearance, 2> solve_programs(BalanceSystem& system,
+                                                BalanceSystem& unlimited_system,
+                                                BalanceSystem* tips, SolvedDesign& solved,
+                                                const DesignGeometry& geometry,
+                                                const Progress& progress) {
   const Progress serial = one_at_a_time(progress);
-  Programs out;
+  std::array<MembraneClearance, 2> out;
   auto clearance = [&](Side side) {
-    out.clearance[static_cast<int>(side)] =
+    out[static_cast<int>(side)] =
         least_clearance(find_clearances(solved, geometry, side), solved.design.parameters.H_pin);
   };
   parallel_tasks({[&] { find_floor(solved, Touching::at_corners, system, serial); },
                   [&] {
                     if (tips) find_floor(solved, Touching::at_tips, *tips, serial);
                   },
-                  [&] {
-                    out.unlimited = solve_unilateral(unlimited_system, solved.loads,
-                                                     solved.forces.force, unlimited, serial);
-                  },
+                  [&] { find_unlimited(solved, unlimited_system, serial); },
                   [&] { clearance(Side::front); }, [&] { clearance(Side::back); }});
   return out;
 }
@@ -211,19 +202,18 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
     tips_system.emplace(make_balance_system(
         geometry, parameters, tie_to_corners(contact_corners(geometry, parameters), tips).points));
   }
-  const Programs programs = solve_programs(
+  const std::array<MembraneClearance, 2> clearance = solve_programs(
       system, unlimited_system, tips_system ? &*tips_system : nullptr, solved, geometry, progress);
   const UnilateralResult& coulomb = *solved.floor[static_cast<int>(Touching::at_corners)];
   const UnilateralResult* at_tips =
       tips_system ? &*solved.floor[static_cast<int>(Touching::at_tips)] : nullptr;
-  report.physics.clearance_mm =
-      std::min(programs.clearance[0].distance, programs.clearance[1].distance);
-  report.unilateral = describe_programs(coulomb, programs.unlimited, at_tips, f_min,
+  report.physics.clearance_mm = std::min(clearance[0].distance, clearance[1].distance);
+  report.unilateral = describe_programs(coulomb, *solved.unlimited, at_tips, f_min,
                                         parameters.friction_coefficient, force_scale(solved));
   if (parameters.bumps == "dimples") report.unilateral.sliding_play = sliding_play(plan, tiles);
-  give_verdict({system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr,
-                programs.clearance, slack_tiles, solved.f_min_ratio > parameters.f_min_ratio,
-                parameters, pieces_in_the_air(geometry, parameters)},
+  give_verdict({system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
+                slack_tiles, solved.f_min_ratio > parameters.f_min_ratio, parameters,
+                pieces_in_the_air(geometry, parameters)},
                report);
   if (store) store->put(std::move(solved));
   return report;

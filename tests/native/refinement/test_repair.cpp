@@ -101,6 +101,8 @@ TEST(Repair, LiftsWeakContactsAboveAHigherFloor) {
   ASSERT_TRUE(left->floor[0] && left->floor[1]);
   EXPECT_EQ(left->floor[0]->largest_floor, fresh.unilateral.largest_floor);
   EXPECT_EQ(left->floor[1]->largest_floor, fresh.unilateral.tips_largest_floor);
+  ASSERT_TRUE(left->unlimited);
+  EXPECT_EQ(left->unlimited->largest_floor, fresh.unilateral.unlimited_largest_floor);
 }
 
 TEST(Repair, RestoresSpoiledPinsAndPoses) {
