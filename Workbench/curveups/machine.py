@@ -20,9 +20,9 @@ def peak_memory_mb() -> float | None:
 
 
 def keep_memory() -> None:
-    """Lets the C library keep what is given back for what is asked for next, pieces of up to 512 MB each, where
-    that can be told to (glibc): memory that the system gives anew with every step of the solvers took a tenth
-    of their time. For processes of our own."""
+    """Lets the C library keep what is given back for what is asked for next, pieces of up to 512 MB each,
+    where that can be told to (glibc): memory that the system gives anew with every step of the solvers took
+    a tenth of their time. For processes of our own."""
     try:
         mallopt = ctypes.CDLL(None).mallopt
     except (AttributeError, OSError, TypeError):
