@@ -21,11 +21,15 @@ def peak_memory_mb() -> float | None:
 
 def keep_memory() -> None:
     """Lets the C library keep what is given back for what is asked for next, pieces of up to 512 MB each,
-    where that can be told to (glibc): memory that the system gives anew with every step of the solvers took
-    a tenth of their time. For processes of our own."""
+    where it can be told so (glibc) and the process may have as much as it likes: memory that the system
+    gives anew with every step of the solvers took a tenth of their time. For processes of our own."""
     try:
+        import resource
+
         mallopt = ctypes.CDLL(None).mallopt
-    except (AttributeError, OSError, TypeError):
+    except (ImportError, AttributeError, OSError, TypeError):
+        return
+    if resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY:
         return
     for option in (-1, -3):  # M_TRIM_THRESHOLD, M_MMAP_THRESHOLD
         mallopt(option, _KEPT)

@@ -201,7 +201,7 @@ def main(arguments: Optional[list[str]] = None) -> int:
         _tell(_NO_MEMORY)
         return _nothing_or_some(before)
     except Exception as error:  # otherwise Python would end with status 1, which means "not valid"
-        if getattr(error, "errno", None) == errno.ENOMEM:
+        if getattr(error, "errno", None) == errno.ENOMEM or str(error) == "can't start new thread":
             _tell(_NO_MEMORY)
             return _nothing_or_some(before)
         text = " ".join(str(error).split())
