@@ -57,7 +57,8 @@ def test_growth_finds_the_exponents():
     runs = [{"tiles": n, "wall": {"layout": 1e-5 * n**1.4, "bodies": 2e-4 * n, "check": 1e-4 * n,
                                   "stl": 1e-9}} for n in (500, 2000, 8000, 20_000)]
     found = growth.exponents(runs, "wall")
-    assert set(found) == {"layout", "bodies", "checks", growth.TO_VALID, growth.ALL_ELSE}  # none of what takes no time
+    # None of what takes no time.
+    assert set(found) == {"layout", "bodies", "checks", growth.TO_VALID, growth.ALL_ELSE}
     assert found["layout"] == found[growth.TO_VALID] == pytest.approx(1.4)
     assert [found[row] for row in ("bodies", "checks", growth.ALL_ELSE)] == pytest.approx([1.0] * 3)
 
