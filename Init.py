@@ -11,13 +11,13 @@ import FreeCAD
 
 for _folder in list(sys.path):
     _package = os.path.normpath(os.path.join(_folder, "Workbench"))
-    if os.path.isfile(os.path.join(_package, "curveups", "native.py")) and _package not in sys.path:
+    if os.path.isfile(os.path.join(_package, "curveups", "__init__.py")) and _package not in sys.path:
         sys.path.append(_package)
 
 from curveups.features import observer as _observer  # noqa: E402  found through the loop above
 
 _observer.install()
-FreeCAD.addExportType("CurveUps print, named and coloured (*.step *.stp)", "curveups.step_export")
+FreeCAD.addExportType("CurveUps print, named and coloured (*.step *.stp)", "curveups.features.step_export")
 
 # freecad -t lists them, freecad -t TestCurveUps runs them.
 FreeCAD.__unit_test__ += ["TestCurveUps"]

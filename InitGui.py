@@ -14,6 +14,7 @@ class CurveUpsWorkbench(FreeCADGui.Workbench):
         import os
 
         import curveups
+        from curveups.window import start
 
         resources = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(curveups.__file__))),
                                  "resources")
@@ -21,11 +22,12 @@ class CurveUpsWorkbench(FreeCADGui.Workbench):
         FreeCADGui.addIconPath(os.path.join(resources, "icons"))
         FreeCADGui.addLanguagePath(os.path.join(resources, "translations"))
         FreeCADGui.updateLocale()
+        start.install()
 
     def Initialize(self):
         """Called when the workbench is first activated."""
-        from curveups import commands
-        from curveups.qt import QT_TRANSLATE_NOOP, RESOURCES
+        from curveups.window import commands
+        from curveups.window.qt import QT_TRANSLATE_NOOP, RESOURCES
 
         names = list(commands.register())
         self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "CurveUps"), names)
@@ -34,7 +36,7 @@ class CurveUpsWorkbench(FreeCADGui.Workbench):
 
     def ContextMenu(self, recipient):
         """recipient: "view" or "tree"."""
-        from curveups import commands
+        from curveups.window import commands
 
         names = commands.for_context(recipient)
         if names:

@@ -38,7 +38,7 @@ class TestCurveUps(unittest.TestCase):
     def test_native_module(self) -> None:
         """It is there, for this Python and of this version."""
         from curveups import __version__
-        from curveups.native import problem
+        from curveups.base.native import problem
 
         self.assertIsNone(problem())
         self.assertEqual(FreeCAD.Metadata(str(ROOT / "package.xml")).Version, __version__)

@@ -72,7 +72,7 @@ def _failed(row: dict) -> bool:
 
 
 def _builtins() -> dict[str, str]:
-    from curveups.native import native
+    from curveups.base.native import native
 
     return {name: name for name, _ in native.builtin_targets()} | TARGETS
 

@@ -32,26 +32,23 @@ LIBRARIES = (
     ("pybind11", r"pybind11/.*", {"bindings"}),
 )
 
-# Python: the first name that fits a module's path below Workbench/curveups gives its layer.
-LAYERS = (
-    ("qt", r"qt\.py"), ("commands", r"(commands|panels|overlay)/.*"), ("viewproviders", r"viewproviders/.*"),
-    ("features", r"features/.*"), ("cli", r"cli(\.py|_commands\.py|/.*)"), ("report", r"report/.*"),
-    ("project", r"project\.py"), ("stages", r"stages/.*"),
-)
-FORBIDDEN: dict[str, tuple[str, ...]] = {  # what a layer must not import
-    "stages": ("project", "cli", "features", "commands", "viewproviders", "qt"),
-    "project": ("cli", "features", "commands", "viewproviders", "qt"),
-    "report": ("cli", "features", "commands", "viewproviders", "qt"),
-    "features": ("cli", "commands", "qt"),
-    "cli": ("commands", "qt"),
+# The same for the rooms of Python. `viewproviders` has the names that old documents store.
+PYTHON: dict[str, tuple[str, ...]] = {
+    "base": (), "targets": ("base",), "stages": ("targets",), "project": ("stages",),
+    "report": ("project",), "features": ("report",), "cli": ("features",), "window": ("features",),
+    "viewproviders": ("window",),
 }
-GUI = {"FreeCADGui": ("viewproviders", "commands", "qt"), "PySide": ("qt",), "PySide2": ("qt",),
-       "PySide6": ("qt",), "pivy": ("commands", "viewproviders")}
+LOOSE = {"__init__.py"}  # modules of no room
+# Only what FreeCAD's start, or that of a command that fails, would pay for is imported inside functions.
+LATE = {"features/observer.py", "window/start.py", "cli/__init__.py"}
+# Where modules of the window may be imported: a room, or one file.
+GUI = {"FreeCADGui": "window/", "pivy": "window/", "PySide": "window/qt.py", "PySide2": "window/qt.py",
+       "PySide6": "window/qt.py"}
 
 
-def below(room: str) -> set[str]:
+def below(room: str, rooms: dict[str, tuple[str, ...]]) -> set[str]:
     """All rooms that a room may include, itself too."""
-    return {room}.union(*(below(other) for other in NATIVE[room]))
+    return {room}.union(*(below(other, rooms) for other in rooms[room]))
 
 
 def wrong_includes() -> Iterator[str]:
@@ -63,44 +60,87 @@ def wrong_includes() -> Iterator[str]:
             yield f"{where}: the room {room} is not known"
             continue
         for name in re.findall(r'^\s*#include [<"]([^>"]+)[>"]', path.read_text(encoding="utf-8"), re.M):
-            if name.startswith("curveups/") and name.split("/")[1] not in below(room):
+            if name.startswith("curveups/") and name.split("/")[1] not in below(room, NATIVE):
                 yield f"{where}: {room} must not include {name}"
             for library, pattern, rooms in LIBRARIES:
                 if re.fullmatch(pattern, name) and room not in rooms:
                     yield f"{where}: {library} ({name}) belongs to {', '.join(sorted(rooms))}"
 
 
-def layer_of(path: str) -> str:
-    return next((layer for layer, pattern in LAYERS if re.fullmatch(pattern, path)), "")
+def imported(path: Path, package: Path) -> Iterator[tuple[str, bool]]:
+    """Full names of all that a file imports, and whether it does so inside of a function; ours begin with the
+    package's name."""
+    def walk(node: ast.AST, late: bool) -> Iterator[tuple[ast.AST, bool]]:
+        for child in ast.iter_child_nodes(node):
+            inside = late or isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef))
+            yield child, inside
+            yield from walk(child, inside)
 
-
-def imported(path: Path, package: Path) -> Iterator[str]:
-    """Full names of all that a file imports, inside functions too; ours as paths below the package."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node, late in walk(ast.parse(path.read_text(encoding="utf-8")), False):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            yield from ((alias.name, late) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             parts = list(path.relative_to(package.parent).parts[:-node.level]) if node.level else []
             base = ".".join([*parts, *([node.module] if node.module else [])])
-            yield base
-            yield from (f"{base}.{alias.name}" for alias in node.names)
+            for alias in node.names:
+                name = f"{base}.{alias.name}"
+                found = package.parent / name.replace(".", "/")
+                yield (name if found.is_dir() or found.with_suffix(".py").is_file() else base), late
+
+
+def modules(package: Path) -> dict[str, Path]:
+    """All modules of ours by their full names."""
+    found = {}
+    for path in sorted(package.rglob("*.py")):
+        parts = path.relative_to(package.parent).with_suffix("").parts
+        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    return found
 
 
 def wrong_imports() -> Iterator[str]:
     package = ROOT / "Workbench" / "curveups"
-    for path in sorted(package.rglob("*.py")):
-        inside = path.relative_to(package).as_posix()
-        layer, where = layer_of(inside), path.relative_to(ROOT)
-        for name in dict.fromkeys(imported(path, package)):
+    known = modules(package)
+    graph: dict[str, list[str]] = {}
+    for module, path in known.items():
+        inside, where = path.relative_to(package).as_posix(), path.relative_to(ROOT)
+        room = inside.split("/")[0]
+        if "/" not in inside and inside not in LOOSE or "/" in inside and room not in PYTHON:
+            yield f"{where}: the room {room} is not known"
+            continue
+        names = dict.fromkeys(imported(path, package))
+        graph[module] = [name for name, _ in names if name in known and name != module]
+        for name, late in names:
             top, *rest = name.split(".")
-            if top in GUI and layer not in GUI[top]:
-                yield f"{where}: {top} belongs to {', '.join(GUI[top])}"
+            if top in GUI and not inside.startswith(GUI[top]):
+                yield f"{where}: {top} belongs to {GUI[top]}"
             if top != package.name or not rest:
                 continue
-            target = "/".join(rest)
-            other = layer_of(f"{target}.py") or layer_of(f"{target}/")
-            if other in FORBIDDEN.get(layer, ()):
-                yield f"{where}: {layer} must not import {name}"
+            if rest[0] in PYTHON and room in PYTHON and rest[0] not in below(room, PYTHON):
+                yield f"{where}: {room} must not import {name}"
+            if late and inside not in LATE:
+                yield f"{where}: {name} is imported inside of a function"
+    for ring in rings(graph):
+        yield f"these modules import one another: {', '.join(ring)}"
+
+
+def rings(graph: dict[str, list[str]]) -> list[list[str]]:
+    """Modules that reach one another by their imports, each ring sorted."""
+    reached = {start: reach(graph, start) for start in graph}
+    found = {tuple(sorted({start} | {other for other in reached[start] if start in reached[other]}))
+             for start in graph if start in reached[start]}
+    return [list(ring) for ring in sorted(found)]
+
+
+def reach(graph: dict[str, list[str]], start: str) -> set[str]:
+    """All modules that one imports, and what these import."""
+    found: set[str] = set()
+    pending = list(graph[start])
+    while pending:
+        name = pending.pop()
+        if name not in found:
+            found.add(name)
+            pending += graph.get(name, ())
+    return found
 
 
 def main() -> int:

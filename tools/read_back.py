@@ -14,7 +14,7 @@ from step_rules import wrong_step_files
 def read_back(folder: Path, report: dict, check: bool = False, solids: bool = True) -> list[str]:
     """What is wrong with the files of a finished design; `check`: BRepCheck on every solid as well;
     without `solids` the meshes alone are read (a tenth of the time)."""
-    from curveups import freecad_session
+    from curveups.base import freecad_session
 
     _, part, mesh = freecad_session.load("Part", "Mesh")
     volumes = {"tiles": report["print"]["tile_volume_cm3"],

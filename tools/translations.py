@@ -56,7 +56,7 @@ def texts_of_parameters() -> set[Text]:
     """Tooltips of parameters, which are in the native module."""
     sys.path.insert(0, str(ROOT / "Workbench"))
     from curveups.features import properties
-    from curveups.native import problem
+    from curveups.base.native import problem
 
     if problem() is not None:
         return {text for path in FOLDER.glob("CurveUps_*.ts") for text in translations(path)

@@ -21,9 +21,9 @@ from pathlib import Path
 from typing import Any, Optional
 
 import thirty_targets as thirty
-from curveups.errors import CurveUpsError
-from curveups.native import native
-from curveups.project import Project
+from curveups.base.errors import CurveUpsError
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Job
 from curveups.stages.surface import find_source

@@ -72,9 +72,9 @@ def main() -> int:
 
 def _measure(tiles: int, files: bool) -> dict[str, Any]:
     """Seconds by wall and processor of every stage, and the peak of memory."""
-    from curveups import machine
-    from curveups.native import native
-    from curveups.project import Project
+    from curveups.base import machine
+    from curveups.base.native import native
+    from curveups.project.project import Project
     from curveups.stages import DESIGNED, PRINTED, STAGES
     from curveups.stages.cut_request import CutRequest
     from curveups.stages.stage import Job

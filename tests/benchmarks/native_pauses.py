@@ -17,7 +17,7 @@ from typing import Any, Callable
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Workbench"))
 
-from curveups.native import native  # noqa: E402
+from curveups.base.native import native  # noqa: E402
 
 Call = Callable[[Callable[[str, float], bool]], Any]
 

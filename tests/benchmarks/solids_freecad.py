@@ -18,7 +18,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Workbench"))
 
-from curveups.native import native  # noqa: E402
+from curveups.base.native import native  # noqa: E402
 
 SCRIPT = """
 import json, sys, time

@@ -29,9 +29,9 @@ sys.path[:0] = [str(ROOT / "Workbench"), str(ROOT / "tests" / "support")]
 
 import cad  # noqa: E402
 import shapes  # noqa: E402
-from curveups.errors import CurveUpsError  # noqa: E402
-from curveups.native import native  # noqa: E402
-from curveups.project import Project  # noqa: E402
+from curveups.base.errors import CurveUpsError  # noqa: E402
+from curveups.base.native import native  # noqa: E402
+from curveups.project.project import Project  # noqa: E402
 from curveups.stages.cut_request import CutRequest  # noqa: E402
 from curveups.stages.surface import find_source  # noqa: E402
 from running import command, environment  # noqa: E402

@@ -61,9 +61,9 @@ class Pauses:
         self.timer.stop()
 
 def solve(design, pictures):
-    from curveups.commands import runs
-    from curveups.panels import preferences
-    from curveups.panels.live import LIVE
+    from curveups.window.commands import runs
+    from curveups.window.panels import preferences
+    from curveups.window.run import LIVE
     preferences.set_draws_live(pictures)
     with Pauses() as pauses:
         runs.start('solve', design)
@@ -97,7 +97,7 @@ def frames(view):
 
 def work():
     from curveups.features.document import build_bodies, new_design
-    from curveups.overlay import overlay_of
+    from curveups.window.overlay import overlay_of
     window = FreeCADGui.getMainWindow()
     window.resize(1440, 900)
     FreeCADGui.activateWorkbench('CurveUpsWorkbench')

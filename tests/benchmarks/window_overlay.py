@@ -26,7 +26,7 @@ from pivy import coin
 
 def dome(count):
     # V, F, T and q of a dome of about so many tiles, each of which lies flat, apart from all others.
-    from curveups.native import native
+    from curveups.base.native import native
     V, F = native.builtin_target('cap')
     area = np.linalg.norm(np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]]), axis=1).sum() / 2
     made = native.remesh(V, F, float(np.sqrt(area / count * 4 / np.sqrt(3))))
@@ -66,11 +66,11 @@ def frames(view, seconds=3.0):
 
 def work():
     from curveups.features import document as documents
-    from curveups.native import native
-    from curveups.overlay import overlay_of
-    from curveups.overlay.fields import CONTACT, Field
-    from curveups.overlay.picking import pick
-    from curveups.overlay.scene import Scene, shapes_of
+    from curveups.base.native import native
+    from curveups.window.overlay import overlay_of
+    from curveups.window.overlay.fields import CONTACT, Field
+    from curveups.window.overlay.picking import pick
+    from curveups.window.overlay.scene import Scene, shapes_of
     document = FreeCAD.newDocument('bench')
     window = FreeCADGui.getMainWindow()
     window.resize(1440, 900)

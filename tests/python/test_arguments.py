@@ -26,7 +26,7 @@ def test_targets_are_listed_one_a_line(curveups):
 
 
 def test_every_parameter_has_unit_default_range_and_meaning(curveups):
-    from curveups.native import native
+    from curveups.base.native import native
 
     ran = curveups("parameters")
     assert ran.status == 0
@@ -40,7 +40,7 @@ def test_every_parameter_has_unit_default_range_and_meaning(curveups):
 
 
 def test_only_what_is_like_a_name_is_taken_for_it():
-    from curveups.native import native
+    from curveups.base.native import native
 
     def remedy(name):
         with pytest.raises(native.InvalidInput) as caught:

@@ -6,10 +6,10 @@ import math
 import cad
 import numpy as np
 import pytest
-from curveups.cad_files import read_cad
-from curveups.cad_parts import Choice
-from curveups.native import native
-from curveups.project import Project
+from curveups.targets.cad_files import read_cad
+from curveups.targets.cad_parts import Choice
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.surface import find_source
 

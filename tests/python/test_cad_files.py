@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 from running import environment
 
-from curveups import cad_files, freecad_session
-from curveups.errors import CurveUpsError, Stopped
+from curveups.base import freecad_session
+from curveups.targets import cad_files
+from curveups.base.errors import CurveUpsError, Stopped
 
 MOST_MUTATIONS = 12  # a file, of some 130 to 370 lines
 
@@ -21,7 +22,7 @@ def open_box(tmp_path_factory):
     """A box without a lid, 40 x 30 x 20 mm, in the three formats: 5 faces, 10 triangles."""
     folder = tmp_path_factory.mktemp("cad")
     script = f"""
-from curveups import freecad_session
+from curveups.base import freecad_session
 _, part = freecad_session.load("Part")
 shell = part.Shell(part.makeBox(40, 30, 20).Faces[:5])
 shell.exportStep({str(folder / "box.step")!r})
@@ -39,7 +40,7 @@ def spherical_cap(tmp_path_factory):
     references."""
     path = tmp_path_factory.mktemp("cap") / "cap.step"
     script = f"""
-from curveups import freecad_session
+from curveups.base import freecad_session
 _, part = freecad_session.load("Part")
 part.makeSphere(40).common(part.makeBox(60, 60, 60)).Faces[0].exportStep({str(path)!r})
 """

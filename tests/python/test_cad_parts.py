@@ -7,10 +7,10 @@ import cad
 import numpy as np
 import pytest
 
-from curveups.cad_files import read_cad
-from curveups.cad_parts import Choice
-from curveups.errors import CurveUpsError
-from curveups.native import native
+from curveups.targets.cad_files import read_cad
+from curveups.targets.cad_parts import Choice
+from curveups.base.errors import CurveUpsError
+from curveups.base.native import native
 
 
 @pytest.fixture(scope="module")

@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 import pytest
-from curveups.cad_files import Read
-from curveups.errors import CurveUpsError
-from curveups.native import native
-from curveups.project import Project
+from curveups.targets.cad_files import Read
+from curveups.base.errors import CurveUpsError
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages import sizes
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.feasibility import examine
@@ -226,7 +226,7 @@ def test_a_check_can_be_stopped():
         seen.append(what)
         return not what.startswith("trying")
 
-    from curveups.errors import Stopped
+    from curveups.base.errors import Stopped
 
     V, F = sheet(lambda x, y: 0.0, 20, 10)
     with pytest.raises(Stopped):

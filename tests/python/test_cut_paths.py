@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-from curveups.cut_paths import CutPaths, groups
+from curveups.window.cut_paths import CutPaths, groups
 
 
 @pytest.fixture

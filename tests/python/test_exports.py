@@ -8,11 +8,11 @@ from xml.etree import ElementTree
 import pytest
 from running import ROOT
 
-from curveups.export_estimate import estimate
-from curveups.exports import Choice, choices, write_export
+from curveups.report.export_estimate import estimate
+from curveups.report.exports import Choice, choices, write_export
 from curveups.features.properties import property_name
-from curveups.native import native
-from curveups.project import Project
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Job
 from curveups.stages.surface import find_source

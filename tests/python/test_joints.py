@@ -7,7 +7,7 @@ import struct
 
 import numpy as np
 import pytest
-from curveups.native import native
+from curveups.base.native import native
 from curveups.stages.joining import joints_of, not_joined
 from schema import read_run
 from shapes import obj_text, sphere

@@ -6,8 +6,8 @@ import io
 import numpy as np
 import pytest
 
-from curveups.native import native
-from curveups.project import Project
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.report import html, membrane_pictures
 from curveups.report.data import build_report
 from curveups.stages import verification

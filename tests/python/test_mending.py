@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 import pytest
-from curveups.cad_files import Read
-from curveups.errors import Stopped
-from curveups.native import native
-from curveups.project import Project
+from curveups.targets.cad_files import Read
+from curveups.base.errors import Stopped
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages import trials
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Inputs, Job

@@ -6,8 +6,8 @@ import struct
 import numpy as np
 import pytest
 
-from curveups.errors import CurveUpsError
-from curveups.freecad_io import read_target
+from curveups.base.errors import CurveUpsError
+from curveups.targets.target_files import read_target
 
 V = np.array([[0, 0, 0], [9, 0, 0], [9, 9, 0.1], [0, 9, 0]], float)
 F = np.array([[0, 1, 2], [0, 2, 3]])

@@ -12,19 +12,22 @@ import numpy as np
 import pytest
 from running import dome
 
-from curveups import cad_files, cli, files, freecad_io
+from curveups import cli
+from curveups.features.document_file import write_document
+from curveups.report import files
+from curveups.targets import cad_files
 from curveups.cli import main
-from curveups.errors import NOT_WRITTEN, CurveUpsError
-from curveups.native import native
-from curveups.output import Folder, safe_name
-from curveups.project import Project
-from curveups.stages import anchoring, solids, suggestions, verification
+from curveups.base.errors import NOT_WRITTEN, CurveUpsError
+from curveups.base.native import native
+from curveups.base.output import Folder, safe_name
+from curveups.project.project import Project
+from curveups.stages import anchoring, solids, suggestions, surface, verification
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.design import Figures
 from curveups.stages.solids import Check
 from curveups.stages.stage import Inputs, Job
 from curveups.stages.surface import find_source
-from curveups.verdict import Verdict, judge
+from curveups.project.verdict import Verdict, judge
 
 BIG = "9" * 400
 MODEL = ('<?xml version="1.0" encoding="%s"?><model unit="millimeter" xmlns='
@@ -222,7 +225,8 @@ def test_a_verification_that_breaks_down_keeps_the_layout(project_of_cap, monkey
     results = project_of_cap().run(GOALS)
     assert results.verdict.valid is False and not results.stopped
     assert any("could not be verified" in r and "memory" in r for r in results.verdict.reasons)
-    files.write_results(results, tmp_path / "out", Job())
+    with files.Writing(tmp_path / "out", Job(), write_document) as writing:
+        writing.end(results)
     assert json.loads((tmp_path / "out" / "report.json").read_text())["valid"] is False
     assert native.read_design((tmp_path / "out" / "design.json").read_text()).name == "cap"
 
@@ -331,7 +335,7 @@ def test_scaled_targets_are_divided_as_finely_as_their_tiles_ask(monkeypatch, tm
     """0.0005 L in the print, whatever the file's unit."""
     given = []
     (tmp_path / "a.step").write_text("ISO")
-    monkeypatch.setattr(freecad_io, "read_target", lambda path, deflection, *_: given.append(deflection)
+    monkeypatch.setattr(surface, "read_target", lambda path, deflection, *_: given.append(deflection)
                         or cad_files.Read(*native.builtin_target("half-sphere", 1.0)))
 
     def read(target, scale):

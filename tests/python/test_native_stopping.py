@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from running import dome
 
-from curveups.native import native
+from curveups.base.native import native
 
 NONE = np.zeros((0, 2), np.int32)
 

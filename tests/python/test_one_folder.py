@@ -10,9 +10,9 @@ import time
 import pytest
 from running import command, environment
 
-from curveups import files
-from curveups.errors import NOT_WRITTEN, CurveUpsError
-from curveups.output import Folder
+from curveups.report import files
+from curveups.base.errors import NOT_WRITTEN, CurveUpsError
+from curveups.base.output import Folder
 
 
 @pytest.fixture

@@ -3,10 +3,10 @@
 
 import numpy as np
 import pytest
-from curveups.native import native
-from curveups.overlay import colours, prisms
-from curveups.overlay.fields import CONTACT, SIDE, TILE, Field, aligned, deviation_field
-from curveups.overlay.motion import Motion, part_of, quaternions
+from curveups.base.native import native
+from curveups.window.overlay import colours, prisms
+from curveups.window.overlay.fields import CONTACT, SIDE, TILE, Field, aligned, deviation_field
+from curveups.window.overlay.motion import Motion, part_of, quaternions
 
 
 def rotation(axis, angle):

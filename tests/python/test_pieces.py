@@ -6,10 +6,10 @@ import zipfile
 
 import numpy as np
 import pytest
-from curveups.cad_files import Read
-from curveups.errors import CurveUpsError
-from curveups.native import native
-from curveups.project import Project
+from curveups.targets.cad_files import Read
+from curveups.base.errors import CurveUpsError
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages import pieces as pieces_stage
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.division import all_cuts

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from running import dome
 
-from curveups.native import native
-from curveups.profiles import profile_names, profile_path
+from curveups.base.native import native
+from curveups.base.profiles import profile_names, profile_path
 from curveups.stages.solids import read_printer
 
 

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from running import dome
 
-from curveups import project as projects
-from curveups import saved_results
-from curveups.errors import CurveUpsError, Stopped
-from curveups.native import native
-from curveups.project import Project
+from curveups.project import project as projects
+from curveups.project import saved_results
+from curveups.base.errors import CurveUpsError, Stopped
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages import STAGES
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.design import design_digest

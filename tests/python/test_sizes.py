@@ -6,10 +6,10 @@ import json
 import numpy as np
 import pytest
 
-from curveups.cad_files import Read
-from curveups.errors import CurveUpsError
-from curveups.native import native
-from curveups.project import Project
+from curveups.targets.cad_files import Read
+from curveups.base.errors import CurveUpsError
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages import sizes
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Job

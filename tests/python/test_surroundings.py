@@ -98,7 +98,7 @@ def test_little_memory_is_said(tmp_path):
 
     loads = (sys.executable, "-c", "import os; os.environ['OPENBLAS_NUM_THREADS'] = '1'\n"
                                    "import curveups.cli.commands\n"
-                                   "from curveups.native import problem; assert problem() is None")
+                                   "from curveups.base.native import problem; assert problem() is None")
     limits = [kilobytes for kilobytes in (300_000, 350_000, 450_000, 600_000)
               if within(kilobytes, *loads).returncode == 0]
     assert len(limits) > 1

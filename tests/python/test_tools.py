@@ -16,8 +16,8 @@ import bench_results  # noqa: E402
 import bench_table  # noqa: E402
 import check_rooms  # noqa: E402
 import growth  # noqa: E402
-from curveups import project  # noqa: E402
-from curveups.native import native  # noqa: E402
+from curveups.project import project  # noqa: E402
+from curveups.base.native import native  # noqa: E402
 
 
 @pytest.mark.parametrize("path, text, said", [
@@ -26,19 +26,26 @@ from curveups.native import native  # noqa: E402
     ("native/curveups/bindings/a.cpp", "#include <TopoDS_Shape.hxx>", "OpenCASCADE"),
     ("native/curveups/layout/a.cpp", "#include <cholmod.h>", "CHOLMOD"),
     ("native/curveups/cellar/a.cpp", "", "not known"),
-    ("Workbench/curveups/stages/a.py", "from ..project import Project", "must not import"),
+    ("Workbench/curveups/stages/a.py", "from ..project.project import Project", "must not import"),
     ("Workbench/curveups/stages/a.py", "def f():\n    from .. import cli", "must not import"),
     ("Workbench/curveups/features/a.py", "import FreeCADGui", "FreeCADGui"),
-    ("Workbench/curveups/panels/a.py", "from PySide2 import QtCore", "PySide2"),
+    ("Workbench/curveups/window/a.py", "from PySide2 import QtCore", "PySide2"),
+    ("Workbench/curveups/a.py", "", "not known"),
+    ("Workbench/curveups/cellar/a.py", "", "not known"),
+    ("Workbench/curveups/stages/a.py", "def f():\n    from ..base import errors", "inside of a function"),
+    ("Workbench/curveups/stages/a.py", "from .b import x",
+     "import one another: curveups.stages.a, curveups.stages.b"),
     ("native/curveups/refinement/a.cpp", '#include "curveups/core/types.hpp"', ""),
     ("native/curveups/fabrication/a.cpp", '#include "curveups/bodies/outline.hpp"', ""),
-    ("Workbench/curveups/cli/a.py", "from ..project import Project", ""),
-    ("Workbench/curveups/qt.py", "from PySide2 import QtCore", ""),
+    ("Workbench/curveups/cli/a.py", "from ..project.project import Project", ""),
+    ("Workbench/curveups/window/qt.py", "from PySide2 import QtCore", ""),
 ])
 def test_the_order_of_rooms(monkeypatch, capsys, tmp_path, path, text, said):
     monkeypatch.setattr(check_rooms, "ROOT", tmp_path)
     (tmp_path / path).parent.mkdir(parents=True)
     (tmp_path / path).write_text(text + "\n")
+    if "from .b" in text:
+        (tmp_path / path).with_name("b.py").write_text("def f():\n    from . import a\n")
     assert check_rooms.main() == (1 if said else 0)
     assert said in capsys.readouterr().out
 

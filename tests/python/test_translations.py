@@ -39,7 +39,7 @@ def test_parameters_are_found_without_the_native_module_too(monkeypatch):
     found = translations.texts_of_parameters()
     assert len(found) > 40 and all(text.endswith(".") for _, text in found)
     assert any("Thickness of a tile" in text and "Takes effect at once." in text for _, text in found)
-    monkeypatch.setattr("curveups.native.problem", lambda: "it is not there")
+    monkeypatch.setattr("curveups.base.native.problem", lambda: "it is not there")
     assert translations.texts_of_parameters() == found
 
 

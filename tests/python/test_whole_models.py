@@ -82,7 +82,7 @@ def test_every_solid_is_sound_and_every_mesh_watertight(whole):
 
 def test_figures_are_those_of_the_solids(whole):
     """Distances of flat neighbours and what actuated ones have in common, from the STEP files."""
-    from curveups import freecad_session
+    from curveups.base import freecad_session
 
     folder, report = whole
     _, part = freecad_session.load("Part")

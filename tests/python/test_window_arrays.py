@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from running import dome
 
-from curveups.native import native
+from curveups.base.native import native
 
 
 @pytest.fixture(scope="module")

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from curveups.native import native
-from curveups.project import Project
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages.clearances import Clearances
 from curveups.stages.verification import Recheck, Verification
-from curveups.verdict import judge
+from curveups.project.verdict import judge
 
 
 def test_tiles_that_meet_as_printed_are_named(designed):

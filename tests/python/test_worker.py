@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 import running  # noqa: F401
 
-from curveups.errors import CurveUpsError
-from curveups.native import native
-from curveups.project import Project
+from curveups.base.errors import CurveUpsError
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.surface import find_source
-from curveups.worker import Worker
+from curveups.project.worker import Worker
 
 
 def project_of(target, **values):

@@ -7,11 +7,12 @@ import zipfile
 
 import pytest
 
-from curveups import files, freecad_io
-from curveups.errors import NOT_WRITTEN, CurveUpsError
-from curveups.files import Writing, write_results
-from curveups.native import native
-from curveups.project import Project
+from curveups.report import files
+from curveups.features import document_file
+from curveups.base.errors import NOT_WRITTEN, CurveUpsError
+from curveups.report.files import Writing
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.report.html import build_html
 from curveups.stages import PRINTED, solids
 from curveups.stages.stage import Job
@@ -55,14 +56,14 @@ def wait_until(there, seconds=30.0):
 @pytest.fixture
 def documents(monkeypatch):
     """The paths under which documents were written, whole."""
-    written, write = [], freecad_io.write_document
+    written, write = [], document_file.write_document
 
     def watched(results, path):
         software = write(results, path)
         written.append(path)
         return software
 
-    monkeypatch.setattr(freecad_io, "write_document", watched)
+    monkeypatch.setattr(document_file, "write_document", watched)
     return written
 
 
@@ -80,7 +81,7 @@ def pages(monkeypatch):
 
 
 def run(project, folder, job):
-    with Writing(folder, job) as writing:
+    with Writing(folder, job, document_file.write_document) as writing:
         results = project.run(GOALS, job, strict=True, watch=writing.watch, expect=writing.expect)
         return writing.end(results)
 
@@ -106,7 +107,8 @@ def test_print_files_come_while_solids_are_checked(project, monkeypatch, tmp_pat
 def test_document_and_page_are_made_while_solids_are_checked_and_wait(project, monkeypatch, tmp_path,
                                                                       documents, pages):
     out, plain = tmp_path / "out", tmp_path / "plain"
-    assert write_results(project.run(GOALS, strict=True), plain, Job()) is False
+    with Writing(plain, Job(), document_file.write_document) as writing:
+        assert writing.end(project.run(GOALS, strict=True)) is False
     documents.clear(), pages.clear()
 
     def judge(job):
@@ -173,7 +175,7 @@ def test_documents_that_can_not_be_written_end_the_checks(project, monkeypatch, 
         wait_until(lambda: job.stopped)
         raise native.Cancelled
 
-    monkeypatch.setattr(freecad_io, "write_document", fail)
+    monkeypatch.setattr(document_file, "write_document", fail)
     judged_by(monkeypatch, judge)
     with pytest.raises(CurveUpsError, match="FCStd could not be written: FreeCAD gave up") as caught:
         run(project, out, job)

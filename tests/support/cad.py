@@ -9,7 +9,7 @@ from pathlib import Path
 
 from running import environment
 
-from curveups import freecad_session
+from curveups.base import freecad_session
 
 _SCRIPT = "import sys; sys.path.insert(0, {here!r}); import cad; cad.write({folder!r}, {names!r})"
 

@@ -34,8 +34,8 @@ def work(kind, seed, first):
     """In the child: a line for every input, `NUMBER` or `NUMBER what went wrong`."""
     from fuzz_kinds import BROKEN, KINDS
 
-    from curveups.errors import CurveUpsError
-    from curveups.native import native
+    from curveups.base.errors import CurveUpsError
+    from curveups.base.native import native
 
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

@@ -19,10 +19,12 @@ from unittest import mock
 import numpy as np
 from running import dome
 
-from curveups import cad_files, freecad_io, freecad_session, saved_results
-from curveups.errors import CurveUpsError
-from curveups.native import native
-from curveups.project import Project
+from curveups.base import freecad_session
+from curveups.project import saved_results
+from curveups.targets import cad_files, target_files
+from curveups.base.errors import CurveUpsError
+from curveups.base.native import native
+from curveups.project.project import Project
 from curveups.stages.design import FinishedDesign
 
 NONE = np.zeros((0, 2), np.int32)
@@ -49,7 +51,7 @@ class Briefly:
 
 
 def check_mesh(path, number):
-    found = freecad_io.read_target(path, 0.01)
+    found = target_files.read_target(path, 0.01)
     found_V, found_F = found.V, found.F
     assert found_V.shape[1:] == (3,) and found_F.shape[1:] == (3,) and np.isfinite(found_V).all()
     assert found_F.min() >= 0 and found_F.max() < len(found_V)

@@ -14,8 +14,8 @@ from pathlib import Path
 import numpy as np
 from running import dome
 
-from curveups import freecad_session
-from curveups.native import native
+from curveups.base import freecad_session
+from curveups.base.native import native
 
 INT = np.int32
 NONE = np.zeros((0, 2), INT)

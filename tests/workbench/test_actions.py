@@ -5,7 +5,7 @@ import json
 
 NEW = """
 import FreeCAD, Part, json, os
-from curveups.errors import CurveUpsError
+from curveups.base.errors import CurveUpsError
 from curveups.features import actions, document
 made = FreeCAD.newDocument('Made')
 made.UndoMode = 1
@@ -90,8 +90,8 @@ text = refused(actions.export, design, folder)
 assert 'out of date' in text and 'Tau' in text and 'insist' in text, text
 assert not os.path.exists(folder)
 actions.export(design, folder, insist=True, files=(('print', 'step'), ('tiles', 'stl'), ('print', '3mf')))
-import curveups.step_export
-curveups.step_export.export([design.Tiles], folder + '/by-freecad.step')
+import curveups.features.step_export
+curveups.features.step_export.export([design.Tiles], folder + '/by-freecad.step')
 done()
 """, folder=tmp_path / "out")
     out = tmp_path / "out"
@@ -106,7 +106,7 @@ done()
 
 def test_exports_that_can_not_be(freecad, tmp_path):
     freecad(NEW + """
-from curveups.exports import Choice
+from curveups.report.exports import Choice
 design = document.new_design(made, 'half-sphere')
 assert 'no layout' in refused(actions.export, design, folder)
 design.L = 12
@@ -115,9 +115,9 @@ for mask, words in (('{nam}', 'nam'), ('{name', '{name}'), ('x', '{body}'), ('a/
     text = refused(actions.export, design, folder, mask=mask)
     assert words in text, text
 assert 'mesh_deviation' in refused(actions.export, design, folder, deviation=99.0)
-import curveups.step_export
+import curveups.features.step_export
 other = made.addObject('Part::Box', 'Box')
-assert 'one design' in refused(curveups.step_export.export, [other], folder + '.step')
+assert 'one design' in refused(curveups.features.step_export.export, [other], folder + '.step')
 assert not os.path.exists(folder) and not os.path.exists(folder + '.step')
 done()
 """, folder=tmp_path / "out")

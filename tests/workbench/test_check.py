@@ -10,8 +10,8 @@ from window import run_in_window
 pytestmark = pytest.mark.skipif(not shutil.which("xvfb-run"), reason="there is no xvfb-run")
 
 CHECK = START + """
-from curveups.overlay import overlay_of
-from curveups.overlay.overlay import Overlay
+from curveups.window.overlay import overlay_of
+from curveups.window.overlay.overlay import Overlay
 
 def tent():
     import math
@@ -42,7 +42,7 @@ def checking(form):
 
 def marked():
     # Pixels of the colour of marks beside the legend.
-    from curveups.overlay.colours import MARK
+    from curveups.window.overlay.colours import MARK
     image = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
     wanted = [int(255 * part) for part in MARK]
     count = 0
@@ -273,7 +273,7 @@ def texts(form):
     return found
 
 def work():
-    from curveups.overlay.units import in_user_units
+    from curveups.window.units import in_user_units
     line = 'T00012 cuts 0.254 mm into 6.4516 mm2 (H_pin 5 to 50.8 mm, tau 2, 8 N, part2 mm-wide)'
     assert in_user_units(line) == line
     FreeCAD.ParamGet('User parameter:BaseApp/Preferences/Units').SetInt('UserSchema', 3)

@@ -12,11 +12,11 @@ from window import freecad_home, run_in_window
 pytestmark = pytest.mark.skipif(not shutil.which("xvfb-run"), reason="there is no xvfb-run")
 
 START = ROBOT + """
-from curveups import qt
+from curveups.window import qt
 from curveups.features import document as designs
 
 def live():
-    from curveups.panels.live import LIVE
+    from curveups.window.run import LIVE
     return LIVE
 
 def begin():
@@ -32,7 +32,7 @@ def begin():
 def example(name='half-sphere', **values):
     # A design that is small enough to be solved while one waits.
     made = begin()
-    from curveups.commands.new_design import make_design
+    from curveups.window.commands.new_design import make_design
     design = make_design(made, repr(name))
     for key, value in values.items():
         setattr(design, key, value)
@@ -55,7 +55,7 @@ def enter(form, name, text):
     fill(field, text)
 
 def panel():
-    from curveups.panels import solve
+    from curveups.window.panels import solve
     return solve._open
 """
 
@@ -77,7 +77,7 @@ def work():
     assert designs.state_of(design)[0] == 'running'
     assert not FreeCADGui.Command.get('CurveUps_Solve').isActive()
     assert 'at work' in FreeCADGui.Command.get('CurveUps_Solve').getAction()[0].statusTip()
-    from curveups.overlay import overlay_of
+    from curveups.window.overlay import overlay_of
     overlay = overlay_of(design)
     until(lambda: overlay._iterating, 60, 'a picture of the layout while it is solved')
     colours = picture('solving')
@@ -113,7 +113,7 @@ def test_cancel_stop_and_closing_in_mid_run(homes, tmp_path):
 def solving(design, iterates=2):
     FreeCADGui.runCommand('CurveUps_Solve')
     assert live().busy
-    from curveups.worker import WORKER
+    from curveups.project.worker import WORKER
     until(lambda: WORKER.status().count >= iterates, 60, 'the layout to begin')
 
 def work():
@@ -127,7 +127,7 @@ def work():
     assert design.Results == before and design.Verdict == 'not judged' and design.TileCount == 0
     assert 'cancelled' in panel().form.line.text(), panel().form.line.text()
     assert took < 2, took  # the robot's own pauses are in it
-    from curveups.worker import WORKER
+    from curveups.project.worker import WORKER
     assert WORKER.wait(20)
 
     solving(design, 3)
@@ -157,7 +157,7 @@ def work():
     settle(500)
     assert not live().busy and panel() is None and not FreeCADGui.Control.activeDialog()
     again = FreeCAD.newDocument('Again')
-    from curveups.commands.new_design import make_design
+    from curveups.window.commands.new_design import make_design
     design = make_design(again, repr('half-sphere'))
     design.L = 14
     again.recompute()
@@ -179,7 +179,7 @@ def test_quitting_in_mid_run(homes, tmp_path):
 def work():
     made, design = example('tower', L=10)
     FreeCADGui.runCommand('CurveUps_Solve')
-    from curveups.worker import WORKER
+    from curveups.project.worker import WORKER
     until(lambda: WORKER.status().count >= 2, 60, 'the layout to begin')
     app = QtGui.QApplication.instance() if hasattr(QtGui, 'QApplication') else None
     app.aboutToQuit.emit()
@@ -245,7 +245,7 @@ def work():
     count = len(made.Objects)
     with open(broken, 'w') as file:
         file.write('nothing')
-    from curveups.commands import new_design
+    from curveups.window.commands import new_design
     new_design.ask_for_file = lambda title: broken
     FreeCADGui.runCommand('CurveUps_NewDesign')
     settle(300)
@@ -330,7 +330,7 @@ def work():
     assert pages and pages[0].startswith(os.path.dirname(saved)) and os.path.getsize(pages[0]) > 50000, pages
 
     # FreeCAD's own Export: ours is among the formats.
-    assert FreeCAD.getExportType('step') and 'curveups.step_export' in FreeCAD.getExportType('step')
+    assert FreeCAD.getExportType('step') and 'curveups.features.step_export' in FreeCAD.getExportType('step')
     assert 'Traceback' not in report() and 'unexpected' not in report(), report()
 """, homes, tmp_path, out=tmp_path / "print", saved=tmp_path / "saved.FCStd")
     assert "Traceback" not in out, out
@@ -347,8 +347,8 @@ def work():
     at_rest()
     panel().reject()
     settle(200)
-    from curveups.commands.notice import Notice, show_error
-    from curveups.errors import CurveUpsError
+    from curveups.window.notice import Notice, show_error
+    from curveups.base.errors import CurveUpsError
     show_error(CurveUpsError('2 back faces vanish', 'Design, T00012, T00044', 'make HBody less'), 'Solve')
     settle(700)
     notice = widget('CurveUpsNotice')

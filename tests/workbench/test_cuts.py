@@ -13,8 +13,8 @@ pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("
 STEPS = ROBOT + """
 import numpy as np
 from curveups.features import document as designs
-from curveups.overlay import overlay_of
-from curveups.panels.live import LIVE
+from curveups.window.overlay import overlay_of
+from curveups.window.run import LIVE
 
 def begin(name='half-sphere'):
     FreeCADGui.activateWorkbench('CurveUpsWorkbench')

@@ -34,7 +34,7 @@ def test_every_parameter_is_a_property_with_unit_group_and_tooltip(freecad, docu
     freecad(OPEN + """
 from curveups.features import properties
 from curveups.features.document import settings_of
-from curveups.native import native
+from curveups.base.native import native
 kept = native.read_design(open(json_path, encoding='utf-8').read()).parameters
 assert {row.group for row in native.parameter_table()} - {row.group for row in properties.rows()} == {
     'Stages'}
@@ -67,7 +67,7 @@ done()
 def test_the_layout_is_kept_bit_for_bit(freecad, document):
     freecad(OPEN + """
 from curveups.features.document import design_project_of
-from curveups.native import native
+from curveups.base.native import native
 kept = native.write_design(design_project_of(design).latest('design').design)
 assert kept == open(json_path, encoding='utf-8').read()
 done()

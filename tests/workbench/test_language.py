@@ -19,7 +19,7 @@ def work():
     action = FreeCADGui.Command.get('CurveUps_NewDesign').getAction()[0]
     assert action.text() == 'Neuer Entwurf', action.text()
     from curveups.features.document import new_design
-    from curveups.panels.solve import open_panel
+    from curveups.window.panels.solve import open_panel
     form = open_panel(new_design(FreeCAD.newDocument(), 'disc')).form
     assert form.stop.text() == 'Anhalten' and form.solve.text() == 'Lösen', form.stop.text()
     assert form.stages.headerItem().text(0) == 'Schritt', form.stages.headerItem().text(0)
@@ -32,7 +32,7 @@ def work():
     tip = QtCore.QCoreApplication.translate('App::Property', design.getDocumentationOfProperty('Tau'))
     assert tip.startswith('Dehnung der Membranen'), tip
     from curveups.features import document as designs
-    from curveups.overlay import overlay_of
+    from curveups.window.overlay import overlay_of
     designs.take(design, designs.project_of(design).run(('target',)))
     settle(500)
     assert overlay_of(design).legend.content.title == 'Faltwinkel'
@@ -41,7 +41,7 @@ def work():
     overlay_of(design).set_field('Friction ratio')  # there is none yet: the first one stays
     settle(500)
     FreeCADGui.ActiveDocument.ActiveView.saveImage(picture, 900, 600, 'White')
-    from curveups.commands.command import no_design
+    from curveups.window.commands.command import no_design
     FreeCAD.closeDocument(FreeCAD.ActiveDocument.Name)
     assert no_design().startswith('Es gibt keinen Entwurf'), no_design()
 """

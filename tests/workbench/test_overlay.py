@@ -12,7 +12,7 @@ OPEN = """
 import numpy as np
 
 def opened(path):
-    from curveups.overlay import overlay_of, showing
+    from curveups.window.overlay import overlay_of, showing
     FreeCADGui.activateWorkbench('CurveUpsWorkbench')
     document = FreeCAD.openDocument(path)
     window = FreeCADGui.getMainWindow()
@@ -82,7 +82,7 @@ def third(corners, tile, edge):
 
 COLOURS = OPEN + """
 def work():
-    from curveups.overlay import colours
+    from curveups.window.overlay import colours
     document, design, view, overlay = opened(path)
     design.ViewObject.ColourMap = 'Viridis'
     assert overlay.fields()[:2] == ['Normal force', 'Friction ratio'], overlay.fields()
@@ -108,7 +108,7 @@ def work():
     overlay.set_field('None')
     assert gap != image and picture(view, 'plain') != gap and overlay.legend.content is None
     # The target shape; both; pins.
-    from curveups.overlay import showing
+    from curveups.window.overlay import showing
     showing.show_actuated(design)
     settle(1000)
     assert overlay.morph() == 1
@@ -154,7 +154,7 @@ def selected():
     return [(one.ObjectName, *one.SubElementNames) for one in FreeCADGui.Selection.getSelectionEx()]
 
 def work():
-    from curveups.overlay.picking import pick
+    from curveups.window.overlay.picking import pick
     document, design, view, overlay = opened(path)
     scene = overlay.scene
     for tile, edge in ((0, 0), (17, 1), (53, 2)):
@@ -207,7 +207,7 @@ def test_picking_gives_tiles_and_edges(document, homes, tmp_path):
 
 KEPT = OPEN + """
 def work():
-    from curveups.overlay import legend as parts, overlay_of, overlays
+    from curveups.window.overlay import legend as parts, overlay_of, overlays
     document, design, view, overlay = opened(path)
     overlay.set_field('Normal force')
     low, high = overlay.range()
@@ -321,7 +321,7 @@ def work():
     # ... but comes back with it.
     document.undo()
     settle(500)
-    from curveups.overlay import overlay_of
+    from curveups.window.overlay import overlay_of
     again = overlay_of(document.Design)
     assert not again.closed and again.scene is not None and again.legend.content is not None, again.note
     again.select_tiles([7])
@@ -337,8 +337,8 @@ def test_it_follows_document_solver_and_panels(document, homes, tmp_path):
 
 SHOWN = OPEN + """
 def work():
-    from curveups.overlay import meshing
-    from curveups.panels.live import LIVE
+    from curveups.window.overlay import meshing
+    from curveups.window.run import LIVE
     document, design, view, overlay = opened(path)
 
     def shown():

@@ -13,9 +13,9 @@ pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("
 
 STEPS = ROBOT + """
 from curveups.features import document as designs
-from curveups.overlay import overlay_of
-from curveups.panels.live import LIVE
-from curveups.panels.solve import open_panel
+from curveups.window.overlay import overlay_of
+from curveups.window.run import LIVE
+from curveups.window.panels.solve import open_panel
 
 def opened():
     FreeCADGui.activateWorkbench('CurveUpsWorkbench')
@@ -60,7 +60,7 @@ def work():
     area = view.graphicsView().viewport()
     before = second.range(), first.range()
     height = area.height()
-    from curveups.overlay import legend
+    from curveups.window.overlay import legend
     place = area.mapToGlobal(QtCore.QPoint(right.left + 8, int(
         height - legend.bottom(height) - legend.height_of(1))))
     display('mousemove', place.x(), place.y())

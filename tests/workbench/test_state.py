@@ -7,7 +7,7 @@ import pytest
 OPEN = """
 import FreeCAD
 from curveups.features import document as documents
-from curveups.errors import CurveUpsError
+from curveups.base.errors import CurveUpsError
 document = FreeCAD.openDocument(path)
 design = document.Design
 PARTS = ('Target', 'Cuts', 'Layout', 'Verification', 'Tiles', 'Support', 'Anchors')
@@ -168,7 +168,7 @@ done()
 NEW = """
 import FreeCAD, Mesh, Part
 from curveups.features import document as documents
-from curveups.errors import CurveUpsError
+from curveups.base.errors import CurveUpsError
 document = FreeCAD.newDocument('New')
 
 def cap(radius=40):

@@ -68,7 +68,7 @@ def test_without_the_native_module(freecad, document, tmp_path, home):
     """It opens and shows; an edit is noticed, by comparison alone; what was saved is whole."""
     same, edited = tmp_path / "same.FCStd", tmp_path / "edited.FCStd"
     out = freecad(OPEN + """
-from curveups.native import problem
+from curveups.base.native import problem
 assert 'run tools/setup' in str(problem())
 assert type(design.Proxy).__name__ == 'DesignProxy'
 assert (design.Verdict, design.Status) == ('valid', 'current'), list(design.Reasons)

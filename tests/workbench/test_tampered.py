@@ -11,7 +11,7 @@ import pytest
 PROBE = """
 import FreeCAD, traceback
 from pathlib import Path
-from curveups.errors import CurveUpsError
+from curveups.base.errors import CurveUpsError
 from curveups.features import document as documents
 for path in sorted(Path(folder).glob('*.FCStd')):
     print('begin', path.stem, flush=True)

@@ -24,7 +24,7 @@ def shown(gui):
 
 TREE = OPEN + """
 from curveups.features import document as documents
-from curveups.viewproviders.part import ShapeView
+from curveups.window.viewproviders.part import ShapeView
 
 def drawn(gui):
     # What stands in the tree before each name.
@@ -38,7 +38,7 @@ def drawn(gui):
 def work():
     document, gui = opened(path)
     document.UndoMode = 1
-    design, panel = document.Design, __import__('curveups.panels.solve').panels.solve
+    design, panel = document.Design, __import__('curveups.window.panels.solve').panels.solve
     assert all(isinstance(gui.getObject(name).Proxy, ShapeView) for name in SHAPES)
     current = drawn(gui)
     assert len({current[name] for name in SHAPES}) == 4
@@ -122,7 +122,7 @@ def test_what_was_hidden_stays_so_in_any_FreeCAD(document, homes, tmp_path):
     run_in_window(ELSEWHERE, homes[False], tmp_path, path=document, once=once, twice=twice)
     out = run_in_window(OPEN + """
 def work():
-    from curveups.viewproviders.part import ShapeView
+    from curveups.window.viewproviders.part import ShapeView
     document, gui = opened(path)
     assert shown(gui) == {'Tiles', 'Anchors'}, shown(gui)
     assert all(isinstance(gui.getObject(name).Proxy, ShapeView) for name in SHAPES)

@@ -35,7 +35,7 @@ def edit(document, name, value):
 
 FOLLOWS = OPEN + """
 def work():
-    from curveups.viewproviders import following
+    from curveups.window.viewproviders import following
     document, design = opened()
     tiles, size = design.Tiles, document.UndoRedoMemSize
     # Edits in quick succession: solids are built for the last one alone.

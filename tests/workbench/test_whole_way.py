@@ -15,8 +15,8 @@ pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("
 
 STEPS = ROBOT + """
 from curveups.features import document
-from curveups.overlay import overlay_of
-from curveups.panels.live import LIVE
+from curveups.window.overlay import overlay_of
+from curveups.window.run import LIVE
 
 def design():
     return next(obj for obj in FreeCAD.ActiveDocument.Objects

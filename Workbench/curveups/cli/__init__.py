@@ -14,10 +14,10 @@ from pathlib import Path
 from typing import Any, Callable, NoReturn, Optional, Sequence, TextIO
 
 from .. import __version__
-from ..errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
-from ..output import Folder, is_text
-from ..profiles import profile_names
-from ..progress import Interrupt, Reporter
+from ..base.errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
+from ..base.output import Folder, is_text
+from ..base.profiles import profile_names
+from ..base.progress import Interrupt, Reporter
 
 _EPILOG = """exit status: 0 valid, or not judged because verification was off; 1 finished, not valid;
 2 bad input or usage, nothing written; 3 stopped, best so far written; 4 a file could not be written"""

@@ -20,8 +20,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # of memory, and takes 0.6 of the time that it takes with the system's.
 os.environ.setdefault("MMGT_OPT", "2")
 
-from ..errors import NOT_WRITTEN  # noqa: E402
-from ..machine import keep_memory  # noqa: E402
+from ..base.errors import NOT_WRITTEN  # noqa: E402
+from ..base.machine import keep_memory  # noqa: E402
 from . import main  # noqa: E402
 
 keep_memory()

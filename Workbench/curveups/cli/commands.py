@@ -7,14 +7,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Iterator, TextIO
 
-from ..errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
-from ..files import Writing, write_check, write_obj, write_verification
-from ..native import native, translated
-from ..output import Folder, is_text, plain_name, require_folder_name, safe_name
-from ..profiles import ABOUT, profile_path
-from ..progress import Interrupt, Reporter
-from ..project import Project, Results
+from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
+from ..base.native import native, translated
+from ..base.output import Folder, is_text, plain_name, require_folder_name, safe_name
+from ..base.profiles import ABOUT, profile_path
+from ..base.progress import Interrupt, Reporter
+from ..features.document_file import write_document
+from ..project.project import Project, Results
 from ..report import check as check_report
+from ..report.files import Writing, write_check, write_obj, write_verification
 from ..stages import CHECKED, DESIGNED, PRINTED, sizes
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.stage import Job
@@ -54,7 +55,7 @@ def design(options: Any, session: Session) -> int:
     if cuts.suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
     goals = (*DESIGNED, *(() if options.no_solids else PRINTED))
-    with Writing(options.output, job, session.interrupt.shielded) as writing:
+    with Writing(options.output, job, write_document, session.interrupt.shielded) as writing:
         results = project.run(goals, job, watch=writing.watch, expect=writing.expect)
         stopped = writing.end(results)
     return _finish(results, options.output, session, stopped)
@@ -139,7 +140,7 @@ def export(options: Any, session: Session) -> int:
     project.parameters = values
     job = session.job
     note = "geometry changed since verification" if rebuilt else "an export does not verify"
-    with Writing(options.output, job, session.interrupt.shielded) as writing:
+    with Writing(options.output, job, write_document, session.interrupt.shielded) as writing:
         results = project.run(("figures", *PRINTED), job, strict=True, note=note, watch=writing.watch,
                               expect=writing.expect)
         stopped = writing.end(results)

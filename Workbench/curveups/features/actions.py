@@ -12,12 +12,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Callable, Collection, Iterator, Optional, Sequence
 
-from .. import profiles
-from ..errors import CurveUpsError
-from ..exports import Choice, File, choices, write_export, write_step
-from ..exports import report as write_report
-from ..output import safe_name
-from ..project import Project, Results
+from ..base import profiles
+from ..base.errors import CurveUpsError
+from ..base.output import safe_name
+from ..project.project import Project, Results
+from ..report.exports import Choice, File, choices, report as write_report, write_export, write_step
 from ..stages import DESIGNED, sizes
 from ..stages.layout import Layout
 from ..stages.stage import Job

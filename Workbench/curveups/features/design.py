@@ -9,12 +9,12 @@ from __future__ import annotations
 from typing import Any, Optional
 
 from .. import __version__
-from ..errors import CurveUpsError
-from ..native import native, problem
-from ..project import Project
-from . import figures, live, migration, properties, rebuild, status, target
+from ..base.errors import CurveUpsError
+from ..base.native import native, problem
+from ..project.project import Project
+from . import figures, live, properties, rebuild, status, target
 from .copies import own_parts
-from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, show, write
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, is_old, show, write
 
 
 class DesignProxy(Proxy):
@@ -56,7 +56,7 @@ class DesignProxy(Proxy):
 
     def execute(self, obj: Any) -> None:
         """Without a window, makes the solids for the values as they are; with one they follow after the
-        edit (viewproviders/following.py), so that undo holds no solids and nobody waits."""
+        edit (window/viewproviders/following.py), so that undo holds no solids and nobody waits."""
         import FreeCAD
 
         if target.is_target(obj.Target):
@@ -114,7 +114,7 @@ class DesignProxy(Proxy):
     def onDocumentRestored(self, obj: Any) -> None:
         import FreeCAD
 
-        if migration.is_old(obj):
+        if is_old(obj):
             return  # until the whole document is there
         super().onDocumentRestored(obj)
         if obj.Document.Importing:  # a copy

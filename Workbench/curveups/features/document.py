@@ -13,10 +13,10 @@ from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
 
-from .. import saved_results
-from ..errors import CurveUpsError
-from ..native import translated
-from ..project import Made, Results
+from ..base.errors import CurveUpsError
+from ..base.native import translated
+from ..project import saved_results
+from ..project.project import Made, Results
 from ..stages.design import design_digest
 from ..stages.stage import Job
 from . import live, properties, rebuild, status, target

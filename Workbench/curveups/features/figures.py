@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any, Mapping
 
-from ..project import Results
+from ..project.project import Results
 from . import properties
 from .proxy import OUTPUT, READ_ONLY, add, write
 

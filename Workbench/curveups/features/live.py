@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from typing import Any, Optional, cast
 
-from .. import saved_results
-from ..errors import CurveUpsError
-from ..native import native
-from ..project import Project
+from ..base.errors import CurveUpsError
+from ..base.native import native
+from ..project import saved_results
+from ..project.project import Project
 from ..stages.design import FinishedDesign
 from ..stages.surface import Source
 from . import properties

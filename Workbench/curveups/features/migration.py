@@ -13,17 +13,12 @@ from typing import Any, Callable, Iterator
 
 import FreeCAD
 
-from ..errors import CurveUpsError
-from ..native import native, problem, translated
-from ..project import Project
-from . import properties, target
+from ..base.errors import CurveUpsError
+from ..base.native import native, problem, translated
+from ..project.project import Project
+from . import document as documents, properties, target
 from .bodies import KINDS, BodiesProxy
-from .proxy import write
-
-
-def is_old(obj: Any) -> bool:
-    """Whether this is a Design of the first version."""
-    return "SolvedVerdict" in obj.PropertiesList and "Solved" not in obj.PropertiesList
+from .proxy import is_old, write
 
 
 def migrate(document: Any) -> list[Any]:
@@ -45,8 +40,6 @@ def migrate(document: Any) -> list[Any]:
 
 
 def _migrate(obj: Any, design: Any) -> None:
-    from . import document as documents
-
     touched = "Touched" in obj.State
     verdict = json.loads(obj.SolvedVerdict or "{}")
     names = {row.name: properties.property_name(row.name) for row in properties.rows()}

@@ -6,8 +6,8 @@ from __future__ import annotations
 import re
 from typing import Any, Collection, Iterator
 
-from ..errors import CurveUpsError
-from ..native import native, translated
+from ..base.errors import CurveUpsError
+from ..base.native import native, translated
 
 # Two names belong to objects below a Design.
 _NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}

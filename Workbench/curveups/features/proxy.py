@@ -7,12 +7,14 @@ registry.py makes the proxy from it again.
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, Optional
+from typing import Any, Callable, ClassVar, Optional
 
 READ_ONLY, TRANSIENT, HIDDEN, OUTPUT = 1, 2, 4, 8  # as addProperty takes them
 
 # Slots of a Design, in the order of the tree.
 SLOTS = ("Target", "Cuts", "Layout", "Verification", "Tiles", "Support", "Anchors")
+
+attach_view: Optional[Callable[[Any], None]] = None  # gives an object its view; set by a window
 
 
 class Proxy:
@@ -93,6 +95,11 @@ def type_of(obj: Any) -> str:
     return getattr(obj, "CurveUpsType", "") if "CurveUpsType" in obj.PropertiesList else ""
 
 
+def is_old(obj: Any) -> bool:
+    """Whether this is a Design of the first version."""
+    return "SolvedVerdict" in obj.PropertiesList and "Solved" not in obj.PropertiesList
+
+
 def designs(document: Any) -> list[Any]:
     """The Design objects of a document, in the order of their making."""
     return [obj for obj in document.Objects if type_of(obj) == "CurveUps::Design"]
@@ -118,9 +125,5 @@ def refresh(obj: Any) -> None:
 
 def show(obj: Any) -> None:
     """Gives an object its icon and menu, where there is a window."""
-    import FreeCAD
-
-    if FreeCAD.GuiUp:
-        from .. import viewproviders
-
-        viewproviders.attach(obj)
+    if attach_view is not None:
+        attach_view(obj)

@@ -6,9 +6,9 @@ from __future__ import annotations
 import json
 from typing import Any, Optional
 
-from ..errors import CurveUpsError
-from ..native import problem
-from ..project import Results
+from ..base.errors import CurveUpsError
+from ..base.native import problem
+from ..project.project import Results
 from ..stages.stage import Job
 from . import live, properties, status
 from .bodies import KINDS, write_body

@@ -12,9 +12,7 @@ import json
 from dataclasses import dataclass
 from typing import Any, Mapping
 
-from . import properties
-from . import layout as layouts
-from . import verification as verifications
+from . import layout as layouts, properties, verification as verifications
 from .target import is_target
 
 EMPTY, CURRENT, OUT_OF_DATE, INVALID, RUNNING = "empty", "current", "out of date", "invalid", "running"

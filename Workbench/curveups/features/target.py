@@ -8,13 +8,15 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any, Callable
 
-from .. import cad_files
-from ..cad_files import Read
-from ..cad_parts import Choice
-from ..errors import CurveUpsError
-from ..output import plain_name
+from ..base.errors import CurveUpsError
+from ..base.native import native
+from ..base.output import plain_name
 from ..stages.stage import digest
 from ..stages.surface import Source, file_stamp
+from ..targets import cad_files
+from ..targets.cad_files import Read
+from ..targets.cad_parts import Choice
+from ..targets.target_files import require_readable
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, add, add_part_properties, refresh, type_of, write
 
 
@@ -105,16 +107,12 @@ def stamp_for(source: Source) -> str:
 
 
 def is_built_in(name: str) -> bool:
-    from ..native import native
-
     return name in dict(native.builtin_targets())
 
 
 def require_file(path: Path) -> Path:
     """Raises CurveUpsError where that is no file a target could be read from."""
-    from .. import freecad_io
-
-    freecad_io.require_readable(path)
+    require_readable(path)
     return path.absolute()
 
 

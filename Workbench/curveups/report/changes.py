@@ -7,7 +7,7 @@ from __future__ import annotations
 from html import escape
 from typing import Any, Mapping, Sequence
 
-from ..errors import tile_list, tile_name
+from ..base.errors import tile_list, tile_name
 from .tables import show, table
 
 _MOST = 10  # rows of a table of moved vertices

@@ -7,8 +7,8 @@ from typing import Any, Sequence
 
 import numpy as np
 
-from ..errors import tile_list, tile_name
-from ..project import Results
+from ..base.errors import tile_list, tile_name
+from ..project.project import Results
 from ..stages.feasibility import SAG, TOO_NARROW, TOO_SLACK, Feasibility
 from ..stages.sizes import Recommendation
 from . import html, pictures, tables

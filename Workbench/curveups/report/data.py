@@ -10,8 +10,8 @@ from typing import Any, Sequence
 import numpy as np
 
 from .. import __version__
-from ..machine import peak_memory_mb
-from ..project import Results
+from ..base.machine import peak_memory_mb
+from ..project.project import Results
 from ..stages.stage import Row
 
 FORMAT, VERSION = "curveups-report", 1

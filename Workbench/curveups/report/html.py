@@ -7,9 +7,9 @@ import base64
 from html import escape
 from typing import Any, Callable, Iterator, Optional, Sequence
 
-from ..errors import tile_list, tile_name
-from ..native import native
-from ..project import Results
+from ..base.errors import tile_list, tile_name
+from ..base.native import native
+from ..project.project import Results
 from ..stages.solids import fits_bed, read_printer
 from . import cut_pictures, membrane_pictures, pictures
 from .changes import changes, worst_contacts

@@ -201,6 +201,6 @@ if __name__ == "__main__":  # python -m curveups.report.pictures DESIGN.json FIL
     import sys
     from pathlib import Path
 
-    from ..native import native
+    from ..base.native import native
 
     Path(sys.argv[2]).write_bytes(overview(native.read_design(Path(sys.argv[1]).read_text("utf-8"))))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Work as stages: one file a stage, listed here in the order in which reports show their results."""
 
-from . import (anchoring, clearances, cuts, design, deviation, division, fairing, feasibility, layout,
-               pieces, relief, repair, sizes, solids, suggestions, surface, target, trials, verification)
+from . import (anchoring, clearances, cuts, design, deviation, division, fairing, feasibility, layout, pieces,
+               relief, repair, sizes, solids, suggestions, surface, target, trials, verification)
 
 STAGES = (surface.STAGE, target.STAGE, fairing.STAGE, division.STAGE, feasibility.STAGE, sizes.STAGE,
           cuts.STAGE, suggestions.SEARCH, relief.STAGE, layout.STAGE, verification.OF_LAYOUT, repair.STAGE,

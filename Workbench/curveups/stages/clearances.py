@@ -8,8 +8,8 @@ import math
 from dataclasses import dataclass
 from typing import Any, Optional, Sequence
 
-from ..errors import CurveUpsError
-from ..native import native, translated
+from ..base.errors import CurveUpsError
+from ..base.native import native, translated
 from .stage import Inputs, Job, Result, Stage, advice_of
 
 

@@ -10,8 +10,8 @@ from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from ..errors import CurveUpsError
-from ..native import native, translated
+from ..base.errors import CurveUpsError
+from ..base.native import native, translated
 from .stage import Result, Row, digest
 from .suggestions import CutSearch
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..native import native
+from ..base.native import native
 from .findings import settle, tiles_place
 from .sizes import with_advice
 from .stage import Inputs, Job, Result, Stage, digest

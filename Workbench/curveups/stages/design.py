@@ -6,8 +6,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Optional, Sequence
 
-from ..errors import tile_name
-from ..native import native
+from ..base.errors import tile_name
+from ..base.native import native
 from .stage import Inputs, Picture, Result, Stage, digest
 
 

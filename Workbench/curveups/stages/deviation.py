@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Optional
 
-from ..native import native
+from ..base.native import native
 from .stage import Inputs, Job, Result, Stage
 
 

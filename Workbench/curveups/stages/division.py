@@ -13,8 +13,8 @@ from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from ..errors import CurveUpsError
-from ..native import native, translated
+from ..base.errors import CurveUpsError
+from ..base.native import native, translated
 from .cut_request import CutRequest, resolve_cuts
 from .feasibility import too_stretched
 from .stage import Inputs, Job, Result, Row, Stage, digest

@@ -8,8 +8,8 @@ from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from ..errors import tile_list
-from ..native import native
+from ..base.errors import tile_list
+from ..base.native import native
 from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
 
 # Cuts leave tiles more room than contacts do, and are asked for on what this makes.

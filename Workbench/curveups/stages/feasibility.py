@@ -15,8 +15,8 @@ from typing import Any, Iterator, Optional
 
 import numpy as np
 
-from ..errors import tile_name
-from ..native import native
+from ..base.errors import tile_name
+from ..base.native import native
 from .fairing import fair
 from .relief import make_room
 from .stage import Inputs, Job, Result, Stage, Value, digest

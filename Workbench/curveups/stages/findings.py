@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any, Callable, Iterable
 
-from ..errors import CurveUpsError, tile_list
+from ..base.errors import CurveUpsError, tile_list
 
 Place = Callable[[Any], tuple[str, list[int]]]  # of a finding: words for a message, tiles for a report
 

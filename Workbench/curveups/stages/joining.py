@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from typing import Any, Mapping, Sequence
 
-from ..errors import tile_name
+from ..base.errors import tile_name
 
 
 def joints_of(model: Any, parameters: Any) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import time
 from dataclasses import dataclass
 from typing import Any, Sequence
 
-from ..native import native
+from ..base.native import native
 from .cut_request import CutRequest
 from .design import design_digest
 from .sizes import with_advice

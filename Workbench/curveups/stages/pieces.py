@@ -9,8 +9,8 @@ from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from ..errors import tile_name
-from ..native import native
+from ..base.errors import tile_name
+from ..base.native import native
 from .stage import Inputs, Job, Result, Stage, Value
 
 _TILE = re.compile(r"\bT(\d{5,})\b")  # as messages name tiles

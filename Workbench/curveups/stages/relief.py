@@ -8,7 +8,7 @@ from typing import Any, Iterator, Optional, Sequence
 
 import numpy as np
 
-from ..native import native
+from ..base.native import native
 from .findings import settle, tiles_place
 from .stage import Inputs, Job, Result, Row, Stage, digest, moved_vertices
 

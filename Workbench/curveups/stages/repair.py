@@ -6,10 +6,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Optional, Sequence
 
-from ..errors import CurveUpsError
-from ..native import native
-from .stage import Inputs, Job, Result, Row, Stage, moved_vertices
+from ..base.errors import CurveUpsError
+from ..base.native import native
 from .design import design_digest
+from .stage import Inputs, Job, Result, Row, Stage, moved_vertices
 
 
 @dataclass(frozen=True)

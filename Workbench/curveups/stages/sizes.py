@@ -12,8 +12,8 @@ from typing import Any, Callable, Collection, Iterator, Optional, Sequence, Type
 
 import numpy as np
 
-from ..errors import CurveUpsError, Stopped
-from ..native import native, translated
+from ..base.errors import CurveUpsError, Stopped
+from ..base.native import native, translated
 from .cut_request import CutRequest
 from .division import all_cuts
 from .feasibility import mending, sizes_do

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, ClassVar, Mapping, Optional, Sequence
 
-from ..errors import tile_list
-from ..native import native
+from ..base.errors import tile_list
+from ..base.native import native
 from .joining import joints_of, not_joined
 from .stage import Inputs, Job, Result, Row, Stage, advice_of
 

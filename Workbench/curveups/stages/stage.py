@@ -16,9 +16,9 @@ from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
-from ..errors import CurveUpsError
-from ..native import native
-from ..progress import Progress
+from ..base.errors import CurveUpsError
+from ..base.native import native
+from ..base.progress import Progress
 
 
 @dataclass(frozen=True)

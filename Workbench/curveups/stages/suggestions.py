@@ -9,8 +9,8 @@ from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from ..errors import CurveUpsError, Stopped
-from ..native import native
+from ..base.errors import CurveUpsError, Stopped
+from ..base.native import native
 from .stage import Inputs, Job, Picture, Result, Row, Stage, Value, advice_of
 
 # A layout is badly stretched where the conformal map scales its tiles this differently, or where

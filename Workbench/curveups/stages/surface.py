@@ -10,11 +10,12 @@ from typing import Any, Callable, Optional
 
 import numpy as np
 
-from ..cad_files import Read
-from ..cad_parts import Choice
-from ..errors import CurveUpsError
-from ..native import native
-from ..output import plain_name
+from ..base.errors import CurveUpsError
+from ..base.native import native
+from ..base.output import plain_name
+from ..targets.cad_files import Read
+from ..targets.cad_parts import Choice
+from ..targets.target_files import read_target
 from .stage import Inputs, Job, Result, Stage, digest
 
 
@@ -70,10 +71,7 @@ def _run(inputs: Inputs, job: Job) -> Surface:
         job("reading the target")
         if source.read:
             return source.read(deflection, choice)
-        from .. import freecad_io  # only where FreeCAD is needed
-
-        return freecad_io.read_target(Path(source.path), deflection, lambda: job("reading the target"),
-                                      choice)
+        return read_target(Path(source.path), deflection, lambda: job("reading the target"), choice)
 
     scale, fit = get("scale"), get("fit")
     found = read(scale)

@@ -8,8 +8,8 @@ from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
-from ..errors import CurveUpsError
-from ..native import native
+from ..base.errors import CurveUpsError
+from ..base.native import native
 from .cut_request import interior_edges
 from .findings import faces_place, settle
 from .stage import Inputs, Job, Result, Row, Stage, digest

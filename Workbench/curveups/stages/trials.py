@@ -9,8 +9,8 @@ from typing import Optional, Sequence
 
 import numpy as np
 
-from ..errors import CurveUpsError, Stopped
-from ..native import native, translated
+from ..base.errors import CurveUpsError, Stopped
+from ..base.native import native, translated
 from .fairing import fair
 from .relief import make_room
 from .sizes import MOST_TILES, value_range

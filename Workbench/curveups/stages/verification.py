@@ -8,8 +8,8 @@ from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
-from ..errors import CurveUpsError
-from ..native import native
+from ..base.errors import CurveUpsError
+from ..base.native import native
 from .stage import Inputs, Job, Picture, Result, Row, Stage, advice_of
 
 BLOCKS = ("physics", "contact_forces", "unilateral", "glue")

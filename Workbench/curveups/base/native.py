@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Loads the native module, and says plainly what is wrong where that fails.
+
+`from curveups.native import native` gives the module; every other file imports it from here. It is
+loaded when something of it is first used: documents open, show and say what is wrong without it.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, Iterator, Optional
+
+from .. import __version__
+from .errors import CurveUpsError, Stopped, tile_list
+
+
+def _load() -> ModuleType:
+    here = Path(__file__).parents[1]
+    name = f"Python {sys.version_info.major}.{sys.version_info.minor}"
+    built = sorted(path.name for path in here.glob("_native*") if path.suffix != ".pyi")
+    try:
+        module = importlib.import_module("curveups._native")
+    except ImportError as error:
+        if not built:
+            raise CurveUpsError(
+                "the native module has not been built", str(here), "run tools/setup"
+            ) from error
+        if importlib.util.find_spec("curveups._native") is None:
+            raise CurveUpsError(
+                f"the native module is not for {name}", ", ".join(built), "run tools/setup again"
+            ) from error
+        raise CurveUpsError(
+            f"the native module can't be loaded: {error}", built[0], "run tools/setup again"
+        ) from error
+    if module.__version__ != __version__:
+        raise CurveUpsError(
+            f"the native module is of version {module.__version__}, not {__version__}",
+            built[0],
+            "run tools/setup again",
+        )
+    return module
+
+
+class _Native:
+    """The module, loaded at its first use. A failure is raised each time: it may have been mended."""
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):  # who merely looks at this object does not need the module
+            raise AttributeError(name)
+        return getattr(self._module(), name)
+
+    def _module(self) -> ModuleType:
+        if "loaded" not in self.__dict__:
+            self.__dict__["loaded"] = _load()
+        return self.__dict__["loaded"]
+
+
+if TYPE_CHECKING:
+    from .. import _native as native
+else:
+    native = _Native()
+
+
+def problem() -> Optional[CurveUpsError]:
+    """Why the native module can't be used; None where it can."""
+    try:
+        native.thread_count
+    except CurveUpsError as error:
+        return error
+    return None
+
+
+@contextmanager
+def translated(where: str = "") -> Iterator[None]:
+    """The one place where exceptions of the native module, and of libraries below it, become what
+    reaches users. `where` names the input they came from."""
+    try:
+        yield
+    except (CurveUpsError, Stopped):
+        raise  # the module itself is missing, or this was translated before
+    except native.Cancelled:
+        raise Stopped from None
+    except native.Error as error:
+        place = ", ".join(part for part in (where, tile_list(error.tiles)) if part)
+        raise CurveUpsError(str(error), place, error.remedy) from error
+    except MemoryError:
+        raise CurveUpsError("there is not enough memory", where,
+                            "use larger tiles (--set L=...) or a smaller target") from None
+    except RuntimeError as error:  # of a library: the native module's own errors are handled above
+        raise CurveUpsError(f"unexpected failure: {error}", where, "please report it") from error

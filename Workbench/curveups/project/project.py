@@ -1,0 +1,308 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A design and its results, each keyed by what it was made from.
+
+Asking for a result runs the stages that are missing or out of date, and nothing else. "Out of date"
+is derived from the keys: nobody sets it. One thread at a time works; others may read meanwhile.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence
+
+from ..base.errors import CurveUpsError, Stopped
+from ..base.native import native, translated
+from ..base.output import safe_name
+from ..stages import STAGES
+from ..stages.design import FinishedDesign
+from ..stages.stage import Inputs, Job, Picture, Result, Row, Stage, digest
+from .verdict import Verdict, judge
+
+_BY_NAME = {stage.name: stage for stage in STAGES}
+Key = Mapping[str, str]  # what a result was made from: parameters and upstream results by name
+
+
+@dataclass(frozen=True)
+class Made:
+    """A result with what it was made from and how long that took."""
+
+    result: Result
+    key: Key = field(default_factory=dict)
+    seconds: float = 0.0
+
+    @property
+    def content(self) -> str:
+        """What later stages know it by."""
+        return self.result.content or digest(*(f"{name}={value}" for name, value in sorted(self.key.items())))
+
+
+@dataclass(frozen=True)
+class Results(Mapping[str, Any]):
+    """What one run ended with, in the order of the stages: a value that stays as it is whatever the
+    project does next. Reports, files and documents are made from it."""
+
+    name: str             # of files
+    parameters: Any
+    made: Mapping[str, Made]
+    note: str = ""        # why there is no verdict, where none was asked for
+    stopped: bool = False
+
+    def __getitem__(self, name: str) -> Any:
+        return self.made[name].result
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.made)
+
+    def __len__(self) -> int:
+        return len(self.made)
+
+    @property
+    def design(self) -> Any:
+        """The native Design under the run's parameters."""
+        return self["design"].design.with_parameters(self.parameters)
+
+    @property
+    def title(self) -> str:
+        """What the design, or else its target, is called, in any letters."""
+        if "design" in self and self["design"].design:
+            return self["design"].design.name
+        return self["source"].name if "source" in self else self.name
+
+    @property
+    def verdict(self) -> Verdict:
+        return judge(self, self.note)
+
+    def warnings(self) -> list[dict]:
+        return [entry for result in self.values() for entry in result.warnings()]
+
+    def pictures(self) -> list[Picture]:
+        return [picture for result in self.values() for picture in result.pictures()]
+
+    def rows(self) -> list[Row]:
+        """The stages that ran, in order; one that ran again after a repair counts there, with all its
+        seconds."""
+        rows: dict[str, Row] = {}
+        for made in self.made.values():
+            for row in made.result.rows(made.seconds):
+                before = rows.pop(row.name, None)
+                rows[row.name] = Row(row.name, row.seconds + (before.seconds if before else 0.0),
+                                     row.iterations)
+        return list(rows.values())
+
+
+class Project:
+    """`given`: results that are not made but given: "source" and "cut request" where a target is to
+    become a design, "design" where there is one. `where` names the target or file in messages. `known`:
+    results made elsewhere or saved; those that were made from something else are out of date here."""
+
+    def __init__(self, name: str, parameters: Any, given: Mapping[str, Result], where: str = "",
+                 known: Mapping[str, Made] | None = None):
+        self.name, self.where = name, where
+        self._given = {key: Made(result) for key, result in given.items()}
+        self._made: dict[str, Made] = dict(known or {})
+        self._store = native.SolutionStore()
+        self._reading, self._working = threading.Lock(), threading.RLock()
+        self._parameters = self._checked(parameters)
+
+    @classmethod
+    def of_design(cls, design: Any, where: str = "", known: Mapping[str, Made] | None = None) -> "Project":
+        """The project of a native Design that exists."""
+        given = {"design": FinishedDesign(design)}
+        return cls(safe_name(design.name), design.parameters, given, where, known)
+
+    @property
+    def parameters(self) -> Any:
+        """A copy. Values that contradict one another are refused with CurveUpsError."""
+        return native.Parameters(self._parameters)
+
+    @parameters.setter
+    def parameters(self, parameters: Any) -> None:
+        checked = self._checked(parameters)
+        with self._reading:
+            self._parameters = checked
+
+    def give(self, name: str, result: Result) -> None:
+        """Another given result."""
+        with self._reading:
+            self._given[name] = Made(result)
+
+    def copy(self) -> "Project":
+        """Another project of the same inputs and results, which are values: whatever it runs, this one
+        stays as it is."""
+        with self._reading:
+            twin = Project(self.name, self._parameters, {}, self.where, self._made)
+            twin._given = dict(self._given)
+        return twin
+
+    def forget_stopped(self) -> None:
+        """Drops what was stopped before its end: asked for again, it is made anew."""
+        with self._reading:
+            self._made = {name: one for name, one in self._made.items() if not one.result.stopped}
+
+    def given(self) -> dict[str, Made]:
+        """What is not made but given."""
+        with self._reading:
+            return dict(self._given)
+
+    def forget_out_of_date(self) -> None:
+        """Drops results that were made from something else than there is now."""
+        kept = {name: one for name, one in self.made().items() if self.out_of_date(name) == ()}
+        with self._reading:
+            self._made = kept
+
+    def made(self) -> dict[str, Made]:
+        """All results there are, out of date or not: what is saved, and `known` elsewhere."""
+        with self._reading:
+            return dict(self._made)
+
+    def latest(self, name: str) -> Any:
+        """The last result of a stage, out of date or not; None where there is none."""
+        with self._reading:
+            made = self._given.get(name) or self._made.get(name)
+        return made.result if made else None
+
+    def out_of_date(self, name: str) -> Optional[tuple[str, ...]]:
+        """What has changed since the result of a stage was made: names of parameters and of results that
+        it reads, none where it is current. None where there is no result."""
+        with self._reading:
+            known = {**self._made, **self._given}
+            parameters = self._parameters
+        changed: dict[str, None] = {}
+        return tuple(changed) if self._compare(name, known, parameters, changed) else None
+
+    def run(self, goals: Sequence[str], job: Optional[Job] = None, strict: bool = False,
+            note: str = "", watch: Optional[Callable[[str, Results], object]] = None,
+            expect: Optional[Callable[[Results], object]] = None) -> Results:
+        """Makes the goals, each with what it needs, and returns all there is then. watch: told each goal as
+        it is made, with all there is by then. expect: told, before a stage begins that knows what its result
+        will be unless it finds a fault, all there will be then.
+
+        A stage that fails or is stopped where work before it is worth its files ends in a result that
+        says so; `strict`: failures are raised. Raises CurveUpsError, and Stopped where there is nothing.
+        """
+        job = job or Job()
+        with self._working:
+            with self._reading:
+                run = _Run(self.name, self._parameters, dict(self._given), dict(self._made), self._store,
+                           self.where, job, strict, note, expect)
+            try:
+                for goal in goals:
+                    run.make(goal)
+                    if watch is not None:
+                        watch(goal, run.results())
+            finally:
+                with self._reading:
+                    self._made.update(run.lasting)
+        return run.results()
+
+    def _checked(self, parameters: Any) -> Any:
+        values = native.Parameters(parameters)
+        with translated(self.where or "parameters"):
+            values.check()
+        if not values.get("verify"):
+            values.set("repair", False)
+        return values
+
+    def _compare(self, name: str, known: Mapping[str, Made], parameters: Any,
+                 changed: dict[str, None]) -> bool:
+        """Collects what differs; False where a result is missing."""
+        made = known.get(name)
+        if made is None:
+            return False
+        if name in self._given:
+            return True
+        stage = _BY_NAME[name]
+        if not all(self._compare(upstream, known, parameters, changed) for upstream in stage.reads):
+            return False
+        expected = _key(stage, known, parameters)
+        for part in expected:
+            if made.key.get(part) != expected[part]:
+                changed[part] = None
+        return True
+
+
+def _settled(names: Iterable[str], made: Mapping[str, Made], parameters: Any) -> Any:
+    """The parameters for what reads these results: the project's, but for those that they, and what
+    they were made from, decide."""
+    values: dict[str, Any] = {}
+    pending = [name for name in names if name in made]
+    for name in pending:
+        values.update(made[name].result.settles())
+        if name in _BY_NAME:
+            pending += [other for other in _BY_NAME[name].reads if other in made and other not in pending]
+    if not values:
+        return parameters
+    changed = native.Parameters(parameters)
+    for name, value in values.items():
+        changed.set(name, value)
+    return changed
+
+
+def _key(stage: Stage, made: Mapping[str, Made], parameters: Any) -> dict[str, str]:
+    values = _settled(stage.reads, made, parameters)
+    key = {name: repr(values.get(name)) for name in stage.parameters(values)}
+    key.update({name: made[name].content for name in stage.reads})
+    return key
+
+
+class _Run:
+    """One run: what it made is its own until it ends."""
+
+    def __init__(self, name: str, parameters: Any, given: dict[str, Made], made: dict[str, Made],
+                 store: Any, where: str, job: Job, strict: bool, note: str,
+                 expect: Optional[Callable[[Results], object]]):
+        self.name, self.parameters, self.given, self.before = name, parameters, given, made
+        self.store, self.where, self.job, self.strict = store, where, job, strict
+        self.note, self.expect = note, expect
+        self.made: dict[str, Made] = dict(given)
+        self.lasting: dict[str, Made] = {}  # results that may be asked for again
+
+    def make(self, name: str) -> Made:
+        if name in self.made:
+            return self.made[name]
+        if name not in _BY_NAME:
+            raise CurveUpsError(f"there is no {name} to start from", self.where, "give a target")
+        stage = _BY_NAME[name]
+        for upstream in stage.reads:
+            self.make(upstream)
+        key = _key(stage, self.made, self.parameters)
+        known = self.before.get(name)
+        made = known if known is not None and known.key == key else self._work(stage, key)
+        self.made[name] = made
+        return made
+
+    def _work(self, stage: Stage, key: Key) -> Made:
+        inputs = Inputs(_settled(stage.reads, self.made, self.parameters),
+                        {name: self.made[name].result for name in stage.reads}, self.store, self.where)
+        start = time.perf_counter()
+        try:
+            with translated(self.where):
+                if self.job.stopped:
+                    raise Stopped
+                self.job.stage = stage.name
+                if self.expect is not None and stage.expected is not None:
+                    self.expect(self.results({stage.name: Made(stage.expected(inputs), key)}))
+                result = stage.run(inputs, self.job)
+        except Stopped:
+            self.job.stopped = True
+            if stage.on_stop is None:
+                raise
+            with translated(self.where):
+                return Made(stage.on_stop(self.job.stage, inputs), key)
+        except CurveUpsError as error:
+            if stage.on_failure is None or self.strict:
+                raise
+            return Made(stage.on_failure(error, inputs), key, time.perf_counter() - start)
+        made = Made(result, key, time.perf_counter() - start)
+        self.lasting[stage.name] = made
+        return made
+
+    def results(self, more: Mapping[str, Made] = MappingProxyType({})) -> Results:
+        """All there is, and `more`."""
+        there = {**self.made, **more}
+        made = {name: there[name] for name in (*self.given, *_BY_NAME) if name in there}
+        stopped = self.job.stopped or any(one.result.stopped for one in made.values())
+        return Results(self.name, _settled(made, made, self.parameters), made, self.note, stopped)

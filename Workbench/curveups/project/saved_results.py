@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Results of a project as text, and back, bit for bit: with their keys, so that what is out of date
+when they are read again is known to be. What several results share is written once."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import dataclasses
+import json
+from typing import Any, Callable, Collection, Hashable, Mapping, Sequence
+
+import numpy as np
+
+from ..base.errors import CurveUpsError
+from ..base.native import native, translated
+from ..stages.stage import Value, digest
+from .project import Made
+
+FORMAT, VERSION = "curveups-results", 1
+
+
+def to_text(made: Mapping[str, Made], without: Collection[str] = (), timed: bool = True) -> str:
+    """Those results that consist of numbers, texts, arrays and designs; others are made anew. `without`:
+    fields that are left at their defaults (pictures of membranes are most of a verification). `timed`:
+    otherwise nothing says how long it took, and the same results are the same text."""
+    writer = _Writer(without, timed)
+    results = {name: {"key": dict(one.key), "seconds": one.seconds if timed else 0.0,
+                      "result": writer.encode(one.result)}
+               for name, one in made.items() if one.result.lasting}
+    return json.dumps({"format": FORMAT, "version": VERSION, "shared": writer.shared, "results": results})
+
+
+def from_text(text: str, where: str = "") -> dict[str, Made]:
+    """Raises CurveUpsError where the text is not what `to_text` wrote."""
+    try:
+        data = json.loads(text)
+        if data["format"] != FORMAT or data["version"] != VERSION:
+            raise ValueError(f"version {data['version']} of {data['format']}")
+        with translated(where):
+            shared: list[Any] = []
+            for value in data.get("shared", []):  # what one refers to stands before it
+                shared.append(_decode(value, shared))
+            return {name: Made(_decode(one["result"], shared), one["key"], float(one["seconds"]))
+                    for name, one in data["results"].items()}
+    except (ValueError, TypeError, LookupError, AttributeError, RecursionError, binascii.Error) as error:
+        raise CurveUpsError(f"the saved results can't be read: {error}", where,
+                            "solve the design again") from None
+
+
+class _Writer:
+    """Collects arrays, designs and values in `shared`, each once; others refer to their places there."""
+
+    def __init__(self, without: Collection[str], timed: bool):
+        self.shared: list[Any] = []
+        self._timed = timed
+        self._without = frozenset(without)
+        self._places: dict[Hashable, int] = {}
+
+    def encode(self, value: Any) -> Any:
+        if isinstance(value, Value):
+            return self._share(id(value), lambda: {"value": type(value).__name__, "fields": {
+                field.name: self._field(field.name, getattr(value, field.name))
+                for field in dataclasses.fields(value)
+                if field.name not in self._without and not field.metadata.get("transient")}})
+        if isinstance(value, native.Design):
+            text = native.write_design(value)
+            return self._share(text, lambda: {"design": text})
+        if isinstance(value, np.ndarray):
+            data = np.ascontiguousarray(value).tobytes()
+            return self._share(digest(value), lambda: {
+                "array": base64.b64encode(data).decode("ascii"), "type": value.dtype.str,
+                "shape": value.shape})
+        if isinstance(value, Mapping):
+            return {"map": {str(key): self.encode(item) for key, item in value.items()}}
+        if isinstance(value, (list, tuple)):
+            return [self.encode(item) for item in value]
+        return value.item() if isinstance(value, np.generic) else value
+
+    def _field(self, name: str, value: Any) -> Any:
+        return 0.0 if name.endswith("seconds") and not self._timed else self.encode(value)
+
+    def _share(self, key: Hashable, encoded: Callable[[], Any]) -> dict[str, int]:
+        if key not in self._places:
+            self.shared.append(encoded())
+            self._places[key] = len(self.shared) - 1
+        return {"shared": self._places[key]}
+
+
+def _decode(value: Any, shared: Sequence[Any]) -> Any:
+    if isinstance(value, list):
+        return tuple(_decode(item, shared) for item in value)
+    if not isinstance(value, dict):
+        return value
+    if "shared" in value:
+        return shared[value["shared"]]
+    if "value" in value:
+        kind = Value.known[value["value"]]
+        return kind(**{name: _decode(item, shared) for name, item in value["fields"].items()})
+    if "design" in value:
+        return native.read_design(value["design"])
+    if "array" in value:
+        found = np.frombuffer(base64.b64decode(value["array"], validate=True), np.dtype(value["type"]))
+        return found.reshape(value["shape"]).copy()
+    return {name: _decode(item, shared) for name, item in value["map"].items()}

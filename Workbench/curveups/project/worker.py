@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One worker for all that takes longer than a blink, so that a window stays alive meanwhile.
+
+Nothing of Qt in here: who started work asks `status()` as often as it likes, and `poll()` calls it back
+in its own thread once the work has ended. Results are values, so handing them over needs no care.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import threading
+import time
+from dataclasses import dataclass
+from typing import Any, Callable, Optional, Sequence
+
+import numpy as np
+
+from ..base.errors import CurveUpsError, Stopped
+from ..base.native import native, translated
+from ..stages.stage import Job
+from .project import Project
+
+Iterate = tuple[str, np.ndarray, np.ndarray, float]  # stage, flat corners, insets, figure (see Listener)
+Work = Callable[[Job], Any]
+
+
+@dataclass(frozen=True)
+class Status:
+    """Where work is. fraction: of what is being done, negative where unknown. energies: of the layout's
+    iterates, in order; weak_points: left by the steps of repair; violations: of constraints, mm, of both.
+    count: of iterates so far."""
+
+    stage: str = ""
+    what: str = ""
+    fraction: float = -1.0
+    seconds: float = 0.0
+    energies: tuple[float, ...] = ()
+    violations: tuple[float, ...] = ()
+    weak_points: tuple[float, ...] = ()
+    iterate: Optional[Iterate] = None
+    count: int = 0
+    stopping: bool = False
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How work ended: with a value, an error, or neither where it was cancelled or stopped before there
+    was anything worth keeping."""
+
+    value: Any = None
+    error: Optional[Exception] = None
+    cancelled: bool = False
+
+
+OnDone = Callable[[Outcome], object]
+
+
+class _Run(threading.Thread):
+    """One piece of work on a thread of its own."""
+
+    def __init__(self, work: Work, on_done: OnDone, before: Optional["_Run"]):
+        super().__init__(name="CurveUps", daemon=True)
+        self.on_done = on_done
+        self.cancelled = False
+        self.outcome: Optional[Outcome] = None
+        self.job = Job(self._progress, self._listen)
+        self._work, self._before = work, before
+        self._began, self._ended = time.perf_counter(), 0.0
+        self._said = ("", -1.0)
+        self._iterate: Optional[Iterate] = None
+        self._count = 0
+        self._violations: list[float] = []
+        self._figures: dict[str, list[float]] = {"layout": [], "repair": []}
+
+    def run(self) -> None:
+        if self._before is not None:  # cancelled, but its native call may still be ending
+            self._before.join()
+            self._before = None
+        try:
+            with translated():
+                found = Outcome(self._work(self.job))
+        except Stopped:
+            found = Outcome()
+        except Exception as error:
+            found = Outcome(error=error)
+        except BaseException as error:  # a thread has nobody else to tell
+            found = Outcome(error=CurveUpsError(f"unexpected {type(error).__name__}", "", "please report it"))
+        self._ended = time.perf_counter()
+        self.outcome = found
+
+    def status(self) -> Status:
+        what, fraction = self._said
+        seconds = (self._ended or time.perf_counter()) - self._began
+        return Status(self.job.stage, what, fraction, seconds, tuple(self._figures["layout"]),
+                      tuple(self._violations), tuple(self._figures["repair"]), self._iterate, self._count,
+                      self.job.stopped)
+
+    def _progress(self, what: str, fraction: float) -> bool:
+        self._said = what, fraction
+        return True
+
+    def _listen(self, stage: str, T: np.ndarray, q: np.ndarray, figure: float, violation: float) -> None:
+        self._figures.setdefault(stage, []).append(figure)
+        if math.isfinite(violation):
+            self._violations.append(violation)
+        self._iterate = stage, T, q, figure
+        self._count += 1
+
+
+class Worker:
+    """Does one thing at a time. All its methods are for one thread, a window's, and answer at once."""
+
+    def __init__(self) -> None:
+        self._current: Optional[_Run] = None
+        self._last: Optional[_Run] = None  # that may still be ending
+        self._status = Status()
+
+    @property
+    def busy(self) -> bool:
+        """Whether there is work whose end has not been told yet."""
+        return self._current is not None
+
+    def start(self, project: Project, goals: Sequence[str], on_done: OnDone, note: str = "") -> None:
+        """Makes the goals on a copy of the project, so that cancelling leaves nothing behind. on_done gets
+        the Results as outcome's value: `stopped` says whether they are the best so far."""
+        twin = project.copy()
+
+        def run(job: Job) -> Any:
+            return twin.run(goals, job, note=note)
+
+        self.start_work(run, on_done)
+
+    def start_work(self, work: Work, on_done: OnDone) -> None:
+        """Any work that takes a Job. Raises CurveUpsError where there is work already."""
+        if self._current is not None:
+            raise CurveUpsError("CurveUps is at work already", "", "stop or cancel that first")
+        before = self._last if self._last is not None and self._last.is_alive() else None
+        if before is None:
+            _leave_a_core()
+        self._current = self._last = _Run(work, on_done, before)
+        self._current.start()
+
+    def stop(self) -> None:
+        """Ends the work with the best so far; on_done gets it."""
+        if self._current is not None:
+            self._current.job.stopped = True
+
+    def cancel(self) -> None:
+        """Ends the work with nothing: the next poll tells so, even if its thread needs a while longer."""
+        if self._current is not None:
+            self._current.cancelled = self._current.job.stopped = True
+
+    def status(self) -> Status:
+        """Where the work is, or where the last one ended."""
+        if self._current is not None:
+            self._status = self._current.status()
+        return self._status
+
+    def poll(self) -> None:
+        """Calls on_done once the work has ended, from here."""
+        run = self._current
+        if run is None:
+            return
+        found = Outcome(cancelled=True) if run.cancelled else run.outcome
+        if found is None:
+            return
+        self.status()
+        self._current = None
+        run.on_done(found)
+
+    def wait(self, seconds: float = 10.0) -> bool:
+        """Waits until no thread of it runs; whether that is so. Tells nobody."""
+        if self._last is not None:
+            self._last.join(seconds)
+            return not self._last.is_alive()
+        return True
+
+
+def _leave_a_core() -> None:
+    """To the window. Once: the number must not change while a loop of another worker runs."""
+    count = max(1, min(native.thread_count(), (os.cpu_count() or 2) - 1))
+    if native.thread_count() != count:
+        native.set_thread_count(count)
+
+
+WORKER = Worker()  # of the window's commands

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Chosen files of a design, under names of the user's own; a design that should not be printed says so in
+every file whose format has a place for that, and in the reports."""
+
+from __future__ import annotations
+
+import string
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, ClassVar, Iterable, Optional, Sequence
+
+from ..base.errors import CurveUpsError, Stopped
+from ..base.native import native, translated
+from ..base.output import Folder, safe_name
+from ..project.project import Made, Project, Results
+from ..stages import DESIGNED, PRINTED
+from ..stages.design import FinishedDesign
+from ..stages.stage import Job, Result
+from .files import write_reports
+
+File = tuple[str, str]  # kind of bodies, ending: of native.print_formats()
+
+
+@dataclass(frozen=True)
+class Choice:
+    """mask: names of files, with {name} and {body}. deviation: of triangulated bumps, mm. doubts: why the
+    design should not be printed; `insist` writes it all the same."""
+
+    files: tuple[File, ...]
+    mask: str = "{name}-{body}"
+    deviation: Optional[float] = None
+    reports: bool = True
+    doubts: tuple[str, ...] = ()
+    insist: bool = False
+
+
+@dataclass(frozen=True)
+class Doubt(Result):
+    """Why files that were insisted on should not be printed."""
+
+    lasting: ClassVar[bool] = False
+    found: tuple[str, ...] = field(default=())
+
+    def reasons(self) -> Sequence[str]:
+        return self.found
+
+
+def choices() -> list[File]:
+    """All files that there are."""
+    return [(kind, ending) for ending, kinds in native.print_formats() for kind in kinds]
+
+
+def file_names(name: str, choice: Choice) -> dict[File, str]:
+    """The name of each chosen file. Raises CurveUpsError for a mask that does not do."""
+    fields = {"name": safe_name(name), "body": ""}
+    try:
+        used = {part[1] for part in string.Formatter().parse(choice.mask) if part[1] is not None}
+    except ValueError as error:
+        raise CurveUpsError(f"the names '{choice.mask}' can't be read: {error}", "",
+                            "use {name} and {body}") from None
+    if used - set(fields):
+        raise CurveUpsError(f"the names '{choice.mask}' ask for {{{sorted(used - set(fields))[0]}}}", "",
+                            "use {name} and {body}")
+    found: dict[File, str] = {}
+    for kind, ending in choice.files:
+        stem = choice.mask.replace("{name}", fields["name"]).replace("{body}", kind)
+        file = f"{safe_name(stem)}.{ending}"
+        if stem != safe_name(stem):
+            raise CurveUpsError(f"'{stem}' is no name for a file", "",
+                                "use letters, digits, '-', '_', {name} and {body}")
+        if file in found.values():
+            raise CurveUpsError(f"two files would be called {file}", "", "put {body} into the names")
+        found[kind, ending] = file
+    return found
+
+
+def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Folder:
+    """Writes the chosen files and the reports. Raises CurveUpsError where the design is doubtful and not
+    insisted on, Stopped where it was stopped; then no file is half-written."""
+    if choice.doubts and not choice.insist:
+        raise CurveUpsError(choice.doubts[0], project.where, "mend that, or insist on the files")
+    if not choice.files:
+        raise CurveUpsError("no file is chosen", project.where, "choose a body and a format")
+    names = file_names(project.name, choice)
+    results = _printed(project, choice, job)
+    broken = [reason for stage in PRINTED for reason in results[stage].reasons()]
+    if broken and not choice.insist:
+        raise CurveUpsError(broken[0], project.where, "mend that, or insist on the files")
+    place = Folder(folder)
+    with translated(project.where):
+        place.write_text(f"{safe_name(project.name)}-design.json", native.write_design(results.design))
+    model = results["solids"].model
+    for (kind, ending), file in names.items():
+        if kind in (*results["solids"].kinds, "print", "actuated"):
+            if not job(f"writing {file}"):
+                raise Stopped
+            place.write(file, _writer(model, kind, ending, job))
+    if choice.reports:
+        write_reports(_with(results, choice.doubts), place)
+    return place
+
+
+def report(project: Project, folder: Path, doubts: Iterable[str], job: Job) -> Path:
+    """Writes report.html and report.json of all that is current; the page."""
+    results = project.run(_current(project, DESIGNED), job, note="the design was not verified")
+    place = Folder(folder)
+    write_reports(_with(results, tuple(doubts)), place)
+    return place.path / "report.html"
+
+
+def write_step(project: Project, path: str, doubts: tuple[str, ...], job: Optional[Job] = None) -> None:
+    """The whole print as a STEP file with named and coloured bodies."""
+    job = job or Job()
+    results = _printed(project, Choice((), doubts=doubts), job)
+    with translated(path):
+        results["solids"].model.write("step", "print", path, job)
+
+
+def titled(design: Any, doubts: Sequence[str]) -> Any:
+    """The design under the title that files carry inside: one that should not be printed says so first."""
+    return design.with_name(f"NOT VALID {design.name}") if doubts else design
+
+
+def _printed(project: Project, choice: Choice, job: Job) -> Results:
+    """Solids under the title and deviation of the files; verification as far as it is current."""
+    finished, parameters = project.latest("design"), project.parameters
+    if choice.deviation is not None:
+        with translated("mesh_deviation"):
+            parameters.set("mesh_deviation", choice.deviation)
+    design = titled(finished.design, choice.doubts)
+    known = {name: made for name, made in project.made().items() if name not in (*PRINTED, "design")}
+    twin = Project(design.name, parameters, {"design": FinishedDesign(design, None, finished.unsettled)},
+                   project.where, known)
+    goals = (*_current(twin, ("verification", "recheck", "pieces")), *PRINTED)
+    results = twin.run(goals, job, strict=True, note="an export does not verify")
+    if job.stopped:
+        raise Stopped
+    return replace(results, name=safe_name(project.name))
+
+
+def _current(project: Project, names: Iterable[str]) -> tuple[str, ...]:
+    """Those whose results are there and not out of date; figures take no time."""
+    return ("figures", *(name for name in names if project.out_of_date(name) == ()))
+
+
+def _with(results: Results, doubts: tuple[str, ...]) -> Results:
+    return replace(results, made={**results.made, "doubt": Made(Doubt(doubts))}) if doubts else results
+
+
+def _writer(model: Any, kind: str, ending: str, job: Job) -> Any:
+    return lambda path: model.write(ending, kind, str(path), job)

@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CAD surfaces as triangles, through FreeCAD's Part, in a process of their own.
+
+OpenCASCADE's readers of STEP and IGES crash on damaged files and its reader of BREP may never return:
+a child process bears that, a time limit ends it, and stopping the work stops it. What it read is
+counted against the file, since faces that can't be read are left out without a word.
+"""
+
+from __future__ import annotations
+
+import collections
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Optional
+
+import numpy as np
+
+from ..base import freecad_session
+from ..base.errors import CurveUpsError, Stopped
+from ..base.native import native, translated
+from .cad_creases import creases
+from .cad_parts import Choice, choose
+
+if TYPE_CHECKING:
+    from .mesh_files import Mesh
+
+TIME_LIMIT = 600.0  # seconds: a sound part of 10,000 faces takes a tenth of it
+_LOOK = 0.05        # seconds between looks at whether to go on
+_AGAIN = "export it again"
+
+# What a file says of its faces. IGES: the directory's lines of trimmed (144) and bounded (143)
+# surfaces and of faces (510), each of two lines that begin with the type; BREP: a line "Fa" a face.
+_FACES = {
+    ".step": re.compile(rb"=\s*(?:ADVANCED_FACE|FACE_SURFACE)\s*\("),
+    ".iges": re.compile(rb"^ {5}(?:143|144|510)[ \d]{64}D *\d*[13579]\s*$", re.MULTILINE),
+    ".brep": re.compile(rb"^Fa\s*$", re.MULTILINE),
+}
+# Strings and comments of a STEP file, where numbers are no references.
+_WORDS = re.compile(rb"'[^']*'|/\*.*?\*/", re.DOTALL)
+_SHELL = re.compile(rb"(?:OPEN|CLOSED)_SHELL\s*\(\s*'[^']*'\s*,\s*\(([#\d,\s]+)\)")
+_SAME = {".stp": ".step", ".igs": ".iges", ".brp": ".brep"}
+ENDINGS = (*_FACES, *_SAME)
+
+
+@dataclass(frozen=True)
+class Read:
+    """A surface (V: N x 3, F: M x 3) and what there is to say of it. `wall`: how thick it is drawn, mm; None
+    where it is drawn as a sheet. `creases`: as cad_creases has them; None of what is no CAD part."""
+
+    V: np.ndarray
+    F: np.ndarray
+    notes: tuple[str, ...] = ()
+    wall: Optional[float] = None
+    creases: Optional[np.ndarray] = None
+
+
+def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: True,
+             choice: Choice = Choice(), time_limit: float = TIME_LIMIT) -> Read:
+    """What is chosen of a STEP, IGES or BREP file, mm; `deflection` is the largest distance of the triangles
+    from its surface, mm. Raises CurveUpsError, and Stopped where `go_on` says so."""
+    data = path.read_bytes()
+    ending = path.suffix.lower()
+    kind = _SAME.get(ending, ending)
+    if kind == ".iges" and not _is_whole_iges(data):
+        raise CurveUpsError("the file is damaged: lines of it are missing", str(path), _AGAIN)
+    announced = len(_FACES[kind].findall(data))
+    if kind == ".step":
+        lost = _lost_entities(data)
+        if lost:
+            raise CurveUpsError(f"the file is damaged: it has lost {len(lost)} of its entities (#{lost[0]})",
+                                str(path), _AGAIN)
+        # A shell may list a face whose definition can't be read.
+        shells = b",".join(_SHELL.findall(data))
+        announced = max(announced, len(set(re.findall(rb"#(\d+)", shells))))
+    with tempfile.TemporaryDirectory(prefix="curveups-") as folder:
+        answer = Path(folder) / "answer.npz"
+        # Under a name of its own: FreeCAD's readers want UTF-8, and choose by the ending.
+        copy = Path(folder) / f"part{ending}"
+        copy.write_bytes(data)
+        status = _run(copy, deflection, choice, answer, go_on, time_limit, path)
+        if not answer.exists():
+            raise CurveUpsError("the file is damaged: FreeCAD's reader "
+                                + ("crashed" if status < 0 else "broke down"), str(path), _AGAIN)
+        with np.load(answer) as found:
+            said = json.loads(str(found["said"]))
+            V, F = found["V"], found["F"]
+            sharp = found["creases"]
+    if said["error"]:
+        raise CurveUpsError(said["error"], str(path), said["remedy"])
+    if said["faces"] < announced:
+        raise CurveUpsError(f"only {said['faces']} of the file's {announced} faces could be read",
+                            str(path), _AGAIN)
+    return Read(V, F, tuple(said["notes"]), said["wall"], sharp)
+
+
+def _lost_entities(data: bytes) -> list[int]:
+    """Numbers that a STEP file refers to and does not define. FreeCAD's reader goes on without them: an edge
+    that has lost its curve becomes another, and a cap the whole sphere."""
+    text = _WORDS.sub(b"", data)
+    defined = set(map(int, re.findall(rb"#(\d+)\s*=", text)))
+    return sorted(set(map(int, re.findall(rb"#(\d+)", text))) - defined)
+
+
+def _is_whole_iges(data: bytes) -> bool:
+    """Whether the last line's counts of lines agree with the file."""
+    found = collections.Counter(re.findall(rb"^.{72}([SGDP]) *\d+\s*$", data, re.MULTILINE))
+    ends = re.findall(rb"^(.{32}).{40}T *\d+\s*$", data, re.MULTILINE)
+    said = re.findall(rb"([SGDP]) *(\d+)", ends[-1]) if ends else []
+    return len(said) == 4 and all(found[letter] == int(count) for letter, count in said)
+
+
+def _run(path: Path, deflection: float, choice: Choice, answer: Path, go_on: Callable[[], bool],
+         time_limit: float, where: Path) -> int:
+    command = [freecad_session.python(), "-m", __name__, str(path), repr(deflection), str(answer),
+               json.dumps(asdict(choice))]
+    child = subprocess.Popen(command, env=freecad_session.environment(), stdin=subprocess.DEVNULL,
+                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    end = time.monotonic() + time_limit
+    try:
+        while True:
+            try:
+                return child.wait(_LOOK)
+            except subprocess.TimeoutExpired:
+                pass
+            if not go_on():
+                raise Stopped
+            if time.monotonic() > end:
+                raise CurveUpsError(f"FreeCAD has not read the file within {time_limit:.0f} s", str(where),
+                                    "simplify the part, or export it again or as a mesh")
+    finally:
+        child.kill()
+        child.wait()
+
+
+def triangles_of_mesh(mesh: Any) -> Mesh:
+    """V and F of a Mesh of FreeCAD."""
+    points, faces = mesh.Topology
+    V = np.array([tuple(point) for point in points], float).reshape(-1, 3)
+    return V, np.array(faces, np.int32).reshape(-1, 3)
+
+
+def surface_of_shape(shape: Any, deflection: float, choice: Choice, where: str) -> Read:
+    """What is chosen of a Shape of FreeCAD, as triangles; `where` names it in messages."""
+    chosen = choose(shape, choice, where)
+    _, part = freecad_session.load("Part")
+    whole = len(chosen.faces) == len(shape.Faces) and not chosen.notes
+    V, F = triangles_of_shape(shape if whole else part.Compound(chosen.faces), deflection, where)
+    sharp = creases(chosen.faces, V, choice.crease_angle)
+    if chosen.opposite:
+        other = triangles_of_shape(part.Compound(chosen.opposite), deflection, where)
+        with translated(where):
+            V = (V + native.closest_points(V, *other)) / 2
+    return Read(V, F, tuple(chosen.notes), chosen.wall, sharp)
+
+
+def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
+    """V and F of a Shape of FreeCAD; `where` names it in messages."""
+    _, mesh_part = freecad_session.load("MeshPart")
+    try:
+        size = shape.BoundBox.DiagonalLength
+        mesh = mesh_part.meshFromShape(Shape=shape, LinearDeflection=max(deflection, 1e-5 * size),
+                                       AngularDeflection=0.2)
+        V, F = triangles_of_mesh(mesh)
+        # Of a face that it can't mesh OpenCASCADE leaves no triangle, and says nothing.
+        bare = sum(1 for face in shape.Faces if not face.tessellate(size)[1])
+        # Of one that has lost an edge it makes another.
+        gaping = sum(1 for face in shape.Faces if not all(wire.isClosed() for wire in face.Wires))
+    except Exception as error:  # FreeCAD raises its own types, and bare RuntimeError
+        raise CurveUpsError("FreeCAD can't make triangles of the surface", where,
+                            "mend the surface, or export it as a mesh") from error
+    if bare:
+        raise CurveUpsError(f"FreeCAD can't make triangles of {bare} of {len(shape.Faces)} faces", where,
+                            "mend the surface, or export it as a mesh")
+    if gaping:
+        raise CurveUpsError(f"the outlines of {gaping} of {len(shape.Faces)} faces do not close", where,
+                            "mend the surface, or export it as a mesh")
+    return V, F
+
+
+def _read(path: Path, deflection: float, choice: Choice) -> tuple[int, Read]:
+    """In the child: how many faces there are, and what is chosen of them. Through Part, since the Import
+    module crashes on coloured STEP files (0.20.2)."""
+    _, part = freecad_session.load("Part")
+    try:
+        shape = part.read(str(path))
+        faces = [] if shape.isNull() else shape.Faces
+    except Exception as error:
+        raise CurveUpsError("FreeCAD can't read the file", str(path), _AGAIN) from error
+    if not faces:
+        raise CurveUpsError("the file holds no surface", str(path), "export the surface itself")
+    return len(faces), surface_of_shape(shape, deflection, choice, str(path))
+
+
+def _main(path: str, deflection: str, answer: str, choice: str) -> None:
+    said: dict[str, Any] = {"error": "", "remedy": "", "faces": 0, "notes": [], "wall": None}
+    found = Read(np.zeros((0, 3)), np.zeros((0, 3), np.int32))
+    try:
+        said["faces"], found = _read(Path(path), float(deflection), Choice(**json.loads(choice)))
+        said.update(notes=found.notes, wall=found.wall)
+    except CurveUpsError as error:
+        said.update(error=error.what, remedy=error.remedy)
+    with open(answer + ".part", "wb") as file:  # whole, or not there
+        np.savez(file, said=json.dumps(said), V=found.V, F=found.F,
+                 creases=np.zeros((0, 2), np.int32) if found.creases is None else found.creases)
+    os.replace(answer + ".part", answer)
+
+
+if __name__ == "__main__":
+    _main(*sys.argv[1:])

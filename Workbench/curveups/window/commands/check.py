@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What of a target can be tiles, before any layout."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCADGui
+
+from .. import runs
+from ..panels.check import CheckPanel
+from ..qt import QT_TRANSLATE_NOOP, translate
+from ..selection import chosen_design
+from .command import DesignCommand
+
+
+class Check(DesignCommand):
+    """CurveUps_Check"""
+
+    name = "CurveUps_Check"
+    text = QT_TRANSLATE_NOOP("CurveUps_Check", "Check")
+    tooltip = QT_TRANSLATE_NOOP("CurveUps_Check",
+                                "Find out what of the target can be tiles, and which sizes would do, before "
+                                "anything is solved")
+    shortcut = "C, K"
+
+    def reason(self) -> str:
+        found = super().reason() or runs.reason("check", chosen_design())
+        if not found and FreeCADGui.Control.activeDialog():
+            found = translate("CurveUps", "Another task panel is open: close it first")
+        return found
+
+    def work(self, design: Any) -> None:
+        FreeCADGui.Control.showDialog(CheckPanel(design))
+
+
+COMMAND = Check()

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the tiles are coloured by, and where between flat and actuated they are."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..panels.overlay import OverlayPanel
+from ..qt import QT_TRANSLATE_NOOP
+from .showing import PanelCommand
+
+
+class OverlayCommand(PanelCommand):
+    """CurveUps_Overlay"""
+
+    name = "CurveUps_Overlay"
+    text = QT_TRANSLATE_NOOP("CurveUps_Overlay", "Overlay")
+    tooltip = QT_TRANSLATE_NOOP("CurveUps_Overlay",
+                                "Choose what the tiles are coloured by, fold them, and read their values")
+
+    def panel(self, design: Any) -> Any:
+        return OverlayPanel(design)
+
+
+COMMAND = OverlayCommand()

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the commands share that choose what the view shows."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from typing import Any
+
+import FreeCADGui
+
+from ..macro import named
+from ..overlays import overlay_of
+from ..qt import translate
+from ..selection import chosen_design
+from .command import DesignCommand
+
+
+class ShowCommand(DesignCommand):
+    """Calls a function of overlay/showing.py, recorded for macros in a window. It changes nothing but
+    views, which undo leaves alone."""
+
+    function = ""
+    needs_layout = False  # or, without, tiles
+
+    def reason(self) -> str:
+        found = super().reason()
+        return found or missing(chosen_design(), self.needs_layout)
+
+    def work(self, design: Any) -> None:
+        FreeCADGui.doCommandGui("from curveups.overlay import showing")
+        FreeCADGui.doCommandGui(f"showing.{self.function}({named(design)})")
+
+
+def missing(design: Any, layout: bool) -> str:
+    """What a design lacks to be drawn, as a reason why a command can't run."""
+    try:
+        scene = overlay_of(design).scene
+    except KeyError:
+        scene = None
+    if scene is None:
+        return translate("CurveUps", "There are no tiles yet: run Solve")
+    if layout and scene.flat is None:
+        return translate("CurveUps", "There is no layout yet: run Solve")
+    return ""
+
+
+class PanelCommand(DesignCommand):
+    """Opens a panel beside the view."""
+
+    def reason(self) -> str:
+        found = super().reason() or missing(chosen_design(), False)
+        if not found and FreeCADGui.Control.activeDialog():
+            found = translate("CurveUps", "Another task panel is open: close it first")
+        return found
+
+    def work(self, design: Any) -> None:
+        FreeCADGui.Control.showDialog(self.panel(design))
+
+    @abstractmethod
+    def panel(self, design: Any) -> Any:
+        """FreeCAD's task dialog for a design."""

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The verdict on the layout as it stands."""
+
+from __future__ import annotations
+
+from ..qt import QT_TRANSLATE_NOOP
+from .run_command import RunCommand
+
+
+class Verify(RunCommand):
+    """CurveUps_Verify"""
+
+    name = "CurveUps_Verify"
+    text = QT_TRANSLATE_NOOP("CurveUps_Verify", "Verify")
+    tooltip = QT_TRANSLATE_NOOP("CurveUps_Verify",
+                                "Judge the layout as it is, with tiles and membranes as they are set")
+    shortcut = "C, V"
+    which = "verify"
+
+
+COMMAND = Verify()

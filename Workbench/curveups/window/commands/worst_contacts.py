@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The worst contacts and tiles, and the way to them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..panels.worst_contacts import WorstContactsPanel
+from ..qt import QT_TRANSLATE_NOOP
+from .showing import PanelCommand
+
+
+class WorstContacts(PanelCommand):
+    """CurveUps_WorstContacts"""
+
+    name = "CurveUps_WorstContacts"
+    text = QT_TRANSLATE_NOOP("CurveUps_WorstContacts", "Worst Contacts")
+    tooltip = QT_TRANSLATE_NOOP("CurveUps_WorstContacts",
+                                "List contacts and tiles, the worst first; a click goes there")
+
+    def panel(self, design: Any) -> Any:
+        return WorstContactsPanel(design)
+
+
+COMMAND = WorstContacts()

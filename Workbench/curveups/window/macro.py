@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Calls that FreeCAD records for macros."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCADGui
+
+
+def call(function: str, *arguments: str) -> None:
+    """Calls a function of curveups.features with arguments as Python text, and records it: the line in the
+    macro does the same in a FreeCAD without a window. function: "document.new_design", say. Raises what
+    the function raises."""
+    FreeCADGui.doCommand(f"from curveups.features import {function.split('.')[0]}")
+    FreeCADGui.doCommand(f"{function}({', '.join(arguments)})")
+
+
+def named(obj: Any) -> str:
+    """A document object as Python text."""
+    return f"FreeCAD.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"

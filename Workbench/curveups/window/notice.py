@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What went wrong, in one line where the user looks: a panel that is open, else a notice over the
+window that waits for nobody; and the report view. Names of tiles in it select them."""
+
+from __future__ import annotations
+
+import os
+import re
+import traceback
+from contextlib import contextmanager
+from html import escape
+from typing import Any, Callable, Iterator, Optional
+
+import FreeCAD
+import FreeCADGui
+
+from ..base.errors import CurveUpsError, Stopped
+from .qt import QtCore, QtWidgets, translate
+from .selection import select_tiles
+from .units import in_user_units
+
+_TILE = re.compile(r"\bT\d{5,}\b")
+_panel: Optional[Callable[[str], None]] = None  # shows a line of rich text
+
+
+@contextmanager
+def errors_shown(what: str) -> Iterator[None]:
+    """Whatever the work inside raises becomes a notice. what: names the work, for the report view."""
+    try:
+        yield
+    except Stopped:
+        pass
+    except Exception as error:
+        show_error(error, what)
+
+
+def show_error(error: Exception, what: str = "") -> None:
+    """Says an error; a traceback only where CURVEUPS_DEBUG=1 asks for it."""
+    if os.environ.get("CURVEUPS_DEBUG") == "1":
+        lines = traceback.format_exception(type(error), error, error.__traceback__)
+        FreeCAD.Console.PrintError("".join(lines))
+    line = str(error)
+    if not isinstance(error, CurveUpsError):
+        line = translate("CurveUps", "unexpected {kind} ({said}): please report it, with what "
+                         "CURVEUPS_DEBUG=1 shows", kind=type(error).__name__, said=" ".join(line.split()))
+    FreeCAD.Console.PrintError(f"CurveUps{f', {what}' if what else ''}: {line}\n")
+    show_line(line)
+
+
+def show_line(line: str) -> None:
+    """A line for the user: in the panel that is open, else as a notice."""
+    text = with_links(line)
+    if _panel is not None:
+        _panel(text)
+    else:
+        Notice.show_text(text)
+
+
+def show_in(panel: Optional[Callable[[str], None]]) -> None:
+    """Where lines go while a panel is open; None when it closes."""
+    global _panel
+    _panel = panel
+
+
+def with_links(line: str) -> str:
+    """Rich text in the user's units, in which names of tiles can be clicked."""
+    text = escape(in_user_units(line), quote=False)
+    return _TILE.sub(lambda match: f'<a href="{match[0]}">{match[0]}</a>', text)
+
+
+class Notice(QtWidgets.QFrame):
+    """A line over the views that goes by itself or when it is closed."""
+
+    SECONDS = 20
+    _shown: Optional["Notice"] = None
+
+    @classmethod
+    def show_text(cls, text: str) -> None:
+        """Shows rich text, in place of an earlier notice."""
+        cls.hide_text()
+        cls._shown = cls(FreeCADGui.getMainWindow(), text)
+
+    @classmethod
+    def hide_text(cls) -> None:
+        """Takes the notice away."""
+        if cls._shown is not None:
+            cls._shown.close()
+            cls._shown = None
+
+    def __init__(self, window: Any, text: str):
+        super().__init__(window)
+        self.setObjectName("CurveUpsNotice")
+        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+        self.setFrameShape(QtWidgets.QFrame.StyledPanel)
+        self.setAutoFillBackground(True)
+        label = QtWidgets.QLabel(text)
+        label.setObjectName("text")
+        label.setWordWrap(True)
+        label.setTextFormat(QtCore.Qt.RichText)
+        label.setTextInteractionFlags(QtCore.Qt.TextBrowserInteraction)
+        label.linkActivated.connect(lambda link: select_tiles(link))
+        close = QtWidgets.QToolButton()
+        close.setText("×")
+        close.setToolTip(translate("CurveUps", "Close"))
+        close.clicked.connect(lambda: Notice.hide_text())
+        row = QtWidgets.QHBoxLayout(self)
+        row.addWidget(label, 1)
+        row.addWidget(close)
+        self._place(window)
+        self.show()
+        for milliseconds in (0, 500):  # the report view may open above it
+            QtCore.QTimer.singleShot(milliseconds, self, QtCore.SLOT("raise()"))
+        QtCore.QTimer.singleShot(1000 * self.SECONDS, self._leave)
+
+    def _place(self, window: Any) -> None:
+        """Over the upper edge of the views."""
+        area = window.centralWidget().geometry()
+        width = max(240, min(720, area.width() - 40))
+        self.setFixedWidth(width)
+        self.adjustSize()
+        self.move(area.center().x() - width // 2, area.top() + 40)
+
+    def _leave(self) -> None:
+        if Notice._shown is self:
+            Notice.hide_text()

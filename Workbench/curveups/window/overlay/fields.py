@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What tiles and contacts can be coloured by, as far as a project has come.
+
+A field is computed when it is first looked at. To add one: a line in the function of its stage. Names and
+problems, written as literals, are translated where they are shown.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import Any, Callable, Mapping
+
+import numpy as np
+
+from ...base.native import native
+from ...stages.feasibility import SAG
+
+TILE, SIDE, CONTACT, MEMBRANE = "tile", "side", "contact", "membrane"
+
+
+@dataclass(frozen=True)
+class Field:
+    """`unit`: as FreeCAD spells it, empty for ratios. `on`: what there is a value for: every tile (M), the
+    front and back of every tile (M x 2), every contact (N), or every triangle of the membranes. `limit`:
+    values on the `bad` side of it ("low", "high") are problems, marked by `mark`. `signed`: 0 is the
+    middle. `changed`: what has changed since the values were made; none where they are the design's."""
+
+    name: str
+    unit: str
+    on: str
+    make: Callable[[], Any]
+    bad: str = ""
+    limit: Any = None  # a number, or a function that makes one a value
+    mark: str = ""
+    problem: str = ""
+    signed: bool = False
+    changed: tuple[str, ...] = ()
+    shape: tuple[int, ...] = (0,)
+
+    @cached_property
+    def values(self) -> np.ndarray:
+        """NaN where there is none; everywhere, in `shape`, where they can't be had of this design."""
+        try:
+            return np.asarray(self.make(), float)
+        except native.Error:
+            return np.full(self.shape, np.nan)
+
+    @cached_property
+    def problems(self) -> np.ndarray:
+        """Numbers of tiles or contacts beyond the limit."""
+        if self.limit is None or not self.bad or self.on == MEMBRANE:
+            return np.empty(0, int)
+        limit = np.asarray(self.limit() if callable(self.limit) else self.limit, float)
+        over, slack = self.values - limit, 1e-6 * np.maximum(1.0, np.abs(limit))
+        with np.errstate(invalid="ignore"):
+            found = over < -slack if self.bad == "low" else over > slack
+        return np.flatnonzero(found.reshape(len(found), -1).any(axis=1))
+
+    @cached_property
+    def order(self) -> np.ndarray:
+        """Numbers of what has a value, the worst first."""
+        values = self.worst
+        known = np.flatnonzero(~np.isnan(values))
+        keys = np.abs(values[known]) if self.signed else values[known]
+        return known[np.argsort(keys if self.bad == "low" else -keys, kind="stable")]
+
+    @cached_property
+    def worst(self) -> np.ndarray:
+        """One value for each tile or contact, the worse one of a tile's sides."""
+        if self.values.ndim == 1:
+            return self.values
+        with np.errstate(invalid="ignore"):
+            if self.bad == "low":
+                return np.fmin.reduce(self.values, axis=1)
+            return np.fmax.reduce(self.values, axis=1)
+
+    @property
+    def size(self) -> float:
+        """About how large the values are."""
+        low, high = self.automatic_range()
+        return max(abs(low), abs(high))
+
+    def automatic_range(self) -> tuple[float, float]:
+        """All but the hundredth of values at either end; about 0 where signed."""
+        values = self.values[np.isfinite(self.values)]
+        if not len(values):
+            return 0.0, 1.0
+        low, high = (float(x) for x in np.percentile(values, (1, 99)))
+        if self.signed:
+            low, high = -max(abs(low), abs(high)), max(abs(low), abs(high))
+        if high - low <= 1e-9 * max(abs(low), abs(high), 1e-9):
+            low, high = low - 0.5, high + 0.5
+        return low, high
+
+
+def target_fields(V: np.ndarray, F: np.ndarray, cuts: np.ndarray, parameters: Any, contacts: np.ndarray,
+                  judge: bool) -> list[Field]:
+    """Of a target before any layout; `judge`: whether their limits are problems (a layout knows better).
+
+    Stretch has no limit: it is that of the start, scaled so that the median tile fits, and half of all
+    tiles begin below what leaves them their gaps."""
+    found = cache(lambda: native.target_fields(V, F, cuts, parameters))
+    limits: dict[str, Any] = {"limit": 0.0} if judge else {}
+    return [
+        Field("Fold angle", "deg", CONTACT, lambda: aligned(found(), "fold_angle", contacts), signed=True,
+              shape=(len(contacts),)),
+        Field("Pin room", "mm^2", SIDE, lambda: found()["pin_room"], "low", mark="diamond",
+              problem="tiles with less room for pins than APinMin, before Solve makes some",
+              shape=(len(F), 2), **limits),
+        Field("Conformal stretch", "", TILE, lambda: found()["conformal_stretch"], "low",
+              shape=(len(F),))]
+
+
+def check_fields(found: Any, parameters: Any, contacts: np.ndarray) -> list[Field]:
+    """Of a target that was checked (stages/feasibility.py): margins, after pins have made room for
+    themselves, and the tiles that something is in the way of, by how many things that are."""
+    count = len(found.F)
+    margins = {"contact_tiles": found.contacts, "fold_room": found.fold_room}
+    floor = parameters.get("A_pin_floor") - parameters.get("A_pin_min")
+    tiles = [one.tile for one in found.blocked]
+    return [
+        Field("Fold margin", "deg", CONTACT, lambda: aligned(margins, "fold_room", contacts), "low", 0.0,
+              shape=(len(contacts),)),
+        Field("Pin room", "mm^2", SIDE, lambda: found.pin_room, "low", floor, shape=(count, 2)),
+        Field("Membrane room", "mm", SIDE, lambda: found.membrane_room, "low",
+              SAG * parameters.get("H_pin"), shape=(count, 2)),
+        Field("Obstacles", "", TILE, lambda: np.bincount(tiles, minlength=count), "high", 0.5, "cross",
+              problem="tiles that can't be made or are likely to fail", shape=(count,))]
+
+
+def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
+    """Of a layout without its membranes."""
+    found = cache(lambda: native.design_fields(design))
+    get = design.parameters.get
+    return [
+        Field("Gap", "mm", CONTACT, lambda: aligned(found(), "gap", contacts), "low", get("d_gap_min"),
+              "square", problem="gaps below DGapMin", shape=(len(contacts),)),
+        Field("Pin area", "mm^2", SIDE, lambda: found()["pin_area"], "low", get("A_pin_min"), "diamond",
+              problem="tiles with pins below APinMin", shape=(len(design.F), 2))]
+
+
+def deviation_field(V: np.ndarray, F: np.ndarray, source_V: np.ndarray, source_F: np.ndarray) -> Field:
+    """How far the tiles' front faces are from the surface before remeshing: the largest distance of
+    corners, middles of edges, and centre."""
+    def make() -> np.ndarray:
+        corners = V[F]
+        samples = np.concatenate([corners, (corners + np.roll(corners, 1, axis=1)) / 2,
+                                  corners.mean(1, keepdims=True)], axis=1)
+        found = native.distances(samples.reshape(-1, 3), source_V, source_F)
+        return np.reshape(found, samples.shape[:2]).max(axis=1)
+
+    return Field("Deviation", "mm", TILE, make, "high", shape=(len(F),))
+
+
+def force_fields(verification: Any, contacts: np.ndarray, parameters: Any,
+                 changed: tuple[str, ...]) -> list[Field]:
+    """Of the physical model."""
+    arrays, blocks = verification.arrays, verification.blocks
+    forces = blocks.get("contact_forces", {})
+    f_min = forces.get("f_min")
+    # Least squares need more friction than there is where other forces need less: only where there are
+    # none that hold is it a problem.
+    holds = blocks.get("unilateral", {}).get("feasible", True)
+    slipping = None if holds else parameters.get("friction_coefficient")
+    fields = []
+    if "contact_normal_min" in arrays:
+        fields.append(Field("Normal force", "N", CONTACT,
+                            lambda: aligned(arrays, "contact_normal_min", contacts), "low", f_min, "cross",
+                            problem="contacts below f_min", changed=changed))
+    if "contact_friction_ratio" in arrays:
+        fields.append(Field("Friction ratio", "", CONTACT,
+                            lambda: aligned(arrays, "contact_friction_ratio", contacts), "high",
+                            slipping, "triangle", problem="contacts may slip", changed=changed))
+    return fields
+
+
+def aligned(found: Mapping[str, Any], name: str, contacts: np.ndarray) -> np.ndarray:
+    """Values of found["contact_tiles"] in the order of `contacts` (N x 2); NaN where there is none."""
+    def key(pairs: Any) -> np.ndarray:
+        pairs = np.sort(np.asarray(pairs, np.int64).reshape(-1, 2), axis=1)
+        return pairs[:, 0] << 32 | pairs[:, 1]
+
+    values, known, asked = np.asarray(found[name], float), key(found["contact_tiles"]), key(contacts)
+    out = np.full((len(asked), *values.shape[1:]), np.nan)
+    if not len(known):
+        return out
+    order = np.argsort(known)
+    place = order[np.searchsorted(known, asked, sorter=order).clip(0, len(known) - 1)]
+    same = known[place] == asked
+    out[same] = values[place[same]]
+    return out

@@ -1,0 +1,422 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The overlay of one Design: what its view shows, and how that follows document, user and solver.
+
+What the user chose is kept in properties of the view provider, so that it outlives selection and
+reopening; `view_changed` follows them, whoever sets them.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Iterable, Optional, Sequence
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+
+from ...base.errors import CurveUpsError, tile_name
+from ...base.native import translated
+from ...features.document import design_project_of, project_of
+from ..overlays import overlays
+from ..qt import QtCore, translate
+from ..units import text_of
+from . import cameras, colours
+from .fields import MEMBRANE, Field
+from .legend import Content, Dragging, Legend, arrange
+from .membranes import compute
+from .picture import Picture
+from .scene import NO_FIELD, Membrane, Scene, scene_of, target_scene_of
+
+AUTOMATIC = "Automatic"
+_GROUP = "Overlay"
+_PROPERTIES = (
+    ("App::PropertyString", "Field", "What tiles are coloured by; empty: the first that there is."),
+    ("App::PropertyEnumeration", "ColourMap", "Colours of the field; Automatic: by whether it has a sign."),
+    ("App::PropertyMap", "Ranges", "Ranges of fields that were chosen: least and largest value."),
+    ("App::PropertyBool", "Pins", "Shows the pins."),
+    ("App::PropertyBool", "Membranes", "Shows both membranes, once they have been computed."),
+    ("App::PropertyBool", "Both", "Shows the tiles flat and actuated side by side."),
+    ("App::PropertyFloatConstraint", "Morph", "From 0, flat as printed, to 1, the target shape."),
+)
+
+
+class Overlay:
+    """Drawn by `node`, which is a display mode of the view provider."""
+
+    def __init__(self, view: Any):
+        self.object, self._document = view.Object, view.Object.Document.Name
+        self._view = view
+        self.scene: Optional[Scene] = None
+        self.note = ""                      # why it can't be drawn as the design is now
+        self.selected: list[int] = []       # tiles
+        self._hovered: list[int] = []
+        self._shown: Optional[_State] = None  # what the scene was made from
+        self._iterating = False
+        self._dragging: list[Dragging] = []
+        self._waiting = False
+        self.shows_target = False           # the target before any layout, though there may be one
+        self.observers: list[Callable[[], None]] = []  # called when what is shown has changed
+        self.folding: Any = None                       # what moves the tiles just now
+        self.closed = False
+        self._picture, self.legend = Picture(), Legend()
+        self.node = self._picture.node
+        self.node.addChild(self.legend.node)
+        self._add_properties()
+
+    def _add_properties(self) -> None:
+        view = self._view
+        for kind, name, meaning in _PROPERTIES:
+            if name in view.PropertiesList:
+                continue
+            view.addProperty(kind, name, _GROUP, meaning)
+            if name == "ColourMap":
+                view.ColourMap = [AUTOMATIC, *colours.NAMES]
+            elif name == "Morph":
+                view.Morph = (0.0, 0.0, 1.0, 0.05)
+        if "SelectionStyle" in view.PropertiesList:
+            view.SelectionStyle = "BoundBox"  # otherwise a selected design loses all its colours
+
+    def close(self) -> None:
+        """The design is gone."""
+        self.scene, self._shown, self.closed = None, None, True
+        self._show_legend(None)
+        self._tell()
+
+    # What follows the document.
+
+    def show_design(self) -> None:
+        """Draws the design as it is now. Where it can't be drawn the last picture stays, and the legend
+        says why."""
+        self._waiting = self._iterating = False
+        try:
+            project = project_of(self.object)
+            if project.latest("design") is not None and not self.shows_target:
+                project = design_project_of(self.object)
+            shown = _State(project, self.shows_target)
+            if shown.same(self._shown) and not self.note:
+                return
+            with translated(self.object.Label):
+                scene = (target_scene_of if self.shows_target else scene_of)(project)
+        except CurveUpsError as error:
+            self.note = error.what + (f" ({error.remedy})" if error.remedy else "")
+            self._explain()
+            return
+        self.note, self._shown = "", shown
+        self._take(scene)
+
+    def show_target(self, shown: bool) -> None:
+        """Draws the target as it is before any layout, with the margins of its tiles where it was checked,
+        until it is told not to."""
+        self.shows_target = shown
+        self.refresh()
+
+    def set_iterate(self, T: np.ndarray, q: np.ndarray) -> None:
+        """Draws a layout that a solver has at hand (M x 3 x 2 and M x 2 x 3, mm) until `show_design`.
+        One of other tiles than those shown is left out."""
+        if self.scene is None or len(T) != len(self.scene.F):
+            return
+        with translated(self.object.Label):
+            scene = self.scene.moved(np.asarray(T, float), np.asarray(q, float))
+        self._shown, self._iterating = None, True
+        self._take(scene)
+
+    def design(self) -> Any:
+        """The native Design as it is drawn. Raises CurveUpsError where there is none."""
+        project = design_project_of(self.object)
+        return project.latest("design").design.with_parameters(project.parameters)
+
+    def show_membranes(self, membranes: tuple[Membrane, ...]) -> None:
+        """Draws membranes that were computed for `design()` (see scene.membranes_of), until it changes."""
+        if self.scene is not None and membranes and not self._iterating:
+            self._take(self.scene.with_membranes(membranes))
+
+    def show_scene(self, scene: Optional[Scene]) -> None:
+        """Draws any scene, until `show_design`."""
+        self._shown = None
+        self._take(scene)
+
+    def data_changed(self, name: str) -> None:
+        """A property of the Design has changed."""
+        if name == "Placement":
+            self._place()
+        elif name == "Label":
+            self._arrange_legends()
+        elif name not in ("Label2", "Visibility", "ExpressionEngine", "Proxy"):
+            # A run ends with results, or with a state that is no longer "running".
+            if name == "Results" or name == "Status" and self.object.Status != "running":
+                self._iterating = False
+            self.refresh()
+
+    def refresh(self) -> None:
+        """Draws the design once those who are at work on the document are through."""
+        if not self._waiting:
+            self._waiting = True
+            QtCore.QTimer.singleShot(0, self._refresh)
+
+    def _refresh(self) -> None:
+        self._waiting = False
+        try:
+            if not self._iterating and self._view.Visibility:
+                self.show_design()
+        except ReferenceError:  # deleted meanwhile
+            pass
+        except Exception as error:  # of a timer: FreeCAD would print it as a traceback
+            self.note = str(error)
+            self._explain()
+
+    def units_changed(self) -> None:
+        """The user's unit schema is another."""
+        self._explain()
+
+    def view_changed(self, name: str) -> None:
+        """A property of the view provider has changed."""
+        if name == "Visibility":
+            self._arrange_legends()
+            if self._view.Visibility:
+                self.refresh()
+        if self.scene is None:
+            return
+        if name == "Membranes" and self._view.Membranes and not self.scene.membranes:
+            self._compute_membranes()
+        if name in ("Morph", "Pins", "Membranes", "Both"):
+            self._draw()
+        if name in ("Field", "ColourMap", "Ranges", "Membranes"):
+            self._colour()
+
+    def _compute_membranes(self) -> None:
+        """They are stored nowhere: most of a verification, and seldom looked at."""
+        if self.scene is not None and self.scene.flat is not None and not self._iterating:
+            compute(self)
+
+    # What the user chooses.
+
+    def fields(self) -> list[str]:
+        """Names of what tiles can be coloured by as things stand."""
+        return list(self.scene.fields) if self.scene else []
+
+    def field(self) -> Optional[Field]:
+        """What tiles are coloured by."""
+        if self.scene is None or self._view.Field == NO_FIELD:
+            return None
+        return self.scene.fields.get(self._view.Field) or next(iter(self.scene.fields.values()), None)
+
+    def set_field(self, name: str) -> None:
+        """Colours by a field; "None": tiles are plain. A field that there is not yet shows once there is."""
+        self._view.Field = name
+
+    @staticmethod
+    def age(one: Optional[Field]) -> str:
+        """Says that a field's values are not those of the design as it stands; empty where they are."""
+        if one is None or not one.changed:
+            return ""
+        return translate("CurveUps_Overlay", "out of date ({changed})", changed=", ".join(one.changed))
+
+    def range(self) -> tuple[float, float]:
+        """Of the field that is shown, in its unit."""
+        one = self.field()
+        if one is None:
+            return 0.0, 1.0
+        try:
+            low, high = (float(text) for text in self._view.Ranges[one.name].split())
+            if low < high:
+                return low, high
+        except (KeyError, ValueError):
+            pass
+        return one.automatic_range()
+
+    def set_range(self, ends: Optional[tuple[float, float]]) -> None:
+        """Of the field that is shown; None for the automatic one."""
+        one = self.field()
+        if one is None:
+            return
+        ranges = dict(self._view.Ranges)
+        ranges.pop(one.name, None)
+        if ends is not None:
+            ranges[one.name] = " ".join(repr(float(end)) for end in ends)
+        self._view.Ranges = ranges
+
+    def morph(self) -> float:
+        """Where the tiles are drawn, from 0, flat, to 1, actuated."""
+        return self._picture.t
+
+    def set_morph(self, t: float) -> None:
+        """Folds: 0 is flat, 1 actuated. Cameras go along, so that the tiles stay in sight."""
+        before = self._picture.t
+        self._view.Morph = min(1.0, max(0.0, float(t)))
+        if self.scene is not None and self.scene.motion is not None:
+            step = self.scene.motion.middle(self._picture.t) - self.scene.motion.middle(before)
+            cameras.shift(self.object.Document.Name,
+                          self.placement().Rotation.multVec(FreeCAD.Vector(*step)))
+
+    def select_tiles(self, tiles: Iterable[int]) -> None:
+        """Selects tiles by number (0 is T00001) in FreeCAD, and no others of the design."""
+        document = self.object.Document.Name
+        FreeCADGui.Selection.clearSelection(document)
+        for tile in tiles:
+            FreeCADGui.Selection.addSelection(document, self.object.Name, tile_name(tile))
+
+    def look_at(self, tiles: Sequence[int]) -> None:
+        """Turns the camera to tiles, head on."""
+        cameras.look_at(self.object.Document.Name, self._picture.corners[list(tiles), :3], self.placement())
+
+    # What FreeCAD's selection says.
+
+    def tile_of(self, picked: Any) -> int:
+        """The tile that a SoPickedPoint is on; -1 where it is none."""
+        return self._picture.tile_of(picked)
+
+    def mark_selected(self, tiles: Sequence[int], hovered: Sequence[int]) -> None:
+        """Lights tiles up, in every figure."""
+        count = len(self.scene.F) if self.scene else 0
+        changed = [tile for tile in tiles if tile < count] != self.selected
+        self.selected = [tile for tile in tiles if tile < count]
+        self._hovered = [tile for tile in hovered if tile < count]
+        if changed:
+            self._colour_tiles()
+            self._tell()
+        self._outline()
+
+    def values_of(self, tile: int) -> list[tuple[str, str]]:
+        """Names of fields with a tile's values as the user reads them."""
+        if self.scene is None:
+            return []
+        found = []
+        for one in self.scene.fields.values():
+            if one.on != MEMBRANE:
+                values = ", ".join(text_of(x, one.unit, one.size)
+                                   for x in self.scene.tile_values(one, tile))
+                found.append((translate("CurveUps_Fields", one.name), values))
+        return found
+
+    def figures(self) -> list[tuple[np.ndarray, np.ndarray]]:
+        """Corners of what is drawn (M x 6 x 3, mm) and its place beside the design's, for picking."""
+        return [] if self.scene is None else self._picture.figures()
+
+    def placement(self) -> Any:
+        """Where the Design stands."""
+        return getattr(self.object, "Placement", None) or FreeCAD.Placement()
+
+    # Drawing.
+
+    def _take(self, scene: Optional[Scene]) -> None:
+        other = self.scene is None or scene is None or len(self.scene.F) != len(scene.F)
+        self.scene = scene
+        if other:
+            self.selected, self._hovered = [], []
+        if scene is None:
+            self._show_legend(None)
+            return
+        self._colour_tiles()  # first: faces would point beyond the colours
+        self._colour_sheets()
+        self._draw()
+        self._explain()
+        self._watch_views()
+
+    def _draw(self) -> None:
+        scene, view = self.scene, self._view
+        assert scene is not None
+        self._picture.draw(scene, view.Morph, view.Pins, view.Membranes, view.Both)
+        self._place()
+        self._mark()
+        self._outline()
+        self._tell()
+
+    def _colour(self) -> None:
+        self._colour_tiles()
+        self._colour_sheets()
+        self._mark()
+        self._explain()
+
+    def _colour_map(self, one: Optional[Field]) -> str:
+        name = self._view.ColourMap
+        if name != AUTOMATIC:
+            return name
+        return colours.SIGNED if one is not None and one.signed else colours.NAMES[0]
+
+    def _colour_tiles(self) -> None:
+        scene, one = self.scene, self.field()
+        if scene is not None:
+            self._picture.colour_tiles(scene, one, self._colour_map(one), self.range(), self.selected)
+
+    def _colour_sheets(self) -> None:
+        scene, one = self.scene, self.field()
+        if scene is not None:
+            self._picture.colour_sheets(scene, one, self._colour_map(one), self.range())
+
+    def _tell(self) -> None:
+        for observer in list(self.observers):
+            observer()
+
+    def _problems(self) -> list[Field]:
+        fields = self.scene.fields.values() if self.scene else ()
+        return [one for one in fields if one.mark and len(one.problems)]
+
+    def _mark(self) -> None:
+        if self.scene is not None:
+            self._picture.mark(self.scene, self._problems())
+
+    def _outline(self) -> None:
+        self._picture.outline(self.selected, self._hovered)
+
+    def _explain(self) -> None:
+        """The legend."""
+        self._tell()
+        one, notes = self.field(), []
+        if self._iterating:
+            notes.append(translate("CurveUps_Overlay", "as the solver has it"))
+        if self.age(one):
+            notes.append(self.age(one))
+        if self.note:
+            notes.append(translate("CurveUps_Overlay", "not as it is now: {why}", why=self.note))
+        marks = tuple((field.mark, f"{translate('CurveUps_Fields', field.problem)}: {len(field.problems)}")
+                      for field in self._problems())
+        if one is None:
+            title = self.object.Label
+            self._show_legend(Content(title, has_bar=False, notes=tuple(notes), marks=marks)
+                              if notes or marks else None)
+            return
+        low, high = self.range()
+        self._show_legend(Content(translate("CurveUps_Fields", one.name), one.unit, self._colour_map(one),
+                                  low, high, True, tuple(notes), marks))
+
+    def _show_legend(self, content: Optional[Content]) -> None:
+        self.legend.show(content)
+        self._arrange_legends()
+
+    def _arrange_legends(self) -> None:
+        """All designs of a document have theirs in the same views."""
+        arrange({one.object.Label: one.legend for one in overlays(self._document)
+                 if one.legend.content is not None and one.visible()})
+
+    def visible(self) -> bool:
+        """Whether it is shown in its views."""
+        try:
+            return not self.closed and bool(self._view.Visibility)
+        except ReferenceError:  # the design is going
+            return False
+
+    def _place(self) -> None:
+        self._picture.place(self.placement())
+
+    def _watch_views(self) -> None:
+        """Lets the mouse drag the legend in views that have come since."""
+        self._dragging = [one for one in self._dragging if one.alive()]
+        for view in cameras.views_of(self.object.Document.Name):
+            if not any(one.is_of(view) for one in self._dragging):
+                self._dragging.append(Dragging(view, self.legend, lambda: self._view.Visibility,
+                                               self.set_range))
+
+
+class _State:
+    """What a scene is made from: equal for projects that are drawn alike."""
+
+    STAGES = ("target", "feasibility", "fairing", "relief", "cuts", "layout", "design",
+              "verification of the layout", "verification")
+
+    def __init__(self, project: Any, of_target: bool):
+        self._made = [project.latest(name) for name in self.STAGES]
+        self._values = (project.parameters.to_dict(), project.out_of_date("verification"),
+                        project.out_of_date("feasibility"), of_target)
+
+    def same(self, other: Optional["_State"]) -> bool:
+        return other is not None and self._values == other._values and all(
+            mine is theirs for mine, theirs in zip(self._made, other._made))

@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What there is to draw of a project, however far it has come: a value, without a word of Coin."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any, Optional
+
+import numpy as np
+
+from ...base.native import native
+from .fields import (MEMBRANE, SIDE, TILE, Field, check_fields, design_fields, deviation_field, force_fields,
+                     target_fields)
+from .motion import Motion
+from .prisms import SLOTS
+
+NO_FIELD = "None"  # the name for plain tiles
+
+
+@dataclass(frozen=True)
+class Membrane:
+    """One sheet between its pins: places of its points (P x 3, mm), triangles (K x 3) and the larger
+    principal stretch of each when actuated (K)."""
+
+    flat: np.ndarray
+    actuated: np.ndarray
+    triangles: np.ndarray
+    stretch: np.ndarray
+
+
+@dataclass(frozen=True)
+class Scene:
+    """M tiles (M x 6 x 3, mm; see native.TileShapes) with their contacts: N x 2 tiles, and which edge of
+    each. `flat` is None before there is a layout: the tiles then only have their place on the target.
+    The flat layout lies as it is printed: its lowest pins end at z = 0."""
+
+    V: np.ndarray
+    F: np.ndarray
+    cuts: np.ndarray
+    parameters: Any
+    actuated: np.ndarray
+    flat: Optional[np.ndarray]
+    actuated_pins: np.ndarray          # M x 2 x 6 x 3, or empty
+    flat_pins: np.ndarray
+    contacts: np.ndarray
+    sides: np.ndarray
+    membranes: tuple[Membrane, ...] = ()
+    fields: dict[str, Field] = field(default_factory=dict)
+
+    @cached_property
+    def motion(self) -> Optional[Motion]:
+        return None if self.flat is None else Motion(self.flat[:, :3], self.actuated[:, :3])
+
+    def tiles_at(self, t: float) -> np.ndarray:
+        """All tiles from the flat layout (t = 0) to the target shape (1), M x 6 x 3."""
+        if self.flat is None or self.motion is None or t >= 1:
+            return self.actuated
+        return self.flat if t <= 0 else self.motion.move(self.flat, t)
+
+    def pins_at(self, t: float) -> np.ndarray:
+        """All pins, M x 2 x 6 x 3."""
+        if self.motion is None or t >= 1:
+            return self.actuated_pins
+        if t <= 0:
+            return self.flat_pins
+        return self.motion.move(self.flat_pins.reshape(-1, 12, 3), t).reshape(-1, 2, 6, 3)
+
+    def membrane_at(self, membrane: Membrane, t: float) -> np.ndarray:
+        """Points of a membrane, P x 3."""
+        if self.motion is None or t >= 1:
+            return membrane.actuated
+        return membrane.flat if t <= 0 else self.motion.blend(membrane.flat, membrane.actuated, t)
+
+    def slots(self, one: Field) -> np.ndarray:
+        """A field's values where they are drawn (M x 6, see prisms); NaN where there is none."""
+        count = len(self.F)
+        if one.on == TILE:
+            return np.repeat(one.values[:, None], SLOTS, axis=1)
+        if one.on == SIDE:
+            return np.repeat(one.values, 3, axis=1)
+        thirds = np.full((count, 3), np.nan)
+        for k in (0, 1):
+            thirds[self.contacts[:, k], self.sides[:, k]] = one.values
+        return np.hstack([thirds, thirds])
+
+    def tile_values(self, one: Field, tile: int) -> list[float]:
+        """A field's values at one tile: its own, those of its two sides, or one a contact."""
+        if one.on == TILE:
+            return [float(one.values[tile])]
+        if one.on == SIDE:
+            return [float(x) for x in one.values[tile]]
+        return [float(x) for x in one.values[(self.contacts == tile).any(axis=1)]]
+
+    def places(self, one: Field, numbers: np.ndarray, corners: np.ndarray) -> np.ndarray:
+        """K x 3 points for tiles or contacts by number, a little above the front faces; corners: of all
+        tiles, M x 6 x 3."""
+        if one.on in (TILE, SIDE):
+            return self._above(corners[numbers], corners[numbers, :3].mean(1))
+        middles = []
+        for k in (0, 1):
+            tiles, edges = self.contacts[numbers, k], self.sides[numbers, k]
+            middle = (corners[tiles, edges] + corners[tiles, (edges + 1) % 3]) / 2
+            middles.append(self._above(corners[tiles], middle))
+        return (middles[0] + middles[1]) / 2
+
+    def tiles_of(self, one: Field, number: int) -> list[int]:
+        """The tiles that a value belongs to."""
+        return [number] if one.on in (TILE, SIDE) else [int(tile) for tile in self.contacts[number]]
+
+    @staticmethod
+    def _above(corners: np.ndarray, points: np.ndarray) -> np.ndarray:
+        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        length = np.linalg.norm(normal, axis=1, keepdims=True)
+        return points + 0.1 * normal / np.sqrt(np.where(length > 0, length, 1))
+
+    def with_membranes(self, membranes: tuple[Membrane, ...]) -> "Scene":
+        """The same with membranes, and what can be said of them."""
+        stretch = Field("Membrane stretch", "", MEMBRANE,
+                        lambda: np.concatenate([sheet.stretch for sheet in membranes]), "high")
+        return replace(self, membranes=membranes, fields={**self.fields, stretch.name: stretch})
+
+    def moved(self, T: np.ndarray, q: np.ndarray) -> "Scene":
+        """The same tiles elsewhere in the layout, as a solver has them (M x 3 x 2 and M x 2 x 3, mm).
+        What was computed of the layout before is gone."""
+        shapes = native.tile_shapes_at(self.V, self.F, self.cuts, self.parameters, T, q)
+        known = {name: one for name, one in self.fields.items() if name in _OF_TARGET}
+        return replace(self, **shapes_of(shapes, self.parameters), membranes=(), fields=known)
+
+
+_OF_TARGET = ("Fold angle", "Pin room", "Conformal stretch")
+
+
+def scene_of(project: Any) -> Optional[Scene]:
+    """Of a Project; None where there is no target yet. Raises what the native module raises where the
+    shapes can't be had under the parameters as they are."""
+    parameters = project.parameters
+    for name in ("design", "layout"):
+        made = project.latest(name)
+        if made is not None:
+            return _of_design(project, made.design.with_parameters(parameters))
+    return target_scene_of(project)
+
+
+def target_scene_of(project: Any) -> Optional[Scene]:
+    """Of a Project's target as it is before any layout, though there may be one."""
+    parameters, target = project.parameters, project.latest("target")
+    if target is None:
+        return None
+    names = ("feasibility", "relief", "fairing", "division")
+    check, relief, fairing, division = (_current(project, name) for name in names)
+    V = next((one.V for one in (check, relief, fairing) if one is not None), target.V)
+    edges = np.empty((0, 2), np.int32) if division is None else division.edges
+    try:
+        shapes = shapes_of(native.tile_shapes_at(V, target.F, edges, parameters), parameters)
+    except native.Error:
+        if check is None:
+            raise
+        shapes = _plates(V, target.F, check.contacts)  # it is to be seen why there are no tiles
+    contacts = shapes["contacts"]
+    fields = check_fields(check, parameters, contacts) if check is not None else []
+    known = {one.name for one in fields}
+    fields += [one for one in target_fields(V, target.F, edges, parameters, contacts, True)
+               if one.name not in known]
+    fields += _deviation(project, V, target.F)
+    return Scene(V, target.F, edges, parameters, **shapes, fields={one.name: one for one in fields})
+
+
+def _plates(V: np.ndarray, F: np.ndarray, contacts: np.ndarray) -> dict[str, Any]:
+    """The front faces as thin plates without pins: members of a Scene as `shapes_of` gives them."""
+    front = V[F]
+    across = np.cross(front[:, 1] - front[:, 0], front[:, 2] - front[:, 0])
+    size = np.sqrt(np.linalg.norm(across, axis=1, keepdims=True))
+    back = front - (_PLATE * across / size)[:, None]
+    sides = np.empty((len(contacts), 2), int)
+    for number, (a, b) in enumerate(contacts):
+        for k, (tile, other) in enumerate(((a, b), (b, a))):
+            shared = np.isin(F[tile], F[other])  # edge t is that of the corners t and t + 1
+            sides[number, k] = int(np.argmax(shared & np.roll(shared, -1)))
+    return {"actuated": np.concatenate([front, back], axis=1), "flat": None,
+            "actuated_pins": np.empty((0, 2, 6, 3)), "flat_pins": np.empty((0, 2, 6, 3)),
+            "contacts": np.asarray(contacts).reshape(-1, 2), "sides": sides}
+
+
+_PLATE = 0.05  # their thickness over about their edge
+
+
+def _current(project: Any, name: str) -> Any:
+    """A result that belongs to the target as it is; None where there is none."""
+    return project.latest(name) if project.out_of_date(name) == () else None
+
+
+def _of_design(project: Any, design: Any) -> Scene:
+    shapes, parameters = native.tile_shapes(design), design.parameters
+    fields: list[Field] = []
+    for name in ("verification", "verification of the layout"):
+        made = project.latest(name)
+        made = getattr(made, "verification", made)
+        if made is not None and made.judged and len(made.design.F) == len(design.F):
+            changed = project.out_of_date(name) or ()
+            fields += force_fields(made, shapes.contacts, parameters, changed)
+            break
+    fields += design_fields(design, shapes.contacts)
+    fields += _deviation(project, design.V, design.F)
+    fields += target_fields(design.V, design.F, design.cuts, parameters, shapes.contacts, False)
+    return Scene(design.V, design.F, design.cuts, parameters, **shapes_of(shapes, parameters),
+                 fields={one.name: one for one in fields})
+
+
+def _deviation(project: Any, V: np.ndarray, F: np.ndarray) -> list[Field]:
+    """None where the surface before remeshing is not known: of a design file, say."""
+    target = project.latest("target")
+    return [] if target is None else [deviation_field(V, F, *target.given)]
+
+
+def _height(parameters: Any) -> float:
+    """Of the front faces in the print, mm."""
+    return parameters.get("H_body") + parameters.get("H_pin")
+
+
+def shapes_of(shapes: Any, parameters: Any) -> dict[str, Any]:
+    """The arrays of native.TileShapes as members of a Scene."""
+    up = np.array([0, 0, _height(parameters)])
+    known = bool(len(shapes.flat))
+    return {"actuated": shapes.actuated, "flat": shapes.flat + up if known else None,
+            "actuated_pins": shapes.actuated_pins, "flat_pins": shapes.flat_pins + up,
+            "contacts": np.asarray(shapes.contacts), "sides": np.asarray(shapes.contact_sides)}
+
+
+def membranes_of(design: Any, job: Any) -> tuple[Membrane, ...]:
+    """Both membranes of a native Design in equilibrium: seconds of work, for a worker's thread. None where
+    nothing is between the pins."""
+    found, get = [], design.parameters.get
+    top = _height(design.parameters) + get("H_pin")
+    for side, z in zip(native.verify_design(design, native.SolutionStore(), job).membranes, (top, 0.0)):
+        if len(side.triangles):
+            flat = np.column_stack([side.flat, np.full(len(side.flat), z)])
+            found.append(Membrane(flat, side.actuated, side.triangles, np.max(side.stretch, axis=1)))
+    return tuple(found)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What of a design is shown: the overlay flat or actuated, or its solids. For commands, macros, scripts."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCADGui
+
+from ...base.errors import CurveUpsError
+from ...base.native import native
+from ..overlays import overlay_of
+from ..qt import QtCore, translate
+from .meshing import when_meshed
+
+_BODIES = ("Tiles", "Support", "Anchors")
+_FOLDING, _FRAME = 500, 30          # ms: from flat to actuated, and between two pictures
+_MOST_FOLDED = 4000                 # tiles; more are put there at once
+
+
+def show_flat(design: Any) -> None:
+    """The tiles as they are printed."""
+    _show_overlay(design, 0.0)
+
+
+def show_actuated(design: Any) -> None:
+    """The tiles in the target shape."""
+    _show_overlay(design, 1.0)
+
+
+def show_solids(design: Any) -> None:
+    """The bodies of the print instead of the overlay, once they are triangulated, which the user can
+    cancel. Raises CurveUpsError where there are none."""
+    tiles = design.Tiles
+    if tiles is None or not tiles.Shape.Solids:
+        raise CurveUpsError(translate("CurveUps_ShowSolids", "there are no solids yet"), design.Label,
+                            translate("CurveUps_ShowSolids", "run Build Solids"))
+    when_meshed(tiles, lambda: _show_solids(design))
+
+
+def _show_solids(design: Any) -> None:
+    for body in (design.Tiles, design.Anchors):  # the support would hide the tiles' back faces
+        if body is not None:
+            view = body.ViewObject
+            if view.DisplayMode == "Flat Lines":  # never shown yet; edges of small tiles are black all over
+                view.DisplayMode = "Shaded"
+                _colour(view, tuple(part / 255 for part in native.COLOURS[body.Kind]))
+            view.Visibility = True
+    design.ViewObject.Visibility = False
+
+
+def _colour(view: Any, rgb: tuple) -> None:
+    if hasattr(view, "ShapeColor"):
+        view.ShapeColor = rgb
+    else:  # since FreeCAD 1.0
+        material = view.ShapeAppearance[0]
+        material.DiffuseColor = rgb
+        view.ShapeAppearance = (material,)
+
+
+def _show_overlay(design: Any, t: float) -> None:
+    for slot in (*_BODIES, "Target"):
+        part = getattr(design, slot, None)
+        if part is not None and part.ViewObject is not None:
+            part.ViewObject.Visibility = False
+    view = design.ViewObject
+    view.Visibility = True
+    view.Both = False
+    overlay = overlay_of(design)
+    if overlay.scene is None or overlay.scene.flat is None or len(overlay.scene.F) > _MOST_FOLDED:
+        overlay.set_morph(t)
+    else:
+        _Fold(overlay, t)
+
+
+class _Fold(QtCore.QObject):
+    """Moves an overlay's tiles there in a moment that the eye can follow. Another one ends it."""
+
+    def __init__(self, overlay: Any, t: float):
+        super().__init__(FreeCADGui.getMainWindow())
+        self._overlay, self._start, self._end = overlay, overlay.morph(), t
+        self._clock = QtCore.QElapsedTimer()
+        self._clock.start()
+        overlay.folding = self
+        self._timer = self.startTimer(_FRAME)
+
+    def timerEvent(self, event: Any) -> None:
+        share = min(1.0, self._clock.elapsed() / _FOLDING)
+        if self._overlay.folding is not self or self._overlay.scene is None:
+            share = 1.0
+        else:
+            smooth = share * share * (3 - 2 * share)
+            try:
+                self._overlay.set_morph(self._start + smooth * (self._end - self._start))
+            except ReferenceError:  # the design is gone
+                share = 1.0
+        if share >= 1.0:
+            self.killTimer(self._timer)
+            self.deleteLater()

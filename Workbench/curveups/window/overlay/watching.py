@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Follows FreeCAD: selection for tiles that light up, documents for overlays that go."""
+
+from __future__ import annotations
+
+import re
+from contextlib import suppress
+from typing import Any, Callable, Optional
+
+import FreeCAD
+import FreeCADGui
+
+from ...features.document import designs
+from ..overlays import forget, overlay_of, overlays
+from ..qt import QtCore
+
+_TILE = re.compile(r"(?:^|\.)T(\d{5,})$")
+_started: Optional[tuple] = None
+_LOOK = 500  # ms between looks at the unit schema: FreeCAD tells nobody that it has changed
+unit_observers: list[Callable[[], None]] = []  # called when it has
+
+
+def start() -> None:
+    """Once a session."""
+    global _started
+    if _started is None:
+        _started = (_Selection(), _Documents(), _Units())
+        FreeCADGui.Selection.addObserver(_started[0])
+        FreeCAD.addDocumentObserver(_started[1])
+
+
+def tile_in(element: str) -> int:
+    """The tile that the name of a sub-element ends with; -1 where it is none."""
+    found = _TILE.search(element)
+    return int(found[1]) - 1 if found else -1
+
+
+def selected_tiles(design: Any) -> list[int]:
+    """Tiles of a Design that are selected, in the order they were."""
+    for one in FreeCADGui.Selection.getSelectionEx(design.Document.Name):
+        if one.ObjectName == design.Name:
+            return [tile for tile in map(tile_in, one.SubElementNames) if tile >= 0]
+    return []
+
+
+class _Selection:
+    def __init__(self) -> None:
+        self._hovered: tuple[str, str, str] = ("", "", "")
+
+    def addSelection(self, document: str, name: str, element: str, point: Any) -> None:
+        self._tell(document, element)
+
+    def removeSelection(self, document: str, name: str, element: str) -> None:
+        self._tell(document)
+
+    def setSelection(self, document: str) -> None:
+        self._tell(document)
+
+    def clearSelection(self, document: str) -> None:
+        self._tell(document)
+
+    def setPreselection(self, document: str, name: str, element: str) -> None:
+        self._hovered = (document, name, element)
+        self._tell(document)
+
+    def removePreselection(self, document: str, name: str, element: str) -> None:
+        self._hovered = ("", "", "")
+        self._tell(document)
+
+    def _tell(self, document: str, element: str = "") -> None:
+        for overlay in overlays(document or ""):
+            design = overlay.object
+            here = self._hovered[:2] == (design.Document.Name, design.Name)
+            hovered = tile_in(self._hovered[2]) if here else -1
+            selected = selected_tiles(design)
+            overlay.mark_selected(selected, [hovered] if hovered >= 0 else [])
+            tile = tile_in(element)
+            if tile >= 0 and tile in selected:
+                _say(overlay, element, tile)
+
+
+def _say(overlay: Any, name: str, tile: int) -> None:
+    values = "; ".join(f"{title} {value}" for title, value in overlay.values_of(tile))
+    FreeCADGui.getMainWindow().statusBar().showMessage(f"{name}: {values}", 60_000)
+
+
+class _Units:
+    """The user's unit schema, in FreeCAD 1 that of the active document."""
+
+    def __init__(self) -> None:
+        self._schema = FreeCAD.Units.getSchema()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(lambda: self._look())
+        self._timer.start(_LOOK)
+
+    def _look(self) -> None:
+        schema = FreeCAD.Units.getSchema()
+        if schema == self._schema:
+            return
+        self._schema = schema
+        for overlay in overlays():
+            overlay.units_changed()
+        for observer in list(unit_observers):
+            observer()
+
+
+class _Documents:
+    def slotDeletedDocument(self, document: Any) -> None:
+        forget(document.Name)
+
+    def slotDeletedObject(self, obj: Any) -> None:
+        forget(obj.Document.Name, obj.Name)
+
+    def slotUndoDocument(self, document: Any) -> None:
+        for design in designs(document):
+            with suppress(KeyError):  # it never had one
+                overlay_of(design)
+
+    slotRedoDocument = slotUndoDocument

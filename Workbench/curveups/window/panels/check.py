@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of Check: what of the target can be tiles, where not, and sizes that would do."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import Any, Optional
+
+import FreeCADGui
+
+from ...base.errors import CurveUpsError, tile_name
+from ...features import actions, document, properties
+from ...features.actions import transaction
+from ...project.project import Results
+from ...project.worker import Status
+from ...report import check as words
+from ...stages import CHECKED
+from ...stages.sizes import Recommendation
+from .. import runs
+from ..macro import call, named
+from ..notice import errors_shown, show_in, show_line, with_links
+from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, load_ui, translate
+from ..run import LIVE, Task
+from ..selection import select_tiles
+from ..units import in_user_units, row_in_user_units
+from .following import Following
+
+_MOST = 300  # rows
+# The field of the overlay that shows a row of the margins, by how the row begins.
+_FIELDS = {"fold": "Fold margin", "back face": "Fold margin", "pin room": "Pin room",
+           "room of the": "Membrane room", "stretch": "Conformal stretch"}
+
+
+class CheckPanel(Following):
+    """FreeCAD's task dialog. While it is open the overlay shows the target instead of a layout. What was
+    checked under other values stands there as out of date until it is checked again."""
+
+    def __init__(self, design: Any):
+        self.design = design
+        self._found: Optional[Results] = None
+        self._drawn: Any = None
+        self.form = form = load_ui("check")
+        form.setWindowTitle(translate("CurveUps_Check", "Check of {name}", name=design.Label))
+        form.margins.setHeaderLabels([translate("CurveUps_Check", text) for text in _HEAD])
+        form.obstacles.setHeaderLabels([translate("CurveUps_Check", "Tile"),
+                                        translate("CurveUps_Check", "What is in the way")])
+        for tree in (form.margins, form.obstacles):
+            tree.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        self._say("")
+        self._follow(design)
+        form.check.clicked.connect(lambda *_: self.check())
+        form.cancel.clicked.connect(lambda *_: LIVE.cancel())
+        form.use_length.clicked.connect(lambda *_: self._use("L"))
+        form.use_thickness.clicked.connect(lambda *_: self._use("H_body"))
+        form.use_pin.clicked.connect(lambda *_: self._use("H_pin"))
+        form.use_mending.clicked.connect(lambda *_: self._set("mend", "on"))
+        form.choose.clicked.connect(lambda *_: self._choose())
+        form.margins.itemSelectionChanged.connect(lambda: self._show_margin())
+        form.obstacles.itemSelectionChanged.connect(lambda: self._go())
+        for label in (form.line, form.verdict):
+            label.linkActivated.connect(lambda link: select_tiles(link))
+        show_in(self._say)
+        LIVE.observe(self._show_run)
+        self._overlay.show_target(True)
+        self._show_running(False)
+        if not self._is_current():
+            self.check()
+
+    def getStandardButtons(self) -> int:
+        close = QtWidgets.QDialogButtonBox.Close
+        return int(getattr(close, "value", close))  # an enumeration's member in PySide6
+
+    def reject(self) -> bool:
+        show_in(None)
+        LIVE.forget(self._show_run)
+        if not self._overlay.closed:
+            if LIVE.runs_on(self.design):
+                LIVE.cancel()
+            self._overlay.show_target(False)
+        return super().reject()
+
+    def check(self) -> None:
+        """Starts the run, on the worker."""
+        self._say("")
+        with errors_shown(translate("CurveUps_Check", "Check")):
+            runs.start("check", self.design)
+
+    def show(self) -> None:
+        """The overlay has changed, which it does with every change of the design."""
+        scene, note = self._overlay.scene, self._overlay.note
+        if self._drawn is None or self._drawn[0] is not scene or self._drawn[1] != note:
+            self._drawn = scene, note
+            self._fill()
+
+    # What was found.
+
+    def _is_current(self) -> bool:
+        try:
+            project = document.project_of(self.design)
+        except CurveUpsError:
+            return False
+        return all(project.out_of_date(name) == () for name in CHECKED)
+
+    def _fill(self) -> None:
+        form, current = self.form, self._is_current()
+        if current:
+            self._found = document.project_of(self.design).run(CHECKED)  # nothing is made anew
+        found = self._found
+        form.sizes.setEnabled(current)
+        for part in (form.sizes, form.margins, form.obstacles, form.note):
+            part.setVisible(found is not None)
+        form.left.setVisible(False)
+        if found is None:
+            form.verdict.setText("")
+            return
+        head = translate("CurveUps_Check", "Feasible") if found["feasibility"].feasible else translate(
+            "CurveUps_Check", "Not feasible")
+        if not current:
+            head = translate("CurveUps_Check", "Out of date: check again")
+        form.verdict.setText(f"<b>{escape(head)}</b><br>{with_links(words.verdict(found['feasibility']))}")
+        self._fill_sizes(found)
+        self._fill_margins(found)
+        self._fill_obstacles(found)
+
+    def _fill_sizes(self, found: Results) -> None:
+        form, get = self.form, found.parameters.get
+        form.advice.setText(self._shown("\n".join(words.advice(found))))
+        form.use_mending.setVisible(found["feasibility"].mending is not None)
+        for name, button in (("L", form.use_length), ("H_body", form.use_thickness),
+                             ("H_pin", form.use_pin)):
+            value = size_to_use(name, found)
+            button.setVisible(value is not None and not properties.same(value, get(name)))
+            if value is not None:
+                button.setText(translate("CurveUps_Check", "Use {name} = {value}",
+                                         name=properties.property_name(name),
+                                         value=properties.shown(_row(name), value)))
+
+    def _fill_margins(self, found: Results) -> None:
+        tree = self.form.margins
+        tree.clear()
+        for row in words.rows(found):
+            head, *cells = row_in_user_units(row)
+            item = QtWidgets.QTreeWidgetItem([properties.as_properties(self.design, head), *cells])
+            for column in range(1, len(row)):
+                item.setTextAlignment(column, QtCore.Qt.AlignRight)
+            tree.addTopLevelItem(item)
+        self.form.note.setText(words.NOTE)
+
+    def _fill_obstacles(self, found: Results) -> None:
+        form, blocked = self.form, found["feasibility"].blocked
+        form.obstacles.clear()
+        for one in blocked[:_MOST]:
+            why = self._shown(one.why)
+            item = QtWidgets.QTreeWidgetItem([tile_name(one.tile), why if one.certain else f"{why} *"])
+            item.setToolTip(1, why)
+            item.setData(0, QtCore.Qt.UserRole, one.tile)
+            form.obstacles.addTopLevelItem(item)
+        form.obstacles.setVisible(bool(blocked))
+        form.left.setVisible(len(blocked) > _MOST)
+        form.left.setText(translate("CurveUps_Check", "and {count} more", count=len(blocked) - _MOST))
+
+    def _shown(self, text: str) -> str:
+        return in_user_units(properties.as_properties(self.design, text))
+
+    # What is done with it.
+
+    def _show_margin(self) -> None:
+        for item in self.form.margins.selectedItems():
+            name = next((field for start, field in _FIELDS.items() if item.text(0).startswith(start)), "")
+            if name in self._overlay.fields():
+                self._overlay.set_field(name)
+            if item.text(2).startswith("T"):
+                self._look_at([int(item.text(2)[1:]) - 1])
+
+    def _go(self) -> None:
+        chosen = [item.data(0, QtCore.Qt.UserRole) for item in self.form.obstacles.selectedItems()]
+        if chosen:
+            self._look_at(chosen)
+
+    def _look_at(self, tiles: list[int]) -> None:
+        scene = self._overlay.scene
+        if scene is not None and max(tiles) < len(scene.F):
+            self._overlay.select_tiles(tiles)
+            self._overlay.look_at(tiles)
+
+    def _use(self, name: str) -> None:
+        """Takes a size over, one step of undo, and checks it."""
+        if self._found is None:
+            return
+        self._set(name, size_to_use(name, self._found))
+
+    def _set(self, name: str, value: Any) -> None:
+        called = properties.property_name(name)
+        with errors_shown(translate("CurveUps_Check", "Check")):
+            actions.refuse_bound(self.design, (name,))
+            with transaction(self.design.Document, translate("CurveUps_Check", "Use {name}", name=called)):
+                FreeCADGui.doCommand(f"{named(self.design)}.{called} = {value!r}")
+                self.design.Document.recompute()
+            self.check()
+
+    def _choose(self) -> None:
+        choose_sizes(self.design, ("L", "H_body"), self.check)
+
+    # What is going on.
+
+    def _say(self, text: str) -> None:
+        self.form.line.setText(text)
+        self.form.line.setVisible(bool(text))
+
+    def _show_running(self, mine: bool) -> None:
+        form = self.form
+        form.check.setEnabled(not LIVE.busy)
+        form.cancel.setEnabled(mine)
+        for part in (form.progress, form.doing):
+            part.setVisible(mine)
+        form.sizes.setEnabled(not LIVE.busy and self._is_current())
+
+    def _show_run(self, status: Status, goes_on: bool) -> None:
+        mine = goes_on and LIVE.runs_on(self.design)
+        if not goes_on or self.form.check.isEnabled() == LIVE.busy:
+            self._show_running(mine)
+        if mine:
+            self.form.doing.setText(f"{status.what}, {status.seconds:.1f} s")
+            self.form.progress.setMaximum(1000 if status.fraction >= 0 else 0)
+            self.form.progress.setValue(int(1000 * min(max(status.fraction, 0.0), 1.0)))
+
+
+_HEAD = (QT_TRANSLATE_NOOP("CurveUps_Check", "Margin"), QT_TRANSLATE_NOOP("CurveUps_Check", "Worst"),
+         QT_TRANSLATE_NOOP("CurveUps_Check", "Tile"), QT_TRANSLATE_NOOP("CurveUps_Check", "Wanted"),
+         QT_TRANSLATE_NOOP("CurveUps_Check", "Tiles short"))
+
+
+def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
+    """Starts the search for the largest sizes that can be made; what is found is set, one step of undo, and
+    `told` is called then."""
+    title = translate("CurveUps_Check", "Choose Sizes")
+
+    def finish(obj: Any, found: Any) -> None:
+        actions.hand_over("choose_sizes", obj, found)
+        call("actions.choose_sizes", named(obj), repr(names))
+        obj.Document.recompute()
+        values = ", ".join(f"{properties.property_name(name)} = {properties.shown(_row(name), value)}"
+                           for name, value in found.items())
+        show_line(translate("CurveUps_Check", "The largest that does: {values}", values=values))
+
+    with errors_shown(title):
+        LIVE.start(design, Task(title, actions.sizes_work(design, names), finish, told=told))
+
+
+def size_to_use(name: str, found: Results) -> Optional[float]:
+    """What is offered for L, H_body or H_pin: the feasible length that is nearest to the one that is set, the
+    largest thickness; another height of pins only where the one that is set does not do; both where none of
+    these does by itself."""
+    sizes: Recommendation = found["sizes"]
+    if name == "H_body":
+        return sizes.together[0] if sizes.together else sizes.H_body
+    if name == "H_pin":
+        return sizes.together[1] if sizes.together else None if sizes.as_set else sizes.H_pin
+    if sizes.L is None:
+        return None
+    low, high = sizes.L
+    return min(max(found.parameters.get("L"), low), high)
+
+
+def _row(name: str) -> Any:
+    return next(row for row in properties.rows() if row.name == name)

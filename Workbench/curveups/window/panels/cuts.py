@@ -1,0 +1,314 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of Cuts: edges are picked in the view, each click a step of undo; a quick layout follows."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, Iterable, Optional
+
+import FreeCAD
+import numpy as np
+
+from ...base.errors import CurveUpsError
+from ...features import document
+from ...features.actions import transaction
+from ...project.worker import Status
+from ...stages.cut_request import CutRequest
+from ..cut_paths import CutPaths, Edge, groups
+from ..macro import call, named
+from ..notice import errors_shown, show_in
+from ..overlay.cut_lines import CutLines
+from ..overlay.edge_tool import EdgeTool
+from ..overlay.picking import Pick
+from ..qt import QtCore, QtWidgets, load_ui, translate
+from ..run import LIVE, Task
+from .following import Following
+from .soft_layout import SoftLayout
+
+_INTERVAL = 150  # ms between looks at whether the cuts have changed elsewhere, by undo above all
+
+
+class CutsPanel(Following):
+    """FreeCAD's task dialog."""
+
+    def __init__(self, design: Any):
+        self.design = design
+        self.form = form = load_ui("cuts")
+        form.setWindowTitle(translate("CurveUps_Cuts", "Cuts of {name}", name=design.Label))
+        self._paths: Optional[CutPaths] = None
+        self._tip: Optional[int] = None      # vertex that the next click goes on from
+        self._preview: list[Edge] = []
+        self._listed: Optional[tuple] = None
+        self._search: Any = None
+        self._soft: Optional[SoftLayout] = None
+        self._follow(design)
+        self._lines = CutLines(self._overlay)
+        self._tool: Optional[EdgeTool] = None
+        form.anew.clicked.connect(lambda *_: self._begin_anew())
+        form.remove.clicked.connect(lambda *_: self._remove())
+        form.suggest.clicked.connect(lambda *_: self._suggest())
+        form.accept.clicked.connect(lambda *_: self._accept())
+        form.stop.clicked.connect(lambda *_: LIVE.stop())
+        form.live.toggled.connect(lambda on: self._lay_out() if on else self._stop_soft())
+        form.cuts.itemSelectionChanged.connect(lambda: self._draw())
+        form.suggested.itemSelectionChanged.connect(lambda: self._show_suggestion())
+        form.suggested.setVisible(False)
+        form.line.setVisible(False)
+        show_in(self._say)
+        LIVE.observe(self._show_run)
+        self._timer = QtCore.QTimer(form)
+        self._timer.timeout.connect(lambda: self._look_at_cuts())
+        with errors_shown(translate("CurveUps_Cuts", "Cuts")):
+            self._prepare()
+        self._timer.start(_INTERVAL)
+
+    def getStandardButtons(self) -> int:
+        return int(QtWidgets.QDialogButtonBox.Close)
+
+    def reject(self) -> bool:
+        self._timer.stop()
+        show_in(None)
+        LIVE.forget(self._show_run)
+        if LIVE.runs_on(self.design):
+            LIVE.cancel()
+        if self._tool is not None:
+            self._tool.close()
+        if not self._overlay.closed:
+            self._lines.close()
+            self._overlay.show_design()
+        return super().reject()
+
+    def show(self) -> None:
+        """The overlay has changed: lines go along."""
+        if getattr(self, "_lines", None) is not None:
+            self._draw()
+
+    # The target whose edges are picked.
+
+    def _prepare(self) -> None:
+        """A target that is not there, or not up to date, is made first."""
+        project = document.project_of(self.design)
+        if project.out_of_date("fairing") == ():
+            self._begin(project)
+            return
+        twin = project.copy()
+
+        def finish(design: Any, results: Any) -> None:
+            with transaction(design.Document, translate("CurveUps_Cuts", "Target")):
+                document.take(design, results)
+            self._begin(document.project_of(design))
+
+        LIVE.start(self.design, Task(translate("CurveUps_Cuts", "Cuts"),
+                                     lambda job: twin.run(("fairing",), job), finish, twin))
+
+    def _begin(self, project: Any) -> None:
+        self._paths = CutPaths(project.latest("fairing").V, project.latest("target").F)
+        self._soft = SoftLayout(self.design, project)
+        self._tool = EdgeTool(self.design, self._hover, self._click, self._begin_anew)
+        self._look_at_cuts()
+
+    def _edges(self) -> list[Edge]:
+        return [(min(edge), max(edge)) for edge in document.cuts_of(self.design).tolist()]
+
+    def _set(self, edges: Iterable[Edge], what: str) -> None:
+        """One step of undo."""
+        kept = [[int(a), int(b)] for a, b in dict.fromkeys(edges)]
+        with errors_shown(what), transaction(self.design.Document, what):
+            call("document.set_cuts", named(self.design), repr(kept))
+        self._say("")
+        self._look_at_cuts()
+
+    # The mouse.
+
+    def _reach(self, found: Optional[Pick]) -> tuple[list[Edge], Optional[int]]:
+        if found is None or self._paths is None or found.overlay.scene is None:
+            return [], self._tip
+        if not np.array_equal(found.overlay.scene.F, self._paths.F):
+            raise CurveUpsError(translate("CurveUps_Cuts", "the layout is of another target"),
+                                self.design.Label, translate("CurveUps_Cuts", "run Solve first"))
+        a, b = found.vertices
+        if self._tip is None:  # the first path goes on from the nearer end
+            ends = np.linalg.norm(found.ends - found.point, axis=1)
+            a, b = (a, b) if ends[1] < ends[0] else (b, a)
+        return self._paths.reach((a, b), self._tip)
+
+    def _hover(self, found: Optional[Pick]) -> None:
+        try:
+            preview = self._reach(found)[0]
+        except CurveUpsError:
+            preview = []
+        if found is not None and tuple(sorted(found.vertices)) in self._edges():
+            preview = [(min(found.vertices), max(found.vertices))]
+        if preview != self._preview:
+            self._preview = preview
+            self._draw()
+
+    def _click(self, found: Pick) -> None:
+        self._preview = []
+        with errors_shown(translate("CurveUps_Cuts", "Cuts")):
+            edges, picked = self._edges(), (min(found.vertices), max(found.vertices))
+            if picked in edges:
+                self._tip = None
+                self._set([edge for edge in edges if edge != picked],
+                          translate("CurveUps_Cuts", "Take a cut back"))
+                return
+            added, self._tip = self._reach(found)
+            if not added:
+                self._say(translate("CurveUps_Cuts", "The rim is open already: go on to an edge inside"))
+                return
+            self._set([*edges, *added], translate("CurveUps_Cuts", "Cut"))
+
+    def _begin_anew(self) -> bool:
+        """Whether there was a path to end."""
+        was, self._tip, self._preview = self._tip is not None, None, []
+        self._draw()
+        return was
+
+    # The lists.
+
+    def _look_at_cuts(self) -> None:
+        """Follows undo, redo and scripts."""
+        try:
+            edges, schema = tuple(self._edges()), FreeCAD.Units.getSchema()
+        except ReferenceError:  # the design is gone: Following closes the panel
+            return
+        if self._paths is None:
+            return
+        if (edges, schema) != self._listed:
+            before, self._listed = self._listed, (edges, schema)
+            self._list(edges)
+            self._draw()
+            if before is not None and before[0] != edges:
+                self._lay_out()
+
+    def _list(self, edges: tuple) -> None:
+        tree, paths = self.form.cuts, self._paths
+        tree.clear()
+        if self._tip is not None and not any(self._tip in edge for edge in edges):
+            self._tip = None  # what it ended was taken back
+        for number, group in enumerate(groups(edges), 1):
+            millimetres = paths.length(group) if paths else 0.0
+            length = FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length)
+            item = QtWidgets.QTreeWidgetItem([str(number), str(len(group)), length.UserString])
+            item.setData(0, QtCore.Qt.UserRole, group)
+            tree.addTopLevelItem(item)
+        self.form.remove.setEnabled(bool(edges))
+
+    def _selected(self) -> list[Edge]:
+        return [(a, b) for item in self.form.cuts.selectedItems()
+                for a, b in item.data(0, QtCore.Qt.UserRole)]
+
+    def _remove(self) -> None:
+        chosen = self._selected() or self._edges()
+        self._tip = None
+        self._set([edge for edge in self._edges() if edge not in chosen],
+                  translate("CurveUps_Cuts", "Remove cuts"))
+
+    def _draw(self) -> None:
+        if getattr(self, "_lines", None) is None or self._paths is None or self._overlay.closed:
+            return
+        kinds = {"hovered": self._preview, "selected": self._selected(),
+                 "suggested": [edge for cut in self._chosen() for edge in cut.edges.tolist()],
+                 "cut": self._edges()}
+        taken: set[Edge] = set()  # an edge has one line: that of the first kind
+        for kind, edges in kinds.items():
+            kinds[kind] = [edge for edge in edges if (min(edge), max(edge)) not in taken]
+            taken.update((min(edge), max(edge)) for edge in edges)
+        self._lines.draw(kinds, self._soft.weak if self._soft is not None and self._soft.shown else ())
+
+    # Suggestions.
+
+    def _suggest(self) -> None:
+        self._stop_soft()
+        with errors_shown(translate("CurveUps_Cuts", "Suggest")):
+            twin = document.project_of(self.design).copy()
+            request = CutRequest(edges=document.cuts_of(self.design))
+            twin.give("cut request", replace(request, suggested=self.form.most.value()))
+
+            def finish(design: Any, found: Any) -> None:
+                self._search = found
+                self._list_suggestions()
+
+            LIVE.start(self.design, Task(translate("CurveUps_Cuts", "Suggest"),
+                                         lambda job: twin.run(("cut search",), job)["cut search"], finish))
+
+    def _list_suggestions(self) -> None:
+        tree = self.form.suggested
+        tree.clear()
+        cuts = self._search.cuts if self._search is not None else ()
+        for cut in cuts:
+            item = QtWidgets.QTreeWidgetItem([str(cut)])
+            item.setToolTip(0, str(cut))
+            tree.addTopLevelItem(item)
+        tree.setVisible(bool(cuts))
+        if self._search is not None and not cuts:
+            self._say(translate("CurveUps_Cuts", "No cut was found that is worth it"))
+        if cuts:
+            tree.setCurrentItem(tree.topLevelItem(0))
+
+    def _show_suggestion(self) -> None:
+        """What it is predicted to gain, in full."""
+        chosen = self._chosen()
+        self.form.gain.setText(str(chosen[-1]) if chosen else "")
+        self._draw()
+
+    def _chosen(self) -> list:
+        """The suggestion that is selected, and those before it, on which it rests."""
+        tree = self.form.suggested
+        rows = [tree.indexOfTopLevelItem(item) for item in tree.selectedItems()]
+        return list(self._search.cuts[:max(rows) + 1]) if rows and self._search is not None else []
+
+    def _accept(self) -> None:
+        chosen = self._chosen()
+        if not chosen:
+            self._say(translate("CurveUps_Cuts", "Let cuts be suggested first, and select one"))
+            return
+        added = [(min(edge), max(edge)) for cut in chosen for edge in cut.edges.tolist()]
+        self._search = None
+        self._list_suggestions()
+        self._set([*self._edges(), *added], translate("CurveUps_Cuts", "Accept suggested cuts"))
+
+    # The quick layout.
+
+    def _lay_out(self) -> None:
+        if self._soft is None or not self.form.live.isChecked() or not self._overlay_fits():
+            return
+        with errors_shown(translate("CurveUps_Cuts", "Lay out")):
+            self._soft.start(document.cuts_of(self.design), self._laid_out)
+
+    def _overlay_fits(self) -> bool:
+        scene = self._overlay.scene
+        return scene is not None and self._paths is not None and np.array_equal(scene.F, self._paths.F)
+
+    def _laid_out(self) -> None:
+        """The quick layout stands: it is shown, not stored."""
+        if self._overlay.closed or self._soft is None:
+            return
+        self._soft.show(self._overlay)
+        count = len(self._soft.weak)
+        self.form.doing.setText(translate(
+            "CurveUps_Cuts", "Quick layout in {seconds:.1f} s; contacts that are likely to be weak (marked by"
+            " triangles): {count}. Solve makes the real one.", seconds=self._soft.seconds, count=count))
+        self._draw()
+
+    def _stop_soft(self) -> None:
+        if LIVE.runs_on(self.design):
+            LIVE.cancel()
+
+    # What is going on.
+
+    def _say(self, text: str) -> None:
+        if self._soft is not None and self._soft.restarting:
+            return  # that it was cancelled for the next cut is no news
+        self.form.line.setText(text)
+        self.form.line.setVisible(bool(text))
+
+    def _show_run(self, status: Status, goes_on: bool) -> None:
+        mine = goes_on and LIVE.runs_on(self.design)
+        self.form.stop.setEnabled(mine)
+        self.form.suggest.setEnabled(not mine)
+        if mine:
+            self.form.doing.setText(f"{status.what}, {status.seconds:.1f} s")
+            self._draw()
+        else:
+            self.form.doing.setText("")

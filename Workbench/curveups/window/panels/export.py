@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of Export: which files, how fine, under which names, and where."""
+
+from __future__ import annotations
+
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+from ...base.errors import CurveUpsError
+from ...features import actions
+from ...features.document import settings_of
+from ...project.worker import Status
+from ...report.export_estimate import estimate
+from ...report.exports import Choice, choices, file_names
+from ..macro import call, named
+from ..notice import errors_shown, show_in, with_links
+from ..qt import QtCore, QtWidgets, load_ui, translate
+from ..run import LIVE, Task
+from ..selection import select_tiles
+from . import preferences
+
+# What is ticked at first: what print shops ask for.
+_FIRST = (("print", "3mf"), ("print", "step"), ("tiles", "stl"), ("support", "stl"), ("anchors", "stl"))
+
+
+def open_panel(design: Any) -> "ExportPanel":
+    """Raises CurveUpsError where another panel is open."""
+    if FreeCADGui.Control.activeDialog():
+        raise CurveUpsError(translate("CurveUpsExport", "another task panel is open"), "",
+                            translate("CurveUpsExport", "close it first"))
+    panel = ExportPanel(design)
+    FreeCADGui.Control.showDialog(panel)
+    return panel
+
+
+class ExportPanel:
+    """FreeCAD's task dialog; it changes nothing of the document."""
+
+    def __init__(self, design: Any):
+        self.design, self._parameters = design, settings_of(design)
+        self._document = design.Document.Name
+        self._written_to = "", Choice(())
+        self.form = form = load_ui("export")
+        form.setWindowTitle(translate("CurveUpsExport", "Export {name}", name=design.Label))
+        form.files.header().setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
+        self._tick_files()
+        form.deviation.setProperty("unit", "mm")
+        form.deviation.setProperty("minimum", 0.0001)
+        form.deviation.setProperty("rawValue", self._parameters.get("mesh_deviation"))
+        form.names.setText(preferences.export_mask())
+        form.folder.setText(self._folder())
+        form.browse.clicked.connect(lambda *_: self._browse())
+        form.write.clicked.connect(lambda *_: self.write())
+        form.cancel.clicked.connect(lambda *_: LIVE.cancel())
+        form.files.itemChanged.connect(lambda *_: self._estimate())
+        form.deviation.valueChanged.connect(lambda *_: self._estimate())
+        form.reports.toggled.connect(lambda *_: self._estimate())
+        form.names.textChanged.connect(lambda *_: self._estimate())
+        form.insist.toggled.connect(lambda *_: self._show_running(LIVE.runs_on(design)))
+        for label in (form.line, form.doubts):
+            label.linkActivated.connect(lambda link: select_tiles(link))
+        self._say("")
+        show_in(self._say)
+        LIVE.observe(self._show_run)
+        self._show_doubts()
+        self._estimate()
+        self._show_running(LIVE.runs_on(design))
+
+    def getStandardButtons(self) -> int:
+        return int(QtWidgets.QDialogButtonBox.Close)
+
+    def isAllowedAlterDocument(self) -> bool:
+        """Nothing here holds the document."""
+        return True
+
+    isAllowedAlterView = isAllowedAlterSelection = isAllowedAlterDocument
+
+    def reject(self) -> bool:
+        """Close. What is being written is written to its end."""
+        LIVE.forget(self._show_run)
+        show_in(None)
+        return True
+
+    def choice(self) -> Choice:
+        """What is ticked and typed."""
+        form = self.form
+        files = tuple(item.data(0, QtCore.Qt.UserRole).split(".") for item in self._items()
+                      if item.checkState(0) == QtCore.Qt.Checked)
+        return Choice(tuple((kind, ending) for kind, ending in files), form.names.text(),
+                      float(form.deviation.property("rawValue")), form.reports.isChecked(),
+                      actions.doubts(self.design), form.insist.isChecked())
+
+    def write(self) -> None:
+        """Writes the files on the worker; the line on top says how that went."""
+        self._say("")
+        with errors_shown(translate("CurveUpsExport", "Export")):
+            choice, folder = self.choice(), self.form.folder.text()
+            file_names(self.design.Label, choice)
+            if not folder:
+                raise CurveUpsError(translate("CurveUpsExport", "there is no folder"), "",
+                                    translate("CurveUpsExport", "choose one"))
+            work = actions.export_work(self.design, folder, choice)
+            self._written_to = folder, choice
+            LIVE.start(self.design, Task(translate("CurveUpsExport", "Export"), work, self._written))
+            preferences.set_export_folder(folder)
+            preferences.set_export_mask(choice.mask)
+
+    def _written(self, design: Any, names: list[str]) -> None:
+        folder, choice = self._written_to
+        actions.hand_over("export", design, names)
+        call("actions.export", named(design), repr(folder), repr(choice.files), repr(choice.mask),
+             repr(choice.deviation), repr(choice.reports), repr(choice.insist))
+        self._say(escape(translate("CurveUpsExport", "files in {folder}: {count}", count=len(names),
+                                   folder=folder)))
+        FreeCAD.Console.PrintMessage(f"CurveUps: {', '.join(names)} -> {folder}\n")
+
+    def _items(self) -> list[Any]:
+        files = self.form.files
+        return [files.topLevelItem(row) for row in range(files.topLevelItemCount())]
+
+    def _tick_files(self) -> None:
+        for kind, ending in choices():
+            item = QtWidgets.QTreeWidgetItem([_bodies(kind), ending.upper(), ""])
+            item.setData(0, QtCore.Qt.UserRole, f"{kind}.{ending}")
+            item.setCheckState(0, QtCore.Qt.Checked if (kind, ending) in _FIRST else QtCore.Qt.Unchecked)
+            self.form.files.addTopLevelItem(item)
+
+    def _folder(self) -> str:
+        saved = self.design.Document.FileName
+        return preferences.export_folder() or str(
+            (Path(saved).parent if saved else Path.home()) / f"{actions.file_name(self.design)}-print")
+
+    def _browse(self) -> None:
+        folder = QtWidgets.QFileDialog.getExistingDirectory(
+            self.form, translate("CurveUpsExport", "Folder for the files"), self.form.folder.text())
+        if folder:
+            self.form.folder.setText(str(folder))
+
+    def _say(self, text: str) -> None:
+        if self.form is None:
+            return
+        self.form.line.setText(text)
+        self.form.line.setVisible(bool(text))
+
+    def _show_doubts(self) -> None:
+        found = actions.doubts(self.design)
+        self.form.doubts.setText("<br>".join(f"<b>{with_links(text)}</b>" for text in found))
+        self.form.doubts.setVisible(bool(found))
+        self.form.insist.setVisible(bool(found))
+
+    def _estimate(self) -> None:
+        choice, tiles = self.choice(), int(self.design.TileCount)
+        for item in self._items():
+            kind, ending = item.data(0, QtCore.Qt.UserRole).split(".")
+            size, _ = estimate(tiles, self._parameters, Choice(((kind, ending),), deviation=choice.deviation,
+                                                               reports=False))
+            item.setText(2, _megabytes(size))
+        size, seconds = estimate(tiles, self._parameters, choice)
+        text = translate("CurveUpsExport", "about {size} in {seconds:.0f} s", size=_megabytes(size),
+                         seconds=max(1.0, seconds))
+        try:
+            names = list(file_names(self.design.Label, choice).values())
+        except CurveUpsError as error:
+            names = [str(error)]
+        self.form.estimate.setText(f"{text}\n{', '.join(names)}")
+
+    def _show_running(self, running: bool) -> None:
+        form = self.form
+        refused = bool(actions.doubts(self.design)) and not form.insist.isChecked()
+        form.write.setEnabled(not running and not LIVE.busy and not refused)
+        form.cancel.setEnabled(running)
+        form.files.setEnabled(not running)
+
+    def _show_run(self, status: Status, goes_on: bool) -> None:
+        if self.form is None or self._document not in FreeCAD.listDocuments():
+            self.reject()  # FreeCAD closed it without asking
+            return
+        self._show_running(goes_on and LIVE.runs_on(self.design))
+        self.form.progress.setMaximum(0 if goes_on and status.fraction < 0 else 1000)
+        self.form.progress.setValue(int(1000 * max(status.fraction, 0.0)) if goes_on else 0)
+        if not goes_on:
+            self._show_doubts()
+
+
+def _bodies(kind: str) -> str:
+    return {"tiles": translate("CurveUpsExport", "Tiles"),
+            "support": translate("CurveUpsExport", "Support"),
+            "anchors": translate("CurveUpsExport", "Anchors"),
+            "print": translate("CurveUpsExport", "Whole print"),
+            "actuated": translate("CurveUpsExport", "Tiles in shape")}.get(kind, kind)
+
+
+def _megabytes(size: float) -> str:
+    return f"{size / 1e6:.1f} MB" if size >= 5e4 else f"{size / 1e3:.0f} kB"

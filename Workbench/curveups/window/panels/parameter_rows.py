@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rows of a form for parameters of a design: one table's names, units, ranges and tooltips, FreeCAD's own
+fields with expressions and the user's units. Edits reach the document when the user pauses."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+from typing import Any, Callable, Mapping
+
+import FreeCADGui
+
+from ...features.actions import transaction
+from ..notice import errors_shown
+from ..overlay.watching import unit_observers
+from ..qt import QtCore, QtWidgets, translate
+from ..units import in_user_units
+
+PAUSE = 400  # ms without typing after which an edit counts
+_NARROW = 90  # pixels of a field that shares its row
+
+Changed = Callable[[], object]
+
+
+class ParameterRows:
+    """Fields for some properties of one object, put into the layout `place`. changed: called after
+    properties were set. beside: makes what stands beside the field of a property, by its name."""
+
+    def __init__(self, place: Any, obj: Any, names: list[str], changed: Changed,
+                 beside: Mapping[str, Callable[[], Any]] = MappingProxyType({})):
+        self._object, self._changed = obj, changed
+        self._page = QtWidgets.QWidget()
+        form = QtWidgets.QFormLayout(self._page)
+        form.setContentsMargins(0, 0, 0, 0)
+        self._pending: dict[str, Any] = {}
+        self._fields: dict[str, Any] = {}
+        self._labels: dict[str, Any] = {}
+        self._bindings: list[Any] = []
+        self._filling = False
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(lambda: self.flush())
+        for name in names:
+            field = self._make(name)
+            field.setObjectName(name)
+            label = self._labels[name] = QtWidgets.QLabel(_spaced(name))
+            form.addRow(label, _in_row(field, beside[name]()) if name in beside else field)
+            self._fields[name] = field
+        self._show_tips()
+        place.addWidget(self._page)
+        self.refresh()
+        unit_observers.append(self._show_units)
+
+    def refresh(self) -> None:
+        """Shows what the properties hold, but for edits that wait."""
+        self._filling = True
+        try:
+            for name, field in self._fields.items():
+                if name not in self._pending:
+                    _show(field, getattr(self._object, name))
+        finally:
+            self._filling = False
+
+    def flush(self) -> None:
+        """Sets the properties that were edited: all at once, as one step of undo. No transaction is left
+        open in between, since solids wait for its end."""
+        self._timer.stop()
+        pending, self._pending = self._pending, {}
+        # A field that follows an expression or a script says what the property has already.
+        pending = {name: value for name, value in pending.items()
+                   if value != _number_of(getattr(self._object, name))}
+        if not pending:
+            return
+        document = self._object.Document
+        with errors_shown(""):
+            with transaction(document, translate("CurveUpsSolve", "Edit the design")):
+                for name, value in pending.items():
+                    setattr(self._object, name, value)
+                document.recompute()
+            self._changed()
+        self.refresh()
+
+    def close(self) -> None:
+        """No edit comes any more, and the fields are gone. They are deleted together with what
+        PySide knows of them: it would take a later field at the address of one for the deleted one."""
+        self._timer.stop()
+        if self._show_units in unit_observers:
+            unit_observers.remove(self._show_units)
+        self._pending = {}
+        self._bindings.clear()
+        self._fields.clear()
+        self._labels.clear()
+        self._page.setParent(None)
+        self._page.deleteLater()
+
+    def _show_units(self) -> None:
+        """The user's unit schema is another: fields write their numbers anew."""
+        self._filling = True
+        try:
+            self._show_tips()
+            for name, field in self._fields.items():
+                value = getattr(self._object, name)
+                if hasattr(value, "Unit"):
+                    field.setProperty("unit", value.getUserPreferred()[2])
+                    # Not the field's own number, which is read from the digits of its text.
+                    field.setProperty("rawValue", self._pending.get(name, value.Value))
+        except (RuntimeError, ReferenceError):  # the panel or the design went without a word
+            unit_observers.remove(self._show_units)
+        finally:
+            self._filling = False
+
+    def _show_tips(self) -> None:
+        for name, field in self._fields.items():
+            about = translate("App::Property", self._object.getDocumentationOfProperty(name))
+            for part in (field, self._labels[name]):
+                part.setToolTip(in_user_units(about))
+
+    def _edit(self, name: str, value: Any) -> None:
+        if self._filling:
+            return
+        self._pending[name] = value
+        self._timer.start(PAUSE)
+
+    def _make(self, name: str) -> Any:
+        kind = self._object.getTypeIdOfProperty(name)
+        if kind == "App::PropertyBool":
+            field = QtWidgets.QCheckBox()
+            field.toggled.connect(lambda value: self._edit(name, bool(value)))
+        elif kind == "App::PropertyEnumeration":
+            field = QtWidgets.QComboBox()
+            field.addItems(self._object.getEnumerationsOfProperty(name))
+            field.currentTextChanged.connect(lambda value: self._edit(name, str(value)))
+        elif kind == "App::PropertyString":
+            field = QtWidgets.QLineEdit()
+            field.textEdited.connect(lambda value: self._edit(name, str(value)))
+        else:
+            field = self._number(name, whole=kind == "App::PropertyInteger")
+        return field
+
+    def _number(self, name: str, whole: bool) -> Any:
+        """FreeCAD's field, which reads units and expressions."""
+        field = FreeCADGui.UiLoader().createWidget("Gui::IntSpinBox" if whole else "Gui::QuantitySpinBox")
+        if whole:
+            field.setRange(-2**31, 2**31 - 1)  # the design says the range, with the remedy
+        value = getattr(self._object, name)
+        if hasattr(value, "Unit"):
+            field.setProperty("unit", value.getUserPreferred()[2])
+        binding = FreeCADGui.ExpressionBinding(field)
+        binding.bind(self._object, name)
+        self._bindings.append(binding)  # lives as long as the field
+        which = _value_of(field)
+        field.valueChanged.connect(lambda *_: self._edit_number(name, which))
+        return field
+
+    def _edit_number(self, name: str, which: str) -> None:
+        field = self._fields.get(name)
+        if field is not None:
+            self._edit(name, field.property(which))
+
+
+def _in_row(field: Any, other: Any) -> Any:
+    row = QtWidgets.QHBoxLayout()
+    row.addWidget(field, 1)
+    row.addWidget(other)
+    # FreeCAD's fields ask for the width of their largest number: with a button the panel would be wider
+    # than the dock that FreeCAD gives it.
+    field.setMinimumWidth(_NARROW)
+    return row
+
+
+def _value_of(field: Any) -> str:
+    """The property of a number field that holds the number, in FreeCAD's own units."""
+    return "value" if isinstance(field, QtWidgets.QSpinBox) else "rawValue"
+
+
+def _show(field: Any, value: Any) -> None:
+    if isinstance(field, QtWidgets.QCheckBox):
+        field.setChecked(value)
+    elif isinstance(field, QtWidgets.QComboBox):
+        field.setCurrentText(value)
+    elif isinstance(field, QtWidgets.QLineEdit):
+        field.setText(value)
+    else:
+        number = _number_of(value)
+        if field.property(_value_of(field)) != number:
+            field.setProperty(_value_of(field), number)
+
+
+def _number_of(value: Any) -> Any:
+    return value.Value if hasattr(value, "Unit") else value
+
+
+def _spaced(name: str) -> str:
+    """DGapMin as D Gap Min, as the property editor writes it."""
+    return "".join(f" {letter}" if letter.isupper() and number and not name[number - 1].isupper() else letter
+                   for number, letter in enumerate(name))

@@ -1,0 +1,354 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of a design: its parameters, and its runs as they go. It opens by a double click and by the
+commands that run something; a run goes on when it is closed."""
+
+from __future__ import annotations
+
+import time
+from functools import partial
+from html import escape
+from typing import Any, Callable, Optional
+
+import FreeCAD
+import FreeCADGui
+
+from ...base import profiles
+from ...base.errors import CurveUpsError
+from ...features import properties
+from ...project.worker import Status
+from ...stages.sizes import AUTOMATIC
+from .. import runs
+from ..macro import call, named
+from ..notice import errors_shown, show_in, with_links
+from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, load_ui, translate
+from ..run import LIVE
+from ..selection import select_tiles
+from . import preferences
+from .check import choose_sizes
+from .curves import Curves
+from .edits import Edits
+from .parameter_rows import ParameterRows
+
+# What users read for the stages that take time; others are shown by their own name.
+_STAGES = {
+    "surface": QT_TRANSLATE_NOOP("CurveUpsSolve", "Reading the surface"),
+    "target": QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"),
+    "fairing": QT_TRANSLATE_NOOP("CurveUpsSolve", "Mending"),
+    "division": QT_TRANSLATE_NOOP("CurveUpsSolve", "Pieces"),
+    "cuts": QT_TRANSLATE_NOOP("CurveUpsSolve", "Cuts"),
+    "relief": QT_TRANSLATE_NOOP("CurveUpsSolve", "Room for pins"),
+    "layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"),
+    "verification of the layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification of the layout"),
+    "repair": QT_TRANSLATE_NOOP("CurveUpsSolve", "Repair"),
+    "design": QT_TRANSLATE_NOOP("CurveUpsSolve", "Design"),
+    "figures": QT_TRANSLATE_NOOP("CurveUpsSolve", "Constraints"),
+    "deviation": QT_TRANSLATE_NOOP("CurveUpsSolve", "Deviation"),
+    "clearances": QT_TRANSLATE_NOOP("CurveUpsSolve", "Clearances"),
+    "verification": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification"),
+    "recheck": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification on a finer mesh"),
+    "bodies": QT_TRANSLATE_NOOP("CurveUpsSolve", "Bodies"),
+    "solids": QT_TRANSLATE_NOOP("CurveUpsSolve", "Solids"),
+    "check": QT_TRANSLATE_NOOP("CurveUpsSolve", "Check of the solids"),
+    "trials": QT_TRANSLATE_NOOP("CurveUpsSolve", "Other sizes"),
+    "suggestions": QT_TRANSLATE_NOOP("CurveUpsSolve", "Suggestions"),
+}
+_GROUPS = {
+    "Target": QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"),
+    "Tiles": QT_TRANSLATE_NOOP("CurveUpsSolve", "Tiles"),
+    "Layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"),
+    "Physics": QT_TRANSLATE_NOOP("CurveUpsSolve", "Physics"),
+    "Repair": QT_TRANSLATE_NOOP("CurveUpsSolve", "Repair"),
+    "Bumps": QT_TRANSLATE_NOOP("CurveUpsSolve", "Bumps"),
+    "Support": QT_TRANSLATE_NOOP("CurveUpsSolve", "Support"),
+    "Anchors": QT_TRANSLATE_NOOP("CurveUpsSolve", "Anchors"),
+    "Files": QT_TRANSLATE_NOOP("CurveUpsSolve", "Files"),
+}
+# What properties say in English; the panel translates it.
+_STATES = (
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "valid"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "not valid"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "not judged"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "out of date"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "empty"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "invalid"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "running"))
+DONE, RUNNING, WAITING = "✓", "▶", "·"
+
+_open: Optional["SolvePanel"] = None
+
+
+def open_panel(design: Any) -> "SolvePanel":
+    """Shows the panel of a design, by way of FreeCAD's edit mode. Raises CurveUpsError where another
+    panel is open."""
+    if _open is not None and _open.design == design:
+        return _open
+    if FreeCADGui.Control.activeDialog():
+        raise CurveUpsError(translate("CurveUpsSolve", "another task panel is open"), "",
+                            translate("CurveUpsSolve", "close it first"))
+    FreeCADGui.getDocument(design.Document.Name).setEdit(design.Name)
+    if _open is None:
+        raise CurveUpsError(translate("CurveUpsSolve", "the panel can't be opened"), design.Label,
+                            translate("CurveUpsSolve", "leave the edit mode of another object first"))
+    return _open
+
+
+def enter(design: Any) -> bool:
+    """For the view provider's setEdit. Ends the transaction that a double click opens: edits have their
+    own."""
+    global _open
+    if FreeCADGui.Control.activeDialog():
+        return False
+    design.Document.commitTransaction()
+    _open = SolvePanel(design)
+    FreeCADGui.Control.showDialog(_open)
+    return True
+
+
+def leave() -> None:
+    """For the view provider's unsetEdit."""
+    if _open is not None:
+        _open.close()
+        FreeCADGui.Control.closeDialog()
+
+
+class SolvePanel:
+    """FreeCAD's task dialog. Each pause in editing parameters ends a step of undo."""
+
+    def __init__(self, design: Any):
+        self.design = design
+        self.form = load_ui("solve")
+        self.form.setWindowTitle(f"CurveUps: {design.Label}")
+        self.curves = Curves()
+        place = QtWidgets.QVBoxLayout(self.form.curves_place)
+        place.setContentsMargins(0, 0, 0, 0)
+        place.addWidget(self.curves)
+        self._rows: Optional[ParameterRows] = None
+        self._follower: Optional[_Follower] = None
+        self._began: dict[str, float] = {}
+        self._prepare_buttons()
+        self._prepare_parameters()
+        show_in(self._say)
+        LIVE.observe(self._show_run)
+        self._follower = _Follower(self)
+        FreeCAD.addDocumentObserver(self._follower)
+        self._show_verdict()
+        self._show_running(LIVE.runs_on(design))
+
+    def getStandardButtons(self) -> int:
+        close = QtWidgets.QDialogButtonBox.Close
+        return int(getattr(close, "value", close))  # an enumeration's member in PySide6
+
+    def isAllowedAlterDocument(self) -> bool:
+        """Commands stay active: views and exports do no harm to edits."""
+        return True
+
+    isAllowedAlterView = isAllowedAlterSelection = isAllowedAlterDocument
+
+    def reject(self) -> bool:
+        """Close, and the escape key. A run goes on."""
+        FreeCADGui.getDocument(self.design.Document.Name).resetEdit()
+        return True
+
+    def close(self) -> None:
+        """Ends edits; the panel's widgets may be gone at any time after."""
+        global _open
+        if self._rows and self.form is not None:
+            self._rows.flush()
+            self._rows.close()
+        LIVE.forget(self._show_run)
+        if self._follower is not None:
+            FreeCAD.removeDocumentObserver(self._follower)
+            self._follower = None
+        show_in(None)
+        _open = None
+
+    def run(self, which: str) -> None:
+        """Starts a run: "solve", "verify", "repair", "build_solids"."""
+        if self._rows:
+            self._rows.flush()
+        self._say("")
+        self.form.stages.clear()
+        self._began = {}
+        with errors_shown(which):
+            runs.start(which, self.design)
+
+    def _prepare_buttons(self) -> None:
+        form = self.form
+        for which in ("solve", "verify", "repair"):
+            getattr(form, which).clicked.connect(self._runner(which))
+        form.stop.clicked.connect(lambda: LIVE.stop())
+        form.cancel.clicked.connect(lambda: LIVE.cancel())
+        form.live.setChecked(preferences.draws_live())
+        form.live.toggled.connect(lambda value: preferences.set_draws_live(bool(value)))
+        form.line.linkActivated.connect(lambda link: select_tiles(link))
+        form.verdict.linkActivated.connect(lambda link: select_tiles(link))
+        header = form.stages.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
+        form.stages.setFixedHeight(8 * form.stages.fontMetrics().height())
+
+    def _runner(self, which: str) -> Callable[..., None]:
+        return lambda *_: self.run(which)
+
+    def _prepare_parameters(self) -> None:
+        form = self.form
+        self._groups: dict[str, list[str]] = {}
+        for name in self.design.PropertiesList:
+            if properties.tier_of(self.design, name):
+                group = self.design.getGroupOfProperty(name)
+                self._groups.setdefault(group, []).append(name)
+        for group in sorted(self._groups):
+            title = group.split(" ", 1)[-1]
+            form.group.addItem(translate("CurveUpsSolve", _GROUPS.get(title, title)), group)
+        form.group.currentIndexChanged.connect(lambda *_: self._show_group())
+        names = [name for group in self._groups.values() for name in group]
+        self._edits = Edits(self.design, names)
+        form.revert.clicked.connect(lambda: self._revert())
+        form.remember.clicked.connect(lambda: preferences.remember(self.design, names))
+        self._prepare_profiles()
+        self._show_group()
+
+    def _prepare_profiles(self) -> None:
+        menu = QtWidgets.QMenu(self.form.profile)
+        menu.setToolTipsVisible(True)
+        for name in ("", *profiles.profile_names()):
+            action = menu.addAction(name.upper() or translate("CurveUpsSolve", "Standard"))
+            action.setToolTip(profiles.about(name) if name else translate(
+                "CurveUpsSolve", "The defaults of all that a profile sets"))
+            action.triggered.connect(lambda *_, name=name: self._apply_profile(name))
+        self.form.profile.setMenu(menu)
+
+    def _apply_profile(self, name: str) -> None:
+        if self._rows:
+            self._rows.flush()
+        with errors_shown(translate("CurveUpsSolve", "Profile")):
+            call("actions.apply_profile", named(self.design), repr(name))
+            self.design.Document.recompute()
+        if self._rows:
+            self._rows.refresh()
+        self._show_verdict()
+
+    def _automatic(self, name: str) -> Any:
+        """The button beside a size that looks for the largest that can be made."""
+        button = QtWidgets.QToolButton()
+        button.setObjectName(f"auto_{name}")
+        button.setText(translate("CurveUpsSolve", "Auto"))
+        button.setToolTip(translate("CurveUpsSolve", "Look for the largest value with which all tiles can be "
+                                    "made; of lengths, as long as the surface stays within Fidelity"))
+        button.clicked.connect(lambda *_: self._choose(name))
+        return button
+
+    def _choose(self, name: str) -> None:
+        if self._rows:
+            self._rows.flush()
+        self._say("")
+        choose_sizes(self.design, (name,))
+
+    def turn_to(self, name: str) -> None:
+        """Turns to a group of parameters; one that there is not is no harm."""
+        number = self.form.group.findData(properties.GROUPS.get(name, ""))
+        if number >= 0:
+            self.form.group.setCurrentIndex(number)
+
+    def _show_group(self) -> None:
+        if self._rows:
+            self._rows.flush()
+            self._rows.close()
+        names = self._groups.get(self.form.group.currentData(), [])
+        beside = {properties.property_name(name): partial(self._automatic, name) for name in AUTOMATIC}
+        self._rows = ParameterRows(self.form.rows, self.design, names, self._edited, beside)
+
+    def _revert(self) -> None:
+        if self._rows:
+            self._rows.flush()  # what waits is taken back, too
+        with errors_shown(""):
+            self._edits.revert(translate("CurveUpsSolve", "Revert all edits"))
+        if self._rows:
+            self._rows.refresh()
+        self._show_verdict()
+
+    def _edited(self) -> None:
+        self._show_verdict()
+
+    def _say(self, text: str) -> None:
+        """A line of rich text at the top."""
+        if self.form is None:
+            return
+        self.form.line.setText(text)
+        self.form.line.setVisible(bool(text))
+
+    def _show_verdict(self) -> None:
+        state = self.design.Status
+        head = translate("CurveUpsSolve", self.design.Verdict if state == "current" else state)
+        lines = "<br>".join(with_links(text) for text in self.design.Reasons[:6])
+        self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"
+                                  + (f"<br>{lines}" if lines else ""))
+
+    def _show_running(self, running: bool) -> None:
+        form = self.form
+        for which in ("solve", "verify", "repair"):
+            button = getattr(form, which)
+            reason = "" if running else runs.reason(which, self.design)
+            button.setEnabled(not running and not reason)
+            button.setStatusTip(reason)
+        form.stop.setEnabled(running)
+        form.cancel.setEnabled(running)
+        form.parameters.setEnabled(not running)
+        form.progress.setTextVisible(running)
+        if not running:
+            form.progress.setValue(0)
+            form.doing.setText("")
+
+    def _show_run(self, status: Status, goes_on: bool) -> None:
+        if self.form is None:  # FreeCAD closed it without asking
+            self.close()
+            return
+        if goes_on and not LIVE.runs_on(self.design):
+            return
+        self._show_stage(status, goes_on)
+        self.curves.show_status(status)
+        self._show_running(goes_on)
+        if goes_on:
+            what = translate("CurveUpsSolve", "stopping") if status.stopping else status.what
+            self.form.doing.setText(f"{what}, {status.seconds:.1f} s")
+            self.form.progress.setMaximum(1000 if status.fraction >= 0 else 0)
+            self.form.progress.setValue(int(1000 * min(max(status.fraction, 0.0), 1.0)))
+            return
+        self.form.progress.setMaximum(1000)
+        if self.design.Document.Name in FreeCAD.listDocuments():
+            if self._rows:
+                self._rows.refresh()
+            self._show_verdict()
+
+    def _show_stage(self, status: Status, goes_on: bool) -> None:
+        """A line for each stage that has begun."""
+        tree, now = self.form.stages, time.perf_counter()
+        count = tree.topLevelItemCount()
+        last = tree.topLevelItem(count - 1) if count else None
+        stage = status.stage
+        if last is not None and (not goes_on or last.data(0, QtCore.Qt.UserRole) != stage):
+            last.setText(0, f"{DONE} {last.text(0)[2:]}")
+        if not goes_on or not stage:
+            return
+        if stage not in self._began:
+            self._began[stage] = now
+            shown = translate("CurveUpsSolve", _STAGES[stage]) if stage in _STAGES else stage
+            last = QtWidgets.QTreeWidgetItem([f"{RUNNING} {shown}", ""])
+            last.setData(0, QtCore.Qt.UserRole, stage)
+            last.setTextAlignment(1, QtCore.Qt.AlignRight)
+            tree.addTopLevelItem(last)
+            tree.scrollToItem(last)
+        if last is not None and last.data(0, QtCore.Qt.UserRole) == stage:
+            last.setText(1, f"{now - self._began[stage]:.1f} s")
+
+
+class _Follower:
+    """FreeCAD's document observer: the verdict changes when solids follow, by undo, and by scripts."""
+
+    def __init__(self, panel: SolvePanel):
+        self._panel = panel
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:
+        panel = self._panel
+        if name in ("Status", "Verdict", "Reasons") and panel.form is not None and obj is panel.design:
+            panel._show_verdict()

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The only import of PySide. FreeCAD 0.20 has Qt 5 without a QtWidgets of PySide (widgets are in its
+QtGui), later ones have Qt 5 or 6 with one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+try:
+    from PySide import QtWidgets
+except ImportError:
+    QtWidgets = QtGui
+
+__all__ = ("QtCore", "QtGui", "QtWidgets", "QT_TRANSLATE_NOOP", "load_ui", "translate")
+
+RESOURCES = Path(__file__).parents[3] / "resources"
+
+
+def translate(context: str, text: str, **values: Any) -> str:
+    """`text` in the user's language; `{name}` in it stands for values[name]."""
+    found = QtCore.QCoreApplication.translate(context, text)
+    return found.format(**values) if values else found
+
+
+def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
+    """Marks a text that FreeCAD or a later `translate` translates."""
+    return text
+
+
+def load_ui(name: str) -> Any:
+    """The widget that resources/ui/`name`.ui describes, with its children as attributes."""
+    return FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The one run of the window: started here, polled by a timer, drawn while it goes, taken over or dropped
+when it ends. Panels come and go meanwhile; so may the document, and FreeCAD itself."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import Any, Callable, Optional
+
+import FreeCAD
+import FreeCADGui
+
+from ..features.document import set_running, state_of
+from ..project.project import Project
+from ..project.worker import WORKER, Outcome, Status
+from ..stages.stage import Job
+from .notice import errors_shown, show_error, show_line
+from .overlay.scene import scene_of
+from .overlays import overlay_of
+from .panels.preferences import draws_live
+from .qt import QtCore, QtWidgets, translate
+
+INTERVAL = 40  # ms between looks at the worker
+QUIT_SECONDS = 20.0  # that FreeCAD waits for a native call to see that it is stopped
+
+
+@dataclass(frozen=True)
+class Task:
+    """title: of the command. work: for the worker's thread; it touches no document. finish: gets what
+    work made, in the window's thread. project: that it is done on, for pictures of it. told: called once
+    what finish has done is drawn and the observers know of the end."""
+
+    title: str
+    work: Callable[[Job], Any]
+    finish: Callable[[Any, Any], None]  # design, value
+    project: Optional[Project] = None
+    told: Optional[Callable[[], None]] = None
+
+
+Observer = Callable[[Status, bool], None]  # where the run is; whether it goes on
+
+
+class Live:
+    """Starts tasks and tells observers. One at a time: the second is refused with a CurveUpsError."""
+
+    def __init__(self) -> None:
+        self._observers: list[Observer] = []
+        self._timer: Any = None
+        self._task: Optional[Task] = None
+        self._place = ("", "")  # document and object that the run is for
+        self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
+        self._first = False  # whether the design had no layout before
+
+    @property
+    def busy(self) -> bool:
+        return WORKER.busy
+
+    def runs_on(self, design: Any) -> bool:
+        """Whether the run is this design's."""
+        return self.busy and self._place == (design.Document.Name, design.Name)
+
+    def observe(self, observer: Observer) -> None:
+        self._observers.append(observer)
+
+    def forget(self, observer: Observer) -> None:
+        if observer in self._observers:
+            self._observers.remove(observer)
+
+    def start(self, design: Any, task: Task) -> None:
+        """Raises CurveUpsError where something runs already."""
+        self._install()
+        WORKER.start_work(task.work, self._ended)
+        self._task, self._place = task, (design.Document.Name, design.Name)
+        self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
+        self._first = state_of(design, "Layout")[0] == "empty"
+        set_running(design, True)
+        self._timer.start(INTERVAL)
+        self._tell(True)
+
+    def stop(self) -> None:
+        """Keep the best so far."""
+        WORKER.stop()
+        self._tell(True)
+
+    def cancel(self) -> None:
+        """Leave the design as it was."""
+        WORKER.cancel()
+        WORKER.poll()
+
+    def abandon(self, document: str, name: str = "") -> None:
+        """The design, or its document, is going away: nothing of it is touched any more."""
+        if self.busy and self._place[0] == document and name in ("", self._place[1]):
+            self._place = ("", "")
+            self.cancel()
+
+    def quit(self) -> None:
+        """FreeCAD ends: no thread may be left in the native module."""
+        self._place = ("", "")
+        if self._timer is not None:
+            self._timer.stop()
+        WORKER.cancel()
+        WORKER.wait(QUIT_SECONDS)
+
+    def _install(self) -> None:
+        if self._timer is not None:
+            return
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(lambda: self._look())
+        FreeCAD.addDocumentObserver(_Watcher(self))
+        QtWidgets.QApplication.instance().aboutToQuit.connect(lambda: self.quit())
+
+    def _look(self) -> None:
+        WORKER.poll()
+        if not self.busy:
+            return
+        self._tell(True)
+        self._draw(WORKER.status())
+
+    def _draw(self, status: Status) -> None:
+        """The newest iterate; pictures that take long come more seldom."""
+        design = self._design()
+        if (design is None or status.iterate is None or status.count == self._drawn or not draws_live()
+                or time.perf_counter() < self._rest_until):
+            return
+        start = time.perf_counter()
+        self._drawn = status.count
+        _, T, q, _ = status.iterate
+        with errors_shown(""):
+            overlay = overlay_of(design)
+            if not self._scene_drawn and self._task is not None and self._task.project is not None:
+                overlay.show_scene(scene_of(self._task.project))
+            overlay.set_iterate(T, q)
+        first, self._scene_drawn = not self._scene_drawn, True
+        self._rest_until = time.perf_counter() + 2 * (time.perf_counter() - start)
+        if first:
+            self._fit(design)
+
+    def _fit(self, design: Any) -> None:
+        """Brings the whole picture into view, where there was none before. To be called last: FreeCAD 1
+        moves the camera there in an event loop, in which the run may end and another begin."""
+        if self._first:
+            gui = FreeCADGui.getDocument(design.Document.Name)
+            if hasattr(gui.ActiveView, "fitAll"):
+                gui.ActiveView.fitAll()
+
+    def _ended(self, outcome: Outcome) -> None:
+        self._timer.stop()
+        task, design = self._task, self._design()
+        self._task = None
+        if design is None or task is None:
+            self._tell(False)
+            return
+        with errors_shown(task.title):
+            self._settle(design, task, outcome)
+        self._tell(False)
+        if task.told is not None and outcome.value is not None:
+            with errors_shown(task.title):
+                task.told()
+        self._fit(design)
+
+    def _settle(self, design: Any, task: Task, outcome: Outcome) -> None:
+        set_running(design, False)
+        if outcome.value is not None:
+            task.finish(design, outcome.value)
+        elif outcome.error is not None:
+            show_error(outcome.error, task.title)
+        else:
+            show_line(translate("CurveUps", "{task} was cancelled: the design is as it was",
+                                task=task.title))
+        overlay_of(design).show_design()
+
+    def _design(self) -> Any:
+        document, name = self._place
+        known = FreeCAD.listDocuments().get(document)
+        return known.getObject(name) if known else None
+
+    def _tell(self, goes_on: bool) -> None:
+        status = WORKER.status()
+        if not goes_on:
+            FreeCADGui.getMainWindow().statusBar().clearMessage()
+        elif not self._observers:  # no panel shows it
+            FreeCADGui.getMainWindow().statusBar().showMessage(f"CurveUps: {status.what}")
+        for observer in list(self._observers):
+            observer(status, goes_on)
+
+
+class _Watcher:
+    """FreeCAD's document observer."""
+
+    def __init__(self, live: Live):
+        self._live = live
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        self._live.abandon(document.Name)
+
+    def slotDeletedObject(self, obj: Any) -> None:
+        self._live.abandon(obj.Document.Name, obj.Name)
+
+
+LIVE = Live()

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs of a design from the window: what Check, Solve, Verify, Repair and Build Solids share."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..base.errors import CurveUpsError
+from ..base.native import problem
+from ..features import actions
+from ..features.document import state_of
+from .macro import call, named
+from .qt import translate
+from .run import LIVE, Task
+
+
+def reason(which: str, design: Any) -> str:
+    """Why a run of a design can't start now; empty where it can."""
+    wrong = problem()
+    if wrong is not None:
+        return str(wrong)
+    if LIVE.busy:
+        return translate("CurveUps", "CurveUps is at work: stop or cancel that first")
+    of_target = which in actions.RUNS and actions.RUNS[which].of_target  # exports are of a layout
+    if not of_target and state_of(design, "Layout")[0] == "empty":
+        return translate("CurveUps", "There is no layout yet: Solve makes it")
+    return ""
+
+
+def start(which: str, design: Any) -> None:
+    """Starts a run on the worker; its results become the document's when it ends. Raises CurveUpsError
+    where it can't start."""
+    wrong = reason(which, design)
+    if wrong:
+        raise CurveUpsError(wrong)
+    title = translate("CurveUps_" + _camel(which), actions.RUNS[which].title)
+    project, work = actions.prepare(which, design)
+    LIVE.start(design, Task(title, work, _finisher(which), project))
+
+
+def _finisher(which: str) -> Any:
+    def finish(design: Any, results: Any) -> None:
+        actions.hand_over(which, design, results)
+        call(f"actions.{which}", named(design))
+        design.Document.recompute()
+
+    return finish
+
+
+def _camel(which: str) -> str:
+    return "".join(word.capitalize() for word in which.split("_"))

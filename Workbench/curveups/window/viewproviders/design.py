@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Design object in the tree."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...features.proxy import SLOTS
+from ..overlay.view import OverlayView
+from ..panels import solve
+from .view import View
+
+
+class DesignView(OverlayView, View):
+    """Icon of a Design, and what is below it; the overlay, its display, hangs on it."""
+
+    MENU = ("CurveUps_Solve", "CurveUps_Verify", "CurveUps_Repair", "CurveUps_BuildSolids",
+            "CurveUps_ShowFlat", "CurveUps_ShowActuated", "CurveUps_ShowSolids", "CurveUps_Export",
+            "CurveUps_Report")
+
+    def attach(self, view: Any) -> None:
+        View.attach(self, view)
+        OverlayView.attach(self, view)
+
+    def updateData(self, obj: Any, name: str) -> None:
+        View.updateData(self, obj, name)
+        OverlayView.updateData(self, obj, name)
+
+    def doubleClicked(self, view: Any) -> bool:
+        """Opens the panel, by way of edit mode."""
+        view.Document.setEdit(view.Object.Name)
+        return True
+
+    def setEdit(self, view: Any, mode: int = 0) -> bool:
+        return solve.enter(view.Object)
+
+    def unsetEdit(self, view: Any, mode: int = 0) -> bool:
+        solve.leave()
+        return True
+
+    def claimChildren(self) -> list:
+        return [part for slot in SLOTS if (part := getattr(self.object, slot, None)) is not None]
+
+    def onDelete(self, view: Any, names: Any) -> bool:
+        """Takes along what is below it, unless another design uses that."""
+        obj = view.Object
+        for part in self.claimChildren():
+            if all(other == obj for other in part.InList):
+                obj.Document.removeObject(part.Name)
+        return True
