@@ -85,7 +85,8 @@ def imported(path: Path, package: Path) -> Iterator[tuple[str, bool]]:
             for alias in node.names:
                 name = f"{base}.{alias.name}"
                 found = package.parent / name.replace(".", "/")
-                yield (name if found.is_dir() or found.with_suffix(".py").is_file() else base), late
+                module = base == package.name or found.is_dir() or found.with_suffix(".py").is_file()
+                yield (name if module else base), late
 
 
 def modules(package: Path) -> dict[str, Path]:

@@ -38,7 +38,7 @@ def drawn(gui):
 def work():
     document, gui = opened(path)
     document.UndoMode = 1
-    design, panel = document.Design, __import__('curveups.window.panels.solve').panels.solve
+    design, panel = document.Design, __import__('curveups.window.panels.solve').window.panels.solve
     assert all(isinstance(gui.getObject(name).Proxy, ShapeView) for name in SHAPES)
     current = drawn(gui)
     assert len({current[name] for name in SHAPES}) == 4
