@@ -108,6 +108,9 @@ TEXTS = {
     "three-at-an-edge.obj": "v 0 0 0\nv 20 0 0\nv 0 20 0\nv 0 -20 0\nv 0 0 20\n"
                             "f 1 2 3\nf 2 1 4\nf 1 2 5\n",
     "huge.obj": scaled(dome(2), 1e12) + "\n",
+    "one-point-often.obj": scaled(dome(3), 0.0),
+    "far-away.obj": re.sub(r"v (\S+) (\S+) (\S+)", r"v 1e30 1e30 1e30", dome(3)),
+    "beyond-squares.obj": scaled(dome(3), 1e200),
     "metres.obj": scaled(dome(3), 1e-3),
     "not-off.off": "COFFEE\n",
     "short.off": "OFF\n3 1 0\n0 0 0\n10 0 0\n",
@@ -155,7 +158,7 @@ BYTES = {
     "nan-binary.stl": b"\0" * 80 + struct.pack("<I", 1)
                       + struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 9, 0, 0, math.nan, 9, 0, 0),
     "zip-without-model.3mf": None, "not-xml.3mf": None, "bad-index.3mf": None,
-    "endless-components.3mf": None, "ten-of-ten-of-ten.3mf": None,
+    "endless-components.3mf": None, "nothing-left.3mf": None, "ten-of-ten-of-ten.3mf": None,
 }
 ZIPS = {
     "zip-without-model.3mf": {"readme.txt": "nothing"},
@@ -167,6 +170,15 @@ ZIPS = {
     "endless-components.3mf": {"3D/3dmodel.model": model_3mf(
         '<resources><object id="1"><components><component objectid="1"/></components></object>'
         '</resources><build><item objectid="1"/></build>')},
+    "nothing-left.3mf": {"3D/3dmodel.model": model_3mf(
+        '<resources><object id="1"><mesh><vertices>'
+        + "".join('<vertex x="%s" y="%s" z="%s"/>' % tuple(line.split()[1:])
+                  for line in dome(3).splitlines() if line[0] == "v")
+        + "</vertices><triangles>"
+        + "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % tuple(int(v) - 1 for v in line.split()[1:])
+                  for line in dome(3).splitlines() if line[0] == "f")
+        + '</triangles></mesh></object></resources>'
+        '<build><item objectid="1" transform="0 0 0 0 0 0 0 0 0 0 0 0"/></build>')},
     "ten-of-ten-of-ten.3mf": {"3D/3dmodel.model": model_3mf(
         '<resources><object id="1"><mesh><vertices/><triangles/></mesh></object>'
         + "".join(f'<object id="{k + 1}"><components>' + f'<component objectid="{k}"/>' * 10

@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <queue>
 #include <set>
 #include <unordered_map>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/core/tolerances.hpp"
 #include "curveups/geometry/edge_sides.hpp"
 #include "curveups/geometry/orientation.hpp"
 
@@ -42,19 +44,18 @@ bool flat(const Points3& V, const Face& face) {
   return (b - a).cross(c - a).norm() <= 1e-10 * longest;  // nan: not flat, reported elsewhere
 }
 
-double size_of(const Points3& V) {  // of the finite vertices' bounding box
-  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+Eigen::AlignedBox3d box_of(const Points3& V) {  // of the finite vertices
+  Eigen::AlignedBox3d box;
   for (int v = 0; v < V.rows(); ++v) {
-    if (!V.row(v).allFinite()) continue;
-    low = low.cwiseMin(V.row(v).transpose());
-    high = high.cwiseMax(V.row(v).transpose());
+    if (V.row(v).allFinite()) box.extend(Vec3(V.row(v)));
   }
-  return std::max(0.0, (high - low).maxCoeff());
+  return box;
 }
 
 // For each vertex the lowest one within the tolerance that is its own target. Cells are several
-// tolerances wide, so that most vertices look into one of them only.
-std::vector<int> merged_vertices(const Points3& V, double tolerance) {
+// tolerances wide, so that most vertices look into one of them only, and are counted from the box's
+// lowest corner: far from the origin all would lie in one.
+std::vector<int> merged_vertices(const Points3& V, const Vec3& corner, double tolerance) {
   const double width = 8 * tolerance;
   using Cell = std::array<std::int64_t, 3>;
   const auto hash = [](const Cell& cell) {
@@ -62,7 +63,7 @@ std::vector<int> merged_vertices(const Points3& V, double tolerance) {
     for (std::int64_t k : cell) h = (h ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15u;
     return static_cast<std::size_t>(h ^ (h >> 32));
   };
-  const auto index = [&](double x) { return std::llround(std::clamp(x / width, -4e18, 4e18)); };
+  const auto index = [&](int k, double x) { return std::llround((x - corner[k]) / width); };
   std::unordered_map<Cell, int, decltype(hash)> first(V.rows() / 4, hash);  // vertex of a cell
   std::vector<int> next(V.rows(), -1);                                      // in the same cell
   std::vector<int> target(V.rows());
@@ -72,8 +73,8 @@ std::vector<int> merged_vertices(const Points3& V, double tolerance) {
     if (!V.row(v).allFinite()) continue;
     Cell low, high, cell;
     for (int k = 0; k < 3; ++k) {
-      low[k] = index(V(v, k) - tolerance);
-      high[k] = index(V(v, k) + tolerance);
+      low[k] = index(k, V(v, k) - tolerance);
+      high[k] = index(k, V(v, k) + tolerance);
     }
     for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0]) {
       for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1]) {
@@ -86,28 +87,45 @@ std::vector<int> merged_vertices(const Points3& V, double tolerance) {
       }
     }
     if (target[v] != v) continue;
-    for (int k = 0; k < 3; ++k) cell[k] = index(V(v, k));
+    for (int k = 0; k < 3; ++k) cell[k] = index(k, V(v, k));
     int& head = first.emplace(cell, -1).first->second;
     next[v] = std::exchange(head, v);
   }
   return target;
 }
 
-// Removes one after the other the faces whose corners lie on a line. Returns how many.
+int flat_count(const Points3& V, const std::vector<Face>& faces) {
+  return static_cast<int>(
+      std::count_if(faces.begin(), faces.end(), [&](const Face& f) { return flat(V, f); }));
+}
+
+// Removes the faces whose corners lie on a line: the faces beyond its longest edge are split at the
+// corner that lies on it. Returns how many are gone.
 int remove_slivers(const Points3& V, std::vector<Face>& faces) {
-  if (std::none_of(faces.begin(), faces.end(), [&](const Face& f) { return flat(V, f); })) return 0;
+  const int found = flat_count(V, faces);
+  if (found == 0) return 0;
   std::unordered_map<std::uint64_t, std::vector<int>> at;  // edge -> faces
   at.reserve(2 * faces.size());
-  const auto edge = [](int a, int b) {
-    return static_cast<std::uint64_t>(std::min(a, b)) << 32 |
-           static_cast<std::uint32_t>(std::max(a, b));
+  // Slivers by the length of their longest edge. The longest goes first: what it splits is then a
+  // face with area, or a sliver over the same edge, and no edge comes back that was taken away.
+  std::priority_queue<std::pair<double, int>> slivers;
+  std::vector<char> dead;
+  const auto list_at = [&](int a, int b) -> std::vector<int>& {
+    return at[static_cast<std::uint64_t>(std::min(a, b)) << 32 |
+              static_cast<std::uint32_t>(std::max(a, b))];
   };
   const auto link = [&](int f) {
-    for (int t = 0; t < 3; ++t) at[edge(faces[f][t], faces[f][next3(t)])].push_back(f);
+    const Face& face = faces[f];
+    dead.push_back(0);
+    for (int t = 0; t < 3; ++t) list_at(face[t], face[next3(t)]).push_back(f);
+    if (!flat(V, face)) return;
+    const int t = longest_side(V, face);
+    slivers.emplace((V.row(face[next3(t)]) - V.row(face[t])).squaredNorm(), f);
   };
   const auto unlink = [&](int f) {
+    dead[f] = 1;
     for (int t = 0; t < 3; ++t) {
-      auto& list = at[edge(faces[f][t], faces[f][next3(t)])];
+      auto& list = list_at(faces[f][t], faces[f][next3(t)]);
       list.erase(std::remove(list.begin(), list.end(), f), list.end());
     }
   };
@@ -115,32 +133,30 @@ int remove_slivers(const Points3& V, std::vector<Face>& faces) {
     checkpoint_now_and_then(f);
     link(f);
   }
-  std::vector<char> dead(faces.size(), 0);
-  int removed = 0;
-  // Splitting may make new slivers along a row of points on a line: they come later in the list.
-  // Each step takes one face away and may add one, so a bound keeps hostile input from going on.
-  const std::size_t bound = 4 * faces.size() + 16;
-  for (std::size_t f = 0; f < faces.size() && f < bound; ++f) {
-    checkpoint_now_and_then(f);
-    if (!flat(V, faces[f])) continue;
+  // Edges of more than two faces multiply what is split: hostile input ends here, with its slivers.
+  const std::size_t bound = 16 * faces.size() + 64;
+  for (std::size_t step = 0; !slivers.empty() && faces.size() < bound; ++step) {
+    checkpoint_now_and_then(step);
+    const int f = slivers.top().second;
+    slivers.pop();
+    if (dead[f]) continue;
     const int t = longest_side(V, faces[f]);
     const int a = faces[f][t], b = faces[f][next3(t)], c = faces[f][prev3(t)];
-    unlink(static_cast<int>(f));
-    dead[f] = 1;
-    ++removed;
-    const std::vector<int> others = at[edge(a, b)];
-    for (int g : others) {
+    unlink(f);
+    for (int g : std::exchange(list_at(a, b), {})) {
+      checkpoint();
       int s = 0;
       while (!(faces[g][s] != a && faces[g][s] != b)) ++s;  // the corner opposite to the edge
       const int d = faces[g][s], p = faces[g][next3(s)], q = faces[g][prev3(s)];
-      if (d == c) continue;
+      if (d == c) {  // the same three corners
+        list_at(a, b).push_back(g);
+        continue;
+      }
       unlink(g);
-      dead[g] = 1;
-      faces.push_back({d, p, c});
-      faces.push_back({d, c, q});
-      dead.resize(faces.size(), 0);
-      link(static_cast<int>(faces.size()) - 2);
-      link(static_cast<int>(faces.size()) - 1);
+      for (const Face& part : {Face{d, p, c}, Face{d, c, q}}) {
+        faces.push_back(part);
+        link(static_cast<int>(faces.size()) - 1);
+      }
     }
   }
   std::size_t kept = 0;
@@ -148,7 +164,7 @@ int remove_slivers(const Points3& V, std::vector<Face>& faces) {
     if (!dead[f]) faces[kept++] = faces[f];
   }
   faces.resize(kept);
-  return removed;
+  return found - flat_count(V, faces);
 }
 
 // With the vertices that the faces use, in their order.
@@ -203,9 +219,19 @@ CleanMesh clean_mesh(const TriangleMesh& soup) {
   const auto note = [&](std::size_t count, const char* what) {
     if (count > 0) out.notes.push_back(std::to_string(count) + what);
   };
-  const double size = size_of(soup.V);
-  if (size > 0 && std::isfinite(size)) {
-    const std::vector<int> target = merged_vertices(soup.V, merge_share * size);
+  const Eigen::AlignedBox3d box = box_of(soup.V);
+  if (!box.isEmpty()) {
+    const double size = box.sizes().maxCoeff();
+    if (box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() >
+        tolerance::largest_coordinate) {
+      throw InvalidInput("coordinates are beyond 1e8 mm, where files lose all digits",
+                         "move the surface to the origin, or check its unit (scale)");
+    }
+    if (size == 0) {
+      throw InvalidInput("all corners of the surface lie in one point",
+                         "check the file, and the transformations in it");
+    }
+    const std::vector<int> target = merged_vertices(soup.V, box.min(), merge_share * size);
     std::size_t merged = 0;
     for (int v = 0; v < soup.V.rows(); ++v) merged += target[v] != v;
     for (Face& face : faces) {

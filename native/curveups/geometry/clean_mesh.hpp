@@ -18,7 +18,8 @@ struct CleanMesh {
 // vertex twice, faces without area (a neighbour is split at the vertex that lay on its edge, so
 // that no gap opens), doubled faces and unused vertices, and turns faces so that neighbours agree,
 // with the larger area of each component left as it was. What can't be repaired stays: check_mesh
-// tells. Throws InvalidInput for an index out of range, Cancelled.
+// tells. Throws Cancelled, and InvalidInput for an index out of range, for coordinates beyond
+// tolerance::largest_coordinate and where all vertices lie in one point.
 CleanMesh clean_mesh(const TriangleMesh& soup);
 
 // Rows of faces whose three vertices an earlier one has, in any order; ascending. Faces that use a

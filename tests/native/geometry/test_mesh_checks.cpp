@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <random>
 #include <set>
@@ -212,6 +214,101 @@ TEST(CleanMesh, SliversGoWithoutAGap) {
   EXPECT_EQ(clean.mesh.F.rows(), 4);
   EXPECT_NEAR(surface_area(clean.mesh), 1600, 1e-9);
   EXPECT_EQ(boundary_loops(build_topology(clean.mesh.F, clean.mesh.V.rows())).at(0).size(), 4u);
+}
+
+// Faces without area between the points a, left... and right... of one straight edge, in any
+// division: as stitching leaves them where the points of both sides differ. Returns how many.
+int stitch(std::vector<std::array<int, 3>>& faces, std::vector<int> polygon, std::mt19937& random) {
+  int made = 0;
+  for (; polygon.size() > 2; ++made) {
+    const std::size_t n = polygon.size(), i = random() % n;
+    faces.push_back({polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]});
+    polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return made;
+}
+
+// Three edges of a square stand open: each side has points of its own, and slivers lie between.
+TEST(CleanMesh, StitchedSeamsCloseWhateverTheirSlivers) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 300; ++round) {
+    TriangleMesh mesh = test::flat_square(6, 60);
+    const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+    std::vector<Vec3> points;
+    for (int v = 0; v < mesh.V.rows(); ++v) points.push_back(mesh.V.row(v));
+    std::vector<std::array<int, 3>> faces;
+    std::vector<char> used(mesh.F.rows(), 0);
+    int slivers = 0, seams = 0;
+    for (const MeshEdge& edge : topology.edges) {
+      if (edge.boundary() || used[edge.face[0]] || used[edge.face[1]] || seams == 3) continue;
+      if (random() % 8 != 0) continue;
+      ++seams;
+      std::vector<int> ring;  // once around the seam
+      for (int f : {edge.face[0], edge.face[1]}) {
+        used[f] = 1;
+        int t = 0;
+        while (mesh.F(f, t) == edge.v[0] || mesh.F(f, t) == edge.v[1]) ++t;
+        const int apex = mesh.F(f, t), from = mesh.F(f, (t + 1) % 3), to = mesh.F(f, (t + 2) % 3);
+        std::vector<double> places(random() % 12);
+        for (double& place : places) place = (1 + random() % 100000) / 100002.0;
+        std::sort(places.begin(), places.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
+        std::vector<int> chain{from};
+        for (double place : places) {
+          chain.push_back(static_cast<int>(points.size()));
+          points.push_back((1 - place) * points[from] + place * points[to]);
+        }
+        chain.push_back(to);
+        for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
+          faces.push_back({apex, chain[k], chain[k + 1]});
+        }
+        ring.insert(ring.end(), chain.rbegin(), chain.rend() - 1);
+      }
+      slivers += stitch(faces, ring, random);
+    }
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+      if (!used[f]) faces.push_back({mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2)});
+    }
+    std::shuffle(faces.begin(), faces.end(), random);
+    TriangleMesh seamed{Points3(points.size(), 3), Triangles(faces.size(), 3)};
+    for (std::size_t v = 0; v < points.size(); ++v) seamed.V.row(v) = points[v];
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      for (int t = 0; t < 3; ++t) seamed.F(f, t) = faces[f][t];
+    }
+    const CleanMesh clean = clean_mesh(seamed);
+    ASSERT_EQ(kinds(clean.mesh), Kinds{}) << "round " << round;
+    EXPECT_NEAR(surface_area(clean.mesh), 3600, 1e-8);
+    EXPECT_EQ(boundary_loops(build_topology(clean.mesh.F, clean.mesh.V.rows())).at(0).size(), 24u);
+    if (slivers > 0) {
+      ASSERT_EQ(clean.notes.size(), 1u) << clean.notes[0];
+      EXPECT_EQ(clean.notes[0], std::to_string(slivers) + " faces without area removed");
+    }
+  }
+}
+
+// Faces between points of one line, each edge in many of them: once more with every round.
+TEST(CleanMesh, EndsOnAHeapOfSlivers) {
+  std::mt19937 random(3);
+  TriangleMesh heap{Points3(40, 3), Triangles(3000, 3)};
+  for (int v = 0; v < 40; ++v) heap.V.row(v) << v * v, 0, 0;
+  for (int i = 0; i < heap.F.size(); ++i) heap.F.data()[i] = static_cast<int>(random() % 40);
+  heap.V.row(39) << 0, 50, 0;
+  const TriangleMesh left = clean_mesh(heap).mesh;
+  EXPECT_LT(left.F.rows(), 16 * heap.F.rows() + 64);
+}
+
+TEST(CleanMesh, RefusesWhatHasNoSizeOrNoDigitsLeft) {
+  TriangleMesh mesh = test::flat_square(6, 60);
+  mesh.V.rowwise() = Eigen::RowVector3d(1, 2, 3);
+  EXPECT_THROW(clean_mesh(mesh), InvalidInput);
+  for (double far : {1e9, 1e30, 1e160, 1e300}) {
+    mesh = test::flat_square(6, 60);
+    mesh.V.array() += far;
+    EXPECT_THROW(clean_mesh(mesh), InvalidInput) << far;
+    mesh = test::flat_square(6, 60);
+    mesh.V *= far;
+    EXPECT_THROW(clean_mesh(mesh), InvalidInput) << far;
+  }
 }
 
 TEST(CleanMesh, KeepsTheFirstOfRepeatedFaces) {
