@@ -35,6 +35,7 @@ OPTIONAL = {
     "solids": {"tiles": COUNT, "invalid": COUNT, "volume_cm3": NUMBER,
                "min_clearance_flat_mm": None, "max_overlap_actuated_mm3": NUMBER},
     "clearances": {"min_flat_mm": None, "max_overlap_actuated_mm3": NUMBER},
+    "unchecked_files": dict,
     "print": {"bbox_mm": list, "bodies": COUNT, "tile_volume_cm3": NUMBER,
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
               "smallest_feature_mm": NUMBER, "files": dict,

@@ -60,7 +60,13 @@ def check_stopped(folder, status, said):
     if "print" in report:
         files = report["print"]["files"]
         assert set(files) == names - {"report.json"}
-        assert all((folder / name).stat().st_size == size for name, size in files.items())
+    else:
+        files = report.get("unchecked_files", {})
+        assert set(files) == names - {"design.json", "report.json", "report.html"}
+        assert not files or report["valid"] is not True
+        page = (folder / "report.html").read_text(encoding="utf-8")
+        assert all(name in page for name in files)
+    assert all((folder / name).stat().st_size == size for name, size in files.items())
     check_design(json.loads((folder / "design.json").read_text()))
     return names
 
@@ -80,6 +86,14 @@ def test_stopping_before_the_files(tmp_path, word):
     # Whatever was found valid before, nobody has looked at all solids.
     report = json.loads((out / "report.json").read_text())
     assert ("print" in report) != any("solids" in text for text in report.get("not_covered", ()))
+
+
+def test_a_stop_at_any_time_leaves_no_file_that_no_report_lists(laid_out, tmp_path):
+    for turn in range(12):
+        out = tmp_path / f"out-{turn}"
+        status, said = interrupted("writing", "export", laid_out, "-o", out, wait=0.03 * turn)
+        if status == 3:
+            check_stopped(out, status, said)
 
 
 def test_stopping_the_checks_keeps_the_files_that_are_there(tmp_path):

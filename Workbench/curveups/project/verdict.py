@@ -30,7 +30,7 @@ def judge(results: Mapping[str, Any], note: str = "") -> Verdict:
         return Verdict(False, tuple(dict.fromkeys(reasons)))  # several results may give the same one
     if verification is not None and verification.valid:
         # What was asked for besides and is not known, as the work was stopped.
-        open_questions = [results[name].note for name in ("clearances", "recheck")
+        open_questions = [results[name].note for name in ("clearances", "recheck", "check")
                           if name in results and results[name].note]
         return Verdict(None, tuple(open_questions)) if open_questions else Verdict(True)
     note = verification.note if verification is not None else note

@@ -35,13 +35,27 @@ def build_report(results: Results, rows: Sequence[Row], stopped: bool, files: di
     for result in results.values():
         for name, block in result.report().items():
             report[name] = {**report[name], **block} if isinstance(report.get(name), dict) else block
-    if "print" in report:
-        report["print"]["files"] = dict(files)
+    list_files(report, results, files)
     report["stages"] = [{"name": row.name, "seconds": round(row.seconds, 3),
                          "iterations": int(row.iterations)} for row in rows]
     report["peak_memory_mb"] = peak_memory_mb()
     report["software"] = {"curveups": __version__, **software}
     return report
+
+
+def list_files(report: dict[str, Any], results: Results, files: dict[str, int]) -> None:
+    """Enters what has been written: all of it beside the print's figures; where a stop left none, the files
+    of solids, as unchecked."""
+    if "print" in report:
+        report["print"]["files"] = dict(files)
+    elif has_solids(results):
+        report["unchecked_files"] = {name: size for name, size in files.items()
+                                     if not name.endswith((".json", ".html"))}
+
+
+def has_solids(results: Results) -> bool:
+    """Whether there are solids to be written."""
+    return "solids" in results and results["solids"].model is not None
 
 
 def to_text(report: dict) -> str:

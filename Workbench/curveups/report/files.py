@@ -22,7 +22,7 @@ from ..stages import solids as solids_stage
 from ..stages.solids import Solids
 from ..stages.stage import Job, Row
 from . import check
-from .data import build_report, to_text
+from .data import build_report, has_solids, list_files, to_text
 from .html import build_html, draw
 
 REPORTS = ("report.json", "report.html")
@@ -208,11 +208,6 @@ class Writing:
             raise
 
 
-def has_solids(results: Results) -> bool:
-    """Whether there are solids to be written."""
-    return "solids" in results and results["solids"].model is not None
-
-
 def write_verification(results: Results, design: Any, path: Path) -> None:
     """The reports on a design as it was given, beside it. Print files in the folder stay where they are
     of this design, and go with the reports where they are of another."""
@@ -280,8 +275,7 @@ def write_reports(results: Results, folder: Folder, rows: list[Row] | None = Non
         path.write_bytes(_page(results, report) if page is None else page)
 
     folder.write("report.html", write_page)
-    if "print" in report:
-        report["print"]["files"] = dict(folder.files)
+    list_files(report, results, folder.files)
     folder.write_text("report.json", to_text(report))
 
 

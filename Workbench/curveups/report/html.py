@@ -81,11 +81,14 @@ def _verdict(report: dict) -> str:
     if report["status"] == "stopped":
         text += ", stopped before the end"
     reasons = "".join(f"<li>{escape(reason)}</li>" for reason in report["reasons"])
+    unchecked = ", ".join(report.get("unchecked_files", ()))
     return (f'<p><span class="verdict {kind}">{text}</span> &nbsp; {report["tiles"]} tiles, '
             f'{report["contacts"]} contacts, {report["cuts"]} cuts</p>'
             + (f"<ul>{reasons}</ul>" if reasons else "")
             + "".join(f'<p class="note">Not covered: {escape(text)}.</p>'
-                      for text in report.get("not_covered", ())))
+                      for text in report.get("not_covered", ()))
+            + (f'<p class="note">Files of solids that nobody has checked: {escape(unchecked)}.</p>'
+               if unchecked else ""))
 
 
 def _cuts(cuts: Sequence[dict]) -> list[str]:

@@ -113,6 +113,7 @@ class Check(Result):
     solids_block: Mapping[str, Any] = field(default_factory=dict)
     broken: tuple[str, ...] = ()      # reasons
     warned: tuple[dict, ...] = ()     # what the printer can't make
+    note: str = ""                    # why solids that there are were not looked at
 
     def report(self) -> dict[str, Any]:
         if not self.print_block:
@@ -165,8 +166,10 @@ def _check(inputs: Inputs, job: Job) -> Check:
                    broken=(*reasons, *found.broken))
 
 
+_UNCHECKED = "stopped before all solids were checked"
 CHECK = Stage("check", ("solids", "figures", "clearances"), frozenset({"check", "tiles"}), _check,
-              on_stop=lambda stage, inputs: Check(), expected=_if_sound)
+              on_stop=lambda stage, inputs: Check(note=_UNCHECKED if inputs["solids"].model else ""),
+              expected=_if_sound)
 
 
 def _glue_warnings(glue: Mapping[str, Any]) -> Sequence[dict[str, Any]]:
