@@ -4,196 +4,208 @@
   <context>
     <name>App::Property</name>
     <message>
-      <source>Bumps on an interface, both tiles together. From 3 to 40. Takes effect at once.</source>
-      <translation>Noppen einer Berührfläche, beide Kacheln zusammen. Von 3 bis 40. Wirkt sofort.</translation>
+      <source>A pin with a smaller area makes the design invalid. From 0 to 1000 mm2. Takes effect with Solve.</source>
+      <translation>Ein Zapfen mit kleinerer Fläche macht den Entwurf ungültig. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Coulomb friction between tiles, at bumps as well. From 0.01 to 10. Takes effect with Verify.</source>
-      <translation>Coulombsche Reibung zwischen Kacheln, auch an Noppen. Von 0.01 bis 10. Wirkt mit „Prüfen“.</translation>
+      <source>Add cylinders around the layout that carry the pull of the surplus membrane. Takes effect at once.</source>
+      <translation>Zylinder um die Abwicklung setzen, die den Zug der überstehenden Membran aufnehmen. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Creases of the target sharper than this stay edges between tiles; 180: none does. From 1 to 180 deg. Takes effect with Solve.</source>
-      <translation>Knicke der Zielfläche, die schärfer sind, bleiben Kanten zwischen Kacheln; 180: keiner. Von 1 bis 180 deg. Wirkt mit „Lösen“.</translation>
+      <source>Choose how pieces are joined after printing: holes gives the tiles along their borders stitching holes. Takes effect with Solve.</source>
+      <translation>Wählen, wie Stücke nach dem Druck verbunden werden: holes gibt den Kacheln an ihren Rändern Nählöcher. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Cylinders around the layout that take the surplus membrane's pull. Takes effect at once.</source>
-      <translation>Zylinder um die Abwicklung, die den Zug der überstehenden Membran aufnehmen. Wirkt sofort.</translation>
+      <source>Choose the energy of the membranes: tension-field (they wrinkle where squeezed) or plain neo-hookean. Takes effect with Verify.</source>
+      <translation>Die Energie der Membranen wählen: tension-field (sie werfen Falten, wo sie gestaucht werden) oder einfach neo-hookean. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Density of the tiles, for gravity. From 0 to 30 g/cm3. Takes effect with Verify.</source>
-      <translation>Dichte der Kacheln, für die Schwerkraft. Von 0 bis 30 g/cm3. Wirkt mit „Prüfen“.</translation>
+      <source>Choose what a closed CAD part loses: its largest planar face (auto, largest), the faces in a plane (z=0), all below a plane (z&gt;0), all above it (z&lt;0), or nothing (none). Takes effect with Solve.</source>
+      <translation>Wählen, was von einem geschlossenen CAD-Teil wegfällt: seine größte ebene Fläche (auto, largest), die Flächen in einer Ebene (z=0), alles unter einer Ebene (z&gt;0), alles darüber (z&lt;0) oder nichts (none). Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Choose what carries the weight of the tiles: nothing (off leaves it out), the held tiles (held), or a plane below the piece (resting). Takes effect with Verify.</source>
+      <translation>Wählen, was das Gewicht der Kacheln trägt: nichts (off lässt es weg), die gehaltenen Kacheln (held) oder eine Ebene unter dem Stück (resting). Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Choose what happens to a target that can't become tiles: off refuses it, ask also reports what would help, on changes it. Takes effect with Solve.</source>
+      <translation>Wählen, was mit einer Zielfläche geschieht, die keine Kacheln ergibt: off lehnt sie ab, ask berichtet auch, was helfen würde, on ändert sie. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Choose what holds the layout together after printing: a soluble slab, breakaway bridges or nothing (none). Takes effect at once.</source>
+      <translation>Wählen, was die Abwicklung nach dem Druck zusammenhält: soluble (lösliche Platte), breakaway (Brücken zum Abbrechen) oder nichts (none). Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Choose what keeps contacts from sliding: bumps, dimples (bumps that snap into hollows) or nothing (none). Takes effect at once.</source>
+      <translation>Wählen, was Kontakte am Rutschen hindert: bumps (Noppen), dimples (Noppen, die in Mulden einrasten) oder nichts (none). Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Choose which side faces up in the print. With front-down, breakaway bridges span between walls that stand already. Takes effect at once.</source>
+      <translation>Wählen, welche Seite beim Druck oben liegt. Mit front-down spannen sich Brücken zum Abbrechen zwischen Wänden, die schon stehen. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Choose which side of a CAD part with a wall becomes the target. Takes effect with Solve.</source>
+      <translation>Wählen, welche Seite eines CAD-Teils mit Wand zur Zielfläche wird. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Clearance between a bump and its dimple. From 0 to 2 mm. Takes effect at once.</source>
+      <translation>Spiel zwischen Noppe und Mulde. Von 0 bis 2 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Coefficient of Coulomb friction between tiles, also at bumps. From 0.01 to 10. Takes effect with Verify.</source>
+      <translation>Koeffizient der Coulombschen Reibung zwischen Kacheln, auch an Noppen. Von 0.01 bis 10. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>Compare the print with the bed, gaps and features of this printer. Takes effect with the next export.</source>
+      <translation>Den Druck mit Bett, Spalten und kleinsten Merkmalen dieses Druckers vergleichen. Wirkt mit dem nächsten Export.</translation>
+    </message>
+    <message>
+      <source>Density of the tiles. It gives them their weight. From 0 to 30 g/cm3. Takes effect with Verify.</source>
+      <translation>Dichte der Kacheln. Aus ihr folgt ihr Gewicht. Von 0 bis 30 g/cm3. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Depth of the engraving. From 0.05 to 10 mm. Takes effect at once.</source>
       <translation>Tiefe der Gravur. Von 0.05 bis 10 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Diameter of a friction bump where it meets its wall. From 0.1 to 10 mm. Takes effect at once.</source>
+      <source>Depth to which a bridge enters each body. From 0 to 5 mm. Takes effect at once.</source>
+      <translation>Tiefe, mit der eine Brücke in jeden Körper reicht. Von 0 bis 5 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Diameter of a friction bump at its wall. From 0.1 to 10 mm. Takes effect at once.</source>
       <translation>Durchmesser einer Reibnoppe an ihrer Wand. Von 0.1 bis 10 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Diameter of a stitching hole; p_floor of material stays around it, and pins make room for it. From 0.2 to 10 mm. Takes effect with Solve.</source>
-      <translation>Durchmesser eines Nählochs; p_floor an Material bleibt darum stehen, und Zapfen machen ihm Platz. Von 0.2 bis 10 mm. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Direction in which gravity pulls: x. From -1 to 1. Takes effect with Verify.</source>
-      <translation>Richtung, in die die Schwerkraft zieht: x. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>Direction in which gravity pulls: y. From -1 to 1. Takes effect with Verify.</source>
-      <translation>Richtung, in die die Schwerkraft zieht: y. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>Direction in which gravity pulls: z. From -1 to 1. Takes effect with Verify.</source>
-      <translation>Richtung, in die die Schwerkraft zieht: z. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
+      <source>Diameter of a stitching hole. Pins leave space for it, and p_floor of material stays around it. From 0.2 to 10 mm. Takes effect with Solve.</source>
+      <translation>Durchmesser eines Nählochs. Zapfen lassen ihm Platz, und ringsum bleibt p_floor an Material stehen. Von 0.2 bis 10 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Distance between the axes of neighbouring anchors. From 1 to 500 mm. Takes effect at once.</source>
       <translation>Abstand der Achsen benachbarter Anker. Von 1 bis 500 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Distance of the anchors from the layout's outline. From 0.2 to 200 mm. Takes effect at once.</source>
+      <source>Distance from the front pin tops down to the slab. It keeps the glue on the pins away from the slab. From 0 to 50 mm. Takes effect at once.</source>
+      <translation>Abstand der Platte unter den vorderen Zapfenenden. Er hält den Kleber auf den Zapfen von der Platte fern. Von 0 bis 50 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Distance from the outline of the layout to the anchors. From 0.2 to 200 mm. Takes effect at once.</source>
       <translation>Abstand der Anker vom Umriss der Abwicklung. Von 0.2 bis 200 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Distance that pins keep from facing pins and truncation planes at sharp folds. From 0 to 5 mm. Takes effect with Solve.</source>
-      <translation>Abstand, den Zapfen an scharfen Falten von gegenüberliegenden Zapfen und Kappungsebenen halten. Von 0 bis 5 mm. Wirkt mit „Lösen“.</translation>
+      <source>Distance that pins keep from facing pins and from truncation planes at sharp folds. From 0 to 5 mm. Takes effect with Solve.</source>
+      <translation>Abstand, den Zapfen an scharfen Falten von gegenüberliegenden Zapfen und von Kappungsebenen halten. Von 0 bis 5 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Elongation at which membranes break, by their maker; a warning tells where they pass it. From 1 to 5000 %. Takes effect with Verify.</source>
-      <translation>Dehnung, bei der Membranen laut Hersteller reißen; eine Warnung sagt, wo sie darüber liegen. Von 1 bis 5000 %. Wirkt mit „Prüfen“.</translation>
+      <source>Elongation at which the membranes break, as their maker states it. The report warns where they stretch further. From 1 to 5000 %. Takes effect with Verify.</source>
+      <translation>Dehnung, bei der die Membranen laut Hersteller reißen. Der Bericht warnt, wo sie sich weiter dehnen. Von 1 bis 5000 %. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Energy of the membranes: tension-field (they wrinkle where squeezed) or plain neo-Hookean. Takes effect with Verify.</source>
-      <translation>Energie der Membranen: Zugfeld (sie werfen Falten, wo sie gestaucht werden) oder einfach neo-hookesch. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>Engraves name, piece, version and side on a tab of one anchor of each piece. Takes effect at once.</source>
-      <translation>Graviert Name, Stück, Version und Seite in eine Lasche an einem Anker jedes Stücks. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>Factor on the coordinates of a file without units (1000 for metres). From 1e-06 to 1e+06. Takes effect with Solve.</source>
-      <translation>Faktor auf die Koordinaten einer Datei ohne Einheiten (1000 für Meter). Von 1e-06 bis 1e+06. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Farthest that mending may move a point of the target. From 0 to 1000 mm. Takes effect with Solve.</source>
-      <translation>Wie weit das Ausbessern einen Punkt der Zielfläche höchstens verschieben darf. Von 0 bis 1000 mm. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Fit clearance between a bump and its dimple. From 0 to 2 mm. Takes effect at once.</source>
-      <translation>Passungsspiel zwischen Noppe und Mulde. Von 0 bis 2 mm. Wirkt sofort.</translation>
+      <source>Engrave name, piece, version and side on a tab beside one anchor of each piece. Takes effect at once.</source>
+      <translation>Name, Stück, Version und Seite in eine Lasche an einem Anker jedes Stücks gravieren. Wirkt sofort.</translation>
     </message>
     <message>
       <source>Half the depth of the notches at which a bridge breaks. From 0 to 10 mm. Takes effect at once.</source>
       <translation>Halbe Tiefe der Kerben, an denen eine Brücke bricht. Von 0 bis 10 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Height of a friction bump over its wall. From 0.02 to 5 mm. Takes effect at once.</source>
+      <source>Height of a friction bump above its wall. From 0.02 to 5 mm. Takes effect at once.</source>
       <translation>Höhe einer Reibnoppe über ihrer Wand. Von 0.02 bis 5 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Height of the pins on both faces, to whose tops membranes are glued. From 0.05 to 50 mm. Takes effect at once.</source>
-      <translation>Höhe der Zapfen auf beiden Seiten, auf deren Enden die Membranen geklebt werden. Von 0.05 bis 50 mm. Wirkt sofort.</translation>
+      <source>Height of the pins. The membranes are glued to the tops of the pins. From 0.05 to 50 mm. Takes effect at once.</source>
+      <translation>Höhe der Zapfen. Die Membranen werden auf die Enden der Zapfen geklebt. Von 0.05 bis 50 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>How deep a bridge enters each body. From 0 to 5 mm. Takes effect at once.</source>
-      <translation>Wie tief eine Brücke in jeden Körper reicht. Von 0 bis 5 mm. Wirkt sofort.</translation>
+      <source>Include the bumps in STL and 3MF files. Takes effect with the next export.</source>
+      <translation>Die Noppen in STL- und 3MF-Dateien schreiben. Wirkt mit dem nächsten Export.</translation>
     </message>
     <message>
-      <source>How far the slab stays below the front pin tops, so that glue on these does not reach it. From 0 to 50 mm. Takes effect at once.</source>
-      <translation>Wie weit die Platte unter den vorderen Zapfenenden bleibt, damit der Kleber darauf sie nicht erreicht. Von 0 bis 50 mm. Wirkt sofort.</translation>
+      <source>Keep creases of the target that are sharper than this as edges between tiles. 180 keeps none. From 1 to 180 deg. Takes effect with Solve.</source>
+      <translation>Knicke der Zielfläche, die schärfer sind, als Kanten zwischen Kacheln behalten. Bei 180 bleibt keiner. Von 1 bis 180 deg. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>How far walls that meet without bumps in between stand back, as prints grow (XY offset). From 0 to 1 mm. Takes effect at once.</source>
-      <translation>Wie weit Wände zurückstehen, die ohne Noppen dazwischen aneinanderliegen, da Drucke wachsen (XY-Versatz). Von 0 bis 1 mm. Wirkt sofort.</translation>
+      <source>L=auto keeps the tiles within this distance of the target. From 0.001 to 100 mm. Takes effect with Solve.</source>
+      <translation>L=auto hält die Kacheln innerhalb dieses Abstands von der Zielfläche. Von 0.001 bis 100 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>How pieces are joined after printing: by stitching holes in the tiles along their borders, or none. Takes effect with Solve.</source>
-      <translation>Wie Stücke nach dem Druck verbunden werden: durch Nählöcher in den Kacheln an ihren Rändern (holes), oder gar nicht (none). Wirkt mit „Lösen“.</translation>
+      <source>Largest distance by which mending may move a point of the target. From 0 to 1000 mm. Takes effect with Solve.</source>
+      <translation>Größter Abstand, um den das Ausbessern einen Punkt der Zielfläche verschieben darf. Von 0 bis 1000 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Largest deviation of STL and 3MF from the curved surfaces. From 0.0001 to 1 mm. Takes effect with the next export.</source>
-      <translation>Größte Abweichung von STL und 3MF von den gekrümmten Flächen. Von 0.0001 bis 1 mm. Wirkt mit dem nächsten Export.</translation>
+      <source>Largest distance from the edge of a pin to the edge of its face. Pins farther away pull too weakly. From 0 to 50 mm. Takes effect with Solve.</source>
+      <translation>Größter Abstand der Kante eines Zapfens von der Kante seiner Seite. Fernere Zapfen ziehen zu schwach. Von 0 bis 50 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Largest distance of the target from its tiles where L is auto. From 0.001 to 100 mm. Takes effect with Solve.</source>
-      <translation>Größter Abstand der Zielfläche von ihren Kacheln, wenn L auto ist. Von 0.001 bis 100 mm. Wirkt mit „Lösen“.</translation>
+      <source>Largest distance of STL and 3MF facets from the curved surfaces (chord error). From 0.0001 to 1 mm. Takes effect with the next export.</source>
+      <translation>Größter Abstand der STL- und 3MF-Facetten von den gekrümmten Flächen (Sehnenfehler). Von 0.0001 bis 1 mm. Wirkt mit dem nächsten Export.</translation>
     </message>
     <message>
-      <source>Largest inset of a pin's edge: farther pins pull too weakly. From 0 to 50 mm. Takes effect with Solve.</source>
-      <translation>Größter Abstand einer Zapfenkante: fernere Zapfen ziehen zu schwach. Von 0 bis 50 mm. Wirkt mit „Lösen“.</translation>
+      <source>Least area of a pin's top. It makes the glue hold. From 0 to 1000 mm2. Takes effect with Solve.</source>
+      <translation>Kleinste Fläche eines Zapfenendes. Sie lässt den Kleber halten. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Largest triangles of the coarser membrane mesh as a part of L; the finer has half of it. From 0.05 to 2. Takes effect with Verify.</source>
-      <translation>Größte Dreiecke des gröberen Membrannetzes als Teil von L; das feinere hat die Hälfte. Von 0.05 bis 2. Wirkt mit „Prüfen“.</translation>
+      <source>Least distance between two tiles in the flat layout. Bumps on walls that are not recessed stand in this gap. From 0 to 20 mm. Takes effect with Solve.</source>
+      <translation>Kleinster Abstand zweier Kacheln in der Abwicklung. Noppen auf Wänden, die nicht zurückstehen, ragen hinein. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Least area of a pin's top, so that the glue holds. From 0 to 1000 mm2. Takes effect with Solve.</source>
-      <translation>Kleinste Fläche eines Zapfenendes, damit der Kleber hält. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
+      <source>Least distance from the edge of a pin to the (recessed) edge of its face. From 0 to 20 mm. Takes effect with Solve.</source>
+      <translation>Kleinster Abstand der Kante eines Zapfens von der (zurückgesetzten) Kante seiner Seite. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Least distance between any two tiles when flat; bumps on unrecessed walls stand into it. From 0 to 20 mm. Takes effect with Solve.</source>
-      <translation>Kleinster Abstand zweier Kacheln in der Abwicklung; Noppen auf Wänden, die nicht zurückstehen, ragen hinein. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
+      <source>Least normal force at each contact point, as a fraction of the mean normal force. From 0 to 1. Takes effect with Verify.</source>
+      <translation>Kleinste Normalkraft an jedem Kontaktpunkt, als Bruchteil der mittleren Normalkraft. Von 0 bis 1. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Least inset of a pin's edge from its face's (recessed) edge. From 0 to 20 mm. Takes effect with Solve.</source>
-      <translation>Kleinster Abstand einer Zapfenkante von der (zurückgesetzten) Kante ihrer Seite. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
+      <source>Let mending move the border of the target where tiles have too little space otherwise. Takes effect with Solve.</source>
+      <translation>Dem Ausbessern erlauben, den Rand der Zielfläche zu verschieben, wo Kacheln sonst zu wenig Platz haben. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Least normal force at contact points as a part of the mean normal force. From 0 to 1. Takes effect with Verify.</source>
-      <translation>Kleinste Normalkraft an Kontaktpunkten als Teil der mittleren Normalkraft. Von 0 bis 1. Wirkt mit „Prüfen“.</translation>
+      <source>Let repair move vertices of the actuated surface slightly where poses and pins alone don't suffice. Takes effect with Solve.</source>
+      <translation>Der Reparatur erlauben, Ecken der aktuierten Fläche etwas zu verschieben, wo Lagen und Zapfen allein nicht genügen. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Least normal forces as hard constraints, or weighed against fidelity by w_tight (penalty). Takes effect with Solve.</source>
-      <translation>Kleinste Normalkräfte als harte Nebenbedingungen, oder mit w_tight gegen die Formtreue abgewogen (penalty). Wirkt mit „Lösen“.</translation>
+      <source>List the faces of a CAD part that become the target, such as Face3,Face7-9. Skin and open choose them where the list is empty. Takes effect with Solve.</source>
+      <translation>Die Flächen eines CAD-Teils angeben, die zur Zielfläche werden, etwa Face3,Face7-9. Ist die Liste leer, wählen skin und open sie aus. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Lets repair move the actuated vertices a little where poses and pins alone do not do. Takes effect with Solve.</source>
-      <translation>Lässt die Reparatur die aktuierten Ecken etwas verschieben, wo Lagen und Zapfen allein nicht genügen. Wirkt mit „Lösen“.</translation>
+      <source>List the tiles that carry the piece with gravity=held, such as T00012,T00345. An empty list stands for the lowest tiles. Takes effect with Verify.</source>
+      <translation>Die Kacheln angeben, die das Stück mit gravity=held tragen, etwa T00012,T00345. Eine leere Liste steht für die tiefsten Kacheln. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Mean edge length of the tiles; with --no-remesh the mesh's own is used. From 0.5 to 200 mm. Takes effect with Solve.</source>
-      <translation>Mittlere Kantenlänge der Kacheln; mit --no-remesh gilt die des Netzes. Von 0.5 bis 200 mm. Wirkt mit „Lösen“.</translation>
+      <source>Mean edge length of the tiles. With --no-remesh the mesh decides. From 0.5 to 200 mm. Takes effect with Solve.</source>
+      <translation>Mittlere Kantenlänge der Kacheln. Mit --no-remesh gilt die des Netzes. Von 0.5 bis 200 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Mending may move the target's border, too, where tiles have no room otherwise. Takes effect with Solve.</source>
-      <translation>Das Ausbessern darf auch den Rand der Zielfläche verschieben, wo Kacheln sonst keinen Platz haben. Wirkt mit „Lösen“.</translation>
+      <source>Move each wall that meets another one without bumps back by this. It makes up for the growth of printed walls (XY compensation). From 0 to 1 mm. Takes effect at once.</source>
+      <translation>Jede Wand, die ohne Noppen an einer anderen liegt, um so viel zurücksetzen. Das gleicht aus, dass gedruckte Wände wachsen (XY-Kompensation). Von 0 bis 1 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Mends the target where it can't be tiles: not (off), only says what it would do (ask), or does (on). Takes effect with Solve.</source>
-      <translation>Bessert die Zielfläche aus, wo sie keine Kacheln ergibt: nicht (off), sagt nur, was es täte (ask), oder tut es (on). Wirkt mit „Lösen“.</translation>
+      <source>Move walls with bumps back by half the bump height. This keeps the actuated shape from swelling. Takes effect at once.</source>
+      <translation>Wände mit Noppen um die halbe Noppenhöhe zurücksetzen. So bläht sich die aktuierte Form nicht auf. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Pieces into which the target is divided, laid out side by side: 1 to 24, or auto (as few as lie flat). Takes effect with Solve.</source>
-      <translation>Stücke, in die die Zielfläche geteilt wird, nebeneinander ausgelegt: 1 bis 24, oder auto (so wenige, wie flach liegen können). Wirkt mit „Lösen“.</translation>
+      <source>Multiply the coordinates of a file without units by this factor (1000 for metres). From 1e-06 to 1e+06. Takes effect with Solve.</source>
+      <translation>Die Koordinaten einer Datei ohne Einheiten mit diesem Faktor multiplizieren (1000 für Meter). Von 1e-06 bis 1e+06. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Pins smaller than this make a design invalid. From 0 to 1000 mm2. Takes effect with Solve.</source>
-      <translation>Kleinere Zapfen machen einen Entwurf ungültig. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
+      <source>Number of bumps on an interface. Its two tiles share them. From 3 to 40. Takes effect at once.</source>
+      <translation>Anzahl der Noppen einer Berührfläche. Ihre beiden Kacheln teilen sie sich. Von 3 bis 40. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Printer whose bed, gaps and features the print is compared with. Takes effect with the next export.</source>
-      <translation>Drucker, mit dessen Bett, Spalten und Strukturen der Druck verglichen wird. Wirkt mit dem nächsten Export.</translation>
+      <source>Number of pieces that the target is divided into (1 to 24). auto finds the smallest number that lies flat. Takes effect with Solve.</source>
+      <translation>Anzahl der Stücke, in die die Zielfläche geteilt wird (1 bis 24). auto findet die kleinste Anzahl, die flach liegt. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Radius of an anchoring cylinder. From 0.5 to 100 mm. Takes effect at once.</source>
-      <translation>Radius eines Ankerzylinders. Von 0.5 bis 100 mm. Wirkt sofort.</translation>
+      <source>Number of rows of bumps on an interface. From 2 to 10. Takes effect at once.</source>
+      <translation>Anzahl der Reihen von Noppen auf einer Berührfläche. Von 2 bis 10. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Recesses walls with bumps by half the height, so that bumps do not swell the actuated shape. Takes effect at once.</source>
-      <translation>Setzt Wände mit Noppen um deren halbe Höhe zurück, damit Noppen die aktuierte Form nicht aufblähen. Wirkt sofort.</translation>
+      <source>Radius of an anchor. From 0.5 to 100 mm. Takes effect at once.</source>
+      <translation>Radius eines Ankers. Von 0.5 bis 100 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Rows in which the bumps of an interface stand. From 2 to 10. Takes effect at once.</source>
-      <translation>Reihen, in denen die Noppen einer Berührfläche stehen. Von 2 bis 10. Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>STEP files as an assembly with a part per body, or as one part with a solid per body. Takes effect with the next export.</source>
-      <translation>STEP-Dateien als Baugruppe mit einem Teil je Körper oder als ein Teil mit einem Volumenkörper je Körper. Wirkt mit dem nächsten Export.</translation>
-    </message>
-    <message>
-      <source>Scales the target so that its longest side (of its box along x, y, z) is this; 0: by scale. From 0 to 100000 mm. Takes effect with Solve.</source>
-      <translation>Skaliert die Zielfläche so, dass ihre längste Seite (ihres Quaders entlang x, y, z) dies ist; 0: nach scale. Von 0 bis 100000 mm. Wirkt mit „Lösen“.</translation>
+      <source>Scale the target until the longest side of its bounding box has this length. 0 leaves its size to scale. From 0 to 100000 mm. Takes effect with Solve.</source>
+      <translation>Die Zielfläche skalieren, bis die längste Seite ihres Hüllquaders diese Länge hat. Bei 0 bestimmt scale die Größe. Von 0 bis 100000 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Shear modulus of the back membrane (latex). From 0.001 to 1000 MPa. Takes effect with Verify.</source>
@@ -204,24 +216,32 @@
       <translation>Schubmodul der vorderen Membran (Latex). Von 0.001 bis 1000 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Shear stress that the glue between membranes and print holds: pins and anchors are compared. From 0.001 to 100 MPa. Takes effect with Verify.</source>
-      <translation>Scherspannung, die der Kleber zwischen Membranen und Druck hält: Zapfen und Anker werden damit verglichen. Von 0.001 bis 100 MPa. Wirkt mit „Prüfen“.</translation>
+      <source>Shear stress that the glue between membranes and print withstands. The report compares pins and anchors with it. From 0.001 to 100 MPa. Takes effect with Verify.</source>
+      <translation>Scherspannung, die der Kleber zwischen Membranen und Druck aushält. Der Bericht vergleicht Zapfen und Anker damit. Von 0.001 bis 100 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Stretch of the membranes when glued; 3 is nine times the area. From 1.05 to 8. Takes effect with Solve.</source>
-      <translation>Dehnung der Membranen beim Kleben; 3 ist die neunfache Fläche. Von 1.05 bis 8. Wirkt mit „Lösen“.</translation>
+      <source>Size of the largest triangles of the coarser membrane mesh, as a fraction of L. Those of the finer mesh have half of it. From 0.05 to 2. Takes effect with Verify.</source>
+      <translation>Größe der größten Dreiecke des gröberen Membrannetzes als Bruchteil von L. Die des feineren haben die Hälfte. Von 0.05 bis 2. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>The faces of a CAD part that become the target, as Face3,Face7-9; none: chosen by skin and open. Takes effect with Solve.</source>
-      <translation>Die Flächen eines CAD-Teils, die zur Zielfläche werden, als Face3,Face7-9; keine: gewählt nach skin und open. Wirkt mit „Lösen“.</translation>
+      <source>Smallest value to which p_min may shrink at sharp folds. Use the smallest feature that the printer makes. From 0 to 20 mm. Takes effect with Solve.</source>
+      <translation>Kleinster Wert, auf den p_min an scharfen Falten schrumpfen darf. Hier gehört das kleinste Merkmal hin, das der Drucker herstellt. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Stretch ratio of the membranes when they are glued. 3 gives nine times the area. From 1.05 to 8. Takes effect with Solve.</source>
+      <translation>Dehnung der Membranen beim Kleben. 3 ergibt die neunfache Fläche. Von 1.05 bis 8. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Swap front and back. Use this for a target whose normals point inwards. Takes effect with Solve.</source>
+      <translation>Vorder- und Rückseite vertauschen, für Zielflächen, deren Normalen nach innen zeigen. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Thickness of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
       <translation>Dicke einer Brücke zum Abbrechen. Von 0.1 bis 20 mm. Wirkt sofort.</translation>
     </message>
     <message>
-      <source>Thickness of a tile between its front and its back face. From 0.2 to 100 mm. Takes effect at once.</source>
-      <translation>Dicke einer Kachel zwischen Vorder- und Rückseite. Von 0.2 bis 100 mm. Wirkt sofort.</translation>
+      <source>Thickness of a tile from its front face to its back face. From 0.2 to 100 mm. Takes effect at once.</source>
+      <translation>Dicke einer Kachel von der Vorder- bis zur Rückseite. Von 0.2 bis 100 mm. Wirkt sofort.</translation>
     </message>
     <message>
       <source>Thickness of the back membrane before it is stretched. From 0.01 to 10 mm. Takes effect with Verify.</source>
@@ -232,68 +252,32 @@
       <translation>Dicke der vorderen Membran vor dem Dehnen. Von 0.01 bis 10 mm. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Tiles that carry the piece where gravity is held, as T00012,T00345; none: those at its lowest. Takes effect with Verify.</source>
-      <translation>Kacheln, die das Stück tragen, wo Schwerkraft gehalten wird, als T00012,T00345; keine: die an seiner tiefsten Stelle. Wirkt mit „Prüfen“.</translation>
+      <source>Treat least normal forces as hard constraints, or weigh them against the deviation by w_tight (penalty). Takes effect with Solve.</source>
+      <translation>Kleinste Normalkräfte als harte Bedingungen behandeln oder mit w_tight gegen die Abweichung abwägen (penalty). Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Turns front and back over, for targets whose normals point inwards. Takes effect with Solve.</source>
-      <translation>Vertauscht Vorder- und Rückseite, für Zielflächen, deren Normalen nach innen zeigen. Wirkt mit „Lösen“.</translation>
+      <source>Weight of missing normal force against deviation from the target. Only tightness=penalty uses it. From 0 to 1e+09. Takes effect with Solve.</source>
+      <translation>Gewicht fehlender Normalkraft gegen die Abweichung von der Zielfläche. Nur tightness=penalty verwendet es. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Weight of missing normal force against deviation from the target where tightness is penalty. From 0 to 1e+09. Takes effect with Solve.</source>
-      <translation>Gewicht fehlender Normalkraft gegen die Abweichung von der Zielfläche, wo tightness penalty ist. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
+      <source>Weight of the alignment energy, which puts facing edges opposite each other. From 0 to 1e+06. Takes effect with Solve.</source>
+      <translation>Gewicht der Ausrichtungsenergie, die zugewandte Kanten einander gegenüberstellt. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Weight of the alignment energy: facing edges opposite one another. From 0 to 1e+06. Takes effect with Solve.</source>
-      <translation>Gewicht der Ausrichtungsenergie: zugewandte Kanten liegen einander gegenüber. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
+      <source>Weight of the collision energy in the soft layout. From 0 to 1e+09. Takes effect with Solve.</source>
+      <translation>Gewicht der Kollisionsenergie in der weichen Abwicklung. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Weight of the collision energy while constraints are soft. From 0 to 1e+09. Takes effect with Solve.</source>
-      <translation>Gewicht der Kollisionsenergie, solange Nebenbedingungen weich sind. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
+      <source>Weight of the packing energy, which draws facing edges together. From 0 to 1e+06. Takes effect with Solve.</source>
+      <translation>Gewicht der Packungsenergie, die zugewandte Kanten zueinander zieht. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Weight of the packing energy: facing edges near one another. From 0 to 1e+06. Takes effect with Solve.</source>
-      <translation>Gewicht der Packungsenergie: zugewandte Kanten liegen nahe beieinander. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
+      <source>Weight of the pin area energy in the soft layout. From 0 to 1e+09. Takes effect with Solve.</source>
+      <translation>Gewicht der Zapfenflächenenergie in der weichen Abwicklung. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Weight of the pin area energy while constraints are soft. From 0 to 1e+09. Takes effect with Solve.</source>
-      <translation>Gewicht der Zapfenflächenenergie, solange Nebenbedingungen weich sind. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Weight of the spring energy: membranes evenly and well stretched. From 0 to 1e+06. Takes effect with Solve.</source>
-      <translation>Gewicht der Federenergie: Membranen gleichmäßig und gut gedehnt. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Weight of the tiles: left out, carried by held tiles, or by a plane on which the piece rests. Takes effect with Verify.</source>
-      <translation>Gewicht der Kacheln: weggelassen, von gehaltenen Kacheln getragen oder von einer Ebene, auf der das Stück ruht. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>What holds contacts against sliding: bumps, dimples (bumps that snap into hollows) or none. Takes effect at once.</source>
-      <translation>Was Kontakte gegen Rutschen hält: bumps (Noppen), dimples (Noppen, die in Mulden einrasten) oder none (nichts). Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>What keeps the layout together after printing: soluble slab, breakaway bridges or none. Takes effect at once.</source>
-      <translation>Was die Abwicklung nach dem Druck zusammenhält: soluble (lösliche Platte), breakaway (Brücken zum Abbrechen) oder none (nichts). Wirkt sofort.</translation>
-    </message>
-    <message>
-      <source>What of a closed CAD part is left out: auto or largest (its largest planar face), the faces in a plane (z=0), all on one side of it (z&gt;0 keeps what is above), or none. Takes effect with Solve.</source>
-      <translation>Was von einem geschlossenen CAD-Teil weggelassen wird: auto oder largest (seine größte ebene Fläche), die Flächen in einer Ebene (z=0), alles auf einer Seite davon (z&gt;0 behält, was darüber liegt), oder none. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Where folds leave no room p_min gives way, never below this: the printer's smallest feature. From 0 to 20 mm. Takes effect with Solve.</source>
-      <translation>Wo Falten keinen Platz lassen, gibt p_min nach, doch nie unter diesen Wert: das kleinste Merkmal des Druckers. Von 0 bis 20 mm. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Whether STL and 3MF have the bumps. Takes effect with the next export.</source>
-      <translation>Ob STL und 3MF die Noppen haben. Wirkt mit dem nächsten Export.</translation>
-    </message>
-    <message>
-      <source>Which side of a CAD part that is drawn with a wall becomes the target. Takes effect with Solve.</source>
-      <translation>Welche Seite eines CAD-Teils, das mit einer Wand gezeichnet ist, zur Zielfläche wird. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Which way up it is printed; front-down: breakaway bridges span between walls that stand. Takes effect at once.</source>
-      <translation>Welche Seite beim Druck oben liegt; front-down (Vorderseite unten): Brücken zum Abbrechen spannen sich zwischen Wänden, die schon stehen. Wirkt sofort.</translation>
+      <source>Weight of the spring energy, which keeps the membranes well and evenly stretched. From 0 to 1e+06. Takes effect with Solve.</source>
+      <translation>Gewicht der Federenergie, die die Membranen gut und gleichmäßig gedehnt hält. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Width of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
@@ -302,6 +286,22 @@
     <message>
       <source>Width of the slab around tiles and anchors. From 0.2 to 50 mm. Takes effect at once.</source>
       <translation>Breite der Platte um Kacheln und Anker herum. Von 0.2 bis 50 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>Write STEP files as an assembly with one part per body, or as one part with one solid per body. Takes effect with the next export.</source>
+      <translation>STEP-Dateien als Baugruppe mit einem Teil je Körper schreiben oder als ein Teil mit einem Volumenkörper je Körper. Wirkt mit dem nächsten Export.</translation>
+    </message>
+    <message>
+      <source>x component of the direction of gravity. From -1 to 1. Takes effect with Verify.</source>
+      <translation>x-Komponente der Richtung der Schwerkraft. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>y component of the direction of gravity. From -1 to 1. Takes effect with Verify.</source>
+      <translation>y-Komponente der Richtung der Schwerkraft. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
+      <source>z component of the direction of gravity. From -1 to 1. Takes effect with Verify.</source>
+      <translation>z-Komponente der Richtung der Schwerkraft. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
     </message>
   </context>
   <context>
@@ -319,48 +319,48 @@
       <translation>Beide wählen</translation>
     </message>
     <message>
-      <source>End now and leave the design as it was</source>
-      <translation>Jetzt aufhören und den Entwurf lassen, wie er war</translation>
+      <source>Compare the worst value of each margin with the value it needs. Click a row to colour the tiles by it and to go to the worst tile</source>
+      <translation>Den schlechtesten Wert jedes Spielraums mit dem nötigen vergleichen. Ein Klick auf eine Zeile färbt die Kacheln danach und geht zur schlechtesten</translation>
     </message>
     <message>
-      <source>Find out what of the target can be tiles, and which sizes would do</source>
-      <translation>Herausfinden, was von der Zielfläche Kacheln werden kann und welche Größen gingen</translation>
+      <source>End now and leave the design unchanged</source>
+      <translation>Jetzt aufhören und den Entwurf unverändert lassen</translation>
+    </message>
+    <message>
+      <source>Find out which parts of the target can become tiles, and which sizes work</source>
+      <translation>Herausfinden, welche Teile der Zielfläche Kacheln werden können und welche Größen gehen</translation>
+    </message>
+    <message>
+      <source>Find the length and thickness of the largest tiles that can be made and stay within Fidelity of the surface</source>
+      <translation>Länge und Dicke der größten Kacheln suchen, die sich machen lassen und innerhalb von Fidelity an der Fläche bleiben</translation>
     </message>
     <message>
       <source>Mend the Target</source>
       <translation>Zielfläche ausbessern</translation>
     </message>
     <message>
-      <source>Moves vertices until the sizes that are set do: mend=on, one step of undo. It is checked at once</source>
-      <translation>Verschiebt Ecken, bis die eingestellten Größen gehen: mend=on, ein Schritt beim Rückgängigmachen. Die Machbarkeit wird gleich neu ermittelt</translation>
+      <source>Read why tiles can't be made or are likely to fail. Click an entry to go there</source>
+      <translation>Lesen, warum sich Kacheln nicht machen lassen oder wohl nicht halten. Ein Klick auf einen Eintrag führt hin</translation>
     </message>
     <message>
-      <source>Sets the height of the pins: one step of undo. It is checked at once</source>
-      <translation>Setzt die Höhe der Stifte: ein Schritt beim Rückgängigmachen. Die Machbarkeit wird gleich neu ermittelt</translation>
+      <source>Set mend to on, which moves vertices of the target until these sizes work, and check again (one step of undo)</source>
+      <translation>mend auf on setzen und die Machbarkeit neu ermitteln: das verschiebt Ecken der Zielfläche, bis diese Größen gehen (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
-      <source>Sets the tiles' length: one step of undo. It is checked at once</source>
-      <translation>Setzt die Länge der Kacheln: ein Schritt beim Rückgängigmachen. Die Machbarkeit wird gleich neu ermittelt</translation>
+      <source>Set the height of the pins and check again (one step of undo)</source>
+      <translation>Die Höhe der Zapfen setzen und die Machbarkeit neu ermitteln (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
-      <source>Sets the tiles' thickness: one step of undo. It is checked at once</source>
-      <translation>Setzt die Dicke der Kacheln: ein Schritt beim Rückgängigmachen. Die Machbarkeit wird gleich neu ermittelt</translation>
+      <source>Set the length of the tiles and check again (one step of undo)</source>
+      <translation>Die Länge der Kacheln setzen und die Machbarkeit neu ermitteln (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
-      <source>Sizes that would do</source>
-      <translation>Größen, die gingen</translation>
+      <source>Set the thickness of the tiles and check again (one step of undo)</source>
+      <translation>Die Dicke der Kacheln setzen und die Machbarkeit neu ermitteln (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
-      <source>The largest tiles that can be made and stay as near to the surface as Fidelity says, and their thickness</source>
-      <translation>Die größten Kacheln, die sich machen lassen und so nah an der Fläche bleiben, wie Fidelity sagt, und ihre Dicke</translation>
-    </message>
-    <message>
-      <source>What is compared, its worst value, and what is wanted. A click colours the tiles by it and goes to the worst one</source>
-      <translation>Was verglichen wird, sein schlechtester Wert und was verlangt ist. Ein Klick färbt die Kacheln danach und geht zur schlechtesten</translation>
-    </message>
-    <message>
-      <source>Why tiles can't be made, or are likely to fail; a click goes there</source>
-      <translation>Warum sich Kacheln nicht machen lassen oder wohl nicht halten; ein Klick geht dorthin</translation>
+      <source>Sizes that work</source>
+      <translation>Größen, die gehen</translation>
     </message>
   </context>
   <context>
@@ -582,6 +582,10 @@
       <translation>Entwurf bearbeiten</translation>
     </message>
     <message>
+      <source>Feasibility smoothing</source>
+      <translation>Glättung für die Machbarkeit</translation>
+    </message>
+    <message>
       <source>Files</source>
       <translation>Dateien</translation>
     </message>
@@ -590,8 +594,8 @@
       <translation>Abwicklung</translation>
     </message>
     <message>
-      <source>Look for the largest value with which all tiles can be made; of lengths, as long as the surface stays within Fidelity</source>
-      <translation>Sucht den größten Wert, mit dem sich alle Kacheln machen lassen; bei Längen, solange die Fläche innerhalb von Fidelity bleibt</translation>
+      <source>Look for the largest value with which all tiles can be made. A length also keeps the tiles within Fidelity of the surface</source>
+      <translation>Den größten Wert suchen, mit dem sich alle Kacheln machen lassen. Eine Länge hält die Kacheln auch innerhalb von Fidelity an der Fläche</translation>
     </message>
     <message>
       <source>Mending</source>
@@ -626,8 +630,8 @@
       <translation>Alle Änderungen zurücknehmen</translation>
     </message>
     <message>
-      <source>Room for pins</source>
-      <translation>Platz für Zapfen</translation>
+      <source>Set the defaults of all parameters that a profile sets</source>
+      <translation>Die Vorgaben aller Parameter setzen, die ein Profil setzt</translation>
     </message>
     <message>
       <source>Solids</source>
@@ -648,10 +652,6 @@
     <message>
       <source>Target</source>
       <translation>Zielfläche</translation>
-    </message>
-    <message>
-      <source>The defaults of all that a profile sets</source>
-      <translation>Die Vorgaben für alles, was ein Profil setzt</translation>
     </message>
     <message>
       <source>Tiles</source>
@@ -725,8 +725,8 @@
       <translation>Volumenkörper bauen</translation>
     </message>
     <message>
-      <source>Make tiles, support and anchors as solids, for the parameters as they are</source>
-      <translation>Kacheln, Stützkörper und Anker als Volumenkörper bauen, mit den Parametern, wie sie sind</translation>
+      <source>Build the solids of tiles, support and anchors with the present parameters</source>
+      <translation>Die Volumenkörper von Kacheln, Stützkörper und Ankern mit den jetzigen Parametern bauen</translation>
     </message>
   </context>
   <context>
@@ -748,23 +748,31 @@
       <translation>Machbar</translation>
     </message>
     <message>
-      <source>Find out what of the target can be tiles, and which sizes would do, before anything is solved</source>
-      <translation>Herausfinden, was von der Zielfläche Kacheln werden kann und welche Größen gingen, bevor etwas gelöst wird</translation>
+      <source>Find out which parts of the target can become tiles, and which sizes work, before you solve</source>
+      <translation>Vor dem Lösen herausfinden, welche Teile der Zielfläche Kacheln werden können und welche Größen gehen</translation>
     </message>
     <message>
       <source>Margin</source>
       <translation>Spielraum</translation>
     </message>
     <message>
+      <source>Needed</source>
+      <translation>Nötig</translation>
+    </message>
+    <message>
       <source>Not feasible</source>
       <translation>Nicht machbar</translation>
+    </message>
+    <message>
+      <source>Obstacles</source>
+      <translation>Hindernisse</translation>
     </message>
     <message>
       <source>Out of date: check again</source>
       <translation>Veraltet: bitte erneut ermitteln</translation>
     </message>
     <message>
-      <source>The largest that does: {values}</source>
+      <source>The largest that works: {values}</source>
       <translation>Der größte Wert, der geht: {values}</translation>
     </message>
     <message>
@@ -772,7 +780,7 @@
       <translation>Kachel</translation>
     </message>
     <message>
-      <source>Tiles short</source>
+      <source>Tiles below</source>
       <translation>Kacheln darunter</translation>
     </message>
     <message>
@@ -782,14 +790,6 @@
     <message>
       <source>Use {name} = {value}</source>
       <translation>{name} = {value} übernehmen</translation>
-    </message>
-    <message>
-      <source>Wanted</source>
-      <translation>Verlangt</translation>
-    </message>
-    <message>
-      <source>What is in the way</source>
-      <translation>Was im Weg ist</translation>
     </message>
     <message>
       <source>Worst</source>
@@ -822,6 +822,10 @@
       <translation>Vorgeschlagene Schnitte annehmen</translation>
     </message>
     <message>
+      <source>Click Suggest first, then select a cut</source>
+      <translation>Zuerst „Vorschlagen“ drücken, dann einen Schnitt wählen</translation>
+    </message>
+    <message>
       <source>Cut</source>
       <translation>Schnitt</translation>
     </message>
@@ -834,24 +838,20 @@
       <translation>Schnitte von {name}</translation>
     </message>
     <message>
+      <source>Found no cut that is worth making</source>
+      <translation>Kein Schnitt gefunden, der sich lohnt</translation>
+    </message>
+    <message>
       <source>Lay out</source>
       <translation>Abwickeln</translation>
     </message>
     <message>
-      <source>Let cuts be suggested first, and select one</source>
-      <translation>Zuerst Schnitte vorschlagen lassen und einen wählen</translation>
+      <source>Pick edges along which tiles are disconnected, or ask for suggestions</source>
+      <translation>Kanten wählen, an denen Kacheln getrennt sind, oder Vorschläge holen</translation>
     </message>
     <message>
-      <source>No cut was found that is worth it</source>
-      <translation>Kein Schnitt wurde gefunden, der sich lohnt</translation>
-    </message>
-    <message>
-      <source>Pick edges along which tiles are disconnected, or let them be suggested</source>
-      <translation>Kanten wählen, an denen Kacheln getrennt sind, oder sie vorschlagen lassen</translation>
-    </message>
-    <message>
-      <source>Quick layout in {seconds:.1f} s; contacts that are likely to be weak (marked by triangles): {count}. Solve makes the real one.</source>
-      <translation>Schnelle Abwicklung in {seconds:.1f} s; wohl schwache Kontakte (mit Dreiecken markiert): {count}. „Lösen“ macht die eigentliche.</translation>
+      <source>Quick layout in {seconds:.1f} s; contacts that are likely to be weak (marked by triangles): {count}. Solve makes the exact one.</source>
+      <translation>Schnelle Abwicklung in {seconds:.1f} s; wohl schwache Kontakte (mit Dreiecken markiert): {count}. „Lösen“ macht die genaue.</translation>
     </message>
     <message>
       <source>Remove cuts</source>
@@ -870,8 +870,8 @@
       <translation>Zielfläche</translation>
     </message>
     <message>
-      <source>The rim is open already: go on to an edge inside</source>
-      <translation>Der Rand ist schon offen: zu einer inneren Kante weitergehen</translation>
+      <source>The rim is open already: click an edge inside</source>
+      <translation>Der Rand ist schon offen: eine innere Kante anklicken</translation>
     </message>
     <message>
       <source>run Solve first</source>
@@ -885,12 +885,12 @@
   <context>
     <name>CurveUps_Examples</name>
     <message>
-      <source>A new document with a design of a built-in target, solved while you watch</source>
-      <translation>Ein neues Dokument mit dem Entwurf einer eingebauten Zielfläche, vor Ihren Augen gelöst</translation>
-    </message>
-    <message>
       <source>Examples</source>
       <translation>Beispiele</translation>
+    </message>
+    <message>
+      <source>Open a new document with a built-in target, and watch its design being solved</source>
+      <translation>Ein neues Dokument mit einer eingebauten Zielfläche öffnen und zusehen, wie ihr Entwurf gelöst wird</translation>
     </message>
   </context>
   <context>
@@ -975,8 +975,8 @@
       <translation>Kacheln, die sich nicht machen lassen oder wohl nicht halten</translation>
     </message>
     <message>
-      <source>tiles with less room for pins than APinMin, before Solve makes some</source>
-      <translation>Kacheln mit weniger Platz für Zapfen als APinMin, bevor Lösen welchen schafft</translation>
+      <source>tiles with less space for pins than APinMin, before Solve makes space</source>
+      <translation>Kacheln mit weniger Platz für Zapfen als APinMin, bevor „Lösen“ welchen schafft</translation>
     </message>
     <message>
       <source>tiles with pins below APinMin</source>
@@ -986,8 +986,8 @@
   <context>
     <name>CurveUps_NewDesign</name>
     <message>
-      <source>A design of the selected Part or Mesh object, or of its selected faces; of a file where none is selected</source>
-      <translation>Ein Entwurf des gewählten Part- oder Mesh-Objekts oder seiner gewählten Flächen; einer Datei, wenn keines gewählt ist</translation>
+      <source>Make a design of the selected Part or Mesh object, of its selected faces, or of a file if nothing is selected</source>
+      <translation>Einen Entwurf des gewählten Part- oder Mesh-Objekts, seiner gewählten Flächen oder, wenn nichts gewählt ist, einer Datei anlegen</translation>
     </message>
     <message>
       <source>New Design</source>
@@ -1001,8 +1001,8 @@
   <context>
     <name>CurveUps_Overlay</name>
     <message>
-      <source>Choose what the tiles are coloured by, fold them, and read their values</source>
-      <translation>Wählen, wonach die Kacheln gefärbt sind, sie falten und ihre Werte ablesen</translation>
+      <source>Choose the value that colours the tiles, fold them, and read their values</source>
+      <translation>Den Wert wählen, der die Kacheln färbt, sie falten und ihre Werte ablesen</translation>
     </message>
     <message>
       <source>Membranes</source>
@@ -1025,16 +1025,16 @@
       <translation>Wert</translation>
     </message>
     <message>
-      <source>as the solver has it</source>
-      <translation>wie der Löser sie hat</translation>
-    </message>
-    <message>
-      <source>not as it is now: {why}</source>
+      <source>not the present state: {why}</source>
       <translation>nicht der jetzige Stand: {why}</translation>
     </message>
     <message>
       <source>out of date ({changed})</source>
       <translation>veraltet ({changed})</translation>
+    </message>
+    <message>
+      <source>present state of the solver</source>
+      <translation>jetziger Stand des Lösers</translation>
     </message>
   </context>
   <context>
@@ -1062,12 +1062,12 @@
   <context>
     <name>CurveUps_RestoreObjects</name>
     <message>
-      <source>Makes designs whole again that were saved by a FreeCAD without CurveUps</source>
-      <translation>Stellt Entwürfe wieder her, die ein FreeCAD ohne CurveUps gespeichert hat</translation>
-    </message>
-    <message>
       <source>Restore Objects</source>
       <translation>Objekte wiederherstellen</translation>
+    </message>
+    <message>
+      <source>Restore designs that a FreeCAD without CurveUps saved</source>
+      <translation>Entwürfe wiederherstellen, die ein FreeCAD ohne CurveUps gespeichert hat</translation>
     </message>
   </context>
   <context>
@@ -1088,8 +1088,8 @@
       <translation>Flach zeigen</translation>
     </message>
     <message>
-      <source>Show the tiles as they are printed</source>
-      <translation>Die Kacheln zeigen, wie sie gedruckt werden</translation>
+      <source>Show the tiles in the flat layout</source>
+      <translation>Die Kacheln in der Abwicklung zeigen</translation>
     </message>
   </context>
   <context>
@@ -1103,8 +1103,8 @@
       <translation>Volumenkörper zeigen</translation>
     </message>
     <message>
-      <source>Show tiles and anchors as the solids that are printed: exact, but slow for thousands of tiles</source>
-      <translation>Kacheln und Anker als die Volumenkörper zeigen, die gedruckt werden: genau, aber langsam bei Tausenden von Kacheln</translation>
+      <source>Show tiles and anchors as printed solids. They are exact, but slow for thousands of tiles</source>
+      <translation>Kacheln und Anker als gedruckte Volumenkörper zeigen. Sie sind genau, aber langsam bei Tausenden von Kacheln</translation>
     </message>
     <message>
       <source>Triangulating {count} solids</source>
@@ -1145,6 +1145,10 @@
       <translation>Abhilfe</translation>
     </message>
     <message>
+      <source>Show the version and folder of the solver, or the reason why it can't be loaded and the remedy</source>
+      <translation>Version und Ordner des Lösers zeigen, oder warum er sich nicht laden lässt und was hilft</translation>
+    </message>
+    <message>
       <source>Solver</source>
       <translation>Löser</translation>
     </message>
@@ -1155,10 +1159,6 @@
     <message>
       <source>State</source>
       <translation>Zustand</translation>
-    </message>
-    <message>
-      <source>Version and place of the solver; where it can't be loaded, why and what mends it</source>
-      <translation>Version und Ort des Lösers; wenn er sich nicht laden lässt, warum, und was hilft</translation>
     </message>
     <message>
       <source>designs can be opened, shown and exported as they are stored</source>
@@ -1195,8 +1195,8 @@
   <context>
     <name>CurveUps_Verify</name>
     <message>
-      <source>Judge the layout as it is, with tiles and membranes as they are set</source>
-      <translation>Die Abwicklung beurteilen, wie sie ist, mit Kacheln und Membranen, wie sie eingestellt sind</translation>
+      <source>Decide whether the present layout is valid with the present tiles and membranes</source>
+      <translation>Entscheiden, ob die jetzige Abwicklung mit den jetzigen Kacheln und Membranen gültig ist</translation>
     </message>
     <message>
       <source>Verify</source>
@@ -1210,8 +1210,8 @@
       <translation>; bessere, die nicht aufgeführt sind: {left}</translation>
     </message>
     <message>
-      <source>List contacts and tiles, the worst first; a click goes there</source>
-      <translation>Kontakte und Kacheln auflisten, die schlechtesten zuerst; ein Klick führt hin</translation>
+      <source>List contacts and tiles, the worst first. Click one to go there</source>
+      <translation>Kontakte und Kacheln auflisten, die schlechtesten zuerst. Ein Klick führt hin</translation>
     </message>
     <message>
       <source>Problem</source>
@@ -1241,20 +1241,16 @@
   <context>
     <name>CutsPanel</name>
     <message>
-      <source>A quick layout with soft constraints follows every cut; Solve makes the real one</source>
-      <translation>Eine schnelle Abwicklung mit weichen Bedingungen folgt jedem Schnitt; „Lösen“ macht die eigentliche</translation>
-    </message>
-    <message>
       <source>Accept</source>
       <translation>Annehmen</translation>
     </message>
     <message>
-      <source>Begin Anew</source>
-      <translation>Neu beginnen</translation>
+      <source>Begin another cut with the next click (Escape in the view)</source>
+      <translation>Mit dem nächsten Klick einen anderen Schnitt beginnen (Escape in der Ansicht)</translation>
     </message>
     <message>
-      <source>Click edges between tiles, flat or actuated: each click goes on from the last one along the shortest path. Escape begins anew; a click on a cut takes it back.</source>
-      <translation>Kanten zwischen Kacheln anklicken, flach oder in Form: jeder Klick geht vom letzten auf dem kürzesten Weg weiter. Escape beginnt neu; ein Klick auf einen Schnitt nimmt ihn zurück.</translation>
+      <source>Click edges between tiles, flat or actuated. Each click continues the cut along the shortest path. Press Escape to begin another cut. Click a cut to remove it.</source>
+      <translation>Kanten zwischen Kacheln anklicken, flach oder in Form. Jeder Klick verlängert den Schnitt auf dem kürzesten Weg. Escape beginnt einen anderen Schnitt. Ein Klick auf einen Schnitt entfernt ihn.</translation>
     </message>
     <message>
       <source>Cut</source>
@@ -1265,20 +1261,12 @@
       <translation>Schnitte</translation>
     </message>
     <message>
-      <source>Cuts that hang together; those selected here are marked in the view</source>
-      <translation>Schnitte, die zusammenhängen; die hier gewählten sind in der Ansicht markiert</translation>
-    </message>
-    <message>
       <source>Edges</source>
       <translation>Kanten</translation>
     </message>
     <message>
-      <source>Ends the quick layout, or the search for cuts, with what there is</source>
-      <translation>Beendet die schnelle Abwicklung oder die Suche nach Schnitten mit dem, was da ist</translation>
-    </message>
-    <message>
-      <source>How many cuts are looked for</source>
-      <translation>Wie viele Schnitte gesucht werden</translation>
+      <source>End the quick layout or the search for cuts, and keep the best so far</source>
+      <translation>Die schnelle Abwicklung oder die Suche nach Schnitten beenden und das bisher Beste behalten</translation>
     </message>
     <message>
       <source>Lay out at once</source>
@@ -1289,16 +1277,36 @@
       <translation>Länge</translation>
     </message>
     <message>
-      <source>Looks for cuts that let the target lie flat with less stretch, with what they are predicted to gain</source>
-      <translation>Sucht Schnitte, mit denen die Zielfläche mit weniger Dehnung flach liegt, mit ihrem voraussichtlichen Gewinn</translation>
+      <source>Look for cuts that let the target lie flat with less stretch, and predict what each one gains</source>
+      <translation>Schnitte suchen, mit denen die Zielfläche mit weniger Dehnung flach liegt, und ihren Gewinn voraussagen</translation>
     </message>
     <message>
-      <source>Makes the selected suggestion and those before it, on which it rests</source>
-      <translation>Macht den gewählten Vorschlag und die davor, auf denen er beruht</translation>
+      <source>Make a quick layout with soft constraints after every cut. Solve makes the exact one</source>
+      <translation>Nach jedem Schnitt eine schnelle Abwicklung mit weichen Bedingungen machen. „Lösen“ macht die genaue</translation>
+    </message>
+    <message>
+      <source>Make the selected cut and the suggestions above it, which it builds on</source>
+      <translation>Den gewählten Schnitt und die Vorschläge darüber machen, auf denen er aufbaut</translation>
+    </message>
+    <message>
+      <source>New Cut</source>
+      <translation>Neuer Schnitt</translation>
+    </message>
+    <message>
+      <source>Number of cuts to look for</source>
+      <translation>Anzahl der Schnitte, die gesucht werden</translation>
     </message>
     <message>
       <source>Remove</source>
       <translation>Entfernen</translation>
+    </message>
+    <message>
+      <source>Remove the selected cuts, or all cuts if none is selected</source>
+      <translation>Die gewählten Schnitte entfernen, oder alle, wenn keiner gewählt ist</translation>
+    </message>
+    <message>
+      <source>Select connected cuts to mark them in the view</source>
+      <translation>Zusammenhängende Schnitte wählen, um sie in der Ansicht zu markieren</translation>
     </message>
     <message>
       <source>Stop</source>
@@ -1311,14 +1319,6 @@
     <message>
       <source>Suggested cuts</source>
       <translation>Vorgeschlagene Schnitte</translation>
-    </message>
-    <message>
-      <source>Takes the selected cuts back, or all where none is selected</source>
-      <translation>Nimmt die gewählten Schnitte zurück, oder alle, wenn keiner gewählt ist</translation>
-    </message>
-    <message>
-      <source>The next click begins another cut (Escape in the view)</source>
-      <translation>Der nächste Klick beginnt einen anderen Schnitt (Escape in der Ansicht)</translation>
     </message>
   </context>
   <context>
@@ -1352,23 +1352,23 @@
       <translation>Format</translation>
     </message>
     <message>
-      <source>How far the triangles of STL and 3MF files may be from the bumps</source>
-      <translation>Wie weit die Dreiecke in STL- und 3MF-Dateien von den Noppen entfernt sein dürfen</translation>
+      <source>Largest distance of the triangles in STL and 3MF files from the bumps</source>
+      <translation>Größter Abstand der Dreiecke in STL- und 3MF-Dateien von den Noppen</translation>
     </message>
     <message>
       <source>Names</source>
       <translation>Namen</translation>
     </message>
     <message>
-      <source>The files and the report then say that the design should not be printed</source>
-      <translation>Die Dateien und der Bericht sagen dann, dass der Entwurf nicht gedruckt werden sollte</translation>
-    </message>
-    <message>
       <source>With report.html and report.json</source>
       <translation>Mit report.html und report.json</translation>
     </message>
     <message>
-      <source>Write them all the same</source>
+      <source>Write the files although the design should not be printed. The files and the report say so</source>
+      <translation>Die Dateien schreiben, obwohl der Entwurf nicht gedruckt werden sollte. Die Dateien und der Bericht sagen das</translation>
+    </message>
+    <message>
+      <source>Write them anyway</source>
       <translation>Trotzdem schreiben</translation>
     </message>
     <message>
@@ -1383,16 +1383,16 @@
       <translation>In Form</translation>
     </message>
     <message>
-      <source>All of them keep their order without red and green, and as grey</source>
-      <translation>Alle behalten ihre Ordnung ohne Rot und Grün und in Grau</translation>
-    </message>
-    <message>
-      <source>All values but the hundredth at either end; a double click on the legend does the same</source>
-      <translation>Alle Werte bis auf das Hundertstel an beiden Enden; ein Doppelklick auf die Legende tut dasselbe</translation>
-    </message>
-    <message>
       <source>Automatic range</source>
       <translation>Automatischer Bereich</translation>
+    </message>
+    <message>
+      <source>Choose the colours. Each scale stays readable without red and green, and in grey</source>
+      <translation>Die Farben wählen. Jede Skala bleibt ohne Rot und Grün und in Grau lesbar</translation>
+    </message>
+    <message>
+      <source>Choose the value that colours the tiles. The value of a contact colours the nearest third of both its tiles</source>
+      <translation>Wählen, welcher Wert die Kacheln färbt. Der Wert eines Kontakts färbt das nächste Drittel seiner beiden Kacheln</translation>
     </message>
     <message>
       <source>Click a tile to see its values</source>
@@ -1411,12 +1411,20 @@
       <translation>Flach</translation>
     </message>
     <message>
-      <source>Folds the flat layout to the target shape; every tile stays as it is</source>
-      <translation>Faltet die Abwicklung zur Zielform; jede Kachel bleibt, wie sie ist</translation>
+      <source>Fold the flat layout into the target shape. Every tile stays rigid</source>
+      <translation>Die Abwicklung zur Zielform falten. Jede Kachel bleibt starr</translation>
     </message>
     <message>
       <source>From</source>
       <translation>Von</translation>
+    </message>
+    <message>
+      <source>Give larger values the last colour. You can also drag the upper end of the legend</source>
+      <translation>Größeren Werten die letzte Farbe geben. Auch das obere Ende der Legende lässt sich ziehen</translation>
+    </message>
+    <message>
+      <source>Give smaller values the first colour. You can also drag the lower end of the legend</source>
+      <translation>Kleineren Werten die erste Farbe geben. Auch das untere Ende der Legende lässt sich ziehen</translation>
     </message>
     <message>
       <source>Membranes</source>
@@ -1431,16 +1439,20 @@
       <translation>Zapfen</translation>
     </message>
     <message>
-      <source>Shows both membranes as they are between the pins; they are computed when they are first asked for</source>
-      <translation>Zeigt beide Membranen, wie sie zwischen den Zapfen liegen; sie werden berechnet, wenn sie zum ersten Mal verlangt werden</translation>
+      <source>Show all values except the lowest and highest hundredth. You can also double-click the legend</source>
+      <translation>Alle Werte bis auf das unterste und oberste Hundertstel zeigen. Auch ein Doppelklick auf die Legende tut das</translation>
     </message>
     <message>
-      <source>Shows the pins that the membranes are glued to</source>
-      <translation>Zeigt die Zapfen, auf die die Membranen geklebt werden</translation>
+      <source>Show both membranes between the pins. CurveUps computes them the first time you ask for them</source>
+      <translation>Beide Membranen zwischen den Zapfen zeigen. CurveUps berechnet sie, wenn Sie sie zum ersten Mal verlangen</translation>
     </message>
     <message>
-      <source>Shows the tiles flat and actuated at once</source>
-      <translation>Zeigt die Kacheln zugleich flach und in Form</translation>
+      <source>Show the pins that the membranes are glued to</source>
+      <translation>Die Zapfen zeigen, auf die die Membranen geklebt werden</translation>
+    </message>
+    <message>
+      <source>Show the tiles flat and actuated at the same time</source>
+      <translation>Die Kacheln zugleich flach und in Form zeigen</translation>
     </message>
     <message>
       <source>Side by side</source>
@@ -1450,24 +1462,20 @@
       <source>To</source>
       <translation>Bis</translation>
     </message>
-    <message>
-      <source>Values above have the last colour; the upper end of the legend can be dragged too</source>
-      <translation>Werte darüber haben die letzte Farbe; das obere Ende der Legende lässt sich auch ziehen</translation>
-    </message>
-    <message>
-      <source>Values below have the first colour; the lower end of the legend can be dragged too</source>
-      <translation>Werte darunter haben die erste Farbe; das untere Ende der Legende lässt sich auch ziehen</translation>
-    </message>
-    <message>
-      <source>What the tiles are coloured by; values of a contact colour the third of both tiles beside it</source>
-      <translation>Wonach die Kacheln gefärbt sind; der Wert eines Kontakts färbt das Drittel beider Kacheln daneben</translation>
-    </message>
   </context>
   <context>
     <name>SolvePanel</name>
     <message>
+      <source>Begin new designs with these parameters</source>
+      <translation>Neue Entwürfe mit diesen Parametern beginnen</translation>
+    </message>
+    <message>
       <source>Cancel</source>
       <translation>Abbrechen</translation>
+    </message>
+    <message>
+      <source>Decide whether the present layout is valid with the present membranes</source>
+      <translation>Entscheiden, ob die jetzige Abwicklung mit den jetzigen Membranen gültig ist</translation>
     </message>
     <message>
       <source>Draw the layout while it is solved</source>
@@ -1478,12 +1486,8 @@
       <translation>Jetzt aufhören und das bisher Beste behalten</translation>
     </message>
     <message>
-      <source>End now and leave the design as it was</source>
-      <translation>Jetzt aufhören und den Entwurf lassen, wie er war</translation>
-    </message>
-    <message>
-      <source>Judge the layout as it is with the membranes as they are set</source>
-      <translation>Die Abwicklung beurteilen, wie sie ist, mit den Membranen, wie sie eingestellt sind</translation>
+      <source>End now and leave the design unchanged</source>
+      <translation>Jetzt aufhören und den Entwurf unverändert lassen</translation>
     </message>
     <message>
       <source>Lay the tiles out flat, verify that the membranes hold the shape, and repair weak contacts</source>
@@ -1492,10 +1496,6 @@
     <message>
       <source>Move tiles and pins until weak contacts hold</source>
       <translation>Kacheln und Zapfen verschieben, bis schwache Kontakte halten</translation>
-    </message>
-    <message>
-      <source>New designs begin with these parameters</source>
-      <translation>Neue Entwürfe beginnen mit diesen Parametern</translation>
     </message>
     <message>
       <source>Parameters</source>
@@ -1514,12 +1514,8 @@
       <translation>Alle Änderungen zurücknehmen</translation>
     </message>
     <message>
-      <source>Sets all parameters to what they were when this panel was opened: one step of undo</source>
-      <translation>Setzt alle Parameter auf das, was sie beim Öffnen dieses Fensters waren: ein Schritt beim Rückgängigmachen</translation>
-    </message>
-    <message>
-      <source>Sets the parameters that suit a kind of printer: one step of undo</source>
-      <translation>Setzt die Parameter, die zu einer Art von Drucker passen: ein Schritt beim Rückgängigmachen</translation>
+      <source>Set the parameters that suit a kind of printer (one step of undo)</source>
+      <translation>Die Parameter setzen, die zu einer Art von Drucker passen (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
       <source>Solve</source>
@@ -1532,6 +1528,10 @@
     <message>
       <source>Stop</source>
       <translation>Anhalten</translation>
+    </message>
+    <message>
+      <source>Take back all changes of parameters since this panel opened (one step of undo)</source>
+      <translation>Alle Änderungen an Parametern seit dem Öffnen dieses Fensters zurücknehmen (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
       <source>Time</source>
@@ -1564,8 +1564,8 @@
       <translation>Nach</translation>
     </message>
     <message>
-      <source>What contacts and tiles are ordered by; the view is coloured by it too</source>
-      <translation>Wonach Kontakte und Kacheln geordnet sind; auch die Ansicht ist danach gefärbt</translation>
+      <source>Choose the value that orders contacts and tiles. It colours the view too</source>
+      <translation>Wählen, welcher Wert Kontakte und Kacheln ordnet. Er färbt auch die Ansicht</translation>
     </message>
     <message>
       <source>Worst Contacts</source>

@@ -13,7 +13,8 @@ class BuildSolids(RunCommand):
     name = "CurveUps_BuildSolids"
     text = QT_TRANSLATE_NOOP("CurveUps_BuildSolids", "Build Solids")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_BuildSolids",
-                                "Make tiles, support and anchors as solids, for the parameters as they are")
+                                "Build the solids of tiles, support and anchors with the present "
+                                "parameters")
     shortcut = ""
     which = "build_solids"
 

@@ -20,8 +20,8 @@ class Check(DesignCommand):
     name = "CurveUps_Check"
     text = QT_TRANSLATE_NOOP("CurveUps_Check", "Check")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Check",
-                                "Find out what of the target can be tiles, and which sizes would do, before "
-                                "anything is solved")
+                                "Find out which parts of the target can become tiles, and which sizes "
+                                "work, before you solve")
     shortcut = "C, K"
 
     def reason(self) -> str:

@@ -20,7 +20,7 @@ class Cuts(DesignCommand):
     name = "CurveUps_Cuts"
     text = QT_TRANSLATE_NOOP("CurveUps_Cuts", "Cuts")
     tooltip = QT_TRANSLATE_NOOP(
-        "CurveUps_Cuts", "Pick edges along which tiles are disconnected, or let them be suggested")
+        "CurveUps_Cuts", "Pick edges along which tiles are disconnected, or ask for suggestions")
 
     def reason(self) -> str:
         found = super().reason()

@@ -24,8 +24,8 @@ class Examples(Command):
     name = "CurveUps_Examples"
     text = QT_TRANSLATE_NOOP("CurveUps_Examples", "Examples")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Examples",
-                                "A new document with a design of a built-in target, solved while you "
-                                "watch")
+                                "Open a new document with a built-in target, and watch its design being "
+                                "solved")
 
     def __init__(self) -> None:
         self._targets = [] if problem() else list(native.builtin_targets())

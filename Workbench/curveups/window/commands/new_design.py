@@ -23,8 +23,8 @@ class NewDesign(Command):
     name = "CurveUps_NewDesign"
     text = QT_TRANSLATE_NOOP("CurveUps_NewDesign", "New Design")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_NewDesign",
-                                "A design of the selected Part or Mesh object, or of its selected faces; of "
-                                "a file where none is selected")
+                                "Make a design of the selected Part or Mesh object, of its selected faces, "
+                                "or of a file if nothing is selected")
     shortcut = "C, N"
 
     def reason(self) -> str:

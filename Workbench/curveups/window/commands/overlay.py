@@ -16,7 +16,7 @@ class OverlayCommand(PanelCommand):
     name = "CurveUps_Overlay"
     text = QT_TRANSLATE_NOOP("CurveUps_Overlay", "Overlay")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Overlay",
-                                "Choose what the tiles are coloured by, fold them, and read their values")
+                                "Choose the value that colours the tiles, fold them, and read their values")
 
     def panel(self, design: Any) -> Any:
         return OverlayPanel(design)

@@ -16,7 +16,7 @@ class RestoreObjects(Command):
     name = "CurveUps_RestoreObjects"
     text = QT_TRANSLATE_NOOP("CurveUps_RestoreObjects", "Restore Objects")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_RestoreObjects",
-                                "Makes designs whole again that were saved by a FreeCAD without CurveUps")
+                                "Restore designs that a FreeCAD without CurveUps saved")
 
     def reason(self) -> str:
         return "" if FreeCAD.ActiveDocument else translate("CurveUps", "There is no document")

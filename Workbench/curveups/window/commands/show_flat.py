@@ -12,7 +12,7 @@ class ShowFlat(ShowCommand):
 
     name = "CurveUps_ShowFlat"
     text = QT_TRANSLATE_NOOP("CurveUps_ShowFlat", "Show Flat")
-    tooltip = QT_TRANSLATE_NOOP("CurveUps_ShowFlat", "Show the tiles as they are printed")
+    tooltip = QT_TRANSLATE_NOOP("CurveUps_ShowFlat", "Show the tiles in the flat layout")
     function = "show_flat"
     needs_layout = True
 

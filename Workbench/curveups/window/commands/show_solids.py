@@ -14,7 +14,7 @@ class ShowSolids(ShowCommand):
     name = "CurveUps_ShowSolids"
     text = QT_TRANSLATE_NOOP("CurveUps_ShowSolids", "Show Solids")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_ShowSolids",
-                                "Show tiles and anchors as the solids that are printed: exact, but slow for "
+                                "Show tiles and anchors as printed solids. They are exact, but slow for "
                                 "thousands of tiles")
     function = "show_solids"
     needs_layout = True

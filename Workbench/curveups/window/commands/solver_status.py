@@ -57,8 +57,8 @@ class SolverStatus(Command):
     name = "CurveUps_SolverStatus"
     text = QT_TRANSLATE_NOOP("CurveUps_SolverStatus", "Solver Status")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_SolverStatus",
-                                "Version and place of the solver; where it can't be loaded, why and what "
-                                "mends it")
+                                "Show the version and folder of the solver, or the reason why it can't be "
+                                "loaded and the remedy")
 
     def run(self) -> None:
         rows = solver_status()

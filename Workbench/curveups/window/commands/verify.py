@@ -13,7 +13,8 @@ class Verify(RunCommand):
     name = "CurveUps_Verify"
     text = QT_TRANSLATE_NOOP("CurveUps_Verify", "Verify")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Verify",
-                                "Judge the layout as it is, with tiles and membranes as they are set")
+                                "Decide whether the present layout is valid with the present tiles and "
+                                "membranes")
     shortcut = "C, V"
     which = "verify"
 

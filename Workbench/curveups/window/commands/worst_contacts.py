@@ -16,7 +16,7 @@ class WorstContacts(PanelCommand):
     name = "CurveUps_WorstContacts"
     text = QT_TRANSLATE_NOOP("CurveUps_WorstContacts", "Worst Contacts")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_WorstContacts",
-                                "List contacts and tiles, the worst first; a click goes there")
+                                "List contacts and tiles, the worst first. Click one to go there")
 
     def panel(self, design: Any) -> Any:
         return WorstContactsPanel(design)

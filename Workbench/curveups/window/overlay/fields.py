@@ -106,7 +106,7 @@ def target_fields(V: np.ndarray, F: np.ndarray, cuts: np.ndarray, parameters: An
         Field("Fold angle", "deg", CONTACT, lambda: aligned(found(), "fold_angle", contacts), signed=True,
               shape=(len(contacts),)),
         Field("Pin room", "mm^2", SIDE, lambda: found()["pin_room"], "low", mark="diamond",
-              problem="tiles with less room for pins than APinMin, before Solve makes some",
+              problem="tiles with less space for pins than APinMin, before Solve makes space",
               shape=(len(F), 2), **limits),
         Field("Conformal stretch", "", TILE, lambda: found()["conformal_stretch"], "low",
               shape=(len(F),))]

@@ -362,11 +362,11 @@ class Overlay:
         self._tell()
         one, notes = self.field(), []
         if self._iterating:
-            notes.append(translate("CurveUps_Overlay", "as the solver has it"))
+            notes.append(translate("CurveUps_Overlay", "present state of the solver"))
         if self.age(one):
             notes.append(self.age(one))
         if self.note:
-            notes.append(translate("CurveUps_Overlay", "not as it is now: {why}", why=self.note))
+            notes.append(translate("CurveUps_Overlay", "not the present state: {why}", why=self.note))
         marks = tuple((field.mark, f"{translate('CurveUps_Fields', field.problem)}: {len(field.problems)}")
                       for field in self._problems())
         if one is None:

@@ -43,7 +43,7 @@ class CheckPanel(Following):
         form.setWindowTitle(translate("CurveUps_Check", "Check of {name}", name=design.Label))
         form.margins.setHeaderLabels([translate("CurveUps_Check", text) for text in _HEAD])
         form.obstacles.setHeaderLabels([translate("CurveUps_Check", "Tile"),
-                                        translate("CurveUps_Check", "What is in the way")])
+                                        translate("CurveUps_Check", "Obstacles")])
         for tree in (form.margins, form.obstacles):
             tree.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         self._say("")
@@ -226,8 +226,8 @@ class CheckPanel(Following):
 
 
 _HEAD = (QT_TRANSLATE_NOOP("CurveUps_Check", "Margin"), QT_TRANSLATE_NOOP("CurveUps_Check", "Worst"),
-         QT_TRANSLATE_NOOP("CurveUps_Check", "Tile"), QT_TRANSLATE_NOOP("CurveUps_Check", "Wanted"),
-         QT_TRANSLATE_NOOP("CurveUps_Check", "Tiles short"))
+         QT_TRANSLATE_NOOP("CurveUps_Check", "Tile"), QT_TRANSLATE_NOOP("CurveUps_Check", "Needed"),
+         QT_TRANSLATE_NOOP("CurveUps_Check", "Tiles below"))
 
 
 def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
@@ -241,7 +241,7 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
         obj.Document.recompute()
         values = ", ".join(f"{properties.property_name(name)} = {properties.shown(_row(name), value)}"
                            for name, value in found.items())
-        show_line(translate("CurveUps_Check", "The largest that does: {values}", values=values))
+        show_line(translate("CurveUps_Check", "The largest that works: {values}", values=values))
 
     with errors_shown(title):
         LIVE.start(design, Task(title, actions.sizes_work(design, names), finish, told=told))

@@ -154,7 +154,7 @@ class CutsPanel(Following):
                 return
             added, self._tip = self._reach(found)
             if not added:
-                self._say(translate("CurveUps_Cuts", "The rim is open already: go on to an edge inside"))
+                self._say(translate("CurveUps_Cuts", "The rim is open already: click an edge inside"))
                 return
             self._set([*edges, *added], translate("CurveUps_Cuts", "Cut"))
 
@@ -242,7 +242,7 @@ class CutsPanel(Following):
             tree.addTopLevelItem(item)
         tree.setVisible(bool(cuts))
         if self._search is not None and not cuts:
-            self._say(translate("CurveUps_Cuts", "No cut was found that is worth it"))
+            self._say(translate("CurveUps_Cuts", "Found no cut that is worth making"))
         if cuts:
             tree.setCurrentItem(tree.topLevelItem(0))
 
@@ -261,7 +261,7 @@ class CutsPanel(Following):
     def _accept(self) -> None:
         chosen = self._chosen()
         if not chosen:
-            self._say(translate("CurveUps_Cuts", "Let cuts be suggested first, and select one"))
+            self._say(translate("CurveUps_Cuts", "Click Suggest first, then select a cut"))
             return
         added = [(min(edge), max(edge)) for cut in chosen for edge in cut.edges.tolist()]
         self._search = None
@@ -287,8 +287,8 @@ class CutsPanel(Following):
         self._soft.show(self._overlay)
         count = len(self._soft.weak)
         self.form.doing.setText(translate(
-            "CurveUps_Cuts", "Quick layout in {seconds:.1f} s; contacts that are likely to be weak (marked by"
-            " triangles): {count}. Solve makes the real one.", seconds=self._soft.seconds, count=count))
+            "CurveUps_Cuts", "Quick layout in {seconds:.1f} s; contacts that are likely to be weak (marked "
+            "by triangles): {count}. Solve makes the exact one.", seconds=self._soft.seconds, count=count))
         self._draw()
 
     def _stop_soft(self) -> None:

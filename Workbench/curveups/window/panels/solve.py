@@ -36,7 +36,7 @@ _STAGES = {
     "fairing": QT_TRANSLATE_NOOP("CurveUpsSolve", "Mending"),
     "division": QT_TRANSLATE_NOOP("CurveUpsSolve", "Pieces"),
     "cuts": QT_TRANSLATE_NOOP("CurveUpsSolve", "Cuts"),
-    "relief": QT_TRANSLATE_NOOP("CurveUpsSolve", "Room for pins"),
+    "relief": QT_TRANSLATE_NOOP("CurveUpsSolve", "Feasibility smoothing"),
     "layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"),
     "verification of the layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification of the layout"),
     "repair": QT_TRANSLATE_NOOP("CurveUpsSolve", "Repair"),
@@ -214,7 +214,7 @@ class SolvePanel:
         for name in ("", *profiles.profile_names()):
             action = menu.addAction(name.upper() or translate("CurveUpsSolve", "Standard"))
             action.setToolTip(profiles.about(name) if name else translate(
-                "CurveUpsSolve", "The defaults of all that a profile sets"))
+                "CurveUpsSolve", "Set the defaults of all parameters that a profile sets"))
             action.triggered.connect(lambda *_, name=name: self._apply_profile(name))
         self.form.profile.setMenu(menu)
 
@@ -233,8 +233,9 @@ class SolvePanel:
         button = QtWidgets.QToolButton()
         button.setObjectName(f"auto_{name}")
         button.setText(translate("CurveUpsSolve", "Auto"))
-        button.setToolTip(translate("CurveUpsSolve", "Look for the largest value with which all tiles can be "
-                                    "made; of lengths, as long as the surface stays within Fidelity"))
+        button.setToolTip(translate("CurveUpsSolve", "Look for the largest value with which all tiles can "
+                                                     "be made. A length also keeps the tiles within "
+                                                     "Fidelity of the surface"))
         button.clicked.connect(lambda *_: self._choose(name))
         return button
 
