@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Each page about an algorithm has a picture and an example that prints what the page says; lines of all pages
-wrap."""
+"""Each page about an algorithm has a picture and an example that prints what the page says. Lines of all
+pages wrap."""
 
 import re
 import subprocess
