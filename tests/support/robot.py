@@ -1,37 +1,67 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A user's hands and eyes in FreeCAD's window: text to put before a script of run_in_window().
+"""A user's hands and eyes in FreeCAD's window. This module is imported inside of FreeCAD alone.
 
-Mouse and keys are those of the display (xdotool), so that what is covered, grey or without focus can't
-be used; waiting runs the window's own event loop. `pictures` has to be among the names of the script.
+Mouse and keys are those of the display (xdotool), so that nobody can use what is covered, grey or without
+focus. Waiting runs the window's own event loop.
 """
 
-ROBOT = """
-import subprocess, time
-os.makedirs(pictures, exist_ok=True)
-window = FreeCADGui.getMainWindow()
+import os
+import subprocess
+import sys
+import tempfile
+import time
 
-def until(condition, seconds=30, what=''):
-    # Lets the window work until the condition holds; its value.
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+window = FreeCADGui.getMainWindow()
+_pictures = tempfile.gettempdir()
+_size = (1440, 900)
+
+
+def keep_pictures_in(folder):
+    global _pictures
+    _pictures = str(folder)
+    os.makedirs(_pictures, exist_ok=True)
+
+
+def resize_to(width, height):
+    """What tidy() makes of the window."""
+    global _size
+    _size = (width, height)
+
+
+def settle(milliseconds=200):
+    loop = QtCore.QEventLoop()
+    QtCore.QTimer.singleShot(milliseconds, loop.quit)
+    loop.exec_()
+
+
+def until(condition, seconds=30, what=""):
+    """Lets the window work until the condition holds; its value."""
     end = time.monotonic() + seconds
     while True:
         found = condition()
         if found:
             return found
         if time.monotonic() > end:
-            picture('timeout')
-            raise AssertionError(f'waited {seconds} s for {what or condition}: ' + report()[-1500:])
+            picture("timeout")
+            raise AssertionError(f"waited {seconds} s for {what or condition}: " + report()[-1500:])
         settle(20)
 
+
 def display(*arguments):
-    # The window has to stay alive meanwhile: its events come from there.
-    running = subprocess.Popen(['xdotool', *map(str, arguments)])
-    until(lambda: running.poll() is not None, 20, f'xdotool {arguments}')
+    """Runs xdotool. The window goes on meanwhile, as it answers the display."""
+    running = subprocess.Popen(["xdotool", *map(str, arguments)])
+    until(lambda: running.poll() is not None, 20, f"xdotool {arguments}")
     assert running.returncode == 0, arguments
     settle(80)
 
+
 def click_at(point, button=1, times=1):
-    display('mousemove', point.x(), point.y())
-    display('click', '--repeat', times, '--delay', 60, button)
+    display("mousemove", point.x(), point.y())
+    display("click", "--repeat", times, "--delay", 60, button)
+
 
 def click(widget, times=1, button=1):
     above = widget.parentWidget()
@@ -43,31 +73,38 @@ def click(widget, times=1, button=1):
     assert widget.isVisible() and widget.isEnabled(), (widget.objectName(), widget.isVisible())
     click_at(widget.mapToGlobal(widget.rect().center()), button, times)
 
+
 def keys(*names):
     top = QtGui.QApplication.activeWindow() or window
-    display('windowfocus', int(top.winId()))
-    display('key', *names)
+    display("windowfocus", int(top.winId()))
+    display("key", *names)
+
 
 def write(text):
-    display('type', '--delay', 15, text)
+    display("type", "--delay", 15, text)
+
 
 def fill(box, text):
-    # Types over what stands in a spin box or a line, and leaves it.
+    """Types over what stands in a spin box or a line, and leaves it."""
     click(box, times=3)
-    keys('ctrl+a')
+    keys("ctrl+a")
     write(text)
-    keys('Tab')
+    keys("Tab")
+
 
 def widget(name, seconds=10):
-    # The visible widget of that object name, in the window or in a dialog.
+    """The visible widget of that object name, in the window or in a dialog."""
+
     def find():
         found = [w for top in QtGui.QApplication.topLevelWidgets() if top.isVisible()
                  for w in top.findChildren(QtGui.QWidget, name)]
         return next((w for w in found if w.isVisible()), None)
-    return until(find, seconds, f'a widget {name}')
+
+    return until(find, seconds, f"a widget {name}")
+
 
 def in_dialog(start, work):
-    # start() opens a dialog that holds the window until it is closed, which is up to work().
+    """start() opens a dialog that holds the window until it is closed, which is up to work()."""
     wrong, timer = [], QtCore.QTimer()
 
     def look():
@@ -84,71 +121,89 @@ def in_dialog(start, work):
     timer.timeout.connect(look)
     timer.start(50)
     start()
-    until(lambda: not timer.isActive() and QtGui.QApplication.activeModalWidget() is None, 30, 'a dialog')
+    until(lambda: not timer.isActive() and QtGui.QApplication.activeModalWidget() is None, 30, "a dialog")
     if wrong:
         raise wrong[0]
 
+
 def choose_file(path):
-    # In a dialog of files.
-    keys('ctrl+a')
+    """In a dialog of files."""
+    keys("ctrl+a")
     write(path)
-    keys('Return')
+    keys("Return")
+
 
 def action(command):
     return FreeCADGui.Command.get(command).getAction()[0]
 
+
 def press(command):
-    # Clicks the command's button in the toolbar.
+    """Clicks the command's button in the toolbar."""
     wanted = action(command)
-    until(wanted.isEnabled, 10, f'{command} to be active')
+    until(wanted.isEnabled, 10, f"{command} to be active")
     for button in window.findChildren(QtGui.QToolButton):
         if button.defaultAction() is wanted or button.defaultAction() == wanted:
             if button.isVisible():
                 return click(button)
-    raise AssertionError(f'{command} has no button')
+    raise AssertionError(f"{command} has no button")
+
 
 def close_panel():
-    # The task panel, by its own button.
+    """The task panel, by its own button."""
     if FreeCADGui.Control.activeDialog():
         click(next(button for box in window.findChildren(QtGui.QDialogButtonBox) if box.isVisible()
                    for button in [box.button(QtGui.QDialogButtonBox.Close)] if button))
-        until(lambda: not FreeCADGui.Control.activeDialog(), 10, 'the panel to close')
+        until(lambda: not FreeCADGui.Control.activeDialog(), 10, "the panel to close")
+
 
 def report():
-    found = window.findChild(QtGui.QTextEdit, 'Report view')
-    return found.toPlainText() if found else ''
+    found = window.findChild(QtGui.QTextEdit, "Report view")
+    return found.toPlainText() if found else ""
+
+
+def clear_report():
+    found = window.findChild(QtGui.QTextEdit, "Report view")
+    if found:
+        found.clear()
+
+
+def at_rest(seconds=120):
+    """No run of the window is at work."""
+    worker = sys.modules.get("curveups.worker")
+    until(lambda: worker is None or not worker.WORKER.busy, seconds, "the run to end")
+    settle(200)
+
 
 def picture(name):
-    # Keeps a picture of the display; the number of colours in the middle of the 3D view.
+    """Keeps a picture of the display; the number of colours in the middle of the 3D view."""
     settle(150)
     image = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
-    image.save(os.path.join(pictures, name + '.png'))
+    image.save(os.path.join(_pictures, name + ".png"))
     area = window.findChild(QtGui.QMdiArea)
     corner, wide, high = area.mapToGlobal(QtCore.QPoint(0, 0)), area.width(), area.height()
     return len({image.pixel(corner.x() + wide * column // 80, corner.y() + high * row // 80)
                 for column in range(16, 64) for row in range(16, 64)})
 
+
 def on_screen(point, view=None):
-    # Where a point in space (FreeCAD.Vector) is on the display.
+    """Where a point in space (FreeCAD.Vector) is on the display."""
     view = view or FreeCADGui.ActiveDocument.ActiveView
-    place = getattr(view, 'getPointOnViewport', None) or view.getPointOnScreen
+    place = getattr(view, "getPointOnViewport", None) or view.getPointOnScreen
     x, y = place(point)
     area = window.findChild(QtGui.QMdiArea).activeSubWindow().findChild(QtGui.QGraphicsView)
     ratio = area.devicePixelRatioF()
     return area.mapToGlobal(QtCore.QPoint(int(x / ratio), area.height() - 1 - int(y / ratio)))
 
+
 def tidy():
-    # The window fills the display; only tree, properties, tasks and report view stand beside the views.
+    """The window fills the display; only tree, properties, tasks and report view stand beside the views."""
     window.move(0, 0)
-    window.resize(*size)
+    window.resize(*_size)
     for dock in window.findChildren(QtGui.QDockWidget):
         name = dock.objectName()
-        dock.setVisible(name in ('Combo View', 'Tasks', 'Model', 'Tree view', 'Property view', 'Report view'))
-        if name == 'Report view':
+        dock.setVisible(name in ("Combo View", "Tasks", "Model", "Tree view", "Property view", "Report view"))
+        if name == "Report view":
             window.resizeDocks([dock], [90], QtCore.Qt.Vertical)
         elif dock.isVisible():
             window.resizeDocks([dock], [340], QtCore.Qt.Horizontal)
     settle(300)
-
-size = (1440, 900)
-"""

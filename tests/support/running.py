@@ -8,7 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "Workbench"))
+# The interpreter of the tests: in FreeCAD sys.executable is FreeCAD.
+PYTHON = os.environ.setdefault("CURVEUPS_PYTHON", sys.executable)
+if "FreeCAD" not in sys.modules:  # FreeCAD finds the package by itself
+    sys.path.insert(0, str(ROOT / "Workbench"))
 
 
 @dataclass
@@ -23,7 +26,7 @@ class Ran:
 
 
 def command(*arguments):
-    return [sys.executable, "-m", "curveups.cli", *map(str, arguments)]
+    return [PYTHON, "-m", "curveups.cli", *map(str, arguments)]
 
 
 def environment(**more):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs scripts in FreeCAD with this checkout linked as a Mod folder, and in one that lacks it."""
+"""Tests marked `freecad` run inside of FreeCAD (tests/support/freecad_tests.py); CONTRIBUTING says how to write one."""
 
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -10,60 +9,18 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 
-from running import ROOT, dome, environment  # noqa: E402
-from window import freecad_home  # noqa: E402
-
-
-@pytest.fixture(scope="session")
-def homes(tmp_path_factory):
-    """Home folders by what FreeCAD knows of the workbench: all, nothing, all but the native module, and
-    all with a native module that can't be loaded."""
-    known = {known: freecad_home(tmp_path_factory.mktemp("home"), known) for known in (True, False)}
-    for name, module in (("no native", None), ("broken native", b"no library")):
-        known[name] = freecad_home(tmp_path_factory.mktemp("home"), False)
-        for mods in known[name].glob(".local/share/FreeCAD/**/Mod"):
-            checkout_with(mods / "CurveUps", module)
-    return known
-
-
-def checkout_with(folder, module):
-    """This checkout by links, with another native module: its bytes, or None."""
-    package = folder / "Workbench" / "curveups"
-    package.mkdir(parents=True)
-    for place, names in ((ROOT, ("Init.py", "InitGui.py", "package.xml", "resources")),
-                         (ROOT / "Workbench" / "curveups", None)):
-        for path in place.iterdir():
-            if path.name in names if names else not path.name.startswith(("_native", "__pycache__")):
-                (folder / path.relative_to(ROOT)).symlink_to(path)
-            elif not names and path.suffix == ".so" and module is not None:
-                (package / path.name).write_bytes(module)
-
-
-@pytest.fixture(scope="session")
-def freecad(homes):
-    """Runs Python text in freecadcmd; the text has to call `done()` at its end. home: a key of `homes`."""
-
-    def run(text, home=True, **names):
-        folder = homes[home]
-        script = folder / "script.py"
-        head = "".join(f"{name} = {str(value)!r}\n" for name, value in names.items())
-        script.write_text(head + "def done():\n    print('script-is-done', flush=True)\n" + text)
-        env = {**os.environ, "HOME": str(folder)}
-        env.pop("PYTHONPATH", None)
-        ran = subprocess.run(
-            ["freecadcmd", "-c",
-             f"import runpy; runpy.run_path({str(script)!r}, run_name='__main__')"],
-            env=env, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
-        assert "script-is-done" in ran.stdout, ran.stdout + ran.stderr
-        return ran.stdout + ran.stderr
-
-    return run
+from freecad_process import FreeCADProcess, freecad_home  # noqa: E402
+from freecad_tests import (INSIDE, pytest_collection_modifyitems, pytest_configure,  # noqa: E402,F401
+                           pytest_pycollect_makemodule)
+from running import PYTHON, ROOT, dome, environment  # noqa: E402
+from sharing import shared  # noqa: E402
 
 
 def design_document(folder, *settings):
     """The document that the command line makes of a dome of 54 tiles."""
+    folder.mkdir(parents=True, exist_ok=True)
     (folder / "dome.obj").write_text(dome(3))
-    done = subprocess.run([sys.executable, "-m", "curveups.cli", "design", folder / "dome.obj", "-o",
+    done = subprocess.run([PYTHON, "-m", "curveups.cli", "design", folder / "dome.obj", "-o",
                            folder / "out", "--no-remesh", *settings], env=environment(),
                           capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
@@ -77,11 +34,98 @@ def designed():
 
 
 @pytest.fixture(scope="session")
-def document(tmp_path_factory):
-    return design_document(tmp_path_factory.mktemp("document"))
+def document():
+    """Of a dome of 54 tiles. All tests share the file: a test saves elsewhere what it changes."""
+    return shared("document", design_document) / "out" / "dome.FCStd"
 
 
 @pytest.fixture(scope="session")
-def bowl(tmp_path_factory):
-    """The dome seen from inside: its back faces are larger than its front faces."""
-    return design_document(tmp_path_factory.mktemp("bowl"), "--set", "flip=on")
+def bowl():
+    """The dome seen from inside: its back faces are larger than its front faces. Shared as `document` is."""
+    return shared("bowl", lambda folder: design_document(folder, "--set", "flip=on")) / "out" / "dome.FCStd"
+
+
+@pytest.fixture
+def elsewhere(request, tmp_path_factory):
+    """Calls a function of the test's file in another FreeCAD, and gives its value and what FreeCAD printed.
+    home: what that FreeCAD has of the workbench, one of freecad_process.HOMES."""
+
+    def call(function, *arguments, home="workbench", window=False, timeout=300):
+        process = FreeCADProcess(tmp_path_factory.mktemp("elsewhere"), home, window)
+        try:
+            process.send(("call", str(request.path), function.__name__, arguments))
+            kind, value = process.receive(timeout)
+        finally:
+            process.end()
+        assert kind == "done", value
+        return value, process.said()
+
+    return call
+
+
+@pytest.fixture
+def home(tmp_path):
+    """A home folder whose FreeCAD has this workbench."""
+    return freecad_home(tmp_path / "home", True)
+
+
+@pytest.fixture
+def pictures(tmp_path):
+    """Where a test's pictures are kept."""
+    import robot
+
+    robot.keep_pictures_in(tmp_path / "pictures")
+    return tmp_path / "pictures"
+
+
+if INSIDE:
+    import FreeCAD
+    import FreeCADGui
+
+    @pytest.fixture(autouse=True)
+    def fresh():
+        """Every test begins and ends without documents, panels, a selection or a run."""
+        _tidy_up()
+        yield
+        _tidy_up()
+
+    def _tidy_up():
+        if FreeCAD.GuiUp:
+            import robot
+
+            FreeCADGui.Control.closeDialog()
+            FreeCADGui.Selection.clearSelection()
+            robot.QtGui.QApplication.instance().setStyleSheet("")
+        if FreeCAD.Units.getSchema() != 0:
+            FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", 0)
+            FreeCAD.Units.setSchema(0)
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+        if FreeCAD.GuiUp:
+            robot.settle(100)
+            robot.at_rest()
+            robot.clear_report()
+
+
+# Until every file is a module of its own: text that runs in a FreeCAD.
+
+@pytest.fixture(scope="session")
+def homes(tmp_path_factory):
+    return {known: freecad_home(tmp_path_factory.mktemp("home"), known) for known in (True, False)}
+
+
+@pytest.fixture
+def freecad(tmp_path_factory):
+    def run(text, home=True, **names):
+        process = FreeCADProcess(tmp_path_factory.mktemp("elsewhere"),
+                                 {True: "workbench", False: "nothing"}.get(home, home))
+        head = "".join(f"{name} = {str(value)!r}\n" for name, value in names.items())
+        try:
+            process.send(("text", head + "def done():\n    pass\n" + text))
+            kind, value = process.receive(300)
+        finally:
+            process.end()
+        assert kind == "done", value
+        return process.said()
+
+    return run

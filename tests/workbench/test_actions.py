@@ -2,51 +2,57 @@
 """What macros record, in a FreeCAD without a window: from a surface to files."""
 
 import json
+import os
 
-NEW = """
-import FreeCAD, Part, json, os
+import FreeCAD
+import pytest
+from curveups.report import step_export
 from curveups.base.errors import CurveUpsError
 from curveups.features import actions, document
-made = FreeCAD.newDocument('Made')
-made.UndoMode = 1
+
+pytestmark = pytest.mark.freecad
+
+
+@pytest.fixture
+def made():
+    found = FreeCAD.newDocument("Made")
+    found.UndoMode = 1
+    return found
+
 
 def refused(function, *arguments, **more):
-    try:
+    with pytest.raises(CurveUpsError) as caught:
         function(*arguments, **more)
-    except CurveUpsError as error:
-        return str(error)
-    raise AssertionError('nothing was refused')
+    return str(caught.value)
 
-def dome():
-    sphere = made.addObject('Part::Sphere', 'Sphere')
+
+def cap_in(made):
+    sphere = made.addObject("Part::Sphere", "Sphere")
     sphere.Radius, sphere.Angle1 = 40, 35
     made.recompute()
-    cap = made.addObject('Part::Feature', 'Cap')
+    cap = made.addObject("Part::Feature", "Cap")
     cap.Shape = max(sphere.Shape.Faces, key=lambda face: face.Area)
     return cap
-"""
 
 
-def test_from_a_part_to_files(freecad, tmp_path):
-    freecad(NEW + """
-design = document.new_design(made, dome(), 'My Cap')
-design.L = 11
-assert 'no layout' in refused(actions.verify, design)
-results = actions.solve(design)
-assert design.Verdict == 'valid', (design.Verdict, design.Reasons)
-assert design.TileCount == len(results.design.F) > 20
-assert made.UndoNames[0] == 'Solve', made.UndoNames
-made.recompute()
-files = actions.export(design, folder, mask='{name}_{body}')
-expected = {f'My-Cap_{body}.{ending}' for body, ending in (
-    ('tiles', 'step'), ('support', 'step'), ('anchors', 'step'), ('print', 'step'), ('actuated', 'step'),
-    ('tiles', 'stl'), ('support', 'stl'), ('anchors', 'stl'), ('print', '3mf'))}
-expected |= {'My-Cap-design.json', 'report.html', 'report.json'}
-assert set(files) == expected == set(os.listdir(folder)), set(files) ^ expected
-page = actions.report(design, folder + '-report')
-assert 'Valid' in open(page, encoding='utf-8').read()
-done()
-""", folder=tmp_path / "out")
+def test_from_a_part_to_files(made, tmp_path):
+    folder = str(tmp_path / "out")
+    design = document.new_design(made, cap_in(made), "My Cap")
+    design.L = 11
+    assert "no layout" in refused(actions.verify, design)
+    results = actions.solve(design)
+    assert design.Verdict == "valid", (design.Verdict, design.Reasons)
+    assert design.TileCount == len(results.design.F) > 20
+    assert made.UndoNames[0] == "Solve", made.UndoNames
+    made.recompute()
+    files = actions.export(design, folder, mask="{name}_{body}")
+    expected = {f"My-Cap_{body}.{ending}" for body, ending in (
+        ("tiles", "step"), ("support", "step"), ("anchors", "step"), ("print", "step"), ("actuated", "step"),
+        ("tiles", "stl"), ("support", "stl"), ("anchors", "stl"), ("print", "3mf"))}
+    expected |= {"My-Cap-design.json", "report.html", "report.json"}
+    assert set(files) == expected == set(os.listdir(folder)), set(files) ^ expected
+    page = actions.report(design, folder + "-report")
+    assert "Valid" in open(page, encoding="utf-8").read()
     report = json.loads((tmp_path / "out" / "report.json").read_text())
     assert report["valid"] is True and report["name"] == "My-Cap" and report["contact_forces"]
     full = json.loads((tmp_path / "out-report" / "report.json").read_text())
@@ -55,114 +61,98 @@ done()
     assert "'T00001'" in step and "COLOUR_RGB" in step and "NOT VALID" not in step
 
 
-def test_verify_and_repair_start_from_the_layout_as_it_stands(freecad):
-    freecad(NEW + """
-design = document.new_design(made, 'half-sphere')
-design.L = 12
-actions.solve(design)
-poses, verdict = list(design.Layout.Poses), design.Verdict
-assert verdict == 'valid', design.Reasons
-# Contacts have to be held more firmly than the weakest is.
-design.FMinRatio = 1.2 * design.MinNormalForce / design.MeanNormalForce
-made.recompute()
-assert design.Verdict == 'out of date', design.Verdict
-actions.verify(design)
-assert design.Verdict == 'not valid' and list(design.Layout.Poses) == poses
-assert made.UndoNames[0] == 'Verify'
-weak = design.MinNormalForce
-actions.repair(design)
-assert list(design.Layout.Poses) != poses and len(design.Layout.Poses) == len(poses)
-assert design.MinNormalForce > weak, (design.MinNormalForce, weak)
-made.undo()
-assert list(design.Layout.Poses) == poses and design.Verdict == 'not valid'
-done()
-""")
+def test_verify_and_repair_start_from_the_layout_as_it_stands(made):
+    design = document.new_design(made, "half-sphere")
+    design.L = 12
+    actions.solve(design)
+    poses, verdict = list(design.Layout.Poses), design.Verdict
+    assert verdict == "valid", design.Reasons
+    # Contacts have to be held more firmly than the weakest is.
+    design.FMinRatio = 1.2 * design.MinNormalForce / design.MeanNormalForce
+    made.recompute()
+    assert design.Verdict == "out of date", design.Verdict
+    actions.verify(design)
+    assert design.Verdict == "not valid" and list(design.Layout.Poses) == poses
+    assert made.UndoNames[0] == "Verify"
+    weak = design.MinNormalForce
+    actions.repair(design)
+    assert list(design.Layout.Poses) != poses and len(design.Layout.Poses) == len(poses)
+    assert design.MinNormalForce > weak, (design.MinNormalForce, weak)
+    made.undo()
+    assert list(design.Layout.Poses) == poses and design.Verdict == "not valid"
 
 
-def test_what_should_not_be_printed_is_refused_or_says_so(freecad, tmp_path):
-    freecad(NEW + """
-design = document.new_design(made, 'half-sphere')
-design.L = 12
-actions.solve(design)
-design.Tau = 2.5
-made.recompute()
-text = refused(actions.export, design, folder)
-assert 'out of date' in text and 'Tau' in text and 'insist' in text, text
-assert not os.path.exists(folder)
-actions.export(design, folder, insist=True, files=(('print', 'step'), ('tiles', 'stl'), ('print', '3mf')))
-import curveups.features.step_export
-curveups.features.step_export.export([design.Tiles], folder + '/by-freecad.step')
-done()
-""", folder=tmp_path / "out")
+def test_what_should_not_be_printed_is_refused_or_says_so(made, tmp_path):
+    folder = str(tmp_path / "out")
+    design = document.new_design(made, "half-sphere")
+    design.L = 12
+    actions.solve(design)
+    design.Tau = 2.5
+    made.recompute()
+    text = refused(actions.export, design, folder)
+    assert "out of date" in text and "Tau" in text and "insist" in text, text
+    assert not os.path.exists(folder)
+    actions.export(design, folder, insist=True, files=(("print", "step"), ("tiles", "stl"), ("print", "3mf")))
+    step_export.export([design.Tiles], folder + "/by-freecad.step")
     out = tmp_path / "out"
     report = json.loads((out / "report.json").read_text())
     assert report["valid"] is False and "Tau" in report["reasons"][0]
-    assert "Not valid" in (out / "report.html").read_text()
+    assert "Not valid" in (out / "report.html").read_text(encoding="utf-8")
     for name in ("half-sphere-print.step", "by-freecad.step"):
         step = (out / name).read_text()
         assert "PRODUCT('NOT VALID half-sphere" in step and "'T00001'" in step and "COLOUR_RGB" in step
     assert b"NOT VALID" in (out / "half-sphere-tiles.stl").read_bytes()[:80]
 
 
-def test_exports_that_can_not_be(freecad, tmp_path):
-    freecad(NEW + """
-from curveups.report.exports import Choice
-design = document.new_design(made, 'half-sphere')
-assert 'no layout' in refused(actions.export, design, folder)
-design.L = 12
-actions.solve(design)
-for mask, words in (('{nam}', 'nam'), ('{name', '{name}'), ('x', '{body}'), ('a/b-{body}', 'for a file')):
-    text = refused(actions.export, design, folder, mask=mask)
-    assert words in text, text
-assert 'mesh_deviation' in refused(actions.export, design, folder, deviation=99.0)
-import curveups.features.step_export
-other = made.addObject('Part::Box', 'Box')
-assert 'one design' in refused(curveups.features.step_export.export, [other], folder + '.step')
-assert not os.path.exists(folder) and not os.path.exists(folder + '.step')
-done()
-""", folder=tmp_path / "out")
+def test_exports_that_can_not_be(made, tmp_path):
+    folder = str(tmp_path / "out")
+    design = document.new_design(made, "half-sphere")
+    assert "no layout" in refused(actions.export, design, folder)
+    design.L = 12
+    actions.solve(design)
+    for mask, words in (("{nam}", "nam"), ("{name", "{name}"), ("x", "{body}"), ("a/b-{body}", "for a file")):
+        text = refused(actions.export, design, folder, mask=mask)
+        assert words in text, text
+    assert "mesh_deviation" in refused(actions.export, design, folder, deviation=99.0)
+    other = made.addObject("Part::Box", "Box")
+    assert "one design" in refused(step_export.export, [other], folder + ".step")
+    assert not os.path.exists(folder) and not os.path.exists(folder + ".step")
 
 
-def test_a_target_is_checked_and_sizes_that_do_are_taken(freecad):
-    freecad(NEW + """
-design = document.new_design(made, 'mask')
-design.L, design.HBody = 14, 28
-found = actions.check(design)
-assert made.UndoNames[0] == 'Check' and design.Verdict == 'not judged', design.Verdict
-blocked = found['feasibility'].blocked
-assert blocked and not found['feasibility'].feasible
-best = found['sizes'].H_body
-assert 1 < best < 28, best
-assert design.Target.Mesh.CountFacets == len(found['feasibility'].F)
-assert actions.check(design)['feasibility'] is not None
-design.HBody = best
-assert actions.check(design)['feasibility'].feasible
+def test_a_target_is_checked_and_sizes_that_do_are_taken(made):
+    design = document.new_design(made, "mask")
+    design.L, design.HBody = 14, 28
+    found = actions.check(design)
+    assert made.UndoNames[0] == "Check" and design.Verdict == "not judged", design.Verdict
+    blocked = found["feasibility"].blocked
+    assert blocked and not found["feasibility"].feasible
+    best = found["sizes"].H_body
+    assert 1 < best < 28, best
+    assert design.Target.Mesh.CountFacets == len(found["feasibility"].F)
+    assert actions.check(design)["feasibility"] is not None
+    design.HBody = best
+    assert actions.check(design)["feasibility"].feasible
 
-chosen = actions.choose_sizes(design, ('H_body',))
-assert made.UndoNames[0] == 'Choose Sizes' and set(chosen) == {'H_body'}
-assert 0 < design.HBody.Value == chosen['H_body'] <= 3 / 7 * 14, chosen
-design.setExpression('L', '5 mm + 6 mm')
-said = refused(actions.choose_sizes, design)
-assert 'L follows an expression' in said, said
-design.setExpression('L', None)
-design.Fidelity = 0.6
-chosen = actions.choose_sizes(design)
-assert design.L.Value == chosen['L'] and design.HBody.Value == chosen['H_body']
-done()
-""")
+    chosen = actions.choose_sizes(design, ("H_body",))
+    assert made.UndoNames[0] == "Choose Sizes" and set(chosen) == {"H_body"}
+    assert 0 < design.HBody.Value == chosen["H_body"] <= 3 / 7 * 14, chosen
+    design.setExpression("L", "5 mm + 6 mm")
+    said = refused(actions.choose_sizes, design)
+    assert "L follows an expression" in said, said
+    design.setExpression("L", None)
+    design.Fidelity = 0.6
+    chosen = actions.choose_sizes(design)
+    assert design.L.Value == chosen["L"] and design.HBody.Value == chosen["H_body"]
 
 
-def test_a_profile_sets_what_suits_a_printer_and_nothing_else(freecad):
-    freecad(NEW + """
-design = document.new_design(made, 'half-sphere')
-design.Tau = 4
-before = {name: getattr(design, name) for name in design.PropertiesList}
-actions.apply_profile(design, 'fdm')
-assert made.UndoNames[0] == 'Apply Profile'
-assert (design.L.Value, design.Printer, design.Bumps, design.Tau) == (10, 'fdm', 'none', 4), design.L
-actions.apply_profile(design, '')
-changed = [name for name, value in before.items()
-           if name not in ('Reasons',) and str(getattr(design, name)) != str(value)]
-assert changed == [], changed
-done()
-""")
+def test_a_profile_sets_what_suits_a_printer_and_nothing_else(made):
+    design = document.new_design(made, "half-sphere")
+    design.Tau = 4
+    before = {name: getattr(design, name) for name in design.PropertiesList}
+    actions.apply_profile(design, "fdm")
+    assert made.UndoNames[0] == "Apply Profile"
+    assert (design.L.Value, design.Printer, design.Bumps, design.Tau) == (10, "fdm", "none", 4), design.L
+    actions.apply_profile(design, "")
+    changed = [name for name, value in before.items()
+               if name not in ("Reasons",) and str(getattr(design, name)) != str(value)]
+    assert changed == [], changed

@@ -5,7 +5,7 @@ import json
 import shutil
 
 import pytest
-from robot import ROBOT
+from window import ROBOT
 from running import ROOT
 from window import freecad_home, run_in_window
 

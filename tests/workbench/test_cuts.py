@@ -4,7 +4,7 @@
 import shutil
 
 import pytest
-from robot import ROBOT
+from window import ROBOT
 from window import run_in_window
 
 pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("xdotool")),

@@ -5,7 +5,7 @@ are taken back all at once; FreeCAD that is quit in mid-run."""
 import shutil
 
 import pytest
-from robot import ROBOT
+from window import ROBOT
 from window import run_in_window
 
 pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("xdotool")),

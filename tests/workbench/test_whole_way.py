@@ -6,7 +6,7 @@ import shutil
 import subprocess
 
 import pytest
-from robot import ROBOT
+from window import ROBOT
 from running import ROOT, dome
 from window import run_in_window
 

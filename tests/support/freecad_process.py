@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Starts a FreeCAD, with a window or without, that runs tests and functions of a file (inside_freecad.py)."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import socket
+import subprocess
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any
+
+from running import ROOT
+
+INSIDE = Path(__file__).with_name("inside_freecad.py")
+# What FreeCAD's home folder has of the workbench: all of it, nothing, all but the native module, and all with a
+# native module that can't be loaded.
+HOMES = ("workbench", "nothing", "no native", "broken native")
+
+
+class Ended(Exception):
+    """FreeCAD crashed, hung or could not start. The text is the end of what it said."""
+
+
+class FreeCADProcess:
+    """A FreeCAD in a new folder. It lives until end(), or until it crashes."""
+
+    def __init__(self, folder: Path, home: str = "workbench", window: bool = False) -> None:
+        self._log = folder / "log"
+        place = freecad_home(folder / "home", home == "workbench")
+        if home in HOMES[2:]:
+            for mods in place.glob(".local/share/FreeCAD/**/Mod"):
+                _checkout_with(mods / "CurveUps", b"no library" if home == "broken native" else None)
+        ours, theirs = socket.socketpair()
+        with open(self._log, "wb") as log:
+            self._process = subprocess.Popen(
+                command(INSIDE, window), stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT,
+                env=environment_in(place, CURVEUPS_CHANNEL=str(theirs.fileno())),
+                pass_fds=(theirs.fileno(),), start_new_session=True)
+        theirs.close()
+        self._connection = Connection(ours.detach())
+
+    def send(self, message: Any) -> None:
+        try:
+            self._connection.send(message)
+        except OSError as error:
+            raise Ended(self._ended()) from error
+
+    def receive(self, seconds: float) -> Any:
+        """The next message. Raises Ended where FreeCAD ends before or says nothing for so long."""
+        try:
+            if self._connection.poll(seconds):
+                return self._connection.recv()
+        except (EOFError, OSError) as error:
+            raise Ended(self._ended()) from error
+        raise Ended(f"no answer for {seconds:g} s\n{self._ended()}")
+
+    def end(self) -> None:
+        self._connection.close()
+        try:
+            os.killpg(self._process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        self._process.wait()
+
+    def wait(self, seconds: float) -> None:
+        """Until FreeCAD has ended by itself."""
+        self._process.wait(seconds)
+
+    def said(self) -> str:
+        return self._log.read_text(encoding="utf-8", errors="replace")
+
+    def _ended(self) -> str:
+        return f"FreeCAD ended. The last that it said:\n{self.said()[-4000:]}"
+
+
+def command(script: Path, window: bool) -> list[str]:
+    """Starts FreeCAD with a script; with a window on a virtual display of its own."""
+    if window:
+        return ["xvfb-run", "-a", "-s", "-screen 0 1440x900x24 -dpi 96", "freecad", str(script)]
+    return ["freecadcmd", "-c", f"import runpy; runpy.run_path({str(script)!r}, run_name='__main__')"]
+
+
+def environment_in(home: Path, **more: str) -> dict[str, str]:
+    found = {**os.environ, "HOME": str(home), "QTWEBENGINE_DISABLE_SANDBOX": "1",
+             "QTWEBENGINE_CHROMIUM_FLAGS": "--no-sandbox", "LIBGL_ALWAYS_SOFTWARE": "1", **more}
+    found.pop("PYTHONPATH", None)
+    return found
+
+
+def freecad_home(folder: Path, with_workbench: bool) -> Path:
+    """A home folder whose FreeCAD has the checkout as a Mod, or has not."""
+    for base in (folder / ".local/share/FreeCAD", folder / ".local/share/FreeCAD/v1-1"):
+        (base / "Mod").mkdir(parents=True)
+        if with_workbench:
+            (base / "Mod" / "CurveUps").symlink_to(ROOT)
+    return folder
+
+
+def own_name(nodeid: str) -> str:
+    """Of a test within its file."""
+    return nodeid.partition("::")[2]
+
+
+def has_display() -> bool:
+    return bool(shutil.which("xvfb-run") and shutil.which("xdotool"))
+
+
+def _checkout_with(folder: Path, module: bytes | None) -> None:
+    """This checkout by links, with another native module: its bytes, or None."""
+    package = folder / "Workbench" / "curveups"
+    package.mkdir(parents=True)
+    for place, names in ((ROOT, ("Init.py", "InitGui.py", "package.xml", "resources")),
+                         (ROOT / "Workbench" / "curveups", None)):
+        for path in place.iterdir():
+            if path.name in names if names else not path.name.startswith(("_native", "__pycache__")):
+                (folder / path.relative_to(ROOT)).symlink_to(path)
+            elif not names and path.suffix == ".so" and module is not None:
+                (package / path.name).write_bytes(module)
