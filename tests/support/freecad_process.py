@@ -15,8 +15,8 @@ from typing import Any
 from running import ROOT
 
 INSIDE = Path(__file__).with_name("inside_freecad.py")
-# What FreeCAD's home folder has of the workbench: all of it, nothing, all but the native module, and all with a
-# native module that can't be loaded.
+# What FreeCAD's home folder has of the workbench: all of it, nothing, all but the native module, and all with
+# a native module that can't be loaded.
 HOMES = ("workbench", "nothing", "no native", "broken native")
 
 

@@ -2,8 +2,8 @@
 """A pytest plugin: tests that are marked `freecad` run inside of a FreeCAD, one process a file.
 
 pytest collects them as any others, with placeholders for the modules that only FreeCAD has. Then it asks a
-FreeCAD (freecad_process.py) to run each, and passes on what it reports. Where FreeCAD crashes or hangs, the test
-at that time fails with what FreeCAD said last, and the next test begins a new process.
+FreeCAD (freecad_process.py) to run each, and passes on what it reports. Where FreeCAD crashes or hangs, the
+test at that time fails with what FreeCAD said last, and the next test begins a new process.
 """
 
 from __future__ import annotations
@@ -34,8 +34,11 @@ class _Placeholder(types.ModuleType):
 
 
 class _Placeholders(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    def __init__(self, names: set[str]) -> None:
+        self._names = names
+
     def find_spec(self, name: str, path: Any, target: Any = None) -> Any:
-        if name.partition(".")[0] in ONLY_IN_FREECAD:
+        if name.partition(".")[0] in self._names:
             return importlib.machinery.ModuleSpec(name, self, is_package=True)
         return None
 
@@ -47,12 +50,14 @@ class _Placeholders(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
 
 @contextmanager
-def _placeholders() -> Iterator[None]:
+def placeholders(names: set[str]) -> Iterator[None]:
+    """Imports of these packages give objects of which anything can be asked."""
+
     def taken() -> dict[str, types.ModuleType]:
         return {name: sys.modules.pop(name) for name in list(sys.modules)
-                if name.partition(".")[0] in ONLY_IN_FREECAD}
+                if name.partition(".")[0] in names}
 
-    kept, finder = taken(), _Placeholders()
+    kept, finder = taken(), _Placeholders(names)
     sys.meta_path.insert(0, finder)
     try:
         yield
@@ -64,12 +69,12 @@ def _placeholders() -> Iterator[None]:
 
 class _Module(pytest.Module):
     def _getobj(self) -> Any:
-        with _placeholders():
+        with placeholders(ONLY_IN_FREECAD):
             return super()._getobj()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    config.addinivalue_line("markers", "freecad(home='workbench', window=False, timeout=300): runs inside of FreeCAD")
+    config.addinivalue_line("markers", "freecad(home='workbench', window=False, timeout=300): in FreeCAD")
     if not INSIDE:
         config.pluginmanager.register(_Asking(config), "asking-freecad")
 
@@ -115,7 +120,7 @@ class _Asking:
             process = self._process or self._start(item, options)
             process.send((own_name(item.nodeid), own_name(nextitem.nodeid) if nextitem and stays else None))
             while (answer := process.receive(options["timeout"]))[0] == "report":
-                report = self._config.hook.pytest_report_from_serializable(config=self._config, data=answer[1])
+                report = hook.pytest_report_from_serializable(config=self._config, data=answer[1])
                 report.nodeid = item.nodeid
                 said.append(report.when)
                 hook.pytest_runtest_logreport(report=report)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs in FreeCAD's own process (freecad_process.py starts it): the tests of a file by pytest, or one function.
+"""Runs in FreeCAD's own process (freecad_process.py starts it): the tests of a file by pytest, or
+one function.
 
 Every request and answer is a message on the channel. FreeCAD ends with the channel.
 """
@@ -19,10 +20,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import FreeCAD  # noqa: E402
 import pytest  # noqa: E402
 from freecad_process import own_name  # noqa: E402
+from freecad_tests import placeholders  # noqa: E402
 
 
 class Serving:
-    """A pytest plugin: runs the tests that are asked for, one after another, and answers with their reports."""
+    """A pytest plugin: runs the tests that are asked for, one after another, and sends their reports."""
 
     def __init__(self, channel: Connection) -> None:
         self._channel = channel
@@ -63,8 +65,8 @@ class Serving:
 
 
 def run_tests(channel: Connection, path: str, root: str, folder: str) -> None:
-    pytest.main([path, "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--rootdir", root, "--basetemp", folder],
-                plugins=[Serving(channel)])
+    options = ["-p", "no:cacheprovider", "-p", "no:xdist", "--rootdir", root, "--basetemp", folder]
+    pytest.main([path, "-q", *options], plugins=[Serving(channel)])
 
 
 def call(channel: Connection, path: str, name: str, arguments: tuple[Any, ...]) -> None:
@@ -73,7 +75,8 @@ def call(channel: Connection, path: str, name: str, arguments: tuple[Any, ...]) 
         spec = importlib.util.spec_from_file_location("called", path)
         assert spec and spec.loader
         module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
+        with placeholders({"curveups"} if importlib.util.find_spec("curveups") is None else set()):
+            spec.loader.exec_module(module)
         channel.send(("done", getattr(module, name)(*arguments)))
     except BaseException:
         channel.send(("broken", traceback.format_exc()))
@@ -101,10 +104,10 @@ def serve() -> None:
         os._exit(0)
 
 
-if __name__ == "__main__":
-    if FreeCAD.GuiUp:
-        from PySide import QtCore
+# FreeCAD runs this file as a program or imports it, with or without a window.
+if FreeCAD.GuiUp:
+    from PySide import QtCore
 
-        QtCore.QTimer.singleShot(500, serve)  # once the window stands
-    else:
-        serve()
+    QtCore.QTimer.singleShot(500, serve)  # once the window stands
+else:
+    serve()

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tests marked `freecad` run inside of FreeCAD (tests/support/freecad_tests.py); CONTRIBUTING says how to write one."""
+"""Tests marked `freecad` run inside of FreeCAD (tests/support/freecad_tests.py). CONTRIBUTING says how to
+write one."""
 
 import subprocess
 import sys
@@ -12,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 from freecad_process import FreeCADProcess, freecad_home  # noqa: E402
 from freecad_tests import (INSIDE, pytest_collection_modifyitems, pytest_configure,  # noqa: E402,F401
                            pytest_pycollect_makemodule)
-from running import PYTHON, ROOT, dome, environment  # noqa: E402
+from running import PYTHON, dome, environment  # noqa: E402
 from sharing import shared  # noqa: E402
 
 
@@ -34,14 +35,14 @@ def designed():
 
 
 @pytest.fixture(scope="session")
-def document():
+def dome_document():
     """Of a dome of 54 tiles. All tests share the file: a test saves elsewhere what it changes."""
     return shared("document", design_document) / "out" / "dome.FCStd"
 
 
 @pytest.fixture(scope="session")
-def bowl():
-    """The dome seen from inside: its back faces are larger than its front faces. Shared as `document` is."""
+def bowl_document():
+    """Of the dome seen from inside: its back faces are larger than its front faces. Shared, too."""
     return shared("bowl", lambda folder: design_document(folder, "--set", "flip=on")) / "out" / "dome.FCStd"
 
 
@@ -108,6 +109,16 @@ if INSIDE:
 
 
 # Until every file is a module of its own: text that runs in a FreeCAD.
+
+@pytest.fixture(scope="session")
+def document(dome_document):
+    return dome_document
+
+
+@pytest.fixture(scope="session")
+def bowl(bowl_document):
+    return bowl_document
+
 
 @pytest.fixture(scope="session")
 def homes(tmp_path_factory):

@@ -6,9 +6,8 @@ import os
 
 import FreeCAD
 import pytest
-from curveups.report import step_export
 from curveups.base.errors import CurveUpsError
-from curveups.features import actions, document
+from curveups.features import actions, document, step_export
 
 pytestmark = pytest.mark.freecad
 
