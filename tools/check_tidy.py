@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """clang-tidy on every source file of native/curveups, as many at once as there are processors.
 
-A file that passed leaves a stamp in build/tidy and is left out as long as neither it, nor what it includes
-of ours, nor .clang-tidy changes. Called by tools/check."""
+A file that passed leaves a stamp in the user's cache, for all checkouts, as ccache does. It is left out as
+long as neither it, nor what it includes of ours, nor how it is compiled, nor clang-tidy and its settings
+change. tools/check calls this."""
 
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import re
 import subprocess
@@ -16,10 +18,17 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 NATIVE = ROOT / "native"
-STAMPS = ROOT / "build" / "tidy"
+STAMPS = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "curveups" / "tidy"
 
 
-def fingerprint(source: Path) -> str:
+def settings() -> dict[Path, str]:
+    """Of each source file: how it is compiled, and by which clang-tidy it is looked at."""
+    tool = subprocess.run(["clang-tidy-14", "--version"], capture_output=True, text=True, check=True).stdout
+    commands = json.loads((ROOT / "build" / "test" / "compile_commands.json").read_text(encoding="utf-8"))
+    return {Path(one["file"]): tool + one["command"].replace(str(ROOT), "") for one in commands}
+
+
+def fingerprint(source: Path, setting: str) -> str:
     """Of a file with all it includes of ours, and of what is checked."""
     files, waiting = {source}, [source]
     while waiting:
@@ -27,30 +36,32 @@ def fingerprint(source: Path) -> str:
             if (header := NATIVE / name) not in files and header.is_file():
                 files.add(header)
                 waiting.append(header)
-    digest = hashlib.sha256()
+    digest = hashlib.sha256(setting.encode())
     for path in (ROOT / ".clang-tidy", *sorted(files)):
         digest.update(str(path.relative_to(ROOT)).encode() + path.read_bytes())
     return digest.hexdigest()
 
 
-def complaints(source: Path) -> str:
+def complaints(source: Path, setting: str) -> str:
     """What clang-tidy has to say of a file, empty where that is nothing."""
-    stamp, key = STAMPS / source.relative_to(NATIVE).with_suffix(".ok"), fingerprint(source)
-    if stamp.is_file() and stamp.read_text(encoding="utf-8") == key:
+    stamp = STAMPS / fingerprint(source, setting)
+    if stamp.is_file():
         return ""
     ran = subprocess.run(["clang-tidy-14", "-p", str(ROOT / "build" / "test"), "--quiet",
                           "--warnings-as-errors=*", str(source)], capture_output=True, text=True, check=False)
     if ran.returncode:
         return ran.stdout or ran.stderr
-    stamp.parent.mkdir(parents=True, exist_ok=True)
-    stamp.write_text(key, encoding="utf-8")
+    STAMPS.mkdir(parents=True, exist_ok=True)
+    stamp.touch()
     return ""
 
 
 def main() -> int:
     sources = sorted(NATIVE.rglob("*.cpp"), key=lambda path: -path.stat().st_size)
+    known = settings()
     with ThreadPoolExecutor(os.cpu_count()) as workers:
-        found = [text for text in workers.map(complaints, sources) if text]
+        found = [text for text in workers.map(
+            lambda source: complaints(source, known.get(source, "")), sources) if text]
     print("\n".join(found))
     return 1 if found else 0
 

@@ -13,7 +13,7 @@ import sys
 import traceback
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import Any
+from typing import Any, Callable
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
@@ -55,8 +55,9 @@ class Serving:
         """Whatever FreeCAD reports in place of raising it fails the test, too."""
         made = yield
         report = made.get_result()
-        said = "\n".join(text for title, text in report.sections if title.startswith("Captured"))
-        if report.passed and call.when != "setup" and "Traceback" in said:
+        said = "\n".join(text for title, text in report.sections
+                         if title.startswith("Captured std") and title.endswith(call.when))
+        if report.passed and "Traceback" in said:
             report.outcome, report.longrepr = "failed", "a traceback in what FreeCAD printed"
 
     def pytest_runtest_logreport(self, report: Any) -> None:
@@ -91,12 +92,13 @@ def text(channel: Connection, source: str) -> None:
 
 
 def serve() -> None:
+    jobs: dict[str, Callable[..., None]] = {"tests": run_tests, "call": call, "text": text}
     channel = Connection(int(os.environ["CURVEUPS_CHANNEL"]))
     os.set_inheritable(channel.fileno(), False)
     try:
         while True:
             kind, *arguments = channel.recv()
-            {"tests": run_tests, "call": call, "text": text}[kind](channel, *arguments)
+            jobs[kind](channel, *arguments)
     except EOFError:
         pass
     finally:

@@ -169,7 +169,7 @@ def clear_report():
 
 def at_rest(seconds=120):
     """No run of the window is at work."""
-    worker = sys.modules.get("curveups.worker")
+    worker = sys.modules.get("curveups.project.worker")
     until(lambda: worker is None or not worker.WORKER.busy, seconds, "the run to end")
     settle(200)
 

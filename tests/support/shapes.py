@@ -45,8 +45,8 @@ def body(spacing=2.5, blend=15.0):
 
     def distance(p):
         total = 0.0
-        for a, b, r in capsules:
-            a, b = np.array(a, float), np.array(b, float)
+        for start, end, r in capsules:
+            a, b = np.array(start, float), np.array(end, float)
             t = np.clip(((p - a) @ (b - a)) / ((b - a) @ (b - a)), 0, 1)
             total = total + np.exp(-(np.linalg.norm(p - a - t[..., None] * (b - a), axis=-1) - r)
                                    / blend)
@@ -108,13 +108,12 @@ def implicit_surface(distance, low, high, spacing):
             faces.append(np.stack([np.sort(np.stack(pair, 1), 1) for pair in loop], 1))
             towards.append(grid[corner[:, count_inside:]].mean(1)
                            - grid[corner[:, :count_inside]].mean(1))
-    faces, towards = np.concatenate(faces), np.concatenate(towards)
-    crossed, index = np.unique(faces.reshape(-1, 2), axis=0, return_inverse=True)
+    crossed, index = np.unique(np.concatenate(faces).reshape(-1, 2), axis=0, return_inverse=True)
     F = index.reshape(-1, 3)
     t = value[crossed[:, 0]] / (value[crossed[:, 0]] - value[crossed[:, 1]])
     V = grid[crossed[:, 0]] + t[:, None] * (grid[crossed[:, 1]] - grid[crossed[:, 0]])
     normal = np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]])
-    backward = np.einsum("fk,fk->f", normal, towards) < 0
+    backward = np.einsum("fk,fk->f", normal, np.concatenate(towards)) < 0
     F[backward] = F[backward][:, ::-1]
     return V, F.astype(np.int32)
 

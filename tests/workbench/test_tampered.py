@@ -66,6 +66,7 @@ def with_text(text, name, value):
 
 def stored_text(text, name):
     found = re.search(r'<Property name="%s" .*?<String value="([^"]*)' % name, text, re.S)
+    assert found, name
     return found[1].replace("&quot;", '"').replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """In a window: what transactions hold, solids that follow them and can be ended, deleting and copying."""
 
+from typing import Any
+
 import FreeCAD
 import FreeCADGui
 import pytest
@@ -36,13 +38,16 @@ def save_a_copy(path, copy):
 
 def test_solids_follow_transactions(dome_document, monkeypatch):
     document, design = opened(dome_document)
-    follower = following.FOLLOWER
+    follower: Any = following.FOLLOWER
     tiles, size = design.Tiles, document.UndoRedoMemSize
     # Edits in quick succession: solids are built for the last one alone.
-    built = []
-    real = following.rebuild.take
-    monkeypatch.setattr(following.rebuild, "take", lambda obj, results: (
-        built.append((obj.HBody.Value, obj.AnchorDistance.Value)), real(obj, results)))
+    built, real = [], following.rebuild.take
+
+    def take(obj, results):
+        built.append((obj.HBody.Value, obj.AnchorDistance.Value))
+        real(obj, results)
+
+    monkeypatch.setattr(following.rebuild, "take", take)
     for thickness in (2.9, 2.8, 2.7):
         edit(document, "HBody", f"{thickness} mm")
         assert tiles.Status == "out of date"
@@ -58,7 +63,7 @@ def test_solids_follow_transactions(dome_document, monkeypatch):
     assert abs(tiles.Shape.BoundBox.ZLength - 5) < 1e-6
     # Nothing is built inside of an open transaction.
     document.openTransaction("Long")
-    design.HPin = "0.9 mm"
+    setattr(design, "HPin", "0.9 mm")
     document.recompute()
     follower.follow()  # what it does once there is peace
     assert not follower._worker.busy and tiles.Status == "out of date"
