@@ -23,6 +23,14 @@ def bowl(curveups, cap, tmp_path_factory):
     return folder
 
 
+def test_aliases_of_parameters_are_accepted(curveups, bowl, tmp_path):
+    ran = curveups("export", bowl / "design.json", "-o", tmp_path, "--set", "xy_compensation=0.125")
+    assert ran.status == 0, ran.err
+    assert read(tmp_path)[0]["parameters"]["wall_growth"] == 0.125
+    refused = curveups("export", bowl / "design.json", "-o", tmp_path / "other", "--set", "maximum_deviation=1")
+    assert refused.status == 2 and "can't change on export" in refused.err
+
+
 @pytest.mark.parametrize("name, value, rise", [("H_body", 2.8, -0.2), ("H_pin", 0.8, -0.4)])
 def test_other_heights_over_the_same_layout(curveups, printed, tmp_path, name, value, rise):
     ran = curveups("export", printed.folder / "design.json", "-o", tmp_path, "--set", f"{name}={value}")

@@ -128,15 +128,15 @@ def export(options: Any, session: Session) -> int:
     """curveups export"""
     require_folder_name(options.output)
     project = Project.of_design(_read_design(options.design), str(options.design))
-    rows = {row.name: row for row in native.parameter_table()}
     values, rebuilt = project.parameters, False
     for name, text in _settings(options.settings):
-        before = values.get(name) if name in rows else None
+        row = native.find_parameter(name)
+        before = values.get(name) if row else None
         _set(values, name, text, f"--set {name}")
-        if rows[name].tier not in ("rebuild", "files"):
+        if row.tier not in ("rebuild", "files"):
             raise CurveUpsError(f"{name} can't change on export", f"--set {name}",
                                 "run 'curveups design' with it")
-        rebuilt |= rows[name].tier == "rebuild" and values.get(name) != before
+        rebuilt |= row.tier == "rebuild" and values.get(name) != before
     project.parameters = values
     job = session.job
     note = "geometry changed since verification" if rebuilt else "an export does not verify"

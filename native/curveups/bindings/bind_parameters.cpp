@@ -67,6 +67,9 @@ void bind_parameters(py::module_& module) {
   module.def("parameter_table", &parameter_table, py::return_value_policy::reference,
              "Every parameter, in the order in which they are shown.");
 
+  module.def("find_parameter", &find_parameter, py::return_value_policy::reference, py::arg("name"),
+             "The row of a parameter by its name or an alias; None for an unknown name.");
+
   py::class_<Parameters>(module, "Parameters", "The parameters of a design, at their defaults.")
       .def(py::init<>())
       .def(py::init<const Parameters&>())

@@ -255,6 +255,15 @@ std::vector<ParameterInfo> make_table() {
 }
 // clang-format on
 
+// Words of the field for parameters that files and documents know by names of our own. Whoever
+// looks for a parameter by its name may use either.
+struct Alias {
+  std::string_view alias, name;
+};
+constexpr Alias aliases[] = {{"maximum_deviation", "fidelity"},
+                             {"mesh_refinement_check", "recheck"},
+                             {"xy_compensation", "wall_growth"}};
+
 const ParameterInfo& find(std::string_view name) {
   if (const ParameterInfo* info = find_parameter(name)) return *info;
   throw InvalidInput("unknown parameter '" + std::string(name) + "'",
@@ -346,6 +355,9 @@ const std::vector<ParameterInfo>& parameter_table() {
 }
 
 const ParameterInfo* find_parameter(std::string_view name) {
+  for (const Alias& other : aliases) {
+    if (other.alias == name) name = other.name;
+  }
   for (const ParameterInfo& info : parameter_table()) {
     if (info.name == name) return &info;
   }

@@ -22,6 +22,20 @@ TEST(Parameters, EveryRowIsCompleteAndItsDefaultInRange) {
   EXPECT_NO_THROW(check_parameters(p));
 }
 
+TEST(Parameters, WordsOfTheFieldAreAliases) {
+  Parameters p;
+  set_parameter(p, "xy_compensation", 0.25);
+  set_parameter(p, "maximum_deviation", std::string("0.75"));
+  set_parameter(p, "mesh_refinement_check", true);
+  EXPECT_EQ(p.wall_growth, 0.25);
+  EXPECT_EQ(p.fidelity, 0.75);
+  EXPECT_TRUE(p.recheck);
+  EXPECT_EQ(std::get<double>(get_parameter(p, "xy_compensation")), 0.25);
+  for (const ParameterInfo& info : parameter_table()) {
+    EXPECT_EQ(find_parameter(info.name), &info) << "an alias hides " << info.name;
+  }
+}
+
 TEST(Parameters, ListsOfTilesAreReadAsReportsNameThem) {
   EXPECT_EQ(listed_tiles("T00012, T00001,T00012 T2493"), (std::vector<int>{0, 11, 2492}));
   EXPECT_TRUE(listed_tiles("").empty());
