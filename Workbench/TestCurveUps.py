@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether the workbench works in this FreeCAD: `freecad -t TestCurveUps`, or Test framework in the window.
-Some seconds; tools/test of the sources is thorough."""
+"""Tests whether the workbench works in this FreeCAD: `freecad -t TestCurveUps`, or Test framework in the
+window. Some seconds; tools/test of the sources is thorough."""
 
 from __future__ import annotations
 

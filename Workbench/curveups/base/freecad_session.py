@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Imports FreeCAD as a module, where the program does not run inside it already."""
+"""Imports FreeCAD as a module, unless the program runs inside FreeCAD already."""
 
 from __future__ import annotations
 

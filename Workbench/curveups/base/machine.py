@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What differs from one operating system to another, each thing once."""
+"""Hides the differences between operating systems, each in one place."""
 
 from __future__ import annotations
 

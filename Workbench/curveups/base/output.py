@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files that are either whole or absent."""
+"""Writes files that are either whole or absent."""
 
 from __future__ import annotations
 

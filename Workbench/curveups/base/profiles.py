@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sets of parameters that suit a kind of printer, by name: files as `--config` takes them."""
+"""Reads profiles: named sets of parameters that suit a kind of printer, in files as `--config` takes them."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What each command of the command line does."""
+"""Runs the commands of the command line."""
 
 from __future__ import annotations
 

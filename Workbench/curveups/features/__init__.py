@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The objects of a FreeCAD document. App code only: nothing here imports Gui."""
+"""Defines the objects of a FreeCAD document. This is App code: nothing here imports Gui."""

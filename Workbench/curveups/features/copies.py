@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A copy of a Design that was made without what is below it gets its own."""
+"""Gives a copy of a Design its own objects where it was copied without them."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cuts below a Design: what is asked for; Solve makes a layout with them."""
+"""Defines the Cuts object: the cuts that the user asked for. Solve makes a layout with them."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures of a design as numbers: spreadsheets and expressions read them."""
+"""Stores figures of a design as properties, which spreadsheets and expressions read."""
 
 from __future__ import annotations
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The layout below a Design, as lists: drawn after reopening without the native module's help."""
+"""Defines the Layout object: the layout as lists, which a reopened document draws without the native
+module."""
 
 from __future__ import annotations
 

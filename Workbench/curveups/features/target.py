@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The target surface below a Design: where it comes from, and its division into tiles."""
+"""Defines the Target object: the source of the surface, and its division into tiles."""
 
 from __future__ import annotations
 

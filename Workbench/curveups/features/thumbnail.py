@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A small picture of a surface, for file managers: FreeCAD draws one only where it has a window."""
+"""Draws a small picture of a surface for file managers: FreeCAD draws one only where it has a window."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What verification found, below a Design: forces of contacts and tiles as lists."""
+"""Defines the Verification object: forces of contacts and tiles as lists."""
 
 from __future__ import annotations
 

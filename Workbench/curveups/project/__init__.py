@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A design with its results, keyed by what they were made from; saving them; working on a thread."""
+"""Keeps a design with its results and their keys, saves them, and works on a thread."""

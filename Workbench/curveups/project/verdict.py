@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether a design is valid. What a design must keep is judged by the native module alone, in words:
+"""Decides whether a design is valid. What a design must keep is judged by the native module alone, in words:
 a design is valid that was verified and against which no result gives a reason."""
 
 from __future__ import annotations

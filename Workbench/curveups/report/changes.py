@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What mending, relief, repair and recheck did, and the contacts that are nearest to failing: parts of
-report.html."""
+"""Shows in report.html what mending, feasibility smoothing, repair and the mesh refinement check did, and the
+contacts that are nearest to failing."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What `curveups check` says: check.json, check.html and the table on standard output."""
+"""Writes the answer of `curveups check`: check.json, check.html and the table on standard output."""
 
 from __future__ import annotations
 

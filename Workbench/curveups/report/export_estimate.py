@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How large an export becomes and how long it takes, before it is begun: within a factor of two."""
+"""Estimates how large an export becomes and how long it takes, within a factor of two."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Chosen files of a design, under names of the user's own; a design that should not be printed says so in
-every file whose format has a place for that, and in the reports."""
+"""Writes chosen files of a design, under names that the user chooses; a design that should not be printed
+says so in every file whose format has a place for that, and in the reports."""
 
 from __future__ import annotations
 

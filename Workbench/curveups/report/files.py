@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The files of a run, in the order in which they are written."""
+"""Writes the files of a run in their order."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far both membranes are stretched when the print is actuated, on the flat layout."""
+"""Draws the stretch of both membranes of the actuated print on the flat layout."""
 
 from __future__ import annotations
 

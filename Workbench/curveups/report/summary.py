@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`python -m curveups.report.summary DIR`: what a finished run made, in a few lines."""
+"""`python -m curveups.report.summary DIR` lists what a finished run made, in a few lines."""
 
 from __future__ import annotations
 

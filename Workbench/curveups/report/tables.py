@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables of a page, and how numbers stand in them."""
+"""Makes the tables of a page and formats their numbers."""
 
 from __future__ import annotations
 

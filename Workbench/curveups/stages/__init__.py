@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work as stages: one file a stage, listed here in the order in which reports show their results."""
+"""Lists the stages of the work, one file each, in the order in which reports show their results."""
 
 from . import (anchoring, clearances, cuts, design, deviation, division, fairing, feasibility, layout, pieces,
                relief, repair, sizes, solids, suggestions, surface, target, trials, verification)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the surplus of the membranes asks of the anchors, from the parameters alone.
+"""Computes the load of the surplus membrane on the anchors, from the parameters alone.
 
 Before the surplus is cut off it pulls at the outline (paper, section 6.2), there with all the tension of
 a sheet that is stretched alike in both directions: T = G h (1 - tau^-6) N/mm, from the neo-Hookean Cauchy

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How near tiles come to one another as printed and how much they overlap when actuated: in closed form,
-so that a verdict without solids covers it."""
+"""Measures how near printed tiles come to one another and how much actuated tiles overlap: in closed form, so
+that a verdict without solids covers it."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far the design's actuated surface is from the target as the user gave it."""
+"""Measures how far the actuated surface is from the target as the user gave it."""
 
 from __future__ import annotations
 

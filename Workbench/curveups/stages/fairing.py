@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The remeshed target faired until tiles of this size can be, where mending is asked for."""
+"""Smooths the remeshed target until tiles of this size are feasible, where mend is on."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What of a target can be tiles, known before any layout: margins of every tile and contact.
+"""Finds which parts of a target can become tiles, before any layout: margins of every tile and contact.
 
 Folds, back faces, pins and overlaps of bodies are closed forms of the mesh, the same that a design is
 refused by: what they block is certain. Where pins run into parts that face them, and where membranes cut

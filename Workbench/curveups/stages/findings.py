@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What native checks find of a target: errors are raised, the rest become warnings."""
+"""Sorts the findings of native checks: errors are raised, the rest become warnings."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces of a design, each for itself: what it is made of and whether it holds."""
+"""Describes each piece of a design: its tiles, its forces, and whether it holds by itself."""
 
 from __future__ import annotations
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Room for pins that folds leave too little of: vertices moved a little before the layout."""
+"""Feasibility smoothing: moves vertices a little before the layout where dihedral angles leave pins too
+little space."""
 
 from __future__ import annotations
 

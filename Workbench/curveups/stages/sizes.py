@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sizes of tiles that would do for a target as it is, found by trying: the surface is remeshed at other L
-and given other thicknesses and pins, and examined as a design would be (feasibility.py)."""
+"""Searches for sizes of tiles that work for a target, by trying them: the surface is remeshed at other L and
+given other thicknesses and pins, and examined as a design would be (feasibility.py)."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a stage and a result are.
+"""Defines stages and results.
 
 A stage is a pure function with a name: it says what it reads (other stages, and the parts of the
 parameter table that its native code reads) and makes a result, an immutable value. A result gives its

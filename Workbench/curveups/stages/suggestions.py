@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What would help a design that does not hold or is badly stretched: cuts, other parameters."""
+"""Suggests cuts and other parameters for a design that does not hold or is badly stretched."""
 
 from __future__ import annotations
 

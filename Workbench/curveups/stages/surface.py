@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The surface as its file or the built-in target has it, in mm after `scale`."""
+"""Reads the surface of a file or a built-in target, in mm after `scale`."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Other pins and thicknesses for a design whose membranes cut into tiles, found by making it anew with them:
-how far a membrane passes from a tile only the layout and its equilibrium tell."""
+"""Parameter search: makes a design whose membranes cut into tiles anew with other pins and thicknesses. How
+far a membrane passes from a tile only the layout and its equilibrium tell."""
 
 from __future__ import annotations
 

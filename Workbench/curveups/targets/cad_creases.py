@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where faces of a CAD part meet in an edge: exactly, however flat the edge and however coarse the triangles.
-Shapes, faces and edges are FreeCAD's Part."""
+"""Finds where faces of a CAD part meet in a sharp edge: exactly, however flat the edge and however coarse the
+triangles. Shapes, faces and edges are FreeCAD's Part."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What of a CAD part becomes the target: one skin of a wall, faces by their numbers, a closed body without
-one of its faces. Shapes and faces are FreeCAD's Part; faces are numbered from 1, as FreeCAD does (Face1)."""
+"""Chooses the surface of a CAD part that becomes the target: one skin of a wall, faces by their numbers, a
+closed body without one of its faces. Shapes and faces are FreeCAD's Part; faces are numbered from 1, as
+FreeCAD does (Face1)."""
 
 from __future__ import annotations
 

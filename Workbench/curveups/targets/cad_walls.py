@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The two skins of a part that is drawn with a wall: faces in pairs at a constant distance, and the rim that
-joins them. Faces are those of FreeCAD's Part; distances are measured along normals from points of a
-triangulation, so that any kind of surface will do.
-"""
+"""Finds the two skins of a part with a wall: faces in pairs at a constant distance, and the rim that joins
+them. Faces are those of FreeCAD's Part; distances are measured along normals from points of a triangulation,
+so that any kind of surface will do."""
 
 from __future__ import annotations
 

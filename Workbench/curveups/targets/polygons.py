@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Faces of more than three corners as triangles."""
+"""Divides faces of more than three corners into triangles."""
 
 from __future__ import annotations
 

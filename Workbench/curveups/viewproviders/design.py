@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Of Design objects."""
+"""The view of Design objects."""
 
 from ..window.viewproviders.design import DesignView  # noqa: F401

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""All that needs FreeCAD's window: commands, panels, the overlay, views of the tree."""
+"""Everything that needs FreeCAD's window: commands, panels, the overlay, views of the tree."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The overlays that there are: `overlay_of(design)` is what commands, panels and solvers talk to."""
+"""Keeps the overlays: commands, panels and solvers get theirs from `overlay_of(design)`."""
 
 from __future__ import annotations
 

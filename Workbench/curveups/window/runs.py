@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs of a design from the window: what Check, Solve, Verify, Repair and Build Solids share."""
+"""Runs a design from the window, for Check, Solve, Verify, Repair and Build Solids."""
 
 from __future__ import annotations
 

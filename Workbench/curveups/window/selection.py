@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which design and which tiles the user means."""
+"""Finds the design and the tiles that the user selected."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers, and numbers in messages, as the user's unit schema writes them."""
+"""Writes numbers, also in messages, as the user's unit schema does."""
 
 from __future__ import annotations
 

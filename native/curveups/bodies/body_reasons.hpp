@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What of tiles' bodies makes a design not valid, in words: known without solids.
+// Reasons why the bodies of tiles make a design not valid. They need no solids.
 #pragma once
 
 #include <string>

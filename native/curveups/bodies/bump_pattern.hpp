@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How bumps stand on an interface.
+// Places the bumps of an interface.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far tiles are from each other as printed, and how much they overlap when actuated.
+// Measures how far printed tiles are from each other, and how much actuated tiles overlap.
 #pragma once
 
 #include <array>

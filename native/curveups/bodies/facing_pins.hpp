@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Pins between parts of a target that face one another: whether there is room for them.
+// Finds pins that collide between parts of a target that face one another.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Stopping from inside of loops that know nothing of who waits for them.
+// Lets loops stop without knowing who waits for them.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What each operating system does in its own way: Linux, macOS and Windows.
+// Hides the differences between Linux, macOS and Windows.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How well a finished design keeps the hard constraints (Eqs. 6 to 8 and the global clearance).
+// Measures how well a finished design keeps the hard constraints (Eqs. 6 to 8, global clearance).
 // Independent of the optimiser's own bookkeeping: it starts from the corners that are saved.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A convex polyhedron that is cut by planes in closed form: what a tile's body is.
+// The body of a tile: a convex polyhedron that planes cut in closed form.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Whether a design's arrays fit one another, before anything is computed from them.
+// Checks that the arrays of a design fit one another before anything is computed from them.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the sides of a tile leave for its pins: bounds of their insets.
+// The feasible region of the pins of a tile: bounds of their insets.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What tiles and pins can't do on a target: said before solving, with the tiles.
+// Finds tiles and pins that can't be made on a target, before solving.
 #pragma once
 
 #include <array>

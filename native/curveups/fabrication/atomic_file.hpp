@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Files that are there completely or not at all.
+// Writes files that exist completely or not at all.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Shapes as BRepCheck looks at them fastest.
+// Prepares shapes so that BRepCheck is fastest.
 #pragma once
 
 #include <TopoDS_Shape.hxx>

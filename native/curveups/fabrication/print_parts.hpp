@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the parts of a print model have in common while it is built.
+// Data that the parts of a print model share while it is built.
 #pragma once
 
 #include <array>

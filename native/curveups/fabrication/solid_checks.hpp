@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Whether solids are what print files may hold.
+// Checks that solids are sound enough for print files.
 #pragma once
 
 #include <TopoDS_Shape.hxx>

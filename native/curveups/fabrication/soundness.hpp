@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What makes solids unfit, in words.
+// Says why solids are unfit for print.
 #pragma once
 
 #include <string>

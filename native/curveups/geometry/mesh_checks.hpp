@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What can't be made from a surface, and where.
+// Finds the places of a surface that can't become tiles.
 #pragma once
 
 #include <string>

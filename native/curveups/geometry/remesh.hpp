@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Uniform isotropic triangulation of a surface: what the tiles are made from.
+// Uniform isotropic triangulation of a surface. Its triangles become the tiles.
 #pragma once
 
 #include "curveups/core/progress.hpp"

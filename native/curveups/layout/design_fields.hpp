@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What can be said of a layout contact by contact and tile by tile without its membranes.
+// Values of a layout for each contact and tile that need no membranes.
 #pragma once
 
 #include "curveups/design/design.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where the layout starts: every tile rigidly in its triangle of a conformal map.
+// The start of the layout: every tile lies rigidly in its triangle of a conformal map.
 #pragma once
 
 #include "curveups/layout/layout_model.hpp"

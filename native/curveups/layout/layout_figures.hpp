@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far a layout is stretched: the figures by which cuts are judged.
+// Measures how far a layout is stretched. Cuts are compared by these figures.
 #pragma once
 
 #include "curveups/layout/layout_model.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What other parameters would do for contacts that stay weak.
+// Suggests other parameters for contacts that stay weak.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far facing pins are apart when actuated.
+// The actuated distance of facing pins.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What can be said of a target tile by tile before anything is solved: where it is hard.
+// Values of a target for each tile that show, before anything is solved, where it is hard.
 #pragma once
 
 #include "curveups/design/design.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How an iterative solver ended: the one type for all of them.
+// Says how an iterative solver ended: one type for all solvers.
 #pragma once
 
 namespace curveups {

@@ -28,7 +28,7 @@ struct ContactPoint {
 // and two tangents.
 class BalanceSystem : public ForceMap {
  public:
-  // centres: tile_centres. held: tiles whose balance is somebody else's business, ascending.
+  // centres: tile_centres. held: tiles that something else holds in balance, ascending.
   BalanceSystem(std::vector<ContactPoint> points, const Points3& centres, double lever,
                 const std::vector<int>& held);
 

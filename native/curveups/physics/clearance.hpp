@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far the actuated membranes stay from the tiles' bodies: pins must be high enough.
+// Measures the clearance of the actuated membranes over the bodies of tiles.
 #pragma once
 
 #include "curveups/physics/membrane_solution.hpp"

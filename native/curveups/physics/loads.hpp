@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What acts on tiles besides membranes and one another: their weight, and what carries it.
+// Loads on tiles besides membranes and contacts: their weight, and what carries it.
 #pragma once
 
 #include "curveups/design/design.hpp"

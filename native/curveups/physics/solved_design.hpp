@@ -45,8 +45,8 @@ double error_of_least(const Eigen::ArrayXd& force, const Eigen::ArrayXd& error);
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
                           const Progress& progress);
 
-// The corners of the interfaces at which a design's tiles hold one another: not those between two
-// tiles that are held, whose forces are whoever holds them's business.
+// The corners of the interfaces at which the tiles of a design hold one another. Contacts between
+// two held tiles are left out: the hand that holds the tiles provides their forces.
 std::vector<ContactPoint> contact_corners(const DesignGeometry& geometry,
                                           const Parameters& parameters);
 // The balance of a design's tiles at these contact points and on the ground, not factorized yet.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where tiles touch: at the corners of their interfaces, or at the tips of bumps. Bumps stand where
-// they fit on an interface (bump_tips), in steps and pieces; while vertices move a little, tips are
-// taken to stay at the same place of their interface: a fixed affine combination of its corners,
-// and a fixed height over its plane.
+// The points where tiles touch: at the corners of their interfaces, or at the tips of bumps. Bumps
+// stand where they fit on an interface (bump_tips), in steps and pieces; while vertices move a
+// little, tips are taken to stay at the same place of their interface: a fixed affine combination
+// of its corners, and a fixed height over its plane.
 #pragma once
 
 #include <array>

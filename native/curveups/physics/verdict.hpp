@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What makes a design hold, defined once: verification reports by it, repair works towards it.
+// Defines when a design holds. Verification reports by it, and repair works towards it.
 #pragma once
 
 #include "curveups/physics/clearance.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Why contacts stay weak, in words that name tiles.
+// Explains why contacts stay weak, and names the tiles.
 #pragma once
 
 #include <array>

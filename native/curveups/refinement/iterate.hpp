@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where a repair stands: the actuated vertices with all that follows from them, and the layout.
+// The state of a repair: the actuated vertices with all that follows from them, and the layout.
 #pragma once
 
 #include <memory>

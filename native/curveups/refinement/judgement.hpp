@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How well a design holds together, in one comparable value.
+// Evaluates how well a design holds together, as one comparable value.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a repair aims at and how far it goes in a step.
+// The goals of a repair and the limits of its steps.
 #pragma once
 
 namespace curveups {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the user can do: one file a command, listed here in the order of the toolbar."""
+"""Lists the commands, one file each, in the order of the toolbar."""
 
 from __future__ import annotations
 

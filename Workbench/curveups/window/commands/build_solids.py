@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solids of the design for the parameters as they are."""
+"""Build Solids: the solids of the design with the present parameters."""
 
 from __future__ import annotations
 

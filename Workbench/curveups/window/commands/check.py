@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What of a target can be tiles, before any layout."""
+"""Check: which parts of a target can become tiles, before any layout."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where tiles are disconnected."""
+"""Cuts: the edges along which tiles are disconnected."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Print files of a design."""
+"""Export Print Files."""
 
 from __future__ import annotations
 

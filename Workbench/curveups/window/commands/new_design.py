@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A new design: of the selected surface, or of a file."""
+"""New Design: makes a design of the selected surface or of a file."""
 
 from __future__ import annotations
 

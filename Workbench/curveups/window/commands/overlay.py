@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the tiles are coloured by, and where between flat and actuated they are."""
+"""Overlay: the value that colours the tiles, and their place between flat and actuated."""
 
 from __future__ import annotations
 

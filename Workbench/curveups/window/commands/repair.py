@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mends weak contacts of the layout as it stands."""
+"""Repair: strengthens weak contacts of the present layout."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The report on a design as a page, with pictures."""
+"""Report: writes the report on a design as a page with pictures."""
 
 from __future__ import annotations
 

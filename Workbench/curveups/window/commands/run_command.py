@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What Solve, Verify, Repair and Build Solids share."""
+"""Base of Solve, Verify, Repair and Build Solids."""
 
 from __future__ import annotations
 

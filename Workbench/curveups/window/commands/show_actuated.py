@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tiles in the target shape."""
+"""Show Actuated: the tiles in the target shape."""
 
 from __future__ import annotations
 

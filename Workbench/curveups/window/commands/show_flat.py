@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tiles as they are printed."""
+"""Show Flat: the tiles in the flat layout."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The bodies of the print, instead of the overlay."""
+"""Show Solids: the bodies of the print instead of the overlay."""
 
 from __future__ import annotations
 

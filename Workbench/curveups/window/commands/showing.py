@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the commands share that choose what the view shows."""
+"""Base of the commands that choose what the view shows."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From the target to a verified layout."""
+"""Solve: leads from the target to a verified layout."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the solver is and where it is from; where it is missing or wrong, what mends that."""
+"""Solver Status: version and folder of the solver, or the remedy where it is missing or wrong."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Another target for a design: the selected surface, or a file."""
+"""Change Target: gives a design another surface or file."""
 
 from __future__ import annotations
 

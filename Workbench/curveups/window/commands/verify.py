@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict on the layout as it stands."""
+"""Verify: decides whether the present layout is valid."""
 
 from __future__ import annotations
 

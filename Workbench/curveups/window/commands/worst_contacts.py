@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The worst contacts and tiles, and the way to them."""
+"""Worst Contacts: lists contacts and tiles, and leads to them."""
 
 from __future__ import annotations
 

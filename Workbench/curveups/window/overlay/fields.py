@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What tiles and contacts can be coloured by, as far as a project has come.
+"""Lists the fields that can colour tiles and contacts, as far as a project has come.
 
 A field is computed when it is first looked at. To add one: a line in the function of its stage. Names and
 problems, written as literals, are translated where they are shown.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Membranes for an overlay, computed when they are asked for."""
+"""Computes the membranes of an overlay when they are needed."""
 
 from __future__ import annotations
 

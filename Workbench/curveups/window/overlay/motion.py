@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How tiles move from the flat layout into the target shape: each as the rigid body that it is.
+"""Moves tiles from the flat layout into the target shape, each as a rigid body.
 
 A tile's motion is a motion of the whole, the same for all tiles, and what is left over for it. Both go
 from nothing to all as t goes from 0 to 1: rotations about a fixed axis (slerp), centres on a straight

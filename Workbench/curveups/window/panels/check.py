@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of Check: what of the target can be tiles, where not, and sizes that would do."""
+"""The panel of Check: which parts of the target can become tiles, the obstacles, and sizes that work."""
 
 from __future__ import annotations
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a run goes, as curves over its steps: energy, violation of constraints, contacts that are weak."""
+"""Draws the progress of a run as curves over its steps: energy, violation of constraints, contacts that are
+weak."""
 
 from __future__ import annotations
 

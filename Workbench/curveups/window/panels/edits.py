@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was edited since a panel was opened, to be taken back all at once."""
+"""Records the edits since a panel opened, to take them back at once."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What panels share that show an overlay and follow it."""
+"""Base of the panels that show an overlay and follow it."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of Worst Contacts: what a field has values for, the worst first."""
+"""The panel of Worst Contacts: contacts and tiles by the value of a field, the worst first."""
 
 from __future__ import annotations
 

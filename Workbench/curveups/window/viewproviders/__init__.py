@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How document objects look in the tree."""
+"""Shows document objects in the tree."""

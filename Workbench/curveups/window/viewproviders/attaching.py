@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which view provider belongs to which document object."""
+"""Gives each document object its view provider."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is below a Design in the tree."""
+"""The view of the objects below a Design."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all our objects share in the tree."""
+"""Base of all views in the tree."""
 
 from __future__ import annotations
 
