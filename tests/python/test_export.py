@@ -27,7 +27,8 @@ def test_aliases_of_parameters_are_accepted(curveups, bowl, tmp_path):
     ran = curveups("export", bowl / "design.json", "-o", tmp_path, "--set", "xy_compensation=0.125")
     assert ran.status == 0, ran.err
     assert read(tmp_path)[0]["parameters"]["wall_growth"] == 0.125
-    refused = curveups("export", bowl / "design.json", "-o", tmp_path / "other", "--set", "maximum_deviation=1")
+    other = tmp_path / "other"
+    refused = curveups("export", bowl / "design.json", "-o", other, "--set", "maximum_deviation=1")
     assert refused.status == 2 and "can't change on export" in refused.err
 
 
