@@ -1029,8 +1029,20 @@
       <translation>nicht der jetzige Stand: {why}</translation>
     </message>
     <message>
-      <source>out of date ({changed})</source>
-      <translation>veraltet ({changed})</translation>
+      <source>of the layout, L = {length}, Tau = {tau}</source>
+      <translation>des Layouts, L = {length}, Tau = {tau}</translation>
+    </message>
+    <message>
+      <source>of the target, L = {length}</source>
+      <translation>des Ziels, L = {length}</translation>
+    </message>
+    <message>
+      <source>of the verified layout, L = {length}, Tau = {tau}</source>
+      <translation>des geprüften Layouts, L = {length}, Tau = {tau}</translation>
+    </message>
+    <message>
+      <source>out of date: {why}</source>
+      <translation>veraltet: {why}</translation>
     </message>
     <message>
       <source>present state of the solver</source>

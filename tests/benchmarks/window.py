@@ -97,7 +97,7 @@ def frames(view):
 
 def work():
     from curveups.features.document import build_bodies, new_design
-    from curveups.window.overlay import overlay_of
+    from curveups.window.overlays import overlay_of
     window = FreeCADGui.getMainWindow()
     window.resize(1440, 900)
     FreeCADGui.activateWorkbench('CurveUpsWorkbench')

@@ -67,7 +67,7 @@ def frames(view, seconds=3.0):
 def work():
     from curveups.features import document as documents
     from curveups.base.native import native
-    from curveups.window.overlay import overlay_of
+    from curveups.window.overlays import overlay_of
     from curveups.window.overlay.fields import CONTACT, Field
     from curveups.window.overlay.picking import pick
     from curveups.window.overlay.scene import Scene, shapes_of

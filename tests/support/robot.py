@@ -126,6 +126,55 @@ def in_dialog(start, work):
         raise wrong[0]
 
 
+def choose(start, *texts):
+    """start() opens a menu by the mouse; entries that begin so are clicked in it, a submenu's after it."""
+    wrong, timer = [], QtCore.QTimer()
+
+    def look():
+        if QtGui.QApplication.activePopupWidget() is None:
+            return
+        timer.stop()
+        try:
+            settle(200)
+            for text in texts:
+                menu = QtGui.QApplication.activePopupWidget()
+                names = [one.text().replace("&", "") for one in menu.actions()]
+                entry = next((one for one, name in zip(menu.actions(), names) if name.startswith(text)), None)
+                assert entry is not None and entry.isEnabled(), (text, names)
+                click_at(menu.mapToGlobal(menu.actionGeometry(entry).center()))
+        except BaseException as error:
+            wrong.append(error)
+            while QtGui.QApplication.activePopupWidget():
+                QtGui.QApplication.activePopupWidget().close()
+
+    timer.timeout.connect(look)
+    timer.start(50)
+    start()
+    until(lambda: not timer.isActive(), 30, "a menu")
+    if wrong:
+        raise wrong[0]
+
+
+def menu_bar(title):
+    """Opens a menu of the window, as the start of choose()."""
+    bar = window.menuBar()
+    entry = next(one for one in bar.actions() if one.text().replace("&", "") == title)
+    click_at(bar.mapToGlobal(bar.actionGeometry(entry).center()))
+
+
+def tree_entry(obj):
+    """Where an object's row in the tree is, on the display."""
+    for tree in window.findChildren(QtGui.QTreeWidget):
+        for item in tree.findItems(obj.Label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive):
+            if tree.isVisible() and item.text(0) == obj.Label:
+                tree.scrollToItem(item)
+                settle(100)
+                rect = tree.visualItemRect(item)
+                rect.setWidth(min(rect.width(), 60))
+                return tree.viewport().mapToGlobal(rect.center())
+    raise AssertionError(f"{obj.Label} is not in the tree")
+
+
 def choose_file(path):
     """In a dialog of files."""
     keys("ctrl+a")

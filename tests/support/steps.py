@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui
 from curveups.window.commands.new_design import make_design
 from curveups.window.panels import solve
-from curveups.window.panels.live import LIVE
+from curveups.window.run import LIVE
 from robot import QtGui, fill, settle, tidy
 
 

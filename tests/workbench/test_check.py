@@ -10,7 +10,7 @@ from window import run_in_window
 pytestmark = pytest.mark.skipif(not shutil.which("xvfb-run"), reason="there is no xvfb-run")
 
 CHECK = START + """
-from curveups.window.overlay import overlay_of
+from curveups.window.overlays import overlay_of
 from curveups.window.overlay.overlay import Overlay
 
 def tent():

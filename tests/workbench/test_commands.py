@@ -77,7 +77,7 @@ def work():
     assert designs.state_of(design)[0] == 'running'
     assert not FreeCADGui.Command.get('CurveUps_Solve').isActive()
     assert 'at work' in FreeCADGui.Command.get('CurveUps_Solve').getAction()[0].statusTip()
-    from curveups.window.overlay import overlay_of
+    from curveups.window.overlays import overlay_of
     overlay = overlay_of(design)
     until(lambda: overlay._iterating, 60, 'a picture of the layout while it is solved')
     colours = picture('solving')

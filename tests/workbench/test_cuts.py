@@ -13,7 +13,7 @@ pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("
 STEPS = ROBOT + """
 import numpy as np
 from curveups.features import document as designs
-from curveups.window.overlay import overlay_of
+from curveups.window.overlays import overlay_of
 from curveups.window.run import LIVE
 
 def begin(name='half-sphere'):

@@ -32,7 +32,7 @@ def work():
     tip = QtCore.QCoreApplication.translate('App::Property', design.getDocumentationOfProperty('Tau'))
     assert tip.startswith('Dehnung der Membranen'), tip
     from curveups.features import document as designs
-    from curveups.window.overlay import overlay_of
+    from curveups.window.overlays import overlay_of
     designs.take(design, designs.project_of(design).run(('target',)))
     settle(500)
     assert overlay_of(design).legend.content.title == 'Faltwinkel'

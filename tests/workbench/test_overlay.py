@@ -12,7 +12,8 @@ OPEN = """
 import numpy as np
 
 def opened(path):
-    from curveups.window.overlay import overlay_of, showing
+    from curveups.window.overlay import showing
+    from curveups.window.overlays import overlay_of
     FreeCADGui.activateWorkbench('CurveUpsWorkbench')
     document = FreeCAD.openDocument(path)
     window = FreeCADGui.getMainWindow()
@@ -207,7 +208,8 @@ def test_picking_gives_tiles_and_edges(document, homes, tmp_path):
 
 KEPT = OPEN + """
 def work():
-    from curveups.window.overlay import legend as parts, overlay_of, overlays
+    from curveups.window.overlay import legend as parts
+    from curveups.window.overlays import overlay_of, overlays
     document, design, view, overlay = opened(path)
     overlay.set_field('Normal force')
     low, high = overlay.range()
@@ -260,6 +262,12 @@ def test_the_range_is_dragged_and_kept(document, homes, tmp_path):
 
 
 FOLLOWED = OPEN + """
+def spread(image):
+    # How far apart colours are in the middle of a picture.
+    wide, high = image.width(), image.height()
+    found = [colour(image, (x * wide // 60, y * high // 60)) for x in range(20, 40) for y in range(20, 40)]
+    return float(np.std([np.ptp(rgb) for rgb in found if np.ptp(rgb) > 0.02] or [0]))
+
 def work():
     from curveups.features import document as documents
     document, design, view, overlay = opened(path)
@@ -271,8 +279,9 @@ def work():
     settle(300)
     assert overlay.scene is not before and overlay.note == ''
     assert np.allclose(overlay.scene.flat[:, 0, 2] - overlay.scene.flat[:, 3, 2], 2.0)
-    assert overlay.field().changed == ('H_body',), overlay.field().changed
-    assert 'out of date (H_body)' in overlay.legend.content.notes
+    notes = overlay.legend.content.notes
+    assert any(note.startswith('out of date') and 'HBody' in note for note in notes), notes
+    assert overlay.legend.content.faded and 'HBody' in overlay.age(overlay.field())
     # What can't be built leaves the last picture, with the reason.
     shown = overlay.scene
     design.HBody = 45.0
@@ -283,8 +292,34 @@ def work():
     design.HBody = 3.0
     document.recompute()
     settle(300)
-    assert overlay.note == '' and overlay.field().changed == ()
+    assert overlay.note == '' and overlay.age(overlay.field()) == '' and not overlay.legend.content.faded
     assert np.allclose(overlay.scene.flat, before.flat)
+    # So does a layout that is out of date, by a parameter or by its cuts, in every field of it: pale, and
+    # without marks. A redraw is not needed for that.
+    lively = picture(view, 'lively')
+    edge = [int(v) for v in overlay.scene.F[0][:2]]
+    changes = {'Tau': (lambda: setattr(design, 'Tau', 2.5), lambda: setattr(design, 'Tau', 3.0)),
+               'Scale': (lambda: setattr(design, 'Scale', 1.1), lambda: setattr(design, 'Scale', 1.0)),
+               'cuts': (lambda: documents.set_cuts(design, [edge]), lambda: documents.set_cuts(design, []))}
+    for said, (change, back) in changes.items():
+        change()
+        document.recompute()
+        settle(300)
+        assert design.Verdict == 'out of date'
+        for name in ('Normal force', 'Gap'):
+            overlay.set_field(name)
+            content = overlay.legend.content
+            assert content.faded and not content.marks, content
+            assert any(note.startswith('out of date') and said in note for note in content.notes), content
+        overlay.set_field('Normal force')
+        pale = picture(view, 'stale-' + said)
+        assert spread(pale) < 0.5 * spread(lively), (spread(pale), spread(lively))
+        back()
+        document.recompute()
+        settle(300)
+        assert not overlay.legend.content.faded and spread(picture(view, 'again')) == spread(lively)
+    notes = overlay.legend.content.notes
+    assert any(note.startswith('of the verified layout') and 'Tau = 3' in note for note in notes), notes
     # What a solver has at hand, and the end of that.
     native_design = documents.design_project_of(design).latest('design').design
     T, q = np.asarray(native_design.T), np.asarray(native_design.q)
@@ -321,7 +356,7 @@ def work():
     # ... but comes back with it.
     document.undo()
     settle(500)
-    from curveups.window.overlay import overlay_of
+    from curveups.window.overlays import overlay_of
     again = overlay_of(document.Design)
     assert not again.closed and again.scene is not None and again.legend.content is not None, again.note
     again.select_tiles([7])

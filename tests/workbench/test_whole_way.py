@@ -15,7 +15,7 @@ pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("
 
 STEPS = ROBOT + """
 from curveups.features import document
-from curveups.window.overlay import overlay_of
+from curveups.window.overlays import overlay_of
 from curveups.window.run import LIVE
 
 def design():

@@ -106,6 +106,47 @@ def work():
 """, homes[False], tmp_path, path=document)
 
 
+def test_it_is_drawn_again_after_a_save_without_the_workbench(homes, tmp_path):
+    own, foreign = tmp_path / "own.FCStd", tmp_path / "foreign.FCStd"
+    run_in_window("""
+def work():
+    FreeCADGui.activateWorkbench('CurveUpsWorkbench')
+    from curveups.features import actions, document as documents
+    made = FreeCAD.newDocument('Made')
+    design = documents.new_design(made, 'half-sphere')
+    design.L = 14
+    actions.solve(design)
+    made.recompute()
+    made.saveAs(path)
+""", homes[True], tmp_path, path=own)
+    run_in_window(OPEN + """
+def work():
+    opened()[0].saveAs(copy)
+""", homes[False], tmp_path, path=own, copy=foreign)
+    run_in_window(OPEN + """
+def work():
+    FreeCADGui.activateWorkbench('CurveUpsWorkbench')
+    document, gui = opened()
+    settle(800)
+    view = gui.getObject('Design')
+    assert view.Visibility and view.DisplayMode == 'Tiles' and view.SwitchNode.whichChild.getValue() == 0
+    gui.activeView().viewTop()
+    gui.activeView().fitAll()
+    gui.activeView().saveImage(picture, 800, 600, 'White')
+    FreeCADGui.Selection.addSelection(document.Design)
+    settle(500)
+    command = FreeCADGui.Command.get('CurveUps_ShowActuated')
+    assert command.isActive(), command.getAction()[0].statusTip()
+    document.Design.Tau = 2.5  # it follows
+    document.recompute()
+    settle(500)
+    from curveups.window.overlays import overlay_of
+    assert overlay_of(document.Design).legend.content.faded
+""", homes[True], tmp_path, path=foreign, picture=tmp_path / "view.png")
+    _, rows = pixels(tmp_path / "view.png")
+    assert len(zlib.compress(rows)) > 10_000  # a blank view is a fraction of that
+
+
 EDITED = OPEN + """
 def state(document):
     box = document.Tiles.Shape.BoundBox

@@ -163,7 +163,10 @@ def _run(which: str, design: Any) -> Results:
         take_bodies(design, results)
     else:
         with transaction(design.Document, RUNS[which].title):
+            first = status.record(design, "Solved") == {}
             take(design, results)
+            if first and which == "solve" and design.Target.Source is not None:
+                design.Target.Source.Visibility = False  # it would cover the layout
     return results
 
 
@@ -193,7 +196,8 @@ def write_print(design: Any, path: str) -> None:
 
 def report(design: Any, folder: str) -> str:
     """Writes report.html and report.json into a folder; the page's path."""
-    return report_work(design, folder)(Job())
+    written = _made.pop(("report", design.Document.Name, design.Name), None)
+    return written if written is not None else report_work(design, folder)(Job())
 
 
 def report_work(design: Any, folder: str) -> Callable[[Job], str]:

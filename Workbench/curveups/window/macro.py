@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import FreeCAD
 import FreeCADGui
 
 
@@ -14,6 +15,12 @@ def call(function: str, *arguments: str) -> None:
     the function raises."""
     FreeCADGui.doCommand(f"from curveups.features import {function.split('.')[0]}")
     FreeCADGui.doCommand(f"{function}({', '.join(arguments)})")
+
+
+def new_document(name: str, label: str) -> Any:
+    """A new document, which becomes the active one; the macro makes it too."""
+    FreeCADGui.doCommand(f"FreeCAD.newDocument({name!r}, {label!r})")
+    return FreeCAD.ActiveDocument
 
 
 def named(obj: Any) -> str:

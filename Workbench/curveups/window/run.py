@@ -11,7 +11,7 @@ from typing import Any, Callable, Optional
 import FreeCAD
 import FreeCADGui
 
-from ..features.document import set_running, state_of
+from ..features.document import set_running
 from ..project.project import Project
 from ..project.worker import WORKER, Outcome, Status
 from ..stages.stage import Job
@@ -20,6 +20,7 @@ from .overlay.scene import scene_of
 from .overlays import overlay_of
 from .panels.preferences import draws_live
 from .qt import QtCore, QtWidgets, translate
+from .revealing import Reveal, follow_undo
 
 INTERVAL = 40  # ms between looks at the worker
 QUIT_SECONDS = 20.0  # that FreeCAD waits for a native call to see that it is stopped
@@ -50,7 +51,7 @@ class Live:
         self._task: Optional[Task] = None
         self._place = ("", "")  # document and object that the run is for
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
-        self._first = False  # whether the design had no layout before
+        self._reveal: Any = None
 
     @property
     def busy(self) -> bool:
@@ -73,7 +74,7 @@ class Live:
         WORKER.start_work(task.work, self._ended)
         self._task, self._place = task, (design.Document.Name, design.Name)
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
-        self._first = state_of(design, "Layout")[0] == "empty"
+        self._reveal = Reveal(design)
         set_running(design, True)
         self._timer.start(INTERVAL)
         self._tell(True)
@@ -134,30 +135,26 @@ class Live:
         first, self._scene_drawn = not self._scene_drawn, True
         self._rest_until = time.perf_counter() + 2 * (time.perf_counter() - start)
         if first:
-            self._fit(design)
-
-    def _fit(self, design: Any) -> None:
-        """Brings the whole picture into view, where there was none before. To be called last: FreeCAD 1
-        moves the camera there in an event loop, in which the run may end and another begin."""
-        if self._first:
-            gui = FreeCADGui.getDocument(design.Document.Name)
-            if hasattr(gui.ActiveView, "fitAll"):
-                gui.ActiveView.fitAll()
+            self._reveal.begin(design)
 
     def _ended(self, outcome: Outcome) -> None:
         self._timer.stop()
-        task, design = self._task, self._design()
+        task, design, reveal = self._task, self._design(), self._reveal
         self._task = None
         if design is None or task is None:
             self._tell(False)
             return
+        reveal.end()
         with errors_shown(task.title):
             self._settle(design, task, outcome)
+        if outcome.value is None:
+            follow_undo(design.Document)
         self._tell(False)
         if task.told is not None and outcome.value is not None:
             with errors_shown(task.title):
                 task.told()
-        self._fit(design)
+        if outcome.value is not None:
+            reveal.fit(design)
 
     def _settle(self, design: Any, task: Task, outcome: Outcome) -> None:
         set_running(design, False)
@@ -193,6 +190,9 @@ class _Watcher:
 
     def slotDeletedDocument(self, document: Any) -> None:
         self._live.abandon(document.Name)
+
+    def slotUndoDocument(self, document: Any) -> None:
+        follow_undo(document)
 
     def slotDeletedObject(self, obj: Any) -> None:
         self._live.abandon(obj.Document.Name, obj.Name)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import Any, Optional
+from typing import Any, Optional, Sequence
 
 import FreeCADGui
 
@@ -31,7 +31,7 @@ class Command(ABC):
         times a second."""
         return ""
 
-    def menu(self) -> "list[Command]":
+    def menu(self) -> "Sequence[Command]":
         """The commands that this one is a menu of."""
         return []
 
@@ -61,9 +61,9 @@ class Command(ABC):
         if command is None:
             return
         self._said = reason
-        tip = translate(self.name, self.tooltip)
-        for action in command.getAction():
-            action.setToolTip(f"<b>{translate(self.name, self.text)}</b><br>{tip}"
+        for action, one in zip(command.getAction(), self.menu() or (self,)):  # a menu's are its items
+            tip = translate(one.name, one.tooltip)
+            action.setToolTip(f"<b>{translate(one.name, one.text)}</b><br>{tip}"
                               + (f"<br><i>{reason}</i>" if reason else ""))
             action.setStatusTip(reason or tip)
 

@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Sequence
 
-import FreeCAD
 import FreeCADGui
 
-from ...base.errors import CurveUpsError
 from ...base.native import native, problem
+from ..macro import new_document
 from ..notice import errors_shown
 from ..panels.solve import open_panel
 from ..qt import QT_TRANSLATE_NOOP, translate
@@ -28,23 +27,26 @@ class Examples(Command):
                                 "solved")
 
     def __init__(self) -> None:
-        self._targets = [] if problem() else list(native.builtin_targets())
+        targets = [] if problem() else native.builtin_targets()
+        self._examples = [_Example(name, meaning) for name, meaning in targets]
 
     def reason(self) -> str:
-        return str(problem() or "")
+        return _reason()
 
-    def menu(self) -> list[Command]:
-        return [_Example(name, meaning) for name, meaning in self._targets]
+    def menu(self) -> Sequence[Command]:
+        return self._examples
 
     def GetCommands(self) -> tuple[str, ...]:
-        return tuple(command.name for command in self.menu())
+        return tuple(command.name for command in self._examples)
 
     def GetDefaultCommand(self) -> int:
         return 0
 
+    def Activated(self, index: int = 0) -> None:
+        self._examples[index].Activated()  # FreeCAD tells the group, not what was chosen of it
+
     def run(self) -> None:
-        raise CurveUpsError(translate(self.name, "there are no examples without the solver"), "",
-                            translate(self.name, "see Solver Status"))
+        self._examples[0].run()
 
 
 class _Example(Command):
@@ -60,17 +62,20 @@ class _Example(Command):
         return {**super().GetResources(), "Pixmap": "CurveUps_Examples"}
 
     def reason(self) -> str:
-        if LIVE.busy:
-            return translate("CurveUps", "CurveUps is at work: stop or cancel that first")
-        return str(problem() or "")
+        return _reason()
 
     def run(self) -> None:
-        document = FreeCAD.newDocument(self._target.replace("-", "_"))
-        document.Label = self.text
+        document = new_document(self._target.replace("-", "_"), self.text)
         design = make_design(document, repr(self._target))
         FreeCADGui.getDocument(document.Name).ActiveView.viewIsometric()
         with errors_shown(self.text):
             open_panel(design).run("solve")
+
+
+def _reason() -> str:
+    if LIVE.busy:
+        return translate("CurveUps", "CurveUps is at work: stop or cancel that first")
+    return str(problem() or "")
 
 
 COMMAND = Examples()

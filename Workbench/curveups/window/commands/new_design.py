@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from ...base.native import problem
-from ..macro import call, named
+from ..macro import call, named, new_document
 from ..panels.preferences import remembered
 from ..qt import QT_TRANSLATE_NOOP, QtWidgets, translate
 from .command import Command
@@ -37,7 +37,7 @@ class NewDesign(Command):
             return
         path = ask_for_file(translate(self.name, "Surface of the design"))
         if path:
-            make_design(FreeCAD.ActiveDocument or FreeCAD.newDocument(), repr(path))
+            make_design(FreeCAD.ActiveDocument or new_document("Unnamed", "Unnamed"), repr(path))
 
 
 def make_design(document: Any, source: str, faces: str = "") -> Any:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ...features import actions
+from ..macro import call, named
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
 from ..run import LIVE, Task
 from ..runs import reason
@@ -30,6 +31,8 @@ class Report(DesignCommand):
         folder = folder_of(design)
 
         def opened(design: Any, page: str) -> None:
+            actions.hand_over("report", design, page)
+            call("actions.report", named(design), repr(str(folder)))
             QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(page))
 
         work = actions.report_work(design, str(folder))

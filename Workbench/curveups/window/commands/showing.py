@@ -27,7 +27,7 @@ class ShowCommand(DesignCommand):
         return found or missing(chosen_design(), self.needs_layout)
 
     def work(self, design: Any) -> None:
-        FreeCADGui.doCommandGui("from curveups.overlay import showing")
+        FreeCADGui.doCommandGui("from curveups.window.overlay import showing")
         FreeCADGui.doCommandGui(f"showing.{self.function}({named(design)})")
 
 

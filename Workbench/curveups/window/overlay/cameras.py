@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Optional
 
 import FreeCAD
 import FreeCADGui
@@ -19,12 +19,24 @@ def views_of(document: str) -> list:
     return list(gui.mdiViewsOfType("Gui::View3DInventor")) if gui else []
 
 
-def look_at(document: str, front: np.ndarray, placement: Any) -> None:
-    """Turns the view that is in use to triangles (K x 3 x 3, mm, before `placement`), head on."""
+def active_view(document: str) -> Optional[Any]:
+    """The 3D view that is in use; None where that is a table, say."""
     gui = FreeCADGui.getDocument(document)
     view = gui.ActiveView if gui else None
-    if not hasattr(view, "getCameraNode"):  # a table, say
-        view = next(iter(views_of(document)), None)
+    return view if hasattr(view, "getCameraNode") else None
+
+
+def aim(view: Any) -> tuple:
+    """Where a view looks: the same as long as nobody moves the camera."""
+    camera = view.getCameraNode()
+    height = getattr(camera, "height", None) or camera.focalDistance
+    return (*camera.position.getValue().getValue(), *camera.orientation.getValue().getValue(),
+            height.getValue())
+
+
+def look_at(document: str, front: np.ndarray, placement: Any) -> None:
+    """Turns the view that is in use to triangles (K x 3 x 3, mm, before `placement`), head on."""
+    view = active_view(document) or next(iter(views_of(document)), None)
     if view is None or not len(front):
         return
     normal = np.cross(front[:, 1] - front[:, 0], front[:, 2] - front[:, 0]).sum(0)

@@ -32,6 +32,11 @@ def sample(name: str, share: np.ndarray) -> np.ndarray:
     return np.where(known[..., None], found, NOTHING)
 
 
+def faded(rgb: np.ndarray) -> np.ndarray:
+    """Colours of a picture that is out of date: pale and near grey, in their order."""
+    return 0.72 + 0.28 * np.asarray(rgb)
+
+
 def shares(values: np.ndarray, low: float, high: float) -> np.ndarray:
     """Values as shares of a range (infinite ones at its ends); a range without width has 0 and 1 alone."""
     values = np.asarray(values, float)

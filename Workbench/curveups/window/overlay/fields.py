@@ -24,7 +24,7 @@ class Field:
     """`unit`: as FreeCAD spells it, empty for ratios. `on`: what there is a value for: every tile (M), the
     front and back of every tile (M x 2), every contact (N), or every triangle of the membranes. `limit`:
     values on the `bad` side of it ("low", "high") are problems, marked by `mark`. `signed`: 0 is the
-    middle. `changed`: what has changed since the values were made; none where they are the design's."""
+    middle. `part`: the object below the Design that says whether the values are up to date."""
 
     name: str
     unit: str
@@ -35,7 +35,7 @@ class Field:
     mark: str = ""
     problem: str = ""
     signed: bool = False
-    changed: tuple[str, ...] = ()
+    part: str = "Target"
     shape: tuple[int, ...] = (0,)
 
     @cached_property
@@ -135,12 +135,13 @@ def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
     get = design.parameters.get
     return [
         Field("Gap", "mm", CONTACT, lambda: aligned(found(), "gap", contacts), "low", get("d_gap_min"),
-              "square", problem="gaps below DGapMin", shape=(len(contacts),)),
+              "square", problem="gaps below DGapMin", part="Layout", shape=(len(contacts),)),
         Field("Pin area", "mm^2", SIDE, lambda: found()["pin_area"], "low", get("A_pin_min"), "diamond",
-              problem="tiles with pins below APinMin", shape=(len(design.F), 2))]
+              problem="tiles with pins below APinMin", part="Layout", shape=(len(design.F), 2))]
 
 
-def deviation_field(V: np.ndarray, F: np.ndarray, source_V: np.ndarray, source_F: np.ndarray) -> Field:
+def deviation_field(V: np.ndarray, F: np.ndarray, part: str, source_V: np.ndarray,
+                    source_F: np.ndarray) -> Field:
     """How far the tiles' front faces are from the surface before remeshing: the largest distance of
     corners, middles of edges, and centre."""
     def make() -> np.ndarray:
@@ -150,11 +151,10 @@ def deviation_field(V: np.ndarray, F: np.ndarray, source_V: np.ndarray, source_F
         found = native.distances(samples.reshape(-1, 3), source_V, source_F)
         return np.reshape(found, samples.shape[:2]).max(axis=1)
 
-    return Field("Deviation", "mm", TILE, make, "high", shape=(len(F),))
+    return Field("Deviation", "mm", TILE, make, "high", part=part, shape=(len(F),))
 
 
-def force_fields(verification: Any, contacts: np.ndarray, parameters: Any,
-                 changed: tuple[str, ...]) -> list[Field]:
+def force_fields(verification: Any, contacts: np.ndarray, parameters: Any) -> list[Field]:
     """Of the physical model."""
     arrays, blocks = verification.arrays, verification.blocks
     forces = blocks.get("contact_forces", {})
@@ -167,11 +167,11 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any,
     if "contact_normal_min" in arrays:
         fields.append(Field("Normal force", "N", CONTACT,
                             lambda: aligned(arrays, "contact_normal_min", contacts), "low", f_min, "cross",
-                            problem="contacts below f_min", changed=changed))
+                            problem="contacts below f_min", part="Verification"))
     if "contact_friction_ratio" in arrays:
         fields.append(Field("Friction ratio", "", CONTACT,
                             lambda: aligned(arrays, "contact_friction_ratio", contacts), "high",
-                            slipping, "triangle", problem="contacts may slip", changed=changed))
+                            slipping, "triangle", problem="contacts may slip", part="Verification"))
     return fields
 
 

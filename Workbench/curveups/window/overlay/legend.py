@@ -29,7 +29,7 @@ _MOST, _STEPS = 30, 48              # letters a line, colours of the bar
 @dataclass(frozen=True)
 class Content:
     """What a legend says. `marks`: shape of the mark, text. `notes`: lines about the values. Without a
-    range there is no bar."""
+    range there is no bar. `faded`: as the tiles are."""
 
     title: str
     unit: str = ""
@@ -37,6 +37,7 @@ class Content:
     low: float = 0.0
     high: float = 1.0
     has_bar: bool = True
+    faded: bool = False
     notes: tuple[str, ...] = ()
     marks: tuple[tuple[str, str], ...] = ()
 
@@ -155,8 +156,8 @@ class Legend:
 
         y = np.linspace(0, HEIGHT, _STEPS + 1)
         values = np.array([first + share_at(middle) * (last - first) for middle in (y[:-1] + y[1:]) / 2])
-        for k, colour in enumerate(colours.sample(content.colour_map,
-                                                  colours.shares(values, content.low, content.high))):
+        shown = colours.sample(content.colour_map, colours.shares(values, content.low, content.high))
+        for k, colour in enumerate(colours.faded(shown) if content.faded else shown):
             self._body.addChild(_polygon([(0, y[k]), (WIDTH, y[k]), (WIDTH, y[k + 1]), (0, y[k + 1])],
                                          colour))
         factor, _ = user_unit(content.unit, max(abs(content.low), abs(content.high)))

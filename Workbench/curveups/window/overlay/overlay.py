@@ -19,7 +19,7 @@ from ...features.document import design_project_of, project_of
 from ..overlays import overlays
 from ..qt import QtCore, translate
 from ..units import text_of
-from . import cameras, colours
+from . import cameras, colours, origin
 from .fields import MEMBRANE, Field
 from .legend import Content, Dragging, Legend, arrange
 from .membranes import compute
@@ -49,8 +49,9 @@ class Overlay:
         self.note = ""                      # why it can't be drawn as the design is now
         self.selected: list[int] = []       # tiles
         self._hovered: list[int] = []
-        self._shown: Optional[_State] = None  # what the scene was made from
+        self._shown: Optional[origin.State] = None  # what the scene was made from
         self._iterating = False
+        self._aged: list[str] = []          # what the legend says of that
         self._dragging: list[Dragging] = []
         self._waiting = False
         self.shows_target = False           # the target before any layout, though there may be one
@@ -91,8 +92,10 @@ class Overlay:
             project = project_of(self.object)
             if project.latest("design") is not None and not self.shows_target:
                 project = design_project_of(self.object)
-            shown = _State(project, self.shows_target)
+            shown = origin.State(project, self.shows_target)
             if shown.same(self._shown) and not self.note:
+                if self._ages() != self._aged:
+                    self._colour()
                 return
             with translated(self.object.Label):
                 scene = (target_scene_of if self.shows_target else scene_of)(project)
@@ -203,12 +206,14 @@ class Overlay:
         """Colours by a field; "None": tiles are plain. A field that there is not yet shows once there is."""
         self._view.Field = name
 
-    @staticmethod
-    def age(one: Optional[Field]) -> str:
-        """Says that a field's values are not those of the design as it stands; empty where they are."""
-        if one is None or not one.changed:
-            return ""
-        return translate("CurveUps_Overlay", "out of date ({changed})", changed=", ".join(one.changed))
+    def age(self, one: Optional[Field]) -> str:
+        """Says that what a field shows, or without one the tiles, is not of the design as it stands; empty
+        where it is."""
+        return "" if self._iterating else origin.age(self.object, one, self.scene)
+
+    def _ages(self) -> list[str]:
+        """Of all that may be shown."""
+        return [self.age(None), *map(self.age, self.scene.fields.values() if self.scene else ())]
 
     def range(self) -> tuple[float, float]:
         """Of the field that is shown, in its unit."""
@@ -335,12 +340,13 @@ class Overlay:
     def _colour_tiles(self) -> None:
         scene, one = self.scene, self.field()
         if scene is not None:
-            self._picture.colour_tiles(scene, one, self._colour_map(one), self.range(), self.selected)
+            self._picture.colour_tiles(scene, one, self._colour_map(one), self.range(), self.selected,
+                                       bool(self.age(one)))
 
     def _colour_sheets(self) -> None:
         scene, one = self.scene, self.field()
         if scene is not None:
-            self._picture.colour_sheets(scene, one, self._colour_map(one), self.range())
+            self._picture.colour_sheets(scene, one, self._colour_map(one), self.range(), bool(self.age(one)))
 
     def _tell(self) -> None:
         for observer in list(self.observers):
@@ -348,7 +354,7 @@ class Overlay:
 
     def _problems(self) -> list[Field]:
         fields = self.scene.fields.values() if self.scene else ()
-        return [one for one in fields if one.mark and len(one.problems)]
+        return [one for one in fields if one.mark and len(one.problems) and not self.age(one)]
 
     def _mark(self) -> None:
         if self.scene is not None:
@@ -360,9 +366,12 @@ class Overlay:
     def _explain(self) -> None:
         """The legend."""
         self._tell()
+        self._aged = self._ages()
         one, notes = self.field(), []
         if self._iterating:
             notes.append(translate("CurveUps_Overlay", "present state of the solver"))
+        elif self.scene is not None and (one is not None or self.age(one)):
+            notes.append(origin.text(one, self.scene))
         if self.age(one):
             notes.append(self.age(one))
         if self.note:
@@ -376,7 +385,7 @@ class Overlay:
             return
         low, high = self.range()
         self._show_legend(Content(translate("CurveUps_Fields", one.name), one.unit, self._colour_map(one),
-                                  low, high, True, tuple(notes), marks))
+                                  low, high, True, bool(self.age(one)), tuple(notes), marks))
 
     def _show_legend(self, content: Optional[Content]) -> None:
         self.legend.show(content)
@@ -404,19 +413,3 @@ class Overlay:
             if not any(one.is_of(view) for one in self._dragging):
                 self._dragging.append(Dragging(view, self.legend, lambda: self._view.Visibility,
                                                self.set_range))
-
-
-class _State:
-    """What a scene is made from: equal for projects that are drawn alike."""
-
-    STAGES = ("target", "feasibility", "fairing", "relief", "cuts", "layout", "design",
-              "verification of the layout", "verification")
-
-    def __init__(self, project: Any, of_target: bool):
-        self._made = [project.latest(name) for name in self.STAGES]
-        self._values = (project.parameters.to_dict(), project.out_of_date("verification"),
-                        project.out_of_date("feasibility"), of_target)
-
-    def same(self, other: Optional["_State"]) -> bool:
-        return other is not None and self._values == other._values and all(
-            mine is theirs for mine, theirs in zip(self._made, other._made))

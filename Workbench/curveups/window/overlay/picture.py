@@ -54,25 +54,27 @@ class Picture:
             self._beside.shift.translation = tuple(_beside(self._figure.corners, self._beside.corners))
 
     def colour_tiles(self, scene: Scene, one: Optional[Field], map_name: str, ends: tuple[float, float],
-                     selected: Sequence[int]) -> None:
-        """By a field between the ends of its range; plain without one, or where it is the membranes'."""
+                     selected: Sequence[int], faded: bool) -> None:
+        """By a field between the ends of its range; plain without one, or where it is the membranes'.
+        faded: what is out of date."""
         if one is None or one.on == MEMBRANE:
             rgb = np.broadcast_to(np.array(colours.PLAIN), (len(scene.F), 6, 3))
         else:
             rgb = colours.sample(map_name, colours.shares(scene.slots(one), *ends))
-        found = colours.packed(rgb)
+        found = colours.packed(colours.faded(rgb) if faded else rgb)
         found[list(selected)] = colours.packed(np.array(_selection()))
         fill(self._tile_colours.orderedRGBA, found.ravel())
 
-    def colour_sheets(self, scene: Scene, one: Optional[Field], map_name: str,
-                      ends: tuple[float, float]) -> None:
+    def colour_sheets(self, scene: Scene, one: Optional[Field], map_name: str, ends: tuple[float, float],
+                      faded: bool) -> None:
         """The membranes, by a field of theirs."""
         start = 0
         for node, membrane in zip(self._sheet_colours, scene.membranes):
             count = len(membrane.triangles)
             if one is not None and one.on == MEMBRANE:
                 shares = colours.shares(one.values[start : start + count], *ends)
-                found = colours.packed(colours.sample(map_name, shares))
+                rgb = colours.sample(map_name, shares)
+                found = colours.packed(colours.faded(rgb) if faded else rgb)
             else:
                 found = np.full(count, colours.packed(np.array(colours.MEMBRANE)), np.uint32)
             start += count

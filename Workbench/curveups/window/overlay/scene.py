@@ -117,7 +117,8 @@ class Scene:
     def with_membranes(self, membranes: tuple[Membrane, ...]) -> "Scene":
         """The same with membranes, and what can be said of them."""
         stretch = Field("Membrane stretch", "", MEMBRANE,
-                        lambda: np.concatenate([sheet.stretch for sheet in membranes]), "high")
+                        lambda: np.concatenate([sheet.stretch for sheet in membranes]), "high",
+                        part="Layout")
         return replace(self, membranes=membranes, fields={**self.fields, stretch.name: stretch})
 
     def moved(self, T: np.ndarray, q: np.ndarray) -> "Scene":
@@ -162,7 +163,7 @@ def target_scene_of(project: Any) -> Optional[Scene]:
     known = {one.name for one in fields}
     fields += [one for one in target_fields(V, target.F, edges, parameters, contacts, True)
                if one.name not in known]
-    fields += _deviation(project, V, target.F)
+    fields += _deviation(project, V, target.F, "Target")
     return Scene(V, target.F, edges, parameters, **shapes, fields={one.name: one for one in fields})
 
 
@@ -197,20 +198,19 @@ def _of_design(project: Any, design: Any) -> Scene:
         made = project.latest(name)
         made = getattr(made, "verification", made)
         if made is not None and made.judged and len(made.design.F) == len(design.F):
-            changed = project.out_of_date(name) or ()
-            fields += force_fields(made, shapes.contacts, parameters, changed)
+            fields += force_fields(made, shapes.contacts, parameters)
             break
     fields += design_fields(design, shapes.contacts)
-    fields += _deviation(project, design.V, design.F)
+    fields += _deviation(project, design.V, design.F, "Layout")
     fields += target_fields(design.V, design.F, design.cuts, parameters, shapes.contacts, False)
     return Scene(design.V, design.F, design.cuts, parameters, **shapes_of(shapes, parameters),
                  fields={one.name: one for one in fields})
 
 
-def _deviation(project: Any, V: np.ndarray, F: np.ndarray) -> list[Field]:
+def _deviation(project: Any, V: np.ndarray, F: np.ndarray, part: str) -> list[Field]:
     """None where the surface before remeshing is not known: of a design file, say."""
     target = project.latest("target")
-    return [] if target is None else [deviation_field(V, F, *target.given)]
+    return [] if target is None else [deviation_field(V, F, part, *target.given)]
 
 
 def _height(parameters: Any) -> float:

@@ -51,7 +51,7 @@ class WorstContactsPanel(Following):
                 return
             form.field.setCurrentIndex(form.field.findData(one.name))
             form.note.setText(self._overlay.age(one))
-            form.note.setVisible(bool(one.changed))
+            form.note.setVisible(bool(form.note.text()))
             schema = FreeCAD.Units.getSchema()
             if (one, schema) != self._shown:
                 self._fill(one)

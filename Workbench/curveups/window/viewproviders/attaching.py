@@ -39,7 +39,13 @@ def attach(obj: Any) -> None:
         _waiting.append((obj.Document.Name, obj.Name, kind))
         QtCore.QTimer.singleShot(PEACE * len(_waiting), _replace_next)
     elif not isinstance(view.Proxy, kind):
+        attached = view.Proxy == _SHOWN_BY_FREECAD  # to nothing; and no view is attached twice
         kind(view)
+        if attached and kind is not ShapeView:
+            view.Proxy.attach(view)
+            view.DisplayMode = view.Proxy.getDisplayModes(view)
+            view.Visibility = False
+            view.Visibility = True
 
 
 def _replace_next() -> None:

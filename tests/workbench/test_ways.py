@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every command in every way that a user has to it, by the mouse: toolbar, menu, context menus of tree and
+view. What they record as a macro does the same in a FreeCAD without a window."""
+
+import os
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import pytest
+from curveups.window import qt
+from curveups.window.overlay import cameras
+from robot import (QtCore, QtGui, choose, click, click_at, close_panel, in_dialog, keys, menu_bar, picture,
+                   press, report, settle, until, widget, window)
+from steps import LIVE, begin, example, panel
+
+pytestmark = pytest.mark.freecad(window=True)
+
+
+def entry(name):
+    """What a command is called in menus."""
+    return qt.translate(name, FreeCADGui.Command.get(name).getInfo()["menuText"]).replace("&", "")
+
+
+def at_rest():
+    until(lambda: not LIVE.busy, 120, "the run to end")
+    settle(200)
+
+
+def leave():
+    """Closes whatever a command has opened."""
+    at_rest()
+    if panel() is not None:
+        panel().reject()
+    elif FreeCADGui.Control.activeDialog():
+        close_panel()
+    settle(200)
+
+
+def check(name, start, design, pages):
+    """start() is the user's way to the command; then what it is for has happened."""
+    made, short = design.Document, name.split("_")[1]
+    until(lambda: FreeCADGui.Command.get(name).isActive(), 10, name)
+    undos, text = list(made.UndoNames), report()
+    if short in ("NewDesign", "Target"):
+        FreeCADGui.Selection.clearSelection()
+        in_dialog(start, lambda: keys("Escape"))
+        assert list(made.UndoNames) == undos
+        return
+    documents = FreeCAD.listDocuments()
+    start()
+    if short in ("Solve", "Verify", "Repair", "BuildSolids"):
+        until(lambda: panel() is not None, 10, f"{name} to begin")
+        at_rest()
+        assert panel().design == design and "valid" in panel().form.verdict.text()
+        if short != "BuildSolids":
+            assert list(made.UndoNames)[0] == short, (name, made.UndoNames)
+    elif short in ("Check", "Cuts", "Overlay", "WorstContacts", "Export"):
+        until(FreeCADGui.Control.activeDialog, 10, f"the panel of {name}")
+    elif short == "ShowSolids":
+        until(lambda: design.Tiles.Visibility and not design.Visibility, 20, "solids")
+    elif short in ("ShowFlat", "ShowActuated"):
+        until(lambda: design.Visibility and not design.Tiles.Visibility, 10, "the overlay")
+        until(lambda: design.ViewObject.Morph == (short == "ShowActuated"), 10, name)
+    elif short == "Report":
+        until(lambda: pages, 60, "the page")
+        assert os.path.getsize(pages.pop()) > 50000
+    elif short == "Example":
+        until(lambda: len(FreeCAD.listDocuments()) == len(documents) + 1, 10, "a document")
+        other = FreeCAD.ActiveDocument
+        assert other.Label == entry(name), other.Label
+        until(lambda: panel() is not None, 10, "the example to be solved")
+        LIVE.cancel()
+        leave()
+        FreeCAD.closeDocument(other.Name)
+        FreeCADGui.ActiveDocument = FreeCADGui.getDocument(made.Name)
+        FreeCAD.setActiveDocument(made.Name)
+    elif short == "SolverStatus":
+        widget("CurveUpsSolverStatus").close()
+    elif short == "RestoreObjects":
+        until(lambda: "restored" in report()[len(text):], 10, "a line in the report view")
+    else:
+        raise AssertionError(f"{name}: say here what it does")
+    leave()
+    assert "Traceback" not in report() and "unexpected" not in report(), (name, report())
+
+
+def entries(menu, before=()):
+    """Texts on the way to each entry of a menu and of those below it."""
+    for one in menu.actions():
+        text = one.text().replace("&", "")
+        below = [other for other in menu.findChildren(QtGui.QMenu) if other.menuAction() == one]
+        if below:
+            yield from entries(below[0], (*before, text))
+        elif not one.isSeparator():
+            yield (*before, text)
+
+
+@pytest.fixture
+def pages(monkeypatch):
+    """Paths of pages that were opened."""
+    found = []
+    monkeypatch.setattr(qt.QtGui.QDesktopServices, "openUrl", lambda url: found.append(url.toLocalFile()))
+    return found
+
+
+@pytest.fixture
+def prepared(tmp_path):
+    """A design with solids, in a saved document."""
+    made, design = example(L=14)
+    made.saveAs(str(tmp_path / "saved.FCStd"))
+    for command in ("CurveUps_Solve", "CurveUps_BuildSolids"):
+        FreeCADGui.runCommand(command)
+        leave()
+    return design
+
+
+@pytest.fixture
+def known(prepared):
+    """Commands by what they are called in menus, without the menu of examples."""
+    return {entry(name): name for name in FreeCADGui.listCommands()
+            if name.startswith("CurveUps_") and name != "CurveUps_Examples"}
+
+
+def test_every_entry_of_the_menu(prepared, known, pages):
+    menu = next(one for one in window.menuBar().findChildren(QtGui.QMenu)
+                if one.menuAction().text().replace("&", "") == "CurveUps")
+    ways = list(entries(menu))
+    assert {way[-1] for way in ways} == set(known), (ways, known)
+    examples = [way for way in ways if "_Example_" in known[way[-1]]]
+    for way in [way for way in ways if way not in examples] + [examples[0], examples[-1]]:
+        check(known[way[-1]], lambda: choose(lambda: menu_bar("CurveUps"), *way), prepared, pages)
+
+
+def test_every_button_of_the_toolbar(prepared, known, pages):
+    bars = [one for one in window.findChildren(QtGui.QToolBar) if one.windowTitle().startswith("CurveUps")]
+    buttons = [one for bar in bars for one in bar.findChildren(QtGui.QToolButton)
+               if one.isVisible() and one.defaultAction()]
+    assert buttons
+    for button in buttons:
+        text = button.defaultAction().text().replace("&", "")
+        if button.menu():
+            check_menu(button, known, prepared, pages)
+        else:
+            check(known[text], lambda: click(button), prepared, pages)
+
+
+def check_menu(button, known, design, pages):
+    """Of a button with several commands: what its arrow offers last, which it does itself from then on."""
+    texts = [one.text().replace("&", "") for one in button.menu().actions()]
+    arrow = button.mapToGlobal(QtCore.QPoint(button.width() - 4, button.height() // 2))
+    check(known[texts[-1]], lambda: choose(lambda: click_at(arrow), texts[-1]), design, pages)
+    check(known[texts[-1]], lambda: click(button), design, pages)
+    assert [one.toolTip().count(texts[-1]) for one in button.menu().actions()][-2:] == [0, 2]
+
+
+def look():
+    """Where the view looks."""
+    return np.array(cameras.aim(FreeCADGui.ActiveDocument.ActiveView))
+
+
+def shown(part):
+    return part.Visibility and part.ViewObject.Visibility
+
+
+def test_the_first_layout_of_ones_own_part_comes_into_view(pictures):
+    import Part
+
+    made = begin()
+    part = made.addObject("Part::Feature", "Cap")
+    part.Shape = max(Part.makeSphere(40, FreeCAD.Vector(300, 0, 0), FreeCAD.Vector(0, 0, 1), 35).Faces,
+                     key=lambda face: face.Area)
+    made.recompute()
+    FreeCADGui.Selection.addSelection(part)
+    press("CurveUps_NewDesign")
+    design = made.Design
+    design.L = 8
+    made.recompute()
+    camera = look()
+    # A run that is cancelled leaves all as it was.
+    press("CurveUps_Solve")
+    until(lambda: LIVE._drawn, 60, "a picture of the run")
+    assert not shown(part)
+    click(panel().form.cancel)
+    at_rest()
+    assert shown(part) and np.allclose(look(), camera, atol=1e-3)
+    click(panel().form.solve)
+    at_rest()
+    assert design.TileCount and not shown(part)
+    assert picture("source-solved") > 20
+    assert not np.allclose(look(), camera, atol=1)
+    # Only the first one: what the user shows again, and where the user looks, stays.
+    part.Visibility = True
+    FreeCADGui.ActiveDocument.ActiveView.viewTop()
+    looked = look()
+    click(panel().form.solve)
+    at_rest()
+    assert shown(part) and np.allclose(look(), looked, atol=1e-3)
+    part.Visibility = False
+    for _ in range(2):
+        keys("ctrl+z")
+        settle(500)
+    assert design.TileCount == 0 and shown(part), made.UndoNames
+    assert np.allclose(look(), camera, atol=1e-3)
+    keys("ctrl+shift+z")
+    until(lambda: design.TileCount and not shown(part), 10, "the layout again")
