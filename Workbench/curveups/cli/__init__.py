@@ -19,8 +19,8 @@ from ..base.output import Folder, is_text
 from ..base.profiles import profile_names
 from ..base.progress import Interrupt, Reporter
 
-_EPILOG = """exit status: 0 valid, or not judged because verification was off; 1 finished, not valid;
-2 bad input or usage, nothing written; 3 stopped, best so far written; 4 a file could not be written"""
+_EPILOG = """exit status: 0 valid, or verification was off; 1 finished, but not valid; 2 bad input or usage,
+nothing written; 3 stopped, the best so far was written; 4 a file could not be written"""
 _NO_MEMORY = "there is not enough memory (this machine): use larger tiles or a smaller target"
 MOST_CUTS = 100
 
@@ -35,38 +35,38 @@ class _Parser(argparse.ArgumentParser):
 def make_parser() -> argparse.ArgumentParser:
     """Every command with its arguments."""
     parser = _Parser(prog="curveups", epilog=_EPILOG, allow_abbrev=False,
-                     description="From a target surface to the print files of a CurveUp.")
+                     description="Design a CurveUp, from the target surface to the print files.")
     parser.add_argument("--version", action="version", version=f"curveups {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND",
                                      parser_class=_Parser)
 
-    design = _command(commands, "design", "target surface to print files")
+    design = _command(commands, "design", "design a target, from its surface to print files")
     _target_arguments(design)
     _cuts_argument(design)
     design.add_argument("--auto-cuts", type=_count, default=0, metavar="N",
                         help="make up to N suggested cuts; the first opens a closed target")
     design.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
     design.add_argument("--no-solids", action="store_true",
-                        help="only design.json and the reports")
+                        help="write only design.json and the reports")
 
-    check = _command(commands, "check", "what of a target can be tiles, before any layout")
+    check = _command(commands, "check", "find out which parts of a target can become tiles")
     _target_arguments(check, folder_required=False)
     _cuts_argument(check)
     check.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
 
-    remesh = _command(commands, "remesh", "only the remeshed target, as NAME-remeshed.obj")
+    remesh = _command(commands, "remesh", "write the remeshed target as NAME-remeshed.obj")
     _target_arguments(remesh)
 
-    _command(commands, "targets", "the built-in targets, one a line", quiet=False)
-    _command(commands, "parameters", "every parameter: name, unit, default, range, meaning",
+    _command(commands, "targets", "list the built-in targets", quiet=False)
+    _command(commands, "parameters", "list the parameters: name, unit, default, range, meaning",
              quiet=False)
 
-    verify = _command(commands, "verify", "the exact physical model on a design file")
+    verify = _command(commands, "verify", "verify a design file by the exact physical model")
     verify.add_argument("design", type=Path, metavar="DESIGN.json")
     verify.add_argument("-o", dest="output", type=_folder, metavar="DIR",
                         help="write design.json, report.json and report.html there")
 
-    export = _command(commands, "export", "print files from a design file")
+    export = _command(commands, "export", "write print files of a design file")
     export.add_argument("design", type=Path, metavar="DESIGN.json")
     _output_argument(export)
     _set_argument(export)
@@ -93,7 +93,7 @@ def _command(commands: Any, name: str, text: str, quiet: bool = True) -> argpars
     parser = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".",
                                  allow_abbrev=False, epilog=_EPILOG)
     if quiet:
-        parser.add_argument("--quiet", action="store_true", help="no progress")
+        parser.add_argument("--quiet", action="store_true", help="show no progress")
     return parser
 
 
@@ -114,7 +114,7 @@ def _target_arguments(parser: argparse.ArgumentParser, folder_required: bool = T
 
 def _output_argument(parser: argparse.ArgumentParser, required: bool = True) -> None:
     parser.add_argument("-o", dest="output", type=_folder, required=required, metavar="DIR",
-                        help="folder for the files")
+                        help="write the files to this folder")
 
 
 def _cuts_argument(parser: argparse.ArgumentParser) -> None:
@@ -126,7 +126,7 @@ def _set_argument(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--set", dest="settings", action="append", default=[],
                         metavar="name=value",
                         help="a parameter, or several; see 'curveups parameters'. L=auto and H_body=auto "
-                             "choose the largest that do")
+                             "choose the largest that work")
 
 
 def _one_setting_each(arguments: Sequence[str]) -> list[str]:
