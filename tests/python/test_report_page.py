@@ -25,7 +25,7 @@ def test_moved_vertices_mended_contacts_and_recheck_are_named():
                             "recheck": {"valid": True, "reasons": [], "contact_forces": forces}}))
     assert "2 vertices moved by up to 0.3 mm" in text and "T00004, T00005" in text
     assert "T00001–T00012, T00003–T00004" in text and "no vertex moved" in text
-    assert "half the size the design is valid, too" in text
+    assert "half the size the design is valid too" in text
 
 
 def test_mending_says_what_it_did_or_would_do():
@@ -33,7 +33,7 @@ def test_mending_says_what_it_did_or_would_do():
              "max_mm": 1.25, "hausdorff_mm": 0.75, "tiles": [3], "remaining": [4]}
     text = text_of(changes({"mending": block}))
     assert "The target was mended:" in text and "2 holes filled" in text and "1.25 mm" in text
-    assert "too little room after that, too: T00005" in text
+    assert "still have too little space: T00005" in text
     assert "mend=on would do" in text_of(changes({"mending": {**block, "applied": False}}))
     assert "nothing to mend" in text_of(changes({"mending": {**block, "actions": [], "remaining": []}}))
 

@@ -16,11 +16,13 @@ _MOST = 10  # rows of a table of moved vertices
 def changes(report: Mapping[str, Any]) -> list[str]:
     """Sections on what was changed of the target and its tiles; none where nothing was."""
     parts: list[str] = []
-    for heading, block, lines in (("Mending", "mending", _mending), ("Relief", "relief", _relief),
-                                  ("Repair", "repair", _repair), ("Recheck", "recheck", _recheck)):
+    for heading, block, lines in (("Mending", "mending", _mending),
+                                  ("Feasibility smoothing", "relief", _relief),
+                                  ("Repair", "repair", _repair),
+                                  ("Mesh refinement check", "recheck", _recheck)):
         if block in report:
             parts += [f"<h3>{heading}</h3>", *lines(report[block], report)]
-    return ["<h2>What was changed and looked at again</h2>", *parts] if parts else []
+    return ["<h2>Changes and second verification</h2>", *parts] if parts else []
 
 
 def worst_contacts(contacts: Sequence[Mapping[str, Any]], f_min: float) -> list[str]:
@@ -48,7 +50,7 @@ def _mending(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
                          ("Mean of these", _mm(block["mean_mm"])), ("Largest", _mm(block["max_mm"])),
                          ("Hausdorff distance between before and after", _mm(block["hausdorff_mm"]))])]
     if remaining:
-        parts.append(f"<p>Tiles that had too little room after that, too: {tile_list(remaining, 12)}.</p>")
+        parts.append(f"<p>These tiles still have too little space: {tile_list(remaining, 12)}.</p>")
     return parts
 
 
@@ -58,15 +60,15 @@ def _mm(value: float) -> str:
 
 def _relief(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
     sides = [(tile_name(one["tile"]), one["side"], one["area_before_mm2"]) for one in block["pin_sides"]]
-    text = (f"Vertices were moved so that pins have room: {_moved(block)}. {len(sides)} pin sides had less "
-            f"than A_pin_min before; {block['remaining']} still have.")
+    text = (f"Moving vertices gave pins more space: {_moved(block)}. {len(sides)} pin sides had less "
+            f"than A_pin_min before, and {block['remaining']} still have less.")
     return [f"<p>{escape(text)}</p>", *_vertices(block),
-            table(sides[:_MOST], ("Tile", "Side", "Room before, mm²")), *_rest(len(sides))]
+            table(sides[:_MOST], ("Tile", "Side", "Largest pin before, mm²")), *_rest(len(sides))]
 
 
 def _repair(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
     ended = {"valid": "It ended with a valid design.", "stopped": "It was stopped.",
-             "blocked": "It could not mend all contacts."}[block["status"]]
+             "blocked": "It could not strengthen all contacts."}[block["status"]]
     mended = [_pair(pair) for pair in block.get("mended", ())]
     text = (f"{ended} {len(block['steps'])} steps; corners and insets moved by up to "
             f"{show(block['largest_move_mm'])} mm in the layout; {_moved(block)}.")
@@ -74,7 +76,7 @@ def _repair(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
     if mended:
         shown = ", ".join(mended[:4 * _MOST])
         more = f" and {len(mended) - 4 * _MOST} more" if len(mended) > 4 * _MOST else ""
-        parts.append(f"<p>{escape(f'Contacts that were weak and are not any more: {shown}{more}.')}</p>")
+        parts.append(f"<p>{escape(f'These contacts were weak before: {shown}{more}.')}</p>")
     parts += _vertices(block)
     if block["blocked"]:
         parts.append(table([(_pair(one["tiles"]), one["reason"]) for one in block["blocked"][:_MOST]],
@@ -85,11 +87,12 @@ def _repair(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
 
 def _recheck(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
     text = ("On a membrane mesh of half the size the design is "
-            + ("valid, too." if block["valid"] else "not valid: " + "; ".join(block["reasons"])))
+            + ("valid too." if block["valid"] else "not valid: " + "; ".join(block["reasons"])))
     rows = [(name.replace("_", " "), report["contact_forces"].get(name), block["contact_forces"].get(name))
             for name in ("normal_min", "normal_mean", "friction_ratio_max")
             if "contact_forces" in report and "contact_forces" in block]
-    return [f"<p>{escape(text)}</p>", *([table(rows, ("", "Verification", "Recheck"))] if rows else [])]
+    heads = ("", "Verification", "Mesh refinement check")
+    return [f"<p>{escape(text)}</p>", *([table(rows, heads)] if rows else [])]
 
 
 def _moved(block: Mapping[str, Any]) -> str:

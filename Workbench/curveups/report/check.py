@@ -154,7 +154,7 @@ def build_page(results: Results) -> str:
                           "likely to fail in orange."),
              "<h2>Margins</h2>", tables.table(rows(results), HEAD), f'<p class="note">{NOTE}</p>']
     if found.blocked:
-        parts += ["<h2>What is in the way</h2>",
+        parts += ["<h2>Obstacles</h2>",
                   tables.table([(tile_name(one.tile), one.why, "certain" if one.certain else "estimate")
                                 for one in found.blocked[:_MOST_LISTED]], ("Tile", "Why", ""))]
         if len(found.blocked) > _MOST_LISTED:
