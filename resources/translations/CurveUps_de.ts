@@ -496,8 +496,24 @@
       <translation>Dateien in {folder}: {count}</translation>
     </message>
     <message>
+      <source>open the folder</source>
+      <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+      <source>open the report</source>
+      <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+      <source>open {name} in the slicer</source>
+      <translation>{name} im Slicer öffnen</translation>
+    </message>
+    <message>
       <source>there is no folder</source>
       <translation>es gibt keinen Ordner</translation>
+    </message>
+    <message>
+      <source>{folder} holds the report of {other}. Replace it?</source>
+      <translation>In {folder} liegt der Bericht von {other}. Ersetzen?</translation>
     </message>
   </context>
   <context>

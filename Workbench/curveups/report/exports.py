@@ -4,6 +4,7 @@ says so in every file whose format has a place for that, and in the reports."""
 
 from __future__ import annotations
 
+import json
 import string
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -96,8 +97,17 @@ def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Fo
                 raise Stopped
             place.write(file, _writer(model, kind, ending, job))
     if choice.reports:
-        write_reports(_with(results, choice.doubts), place)
+        write_reports(_with(results, choice.doubts), place, stem=safe_name(project.name))
     return place
+
+
+def other_report(folder: Path, name: str) -> str:
+    """The design, not called `name`, whose report.json is in a folder; empty where there is none."""
+    try:
+        found = json.loads((folder / "report.json").read_text("utf-8"))["name"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return ""
+    return found if isinstance(found, str) and found != safe_name(name) else ""
 
 
 def report(project: Project, folder: Path, doubts: Iterable[str], job: Job) -> Path:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import threading
 import time
 from contextlib import ExitStack, nullcontext, suppress
@@ -263,9 +264,10 @@ def _go_on(job: Job, name: str) -> None:
 
 
 def write_reports(results: Results, folder: Folder, rows: list[Row] | None = None, stopped: bool = False,
-                  software: dict[str, str] | None = None, page: bytes | None = None) -> None:
-    """report.html, then report.json, which lists all files but itself. rows: with those of writing. page:
-    report.html, where it is there already."""
+                  software: dict[str, str] | None = None, page: bytes | None = None, stem: str = "") -> None:
+    """report.html, then report.json, which lists all files but reports in JSON. rows: with those of writing.
+    page: report.html, where it is there already. stem: of names of the same reports that a later run on
+    another design leaves alone."""
     report: dict[str, Any] = {}
     shown = results.rows() if rows is None else rows
     stopped = stopped or results.stopped
@@ -275,8 +277,11 @@ def write_reports(results: Results, folder: Folder, rows: list[Row] | None = Non
         path.write_bytes(_page(results, report) if page is None else page)
 
     folder.write("report.html", write_page)
+    if stem:
+        folder.write(f"{stem}-report.html", lambda path: shutil.copyfile(folder.path / "report.html", path))
     list_files(report, results, folder.files)
-    folder.write_text("report.json", to_text(report))
+    for name in (*([f"{stem}-report.json"] if stem else []), "report.json"):
+        folder.write_text(name, to_text(report))
 
 
 def _page(results: Results, report: dict[str, Any], drawn: list[bytes] | None = None) -> bytes:

@@ -15,10 +15,10 @@ from ...features import actions
 from ...features.document import settings_of
 from ...project.worker import Status
 from ...report.export_estimate import estimate
-from ...report.exports import Choice, choices, file_names
+from ...report.exports import Choice, choices, file_names, other_report
 from ..macro import call, named
 from ..notice import errors_shown, show_in, with_links
-from ..qt import QtCore, QtWidgets, load_ui, translate
+from ..qt import QtCore, QtGui, QtWidgets, load_ui, translate
 from ..run import LIVE, Task
 from ..selection import select_tiles
 from . import preferences
@@ -62,7 +62,7 @@ class ExportPanel:
         form.names.textChanged.connect(lambda *_: self._estimate())
         form.insist.toggled.connect(lambda *_: self._show_running(LIVE.runs_on(design)))
         for label in (form.line, form.doubts):
-            label.linkActivated.connect(lambda link: select_tiles(link))
+            label.linkActivated.connect(_follow)
         self._say("")
         show_in(self._say)
         LIVE.observe(self._show_run)
@@ -103,6 +103,8 @@ class ExportPanel:
             if not folder:
                 raise CurveUpsError(translate("CurveUpsExport", "there is no folder"), "",
                                     translate("CurveUpsExport", "choose one"))
+            if choice.reports and not self._may_replace(Path(folder)):
+                return
             work = actions.export_work(self.design, folder, choice)
             self._written_to = folder, choice
             LIVE.start(self.design, Task(translate("CurveUpsExport", "Export"), work, self._written))
@@ -114,9 +116,20 @@ class ExportPanel:
         actions.hand_over("export", design, names)
         call("actions.export", named(design), repr(folder), repr(choice.files), repr(choice.mask),
              repr(choice.deviation), repr(choice.reports), repr(choice.insist))
-        self._say(escape(translate("CurveUpsExport", "files in {folder}: {count}", count=len(names),
-                                   folder=folder)))
+        said = escape(translate("CurveUpsExport", "files in {folder}: {count}", count=len(names),
+                                folder=folder))
+        self._say(f"{said}<br>{' · '.join(_links(Path(folder), names))}")
         FreeCAD.Console.PrintMessage(f"CurveUps: {', '.join(names)} -> {folder}\n")
+
+    def _may_replace(self, folder: Path) -> bool:
+        """Asks where the reports in a folder are another design's."""
+        other = other_report(folder, self.design.Label)
+        if not other:
+            return True
+        box = QtWidgets.QMessageBox
+        text = translate("CurveUpsExport", "{folder} holds the report of {other}. Replace it?",
+                         folder=folder, other=other)
+        return box.question(self.form, self.form.windowTitle(), text, box.Yes | box.No, box.No) == box.Yes
 
     def _items(self) -> list[Any]:
         files = self.form.files
@@ -184,6 +197,24 @@ class ExportPanel:
         self.form.progress.setValue(int(1000 * max(status.fraction, 0.0)) if goes_on else 0)
         if not goes_on:
             self._show_doubts()
+
+
+def _links(folder: Path, names: list[str]) -> list[str]:
+    """What one may want to open after an export, as links."""
+    found = [(folder, translate("CurveUpsExport", "open the folder"))]
+    found += [(folder / name, translate("CurveUpsExport", "open the report"))
+              for name in names if name == "report.html"]
+    found += [(folder / name, translate("CurveUpsExport", "open {name} in the slicer", name=name))
+              for name in names if name.endswith(".3mf")]
+    return [f'<a href="{escape(path.absolute().as_uri())}">{escape(text)}</a>' for path, text in found]
+
+
+def _follow(link: str) -> None:
+    """A link of a message: a file, or tiles."""
+    if link.startswith("file:"):
+        QtGui.QDesktopServices.openUrl(QtCore.QUrl(link))
+    else:
+        select_tiles(link)
 
 
 def _bodies(kind: str) -> str:
