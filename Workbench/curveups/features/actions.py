@@ -222,11 +222,20 @@ def file_name(design: Any) -> str:
 
 @contextmanager
 def transaction(document: Any, text: str) -> Iterator[None]:
-    """One step of undo; taken back where the work inside raises."""
+    """One step of undo; taken back where the work inside raises. The document is the active one meanwhile:
+    FreeCAD would give an active one of its own a step that is called "-> text"."""
+    import FreeCAD
+
+    active = FreeCAD.ActiveDocument
+    FreeCAD.setActiveDocument(document.Name)
     document.openTransaction(text)
     try:
         yield
     except BaseException:
         document.abortTransaction()
         raise
-    document.commitTransaction()
+    else:
+        document.commitTransaction()
+    finally:
+        if active is not None:
+            FreeCAD.setActiveDocument(active.Name)
