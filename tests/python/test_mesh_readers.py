@@ -178,3 +178,9 @@ def test_quads_and_polygons_that_cross_themselves_stay_fans(tmp_path):
     square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
     assert read(tmp_path, "square.obj", square + "f 1 2 3 4\n")[1].tolist() == [[0, 1, 2], [0, 2, 3]]
     assert read(tmp_path, "bow.obj", square + "f 1 3 2 4\n")[1].tolist() == [[0, 2, 1], [0, 1, 3]]
+
+
+def test_a_line_that_goes_on_for_hundreds_of_thousands(tmp_path):
+    path = tmp_path / "long.obj"
+    path.write_text("v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 \\\n" + " \\\n" * 300_000 + "2 3\n")
+    assert read_target(path, 0.1).F.tolist() == [[0, 1, 2]]

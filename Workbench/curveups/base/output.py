@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Callable, ClassVar, NoReturn, Optional
 
 from .errors import NOT_WRITTEN, CurveUpsError, Stopped
+from .machine import is_running
 
 LONGEST_NAME = 120  # characters, so that endings fit into the 255 of a file name
 
@@ -108,6 +109,7 @@ class Folder:
         """Takes files of an earlier run away, in this order."""
         for name in names:
             try:
+                self._sweep(name)
                 (self.path / name).unlink(missing_ok=True)
             except OSError as error:
                 raise CurveUpsError(f"a file of an earlier run can't be removed: {error.strerror}",
@@ -142,6 +144,7 @@ class Folder:
             raise CurveUpsError(f"'{name}' is no file name", str(self.path), "name it without slashes")
         prepared = Prepared(name, self.path / f".{os.getpid()}-{name}")
         try:
+            self._sweep(name)
             try:
                 writer(prepared.path)
                 with open(prepared.path, "rb+") as file:
@@ -154,6 +157,13 @@ class Folder:
             if isinstance(error, Stopped) or type(error).__name__ == "Cancelled":
                 raise
             self._fail(name, error)
+
+    def _sweep(self, name: str) -> None:
+        """Takes away what killed programs have left of this file, under its temporary names."""
+        for left in self.path.glob(f".[0-9]*-{glob.escape(name)}*"):
+            process = left.name[1:].partition("-")[0]
+            if process.isdecimal() and not is_running(int(process)):
+                left.unlink(missing_ok=True)
 
     def keep(self, prepared: Prepared) -> None:
         """Gives a prepared file its name."""

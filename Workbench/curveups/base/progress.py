@@ -11,6 +11,7 @@ import signal
 import sys
 import time
 from contextlib import contextmanager
+from types import FrameType
 from typing import Any, Callable, Iterator, Optional, TextIO
 
 Progress = Callable[[str, float], bool]
@@ -21,7 +22,8 @@ STOPPING = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if
 
 class Interrupt:
     """Turns SIGINT, SIGTERM and SIGHUP into a flag while it is entered. A second one ends the program at
-    once, but not while files are being written (`shielded`)."""
+    once, but not while files are being written (`shielded`) or a module is loaded: extensions make an
+    ImportError of what interrupts them."""
 
     def __init__(self) -> None:
         self.requested = False
@@ -34,8 +36,8 @@ class Interrupt:
                 self._before[number] = signal.signal(number, self._handle)
         return self
 
-    def _handle(self, *_: Any) -> None:
-        if self.requested and not self._shields:
+    def _handle(self, _: int, frame: Optional[FrameType]) -> None:
+        if self.requested and not self._shields and not _loading(frame):
             raise KeyboardInterrupt
         self.requested = True
 
@@ -51,6 +53,15 @@ class Interrupt:
     def __exit__(self, *_: Any) -> None:
         for number, before in self._before.items():
             signal.signal(number, before or signal.SIG_DFL)
+
+
+def _loading(frame: Optional[FrameType]) -> bool:
+    """Whether a module is being loaded where the program stands."""
+    while frame is not None:
+        if frame.f_code.co_filename.startswith("<frozen importlib"):
+            return True
+        frame = frame.f_back
+    return False
 
 
 class Reporter:

@@ -15,6 +15,7 @@ from typing import Any, Callable, NoReturn, Optional, Sequence, TextIO
 
 from .. import __version__
 from ..base.errors import BAD_INPUT, NOT_WRITTEN, STOPPED, CurveUpsError, Stopped
+from ..base.machine import claim_memory_of_blas
 from ..base.output import Folder, is_text
 from ..base.profiles import profile_names
 from ..base.progress import Interrupt, Reporter
@@ -175,6 +176,7 @@ def run(arguments: Optional[list[str]], reporter_of: Callable[..., Reporter] = R
         reporter = reporter_of(interrupt, getattr(options, "quiet", False))
         try:
             # Loaded only now, so that --help works where the native module is broken.
+            claim_memory_of_blas()
             from . import commands
 
             with output:

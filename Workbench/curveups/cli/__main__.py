@@ -20,13 +20,16 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # of memory, and takes 0.6 of the time that it takes with the system's.
 os.environ.setdefault("MMGT_OPT", "2")
 
-from ..base.errors import NOT_WRITTEN  # noqa: E402
-from ..base.machine import keep_memory  # noqa: E402
-from . import main  # noqa: E402
+from ..base.errors import NOT_WRITTEN, STOPPED  # noqa: E402
 
-keep_memory()
 try:
+    from ..base.machine import keep_memory
+    from . import main
+
+    keep_memory()
     code = main()
+except KeyboardInterrupt:
+    code = STOPPED
 except SystemExit as ended:  # --help and --version
     code = int(ended.code or 0)
 for stream in filter(None, (sys.stdout, sys.stderr)):

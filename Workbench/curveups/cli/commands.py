@@ -12,6 +12,7 @@ from ..base.native import native, translated
 from ..base.output import Folder, is_text, plain_name, require_folder_name, safe_name
 from ..base.profiles import ABOUT, profile_path
 from ..base.progress import Interrupt, Reporter
+from ..base.reading import read_text
 from ..features.document_file import write_document
 from ..project.project import Project, Results
 from ..report import check as check_report
@@ -216,7 +217,7 @@ def _choose_sizes(project: Project, cuts: CutRequest, names: set[str], session: 
 
 def _read_design(path: Path) -> Any:
     try:
-        text = path.read_text(encoding="utf-8")
+        text = read_text(path)
     except OSError as error:
         raise CurveUpsError(f"the design can't be read: {error.strerror}", str(path),
                             "check its name and permissions") from None

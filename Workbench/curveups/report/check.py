@@ -11,7 +11,7 @@ from ..base.errors import tile_list, tile_name
 from ..project.project import Results
 from ..stages.feasibility import SAG, TOO_NARROW, TOO_SLACK, Feasibility
 from ..stages.sizes import Recommendation
-from . import html, pictures, tables
+from . import html, tables
 
 FORMAT, VERSION = "curveups-check", 1
 Row = tuple[str, str, str, str, str]
@@ -147,11 +147,12 @@ def build_page(results: Results) -> str:
     found = results["feasibility"]
     kind, word = ("valid", "Feasible") if found.feasible else ("invalid", "Not feasible")
     said = "".join(f"<li>{html.escape(line)}</li>" for line in (verdict(found), *advice(results)))
+    shown, note = html.pictures_or_note(
+        lambda: [html.view("blocked", V=found.V, F=found.F, marks=_marks(found))])
     parts = [f"<h1>{html.escape(results.title)}</h1>",
              f'<p><span class="verdict {kind}">{word}</span> &nbsp; {len(found.F)} tiles</p><ul>{said}</ul>',
-             html.picture(pictures.blocked_view(found.V, found.F, _marks(found)),
-                          "The target from both sides: tiles that can't be made in red, those that are "
-                          "likely to fail in orange."),
+             *note, *(html.picture(png, "The target from both sides: tiles that can't be made in red, those "
+                                        "that are likely to fail in orange.") for png in shown),
              "<h2>Margins</h2>", tables.table(rows(results), HEAD), f'<p class="note">{NOTE}</p>']
     if found.blocked:
         parts += ["<h2>Obstacles</h2>",

@@ -16,6 +16,7 @@ import numpy as np
 
 from ..base import freecad_session
 from ..base.errors import CurveUpsError, Stopped
+from ..base.machine import memory_is_limited
 from ..base.native import native
 from ..base.output import Folder, Prepared
 from ..project.project import Results
@@ -92,8 +93,9 @@ class Writing:
         """For `Project.run`: what there will be unless the checks find a fault. On the main thread, where
         FreeCAD has to be imported. Draws the page's pictures: writing would end later than the checks."""
         try:
-            if self._thread is not None and has_solids(results):
-                with suppress(CurveUpsError):  # whoever writes the document says so
+            # Beside checks that take memory, FreeCAD might find too little after it has looked.
+            if self._thread is not None and has_solids(results) and not memory_is_limited():
+                with suppress(CurveUpsError, MemoryError):  # whoever writes the document says so
                     freecad_session.load("Part", "Mesh")
                 self._drawn = self._draw(results)
                 self._expected = results
@@ -154,8 +156,9 @@ class Writing:
         self._began.enter_context(self._shield())
         self._folder = Folder(self._path)
         self._doing = "writing design.json"
-        self._thread = threading.Thread(target=self._write_first, args=(results,), daemon=True)
-        self._thread.start()
+        thread = threading.Thread(target=self._write_first, args=(results,), daemon=True)
+        thread.start()  # may fail, for want of memory
+        self._thread = thread
 
     def _write_first(self, results: Results) -> None:
         try:

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import base64
+from importlib import import_module
 from html import escape
-from typing import Any, Callable, Iterator, Optional, Sequence
+from typing import Any, Callable, Iterable, Iterator, Optional, Sequence
 
 from ..base.errors import tile_list, tile_name
 from ..base.native import native
 from ..project.project import Results
 from ..stages.solids import fits_bed, read_printer
-from . import cut_pictures, membrane_pictures, pictures
 from .changes import changes, worst_contacts
 from .tables import show, table
 
@@ -34,21 +34,38 @@ figure { margin: 0; } figcaption { color: #6d6454; font-size: .9rem; }
 """
 
 
-_VIEWS: dict[str, Callable[..., bytes]] = {
-    "flat": pictures.flat_layout, "actuated": pictures.actuated_view, "cuts": cut_pictures.cut_view,
-    "stretch": membrane_pictures.stretch_view, "movement": pictures.movement_view}
+# Modules and their functions. matplotlib is loaded where the first picture is drawn.
+_VIEWS = {"flat": ("pictures", "flat_layout"), "actuated": ("pictures", "actuated_view"),
+          "cuts": ("cut_pictures", "cut_view"), "stretch": ("membrane_pictures", "stretch_view"),
+          "movement": ("pictures", "movement_view"), "blocked": ("pictures", "blocked_view")}
+
+
+def view(name: str, **data: Any) -> bytes:
+    """A picture, as PNG."""
+    module, function = _VIEWS[name]
+    return getattr(import_module(f".{module}", __package__), function)(**data)
 
 
 def draw(results: Results) -> Iterator[bytes]:
-    """The page's pictures in their order, as PNG; they are most of its time."""
+    """The page's pictures in their order; they are most of its time."""
     for one in results.pictures():
-        yield _VIEWS[one.view](**one.data)
+        yield view(one.view, **one.data)
+
+
+def pictures_or_note(draw: Callable[[], Iterable[bytes]]) -> tuple[list[bytes], list[str]]:
+    """The pictures, or none and what the page says of that: a page without them is better than none."""
+    try:
+        return list(draw()), []
+    except Exception as error:  # of matplotlib, which needs a folder that it may write to
+        said = escape(" ".join(str(error).split()) or type(error).__name__)
+        return [], [f'<p class="note">The pictures could not be drawn: {said}.</p>']
 
 
 def build_html(results: Results, report: dict, drawn: Optional[Sequence[bytes]] = None) -> str:
     """The page for the results of a run and their report; `drawn`: its pictures, where they are there."""
-    parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report)]
-    for one, png in zip(results.pictures(), draw(results) if drawn is None else drawn):
+    shown, note = pictures_or_note(lambda: draw(results) if drawn is None else drawn)
+    parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report), *note]
+    for one, png in zip(results.pictures(), shown):
         parts += [f"<h2>{escape(one.heading)}</h2>"] if one.heading else []
         parts.append(picture(png, one.caption))
     parts += _cuts(report.get("suggested_cuts", ()))

@@ -7,12 +7,19 @@ The same design gives the same bytes: no dates, no random ids, fixed sizes.
 from __future__ import annotations
 
 import io
+import logging
+import os
 from types import SimpleNamespace
 from typing import Any, Sequence
 
-import matplotlib
+# Every figure has its canvas here, and a word that names no backend ends the import.
+# What it says of folders that it may not write to is no news of a design.
+logging.getLogger("matplotlib").setLevel(logging.ERROR)
+_backend = os.environ.pop("MPLBACKEND", None)
+import matplotlib  # noqa: E402
 
-matplotlib.use("Agg")
+if _backend is not None:
+    os.environ["MPLBACKEND"] = _backend
 matplotlib.rcParams["svg.hashsalt"] = "curveups"
 matplotlib.rcParams["font.size"] = 9
 

@@ -105,9 +105,10 @@ def find_source(target: str, **options: Any) -> Source:
 
 
 def file_stamp(path: str) -> str:
-    """A digest of a file's content; empty where there is no such file or it can't be read."""
+    """A digest of a file's content; empty where there is no such file, it can't be read, or it is empty:
+    files of the system that say so may be read for ever."""
     try:
-        if not Path(path).is_file():
+        if not Path(path).is_file() or not Path(path).stat().st_size:
             return ""
         found = hashlib.sha256()
         with open(path, "rb") as file:

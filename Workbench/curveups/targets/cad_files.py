@@ -24,6 +24,7 @@ import numpy as np
 
 from ..base import freecad_session
 from ..base.errors import CurveUpsError, Stopped
+from ..base.machine import claim_memory_of_blas, keep_memory, memory_is_limited
 from ..base.native import native, translated
 from .cad_creases import creases
 from .cad_parts import Choice, choose
@@ -86,8 +87,9 @@ def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: 
         copy.write_bytes(data)
         status = _run(copy, deflection, choice, answer, go_on, time_limit, path)
         if not answer.exists():
-            raise CurveUpsError("the file is damaged: FreeCAD's reader "
-                                + ("crashed" if status < 0 else "broke down"), str(path), _AGAIN)
+            failed = "FreeCAD's reader " + ("crashed" if status < 0 else "broke down")
+            raise CurveUpsError(f"{failed}: too little memory, or a damaged file" if memory_is_limited()
+                                else f"the file is damaged: {failed}", str(path), _AGAIN)
         with np.load(answer) as found:
             said = json.loads(str(found["said"]))
             V, F = found["V"], found["F"]
@@ -172,6 +174,8 @@ def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
         bare = sum(1 for face in shape.Faces if not face.tessellate(size)[1])
         # Of one that has lost an edge it makes another.
         gaping = sum(1 for face in shape.Faces if not all(wire.isClosed() for wire in face.Wires))
+    except MemoryError:
+        raise
     except Exception as error:  # FreeCAD raises its own types, and bare RuntimeError
         raise CurveUpsError("FreeCAD can't make triangles of the surface", where,
                             "mend the surface, or export it as a mesh") from error
@@ -191,6 +195,8 @@ def _read(path: Path, deflection: float, choice: Choice) -> tuple[int, Read]:
     try:
         shape = part.read(str(path))
         faces = [] if shape.isNull() else shape.Faces
+    except MemoryError:
+        raise
     except Exception as error:
         raise CurveUpsError("FreeCAD can't read the file", str(path), _AGAIN) from error
     if not faces:
@@ -202,10 +208,13 @@ def _main(path: str, deflection: str, answer: str, choice: str) -> None:
     said: dict[str, Any] = {"error": "", "remedy": "", "faces": 0, "notes": [], "wall": None}
     found = Read(np.zeros((0, 3)), np.zeros((0, 3), np.int32))
     try:
+        claim_memory_of_blas()
         said["faces"], found = _read(Path(path), float(deflection), Choice(**json.loads(choice)))
         said.update(notes=found.notes, wall=found.wall)
     except CurveUpsError as error:
         said.update(error=error.what, remedy=error.remedy)
+    except MemoryError:
+        said.update(error="the file needs more memory than there is", remedy="simplify the part")
     with open(answer + ".part", "wb") as file:  # whole, or not there
         np.savez(file, said=json.dumps(said), V=found.V, F=found.F,
                  creases=np.zeros((0, 2), np.int32) if found.creases is None else found.creases)
@@ -213,4 +222,5 @@ def _main(path: str, deflection: str, answer: str, choice: str) -> None:
 
 
 if __name__ == "__main__":
+    keep_memory()
     _main(*sys.argv[1:])

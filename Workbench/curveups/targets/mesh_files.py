@@ -212,17 +212,18 @@ def _obj_index(word: str, count: int, where: str) -> int:
 def _continued(lines: Iterator[tuple[int, str]]) -> Iterator[tuple[int, str]]:
     """A line that ends with a backslash goes on in the next; a comment does not (one may end with a folder
     of Windows)."""
-    begun, first = "", 0
+    begun: list[str] = []
+    first = 0
     for number, line in lines:
         first = first or number
         text = line.rstrip()
-        if text.endswith("\\") and not (begun or text).lstrip().startswith("#"):
-            begun += text[:-1] + " "
+        if text.endswith("\\") and not (begun or [text])[0].lstrip().startswith("#"):
+            begun.append(text[:-1])
             continue
-        yield first, begun + line
-        begun, first = "", 0
+        yield first, " ".join((*begun, line))
+        begun, first = [], 0
     if begun:
-        yield first, begun
+        yield first, " ".join(begun)
 
 
 def require_corners(faces: Sequence[Sequence[int]], where: str) -> None:

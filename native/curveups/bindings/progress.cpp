@@ -2,6 +2,12 @@
 #include "curveups/bindings/bindings.hpp"
 
 namespace curveups::bindings {
+namespace {
+
+// What a sink answers counts as Python counts truth, and nothing as yes.
+bool goes_on(const py::object& answer) { return answer.is_none() || py::bool_(answer); }
+
+}  // namespace
 
 PythonProgress::PythonProgress(py::object callable) : callable_(std::move(callable)) {}
 
@@ -13,7 +19,7 @@ Progress PythonProgress::function() {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
       if (callable_.is_none()) return true;
       const py::object answer = callable_(what, fraction);
-      return answer.is_none() || answer.cast<bool>();
+      return goes_on(answer);
     } catch (...) {
       error_ = std::current_exception();
       return false;
@@ -32,7 +38,7 @@ PythonListener::Function PythonListener::function() {
     try {
       const py::object answer =
           callable_(to_blocks(T, 3, 2), to_blocks(q, 2, 3), figure, violation);
-      return answer.is_none() || answer.cast<bool>();
+      return goes_on(answer);
     } catch (...) {
       error_ = std::current_exception();
       return false;

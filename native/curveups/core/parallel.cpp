@@ -24,11 +24,12 @@ namespace {
 constexpr int most_threads = 256;
 
 int default_threads() {
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   if (const char* text = std::getenv("CURVEUPS_THREADS")) {
-    const int count = std::atoi(text);
-    if (count > 0) return std::min(count, most_threads);
+    const long count = std::strtol(text, nullptr, 10);  // at the ends of long for what is beyond
+    if (count > 0) return static_cast<int>(std::min<long>(count, processors));
   }
-  return std::max(1u, std::thread::hardware_concurrency());
+  return processors;
 }
 
 // oneTBB has as many workers as there are processors unless more are asked for.

@@ -11,7 +11,7 @@
 namespace curveups {
 
 // Threads for parallel loops; at least 1. Default: the machine's processors, or the environment
-// variable CURVEUPS_THREADS where it is a positive number.
+// variable CURVEUPS_THREADS where it is a positive number below that.
 int thread_count();
 // Not while a loop runs.
 void set_thread_count(int count);

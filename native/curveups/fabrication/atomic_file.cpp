@@ -36,6 +36,10 @@ void write_atomically(const std::string& path,
   // What C's functions take for the end of the name.
   if (path.find('\0') != std::string::npos) fail(path.c_str(), EINVAL);
   if (fs::is_directory(path, ignored)) fail(path, EISDIR);
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
+    throw IoError("can't write " + path + ": it is a device, and a rename would replace it",
+                  "name a file");
+  }
   const std::string temporary = path + ".part" + std::to_string(platform::process_id());
   try {
     write_bytes(temporary, "");
