@@ -65,6 +65,10 @@ class FreeCADProcess:
             pass
         self._process.wait()
 
+    def hang_up(self) -> None:
+        """Asks for nothing more."""
+        self._connection.close()
+
     def wait(self, seconds: float) -> None:
         """Until FreeCAD has ended by itself."""
         self._process.wait(seconds)
@@ -112,7 +116,7 @@ def _checkout_with(folder: Path, module: bytes | None) -> None:
     """This checkout by links, with another native module: its bytes, or None."""
     package = folder / "Workbench" / "curveups"
     package.mkdir(parents=True)
-    for place, names in ((ROOT, ("Init.py", "InitGui.py", "package.xml", "resources")),
+    for place, names in ((ROOT, ("Init.py", "InitGui.py", "package.xml", "resources", "tools")),
                          (ROOT / "Workbench" / "curveups", None)):
         for path in place.iterdir():
             if path.name in names if names else not path.name.startswith(("_native", "__pycache__")):

@@ -83,16 +83,8 @@ def call(channel: Connection, path: str, name: str, arguments: tuple[Any, ...]) 
         channel.send(("broken", traceback.format_exc()))
 
 
-def text(channel: Connection, source: str) -> None:
-    try:
-        exec(compile(source, "text", "exec"), {"__name__": "__main__"})
-        channel.send(("done", None))
-    except BaseException:
-        channel.send(("broken", traceback.format_exc()))
-
-
 def serve() -> None:
-    jobs: dict[str, Callable[..., None]] = {"tests": run_tests, "call": call, "text": text}
+    jobs: dict[str, Callable[..., None]] = {"tests": run_tests, "call": call}
     channel = Connection(int(os.environ["CURVEUPS_CHANNEL"]))
     os.set_inheritable(channel.fileno(), False)
     try:

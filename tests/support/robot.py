@@ -71,7 +71,16 @@ def click(widget, times=1, button=1):
             settle(100)
         above = above.parentWidget()
     assert widget.isVisible() and widget.isEnabled(), (widget.objectName(), widget.isVisible())
-    click_at(widget.mapToGlobal(widget.rect().center()), button, times)
+    click_at(at_rest_place(widget), button, times)
+
+
+def at_rest_place(widget):
+    """The middle of a widget on the display, once layouts and scrolling have come to rest."""
+    place, before = widget.mapToGlobal(widget.rect().center()), None
+    while place != before:
+        settle(60)
+        place, before = widget.mapToGlobal(widget.rect().center()), place
+    return place
 
 
 def keys(*names):

@@ -10,7 +10,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 
-from freecad_process import FreeCADProcess, freecad_home  # noqa: E402
+from freecad_process import FreeCADProcess  # noqa: E402
 from freecad_tests import (INSIDE, pytest_collection_modifyitems, pytest_configure,  # noqa: E402,F401
                            pytest_pycollect_makemodule)
 from running import PYTHON, dome, environment  # noqa: E402
@@ -49,25 +49,23 @@ def bowl_document():
 @pytest.fixture
 def elsewhere(request, tmp_path_factory):
     """Calls a function of the test's file in another FreeCAD, and gives its value and what FreeCAD printed.
-    home: what that FreeCAD has of the workbench, one of freecad_process.HOMES."""
+    home: what that FreeCAD has of the workbench, one of freecad_process.HOMES. ends: FreeCAD has to end by
+    itself afterwards."""
 
-    def call(function, *arguments, home="workbench", window=False, timeout=300):
+    def call(function, *arguments, home="workbench", window=False, ends=False, timeout=300):
         process = FreeCADProcess(tmp_path_factory.mktemp("elsewhere"), home, window)
         try:
             process.send(("call", str(request.path), function.__name__, arguments))
             kind, value = process.receive(timeout)
+            if ends:
+                process.hang_up()
+                process.wait(timeout)
         finally:
             process.end()
         assert kind == "done", value
         return value, process.said()
 
     return call
-
-
-@pytest.fixture
-def home(tmp_path):
-    """A home folder whose FreeCAD has this workbench."""
-    return freecad_home(tmp_path / "home", True)
 
 
 @pytest.fixture
@@ -106,37 +104,3 @@ if INSIDE:
             robot.settle(100)
             robot.at_rest()
             robot.clear_report()
-
-
-# Until every file is a module of its own: text that runs in a FreeCAD.
-
-@pytest.fixture(scope="session")
-def document(dome_document):
-    return dome_document
-
-
-@pytest.fixture(scope="session")
-def bowl(bowl_document):
-    return bowl_document
-
-
-@pytest.fixture(scope="session")
-def homes(tmp_path_factory):
-    return {known: freecad_home(tmp_path_factory.mktemp("home"), known) for known in (True, False)}
-
-
-@pytest.fixture
-def freecad(tmp_path_factory):
-    def run(text, home=True, **names):
-        process = FreeCADProcess(tmp_path_factory.mktemp("elsewhere"),
-                                 {True: "workbench", False: "nothing"}.get(home, home))
-        head = "".join(f"{name} = {str(value)!r}\n" for name, value in names.items())
-        try:
-            process.send(("text", head + "def done():\n    pass\n" + text))
-            kind, value = process.receive(300)
-        finally:
-            process.end()
-        assert kind == "done", value
-        return process.said()
-
-    return run

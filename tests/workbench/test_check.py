@@ -1,20 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The check of a target, sizes that are chosen and profiles of printers, by mouse in a real window."""
 
-import shutil
+import math
 
+import FreeCAD
+import FreeCADGui
+import Mesh
+import Part
 import pytest
-from test_commands import START
-from window import run_in_window
-
-pytestmark = pytest.mark.skipif(not shutil.which("xvfb-run"), reason="there is no xvfb-run")
-
-CHECK = START + """
+from curveups.features import actions
+from curveups.window.overlay.colours import MARK
 from curveups.window.overlays import overlay_of
-from curveups.window.overlay.overlay import Overlay
+from curveups.window.units import in_user_units
+from robot import (at_rest, click, click_at, close_panel, picture, press, QtCore, QtGui, report, settle,
+                   until, widget)
+from steps import begin, example, in_units, LIVE, panel
+
+pytestmark = pytest.mark.freecad(window=True)
+
 
 def tent():
-    import math
     points = [(x, y, 9 * max(0.0, 1 - math.hypot(max(abs(x) - 8, 0.0), y) / 9))
               for y in range(-24, 25, 2) for x in range(-24, 25, 2)]
     found = []
@@ -23,26 +28,27 @@ def tent():
             found += [FreeCAD.Vector(*points[k]) for k in (a, a + 1, a + 26, a, a + 26, a + 25)]
     return found
 
+
 def design_of_tent(**values):
     made = begin()
-    import Mesh
-    given = made.addObject('Mesh::Feature', 'Tent')
+    given = made.addObject("Mesh::Feature", "Tent")
     given.Mesh = Mesh.Mesh(tent())
     FreeCADGui.Selection.addSelection(given)
-    press('CurveUps_NewDesign')
+    press("CurveUps_NewDesign")
     given.ViewObject.Visibility = False
     for name, value in values.items():
         setattr(made.Design, name, value)
     made.recompute()
     return made, made.Design
 
+
 def checking(form):
-    until(lambda: live().busy or form.verdict.text() or form.line.text(), 10, 'the check')
+    until(lambda: LIVE.busy or form.verdict.text() or form.line.text(), 10, "the check")
     at_rest()
 
+
 def marked():
-    # Pixels of the colour of marks beside the legend.
-    from curveups.window.overlay.colours import MARK
+    """Pixels of the colour of marks beside the legend."""
     image = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
     wanted = [int(255 * part) for part in MARK]
     count = 0
@@ -53,6 +59,7 @@ def marked():
             count += all(abs(a - b) < 12 for a, b in zip(found, wanted))
     return count
 
+
 def click_item(tree, item):
     area = tree.parentWidget()
     while not isinstance(area, QtGui.QScrollArea):
@@ -61,160 +68,141 @@ def click_item(tree, item):
     tree.scrollToItem(item)
     settle(200)
     click_at(tree.viewport().mapToGlobal(tree.visualItemRect(item).center()))
-"""
 
 
-def run(text, homes, tmp_path, **names):
-    out = run_in_window(CHECK + text, homes[True], tmp_path, pictures=tmp_path / "pictures", **names)
-    assert "Traceback" not in out, out
-
-
-def test_a_check_says_what_is_in_the_way_and_sizes_that_do(homes, tmp_path):
-    run("""
-def work():
-    made, design = example('mask', L=14, HBody=28)
+def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
+    made, design = example("mask", L=14, HBody=28)
     before = design.Results
-    press('CurveUps_Check')
-    form = widget('CheckPanel')
-    assert live().busy and form.cancel.isEnabled()
+    press("CurveUps_Check")
+    form = widget("CheckPanel")
+    assert LIVE.busy and form.cancel.isEnabled()
     click(form.cancel)
     at_rest()
-    assert design.Results == before and 'cancelled' in form.line.text(), form.line.text()
+    assert design.Results == before and "cancelled" in form.line.text(), form.line.text()
     click(form.check)
     checking(form)
 
     # Tiles that can't be made are drawn, marked and listed all the same.
     overlay = overlay_of(design)
-    assert overlay.shows_target and overlay.note == '', overlay.note
-    assert overlay.field().name == 'Fold margin', overlay.fields()
-    problems = overlay.scene.fields['Obstacles'].problems
-    assert len(problems) and 'Not feasible' in form.verdict.text(), form.verdict.text()
-    assert picture('not-feasible') > 20
+    assert overlay.shows_target and overlay.note == "", overlay.note
+    assert overlay.field().name == "Fold margin", overlay.fields()
+    problems = overlay.scene.fields["Obstacles"].problems
+    assert len(problems) and "Not feasible" in form.verdict.text(), form.verdict.text()
+    assert picture("not-feasible") > 20
     assert marked() > 3 * len(problems), marked()
     listed = {form.obstacles.topLevelItem(row).text(0) for row in range(form.obstacles.topLevelItemCount())}
-    assert listed == {f'T{tile + 1:05d}' for tile in problems}, listed
-    assert made.UndoNames[0] == 'Check', made.UndoNames
+    assert listed == {f"T{tile + 1:05d}" for tile in problems}, listed
+    assert made.UndoNames[0] == "Check", made.UndoNames
 
     item = form.obstacles.topLevelItem(0)
     click_item(form.obstacles, item)
-    until(lambda: [tile + 1 for tile in overlay.selected] == [int(item.text(0)[1:])], 5, 'its tile')
+    until(lambda: [tile + 1 for tile in overlay.selected] == [int(item.text(0)[1:])], 5, "its tile")
     rows = {form.margins.topLevelItem(row).text(0): form.margins.topLevelItem(row)
             for row in range(form.margins.topLevelItemCount())}
-    row = next(row for name, row in rows.items() if name.startswith('room of the front'))
+    row = next(row for name, row in rows.items() if name.startswith("room of the front"))
     click_item(form.margins, row)
-    until(lambda: overlay.field().name == 'Membrane room', 5, 'its field')
+    until(lambda: overlay.field().name == "Membrane room", 5, "its field")
 
     # A thickness that does is taken over and checked; both are steps of undo.
-    assert 'HBody' in form.use_thickness.text(), form.use_thickness.text()
+    assert "HBody" in form.use_thickness.text(), form.use_thickness.text()
     click(form.use_thickness)
-    until(lambda: live().busy, 10, 'the next check')
+    until(lambda: LIVE.busy, 10, "the next check")
     at_rest()
-    assert 1 < design.HBody.Value < 28 and made.UndoNames[:2] == ['Check', 'Use HBody'], made.UndoNames
-    assert '<b>Feasible' in form.verdict.text() and not form.obstacles.isVisible(), form.verdict.text()
-    assert len(overlay.scene.fields['Obstacles'].problems) == 0
-    picture('feasible')
+    assert 1 < design.HBody.Value < 28 and made.UndoNames[:2] == ["Check", "Use HBody"], made.UndoNames
+    assert "<b>Feasible" in form.verdict.text() and not form.obstacles.isVisible(), form.verdict.text()
+    assert len(overlay.scene.fields["Obstacles"].problems) == 0
+    picture("feasible")
 
     # What was checked is out of date with the next edit, here by undo.
     made.undo()
     made.undo()
     settle(500)
-    until(lambda: design.HBody.Value == 28 and 'Not feasible' in form.verdict.text(), 5, 'the check before')
+    until(lambda: design.HBody.Value == 28 and "Not feasible" in form.verdict.text(), 5, "the check before")
     design.HBody = 3
     made.recompute()
-    until(lambda: 'Out of date' in form.verdict.text() and not form.sizes.isEnabled(), 5, 'that it is old')
+    until(lambda: "Out of date" in form.verdict.text() and not form.sizes.isEnabled(), 5, "that it is old")
     close_panel()
     until(lambda: not overlay.shows_target, 5)
-    assert report().count('error') == 0, report()
-""", homes, tmp_path)
+    assert report().count("error") == 0, report()
 
 
-def test_the_target_of_a_solved_design_is_checked_beside_its_layout(homes, tmp_path):
-    run("""
-def work():
+def test_the_target_of_a_solved_design_is_checked_beside_its_layout(pictures):
     made, design = example(L=13)
-    from curveups.features import actions
     actions.solve(design)
     made.recompute()
     settle(500)
-    assert design.Verdict == 'valid', list(design.Reasons)
+    assert design.Verdict == "valid", list(design.Reasons)
     overlay = overlay_of(design)
-    press('CurveUps_Check')
-    form = widget('CheckPanel')
+    press("CurveUps_Check")
+    form = widget("CheckPanel")
     checking(form)
-    assert overlay.scene.flat is None and 'Fold margin' in overlay.fields()
-    assert design.Verdict == 'valid' and 'Feasible' in form.verdict.text()
-    picture('of-a-valid-design')
+    assert overlay.scene.flat is None and "Fold margin" in overlay.fields()
+    assert design.Verdict == "valid" and "Feasible" in form.verdict.text()
+    picture("of-a-valid-design")
     close_panel()
-    until(lambda: overlay.scene.flat is not None and 'Fold margin' not in overlay.fields(), 10, 'the layout')
-    assert design.Verdict == 'valid'
-""", homes, tmp_path)
+    until(lambda: overlay.scene.flat is not None and "Fold margin" not in overlay.fields(), 10, "the layout")
+    assert design.Verdict == "valid"
 
 
-def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(homes, tmp_path):
-    run("""
-def item(menu, text):
-    return next(action for action in menu.actions() if action.text() == text)
+def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictures):
+    def item(menu, text):
+        return next(action for action in menu.actions() if action.text() == text)
 
-def work():
-    made, design = example('half-sphere', L=13, HBody=8, Fidelity=0.4)
+    made, design = example("half-sphere", L=13, HBody=8, Fidelity=0.4)
     FreeCADGui.ActiveDocument.setEdit(design.Name)
     settle(300)
     form = panel().form
-    panel().turn_to('Target')
+    panel().turn_to("Target")
     settle(200)
-    picture('with-auto')
+    picture("with-auto")
     assert form.minimumSizeHint().width() <= 310, form.minimumSizeHint().width()  # of FreeCAD's dock
-    click(form.findChild(QtGui.QToolButton, 'auto_L'))
-    until(lambda: live().busy, 10, 'the search')
+    click(form.findChild(QtGui.QToolButton, "auto_L"))
+    until(lambda: LIVE.busy, 10, "the search")
     at_rest()
-    assert made.UndoNames[0] == 'Choose Sizes' and design.L.Value != 13, (design.L, made.UndoNames)
-    field = form.findChild(QtGui.QAbstractSpinBox, 'L')
-    assert abs(field.property('rawValue') - design.L.Value) < 1e-9
-    assert 'L = ' in form.line.text(), form.line.text()
+    assert made.UndoNames[0] == "Choose Sizes" and design.L.Value != 13, (design.L, made.UndoNames)
+    field = form.findChild(QtGui.QAbstractSpinBox, "L")
+    assert abs(field.property("rawValue") - design.L.Value) < 1e-9
+    assert "L = " in form.line.text(), form.line.text()
 
     chosen = design.L.Value
     menu = form.profile.menu()
-    assert [action.text() for action in menu.actions()] == ['Standard', 'FDM']
-    QtCore.QTimer.singleShot(700, lambda: (picture('profiles'), item(menu, 'FDM').trigger(), menu.close()))
+    assert [action.text() for action in menu.actions()] == ["Standard", "FDM"]
+    QtCore.QTimer.singleShot(700, lambda: (picture("profiles"), item(menu, "FDM").trigger(), menu.close()))
     click(form.profile)
-    until(lambda: design.Printer == 'fdm', 10, 'the profile')
-    assert design.L.Value == 10 and design.Bumps == 'none' and made.UndoNames[0] == 'Apply Profile'
-    panel().turn_to('Files')
+    until(lambda: design.Printer == "fdm", 10, "the profile")
+    assert design.L.Value == 10 and design.Bumps == "none" and made.UndoNames[0] == "Apply Profile"
+    panel().turn_to("Files")
     settle(200)
-    assert form.findChild(QtGui.QComboBox, 'Printer').currentText() == 'fdm'
-    picture('profile-applied')
+    assert form.findChild(QtGui.QComboBox, "Printer").currentText() == "fdm"
+    picture("profile-applied")
     made.undo()
     settle(300)
-    assert design.L.Value == chosen and design.Printer == 'polyjet'
+    assert design.L.Value == chosen and design.Printer == "polyjet"
     close_panel()
-    assert report().count('error') == 0, report()
-""", homes, tmp_path)
+    assert report().count("error") == 0, report()
 
 
-def test_a_part_with_a_wall_is_taken_as_it_is_drawn(homes, tmp_path):
+def test_a_part_with_a_wall_is_taken_as_it_is_drawn(pictures):
     """Its outer skin without the rim; the inner one by a parameter, and faces that are selected."""
-    run("""
-def radii(design):
-    # Of the corners of the target about the bowl's middle.
-    return [point.Vector.Length for point in design.Target.Mesh.Points]
+    def radii(design):
+        # Of the corners of the target about the bowl's middle.
+        return [point.Vector.Length for point in design.Target.Mesh.Points]
 
-def check():
-    press('CurveUps_Check')
-    form = widget('CheckPanel')
-    checking(form)
-    return form
+    def check():
+        press("CurveUps_Check")
+        form = widget("CheckPanel")
+        checking(form)
+        return form
 
-def work():
     made = begin()
-    import Part
     outer, inner = Part.makeSphere(45), Part.makeSphere(40)
     below = Part.makeBox(100, 100, 100, FreeCAD.Vector(-50, -50, -90))
-    bowl = made.addObject('Part::Feature', 'Bowl')
+    bowl = made.addObject("Part::Feature", "Bowl")
     bowl.Shape = outer.cut(inner).common(below).removeSplitter()
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-    FreeCADGui.SendMsgToActiveView('ViewFit')
+    FreeCADGui.SendMsgToActiveView("ViewFit")
     FreeCADGui.Selection.addSelection(bowl)
-    press('CurveUps_NewDesign')
+    press("CurveUps_NewDesign")
     bowl.ViewObject.Visibility = False
     design = made.Design
     design.L = 14
@@ -222,36 +210,36 @@ def work():
     form = check()
     found = radii(design)
     assert min(found) > 44.9 and max(found) < 45.1, (min(found), max(found))
-    assert 'Feasible' in form.verdict.text(), form.verdict.text()
+    assert "Feasible" in form.verdict.text(), form.verdict.text()
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
-    picture('bowl-outer')
+    picture("bowl-outer")
     close_panel()
 
-    design.Skin = 'inner'
+    design.Skin = "inner"
     made.recompute()
     form = check()
     found = radii(design)
     assert min(found) > 39.9 and max(found) < 40.1, (min(found), max(found))
-    picture('bowl-inner')
+    picture("bowl-inner")
     close_panel()
 
     # A part that can't be read so is a line with the remedy, and the check before stays.
-    design.Faces = 'Face99'
+    design.Faces = "Face99"
     made.recompute()
     form = check()
-    assert 'Face99' in form.line.text() and 'Face1 to Face' in form.line.text(), form.line.text()
-    picture('bowl-no-such-face')
+    assert "Face99" in form.line.text() and "Face1 to Face" in form.line.text(), form.line.text()
+    picture("bowl-no-such-face")
     close_panel()
     made.undo()
 
     # Only the selected face: the wall's rim and its other skin are no part of the target.
-    name = next(f'Face{number}' for number, face in enumerate(bowl.Shape.Faces, 1)
-                if face.Surface.TypeId == 'Part::GeomSphere' and abs(face.Surface.Radius - 40) < 1e-6)
+    name = next(f"Face{number}" for number, face in enumerate(bowl.Shape.Faces, 1)
+                if face.Surface.TypeId == "Part::GeomSphere" and abs(face.Surface.Radius - 40) < 1e-6)
     bowl.ViewObject.Visibility = True
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(bowl, name)
-    press('CurveUps_NewDesign')
-    second = [obj for obj in made.Objects if obj.Name.startswith('Design')][-1]
+    press("CurveUps_NewDesign")
+    second = [obj for obj in made.Objects if obj.Name.startswith("Design")][-1]
     assert second.Faces == name, second.Faces
     second.L = 14
     made.recompute()
@@ -259,127 +247,115 @@ def work():
     found = radii(second)
     assert len(found) > 20 and min(found) > 39.9 and max(found) < 40.1, (min(found), max(found))
     close_panel()
-""", homes, tmp_path)
 
 
-def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(homes, tmp_path):
+def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
     """A ridge that is too sharp for thick tiles: mended, and with sizes that do; all texts are in inches."""
-    run("""
-def texts(form):
-    found = [form.verdict.text(), form.advice.text(), form.line.text()]
-    for tree in (form.margins, form.obstacles):
-        for row in range(tree.topLevelItemCount()):
-            found += [tree.topLevelItem(row).text(column) for column in range(tree.columnCount())]
-    return found
+    def texts(form):
+        found = [form.verdict.text(), form.advice.text(), form.line.text()]
+        for tree in (form.margins, form.obstacles):
+            for row in range(tree.topLevelItemCount()):
+                found += [tree.topLevelItem(row).text(column) for column in range(tree.columnCount())]
+        return found
 
-def work():
-    from curveups.window.units import in_user_units
-    line = 'T00012 cuts 0.254 mm into 6.4516 mm2 (H_pin 5 to 50.8 mm, tau 2, 8 N, part2 mm-wide)'
+    line = "T00012 cuts 0.254 mm into 6.4516 mm2 (H_pin 5 to 50.8 mm, tau 2, 8 N, part2 mm-wide)"
     assert in_user_units(line) == line
-    FreeCAD.ParamGet('User parameter:BaseApp/Preferences/Units').SetInt('UserSchema', 3)
-    FreeCAD.Units.setSchema(3)
+    in_units(3)
     shown = in_user_units(line)
-    assert shown.startswith('T00012 cuts 0.0100 in into 0.0100 in^2 (H_pin 0.197 to 2.00 in, tau 2, '), shown
-    assert shown.endswith(', part2 mm-wide)'), shown
-    sheet = 'QWidget { background: #2b2b2b; color: #dddddd; }'
+    assert shown.startswith("T00012 cuts 0.0100 in into 0.0100 in^2 (H_pin 0.197 to 2.00 in, tau 2, "), shown
+    assert shown.endswith(", part2 mm-wide)"), shown
+    sheet = "QWidget { background: #2b2b2b; color: #dddddd; }"
     QtGui.QApplication.instance().setStyleSheet(sheet)
-    made, design = design_of_tent(L='10 mm', HBody='9 mm', Fidelity='3 mm')
-    press('CurveUps_Check')
-    form = widget('CheckPanel')
+    made, design = design_of_tent(L="10 mm", HBody="9 mm", Fidelity="3 mm")
+    press("CurveUps_Check")
+    form = widget("CheckPanel")
     checking(form)
-    assert 'Not feasible' in form.verdict.text(), form.verdict.text()
+    assert "Not feasible" in form.verdict.text(), form.verdict.text()
     said = texts(form)
-    assert not [text for text in said if ' mm' in text], [text for text in said if ' mm' in text]
-    assert any(' in' in text or '"' in text for text in said), said
-    assert 'HBody = ' in form.advice.text() and not any('_' in text for text in said), said
+    assert not [text for text in said if " mm" in text], [text for text in said if " mm" in text]
+    assert any(" in" in text or '"' in text for text in said), said
+    assert "HBody = " in form.advice.text() and not any("_" in text for text in said), said
     row = next(form.margins.topLevelItem(k) for k in range(form.margins.topLevelItemCount())
-               if form.margins.topLevelItem(k).text(0).startswith('pin room front'))
+               if form.margins.topLevelItem(k).text(0).startswith("pin room front"))
     # The room that is wanted, A_pin_floor - A_pin_min, in square inches.
     wanted = (design.APinFloor.Value - design.APinMin.Value) / 25.4 ** 2
     assert abs(float(row.text(3)) - wanted) < 0.01 * abs(wanted), (row.text(3), wanted)
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
-    picture('dark-inches')
+    picture("dark-inches")
 
     click(form.use_mending)
-    until(lambda: live().busy, 10, 'the next check')
+    until(lambda: LIVE.busy, 10, "the next check")
     at_rest()
-    assert design.Mend == 'on' and '<b>Feasible' in form.verdict.text(), form.verdict.text()
-    assert not form.use_mending.isVisible() and made.UndoNames[:2] == ['Check', 'Use Mend'], made.UndoNames
-    picture('mended')
+    assert design.Mend == "on" and "<b>Feasible" in form.verdict.text(), form.verdict.text()
+    assert not form.use_mending.isVisible() and made.UndoNames[:2] == ["Check", "Use Mend"], made.UndoNames
+    picture("mended")
     made.undo()
     made.undo()
     settle(500)
-    until(lambda: design.Mend == 'off' and 'Not feasible' in form.verdict.text(), 5, 'the check before')
+    until(lambda: design.Mend == "off" and "Not feasible" in form.verdict.text(), 5, "the check before")
 
     before = design.L.Value, design.HBody.Value
     click(form.choose)
-    until(lambda: live().busy, 10, 'the search')
+    until(lambda: LIVE.busy, 10, "the search")
     at_rest()
-    until(lambda: (design.L.Value, design.HBody.Value) != before and not live().busy, 10, 'the sizes')
-    until(lambda: '<b>Feasible' in form.verdict.text(), 20, 'the check of them')
-    assert 'Choose Sizes' in made.UndoNames[:2], made.UndoNames
-    picture('chosen')
+    until(lambda: (design.L.Value, design.HBody.Value) != before and not LIVE.busy, 10, "the sizes")
+    until(lambda: "<b>Feasible" in form.verdict.text(), 20, "the check of them")
+    assert "Choose Sizes" in made.UndoNames[:2], made.UndoNames
+    picture("chosen")
     close_panel()
-    assert report().count('error') == 0, report()
-""", homes, tmp_path)
+    assert report().count("error") == 0, report()
 
 
-def test_a_height_of_pins_that_does_is_taken_over(homes, tmp_path):
-    run("""
-def work():
-    made, design = design_of_tent(L='12 mm', HPin='0.3 mm')
-    press('CurveUps_Check')
-    form = widget('CheckPanel')
+def test_a_height_of_pins_that_does_is_taken_over(pictures):
+    made, design = design_of_tent(L="12 mm", HPin="0.3 mm")
+    press("CurveUps_Check")
+    form = widget("CheckPanel")
     checking(form)
-    assert 'Not feasible' in form.verdict.text(), form.verdict.text()
-    assert 'HPin' in form.use_pin.text(), form.use_pin.text()
+    assert "Not feasible" in form.verdict.text(), form.verdict.text()
+    assert "HPin" in form.use_pin.text(), form.use_pin.text()
     click(form.use_pin)
-    until(lambda: live().busy, 10, 'the next check')
+    until(lambda: LIVE.busy, 10, "the next check")
     at_rest()
-    assert 0.3 < design.HPin.Value < 0.75 and made.UndoNames[:2] == ['Check', 'Use HPin'], made.UndoNames
-    assert '<b>Feasible' in form.verdict.text() and not form.use_pin.isVisible(), form.verdict.text()
-    picture('higher-pins')
+    assert 0.3 < design.HPin.Value < 0.75 and made.UndoNames[:2] == ["Check", "Use HPin"], made.UndoNames
+    assert "<b>Feasible" in form.verdict.text() and not form.use_pin.isVisible(), form.verdict.text()
+    picture("higher-pins")
     close_panel()
-    assert report().count('error') == 0, report()
-""", homes, tmp_path)
+    assert report().count("error") == 0, report()
 
 
-def test_thickness_and_pins_that_do_together_are_taken_over(homes, tmp_path):
-    run("""
-def storeys():
-    # Two sheets, one 3 mm above the other.
-    found = []
-    for z in (0, 3):
-        for x in range(-14, 14, 7):
-            for y in range(-14, 14, 7):
-                a, b, c, d = (FreeCAD.Vector(x + i, y + j, z) for i, j in ((0, 0), (7, 0), (7, 7), (0, 7)))
-                found += [a, b, c, a, c, d]
-    return found
+def test_thickness_and_pins_that_do_together_are_taken_over(pictures):
+    def storeys():
+        # Two sheets, one 3 mm above the other.
+        found = []
+        for z in (0, 3):
+            for x in range(-14, 14, 7):
+                for y in range(-14, 14, 7):
+                    corners = ((0, 0), (7, 0), (7, 7), (0, 7))
+                    a, b, c, d = (FreeCAD.Vector(x + i, y + j, z) for i, j in corners)
+                    found += [a, b, c, a, c, d]
+        return found
 
-def work():
-    import Mesh
     made = begin()
-    given = made.addObject('Mesh::Feature', 'Storeys')
+    given = made.addObject("Mesh::Feature", "Storeys")
     given.Mesh = Mesh.Mesh(storeys())
     FreeCADGui.Selection.addSelection(given)
-    press('CurveUps_NewDesign')
+    press("CurveUps_NewDesign")
     given.ViewObject.Visibility = False
     design = made.Design
-    press('CurveUps_Check')
-    form = widget('CheckPanel')
+    press("CurveUps_Check")
+    form = widget("CheckPanel")
     checking(form)
-    assert 'Not feasible' in form.verdict.text(), form.verdict.text()
-    assert 'together do' in form.advice.text(), form.advice.text()
-    picture('together')
-    for button, name in ((form.use_thickness, 'HBody'), (form.use_pin, 'HPin')):
+    assert "Not feasible" in form.verdict.text(), form.verdict.text()
+    assert "together do" in form.advice.text(), form.advice.text()
+    picture("together")
+    for button, name in ((form.use_thickness, "HBody"), (form.use_pin, "HPin")):
         before = getattr(design, name).Value
         assert name in button.text(), button.text()
         click(button)
-        until(lambda: live().busy, 10, 'the next check')
+        until(lambda: LIVE.busy, 10, "the next check")
         at_rest()
         assert getattr(design, name).Value < before
-    assert '<b>Feasible' in form.verdict.text(), (form.verdict.text(), form.advice.text())
+    assert "<b>Feasible" in form.verdict.text(), (form.verdict.text(), form.advice.text())
     assert design.HBody.Value + 2 * design.HPin.Value < 3.001 and design.HBody.Value > 1
     close_panel()
-    assert report().count('error') == 0, report()
-""", homes, tmp_path)
+    assert report().count("error") == 0, report()

@@ -2,422 +2,338 @@
 """Commands and panels in a real window: what each leaves in the document, the report view, the picture."""
 
 import json
-import shutil
+import os
 
+import FreeCAD
+import FreeCADGui
+import Mesh
+import Part
 import pytest
-from window import ROBOT
-from running import ROOT
-from window import freecad_home, run_in_window
-
-pytestmark = pytest.mark.skipif(not shutil.which("xvfb-run"), reason="there is no xvfb-run")
-
-START = ROBOT + """
-from curveups.window import qt
+from curveups.base.errors import CurveUpsError
 from curveups.features import document as designs
+from curveups.project.worker import WORKER
+from curveups.window import qt
+from curveups.window.commands import new_design
+from curveups.window.commands.new_design import make_design
+from curveups.window.notice import show_error
+from curveups.window.overlays import overlay_of
+from robot import action, at_rest, click, picture, press, QtGui, report, settle, tidy, until, widget
+from steps import begin, enter, example, in_units, LIVE, panel
 
-def live():
-    from curveups.window.run import LIVE
-    return LIVE
-
-def begin():
-    FreeCADGui.activateWorkbench('CurveUpsWorkbench')
-    settle(300)
-    tidy()
-    import Part
-    made = FreeCAD.newDocument('Made')
-    made.UndoMode = 1
-    settle(200)
-    return made
-
-def example(name='half-sphere', **values):
-    # A design that is small enough to be solved while one waits.
-    made = begin()
-    from curveups.window.commands.new_design import make_design
-    design = make_design(made, repr(name))
-    for key, value in values.items():
-        setattr(design, key, value)
-    made.recompute()
-    return made, design
-
-def at_rest():
-    until(lambda: not live().busy, 120, 'the run to end')
-    settle(200)
-
-def enter(form, name, text):
-    # Types a parameter, which may have to be scrolled to.
-    field = form.findChild(QtGui.QAbstractSpinBox, name)
-    area = field.parentWidget()
-    while area is not None and not isinstance(area, QtGui.QScrollArea):
-        area = area.parentWidget()
-    if area is not None:
-        area.ensureWidgetVisible(field)
-        settle(200)
-    fill(field, text)
-
-def panel():
-    from curveups.window.panels import solve
-    return solve._open
-"""
+pytestmark = pytest.mark.freecad(window=True)
 
 
-def run(text, homes, tmp_path, **names):
-    home = homes if not isinstance(homes, dict) else homes[True]
-    return run_in_window(START + text, home, tmp_path, pictures=tmp_path / "pictures", **names)
-
-
-def test_an_example_is_solved_while_one_watches(homes, tmp_path):
-    out = run("""
-def work():
+def test_an_example_is_solved_while_one_watches(pictures):
     begin()
-    FreeCADGui.runCommand('CurveUps_Example_half-sphere')
+    FreeCADGui.runCommand("CurveUps_Example_half-sphere")
     made = FreeCAD.ActiveDocument
-    assert made.Label == 'Half-Sphere' and live().busy, (made.Label, report(), panel())
+    assert made.Label == "Half-Sphere" and LIVE.busy, (made.Label, report(), panel())
     design = made.Design
-    until(lambda: panel().form.isVisible(), 5, 'the panel')
-    assert designs.state_of(design)[0] == 'running'
-    assert not FreeCADGui.Command.get('CurveUps_Solve').isActive()
-    assert 'at work' in FreeCADGui.Command.get('CurveUps_Solve').getAction()[0].statusTip()
-    from curveups.window.overlays import overlay_of
+    until(lambda: panel().form.isVisible(), 5, "the panel")
+    assert designs.state_of(design)[0] == "running"
+    assert not FreeCADGui.Command.get("CurveUps_Solve").isActive()
+    assert "at work" in FreeCADGui.Command.get("CurveUps_Solve").getAction()[0].statusTip()
     overlay = overlay_of(design)
-    until(lambda: overlay._iterating, 60, 'a picture of the layout while it is solved')
-    colours = picture('solving')
+    until(lambda: overlay._iterating, 60, "a picture of the layout while it is solved")
+    colours = picture("solving")
     assert colours > 20, colours
     at_rest()
-    assert design.Verdict == 'valid', (design.Verdict, design.Reasons)
-    assert picture('solved') > 20 and not overlay._iterating
+    assert design.Verdict == "valid", (design.Verdict, design.Reasons)
+    assert picture("solved") > 20 and not overlay._iterating
     stages = panel().form.stages
     shown = [stages.topLevelItem(row).text(0) for row in range(stages.topLevelItemCount())]
-    assert any('Layout' in text for text in shown), shown
-    assert all(text.startswith('\\u2713') for text in shown), shown
-    assert made.UndoNames[0] == 'Solve', made.UndoNames
-    assert 'valid' in panel().form.verdict.text()
+    assert any("Layout" in text for text in shown), shown
+    assert all(text.startswith("\u2713") for text in shown), shown
+    assert made.UndoNames[0] == "Solve", made.UndoNames
+    assert "valid" in panel().form.verdict.text()
     made.undo()
     settle(300)
-    assert design.Verdict == 'not judged' and not list(design.Layout.Poses)
+    assert design.Verdict == "not judged" and not list(design.Layout.Poses)
     made.redo()
     settle(300)
-    assert design.Verdict == 'valid' and list(design.Layout.Poses)
+    assert design.Verdict == "valid" and list(design.Layout.Poses)
     panel().reject()
     settle(300)
     assert panel() is None and not FreeCADGui.Control.activeDialog()
-    press('CurveUps_SolverStatus')
-    text = widget('CurveUpsSolverStatus').text()
-    assert 'ready' in text and 'cpython' in text, text
-    widget('CurveUpsSolverStatus').close()
-""", homes, tmp_path)
-    assert "Traceback" not in out, out
+    press("CurveUps_SolverStatus")
+    text = widget("CurveUpsSolverStatus").text()
+    assert "ready" in text and "cpython" in text, text
+    widget("CurveUpsSolverStatus").close()
 
 
-def test_cancel_stop_and_closing_in_mid_run(homes, tmp_path):
-    out = run("""
-def solving(design, iterates=2):
-    FreeCADGui.runCommand('CurveUps_Solve')
-    assert live().busy
-    from curveups.project.worker import WORKER
-    until(lambda: WORKER.status().count >= iterates, 60, 'the layout to begin')
+def test_cancel_stop_and_closing_in_mid_run(pictures):
+    def solving(design, iterates=2):
+        FreeCADGui.runCommand("CurveUps_Solve")
+        assert LIVE.busy
+        until(lambda: WORKER.status().count >= iterates, 60, "the layout to begin")
 
-def work():
-    made, design = example('tower', L=10)
+    made, design = example("tower", L=10)
     before = design.Results
     solving(design)
-    start = time.perf_counter()
     click(panel().form.cancel)
-    until(lambda: not live().busy, 5)
-    took = time.perf_counter() - start
-    assert design.Results == before and design.Verdict == 'not judged' and design.TileCount == 0
-    assert 'cancelled' in panel().form.line.text(), panel().form.line.text()
-    assert took < 2, took  # the robot's own pauses are in it
-    from curveups.project.worker import WORKER
+    until(lambda: not LIVE.busy, 5)
+    assert design.Results == before and design.Verdict == "not judged" and design.TileCount == 0
+    assert "cancelled" in panel().form.line.text(), panel().form.line.text()
     assert WORKER.wait(20)
 
     solving(design, 3)
-    start = time.perf_counter()
     click(panel().form.stop)
     at_rest()
-    print('stopped in', time.perf_counter() - start)
     assert len(design.Layout.Poses) == 6 * design.TileCount > 0
-    assert design.Verdict != 'valid', design.Verdict
-    picture('stopped')
+    assert design.Verdict != "valid", design.Verdict
+    picture("stopped")
     kept = list(design.Layout.Poses)
 
     # What was stopped is begun anew; the panel is closed meanwhile, and nothing is lost.
     design.L = 13
     made.recompute()
-    panel().run('solve')
+    panel().run("solve")
     panel().reject()
     settle(200)
-    assert live().busy and panel() is None
+    assert LIVE.busy and panel() is None
     at_rest()
     assert list(design.Layout.Poses) != kept
-    assert designs.state_of(design)[0] != 'running'
+    assert designs.state_of(design)[0] != "running"
 
     # The document goes away while something is solved in it: FreeCAD lives on.
     solving(design, 0)
     FreeCAD.closeDocument(made.Name)
     settle(500)
-    assert not live().busy and panel() is None and not FreeCADGui.Control.activeDialog()
-    again = FreeCAD.newDocument('Again')
-    from curveups.window.commands.new_design import make_design
-    design = make_design(again, repr('half-sphere'))
+    assert not LIVE.busy and panel() is None and not FreeCADGui.Control.activeDialog()
+    again = FreeCAD.newDocument("Again")
+    design = make_design(again, repr("half-sphere"))
     design.L = 14
     again.recompute()
-    FreeCADGui.runCommand('CurveUps_Solve')
+    FreeCADGui.runCommand("CurveUps_Solve")
     # The design is deleted while it is solved.
     settle(100)
     again.removeObject(design.Name)
     settle(300)
-    assert not live().busy
+    assert not LIVE.busy
     assert WORKER.wait(20)
-    assert 'Traceback' not in report() and 'unexpected' not in report(), report()
-""", homes, tmp_path)
-    assert "Traceback" not in out, out
+    assert "Traceback" not in report() and "unexpected" not in report(), report()
 
 
-def test_quitting_in_mid_run(homes, tmp_path):
-    """FreeCAD's own way out, with a native call at work: the process ends by itself and without a crash."""
-    run("""
-def work():
-    made, design = example('tower', L=10)
-    FreeCADGui.runCommand('CurveUps_Solve')
-    from curveups.project.worker import WORKER
-    until(lambda: WORKER.status().count >= 2, 60, 'the layout to begin')
-    app = QtGui.QApplication.instance() if hasattr(QtGui, 'QApplication') else None
+def quit_in_mid_run():
+    made, design = example("tower", L=10)
+    FreeCADGui.runCommand("CurveUps_Solve")
+    until(lambda: WORKER.status().count >= 2, 60, "the layout to begin")
+    app = QtGui.QApplication.instance() if hasattr(QtGui, "QApplication") else None
     app.aboutToQuit.emit()
-    assert not WORKER.busy or WORKER._current.cancelled
-    assert WORKER.wait(0.1), 'a thread is left in the native module'
-""", homes, tmp_path)
+    assert not WORKER.busy or (WORKER._current and WORKER._current.cancelled)
+    assert WORKER.wait(0.1), "a thread is left in the native module"
 
 
-def test_designs_of_selected_surfaces_and_their_targets(homes, tmp_path):
-    out = run("""
-def select(obj):
-    FreeCADGui.Selection.clearSelection()
-    FreeCADGui.Selection.addSelection(obj)
-    settle(100)
+def test_quitting_in_mid_run(elsewhere):
+    """FreeCAD's own way out, with a native call at work: nothing is left of it, and nothing crashes."""
+    elsewhere(quit_in_mid_run, window=True)
 
-def work():
+
+def test_designs_of_selected_surfaces_and_their_targets(tmp_path, monkeypatch, pictures):
+    broken = str(tmp_path / "broken.stl")
+
+    def select(obj):
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(obj)
+        settle(100)
+
     made = begin()
-    import Mesh, Part
-    sphere = made.addObject('Part::Feature', 'Cap')
+    sphere = made.addObject("Part::Feature", "Cap")
     sphere.Shape = max(Part.makeSphere(40, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 35).Faces,
                        key=lambda face: face.Area)
-    mesh = made.addObject('Mesh::Feature', 'Facets')
+    mesh = made.addObject("Mesh::Feature", "Facets")
     mesh.Mesh = Mesh.Mesh(sphere.Shape.tessellate(0.3))
-    box = made.addObject('App::FeaturePython', 'Nothing')
+    made.addObject("App::FeaturePython", "Nothing")
     made.recompute()
-    assert not FreeCADGui.Command.get('CurveUps_Solve').isActive()
-    assert 'no design' in action('CurveUps_Solve').statusTip()
+    assert not FreeCADGui.Command.get("CurveUps_Solve").isActive()
+    assert "no design" in action("CurveUps_Solve").statusTip()
     select(sphere)
-    press('CurveUps_NewDesign')
-    assert made.Design.Target.Source == sphere and made.Design.Label.startswith('Cap')
-    assert made.UndoNames[0] == 'New Design'
+    press("CurveUps_NewDesign")
+    assert made.Design.Target.Source == sphere and made.Design.Label.startswith("Cap")
+    assert made.UndoNames[0] == "New Design"
     select(mesh)
-    press('CurveUps_NewDesign')
-    second = [obj for obj in made.Objects if obj.Name.startswith('Design')][-1]
+    press("CurveUps_NewDesign")
+    second = [obj for obj in made.Objects if obj.Name.startswith("Design")][-1]
     assert second.Target.Source == mesh
     FreeCADGui.Selection.clearSelection()
     settle(500)
-    assert not FreeCADGui.Command.get('CurveUps_Solve').isActive()
-    assert 'several' in action('CurveUps_Solve').statusTip()
+    assert not FreeCADGui.Command.get("CurveUps_Solve").isActive()
+    assert "several" in action("CurveUps_Solve").statusTip()
     made.undo()
     settle(200)
-    assert len([obj for obj in made.Objects if obj.Name.startswith('Design')]) == 1
+    assert len([obj for obj in made.Objects if obj.Name.startswith("Design")]) == 1
     design = made.Design
     design.L = 11
     made.recompute()
     FreeCADGui.Selection.addSelection(design)
-    press('CurveUps_Solve')
+    press("CurveUps_Solve")
     at_rest()
-    assert design.TileCount > 20 and design.State != ['Invalid'], design.Verdict
+    assert design.TileCount > 20 and design.State != ["Invalid"], design.Verdict
     panel().reject()
     settle(200)
     # Another target: the layout is out of date, and undo brings it back.
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(mesh)
-    press('CurveUps_Target')
+    press("CurveUps_Target")
     settle(200)
-    assert design.Target.Source == mesh and designs.state_of(design)[0] == 'out of date', design.Reasons
+    assert design.Target.Source == mesh and designs.state_of(design)[0] == "out of date", design.Reasons
     made.undo()
     settle(200)
-    assert design.Target.Source == sphere and designs.state_of(design)[0] != 'out of date', design.Reasons
+    assert design.Target.Source == sphere and designs.state_of(design)[0] != "out of date", design.Reasons
     # A file, by its dialog; one that is none is refused in one line, and nothing is left of it.
     FreeCADGui.Selection.clearSelection()
     count = len(made.Objects)
-    with open(broken, 'w') as file:
-        file.write('nothing')
-    from curveups.window.commands import new_design
-    new_design.ask_for_file = lambda title: broken
-    FreeCADGui.runCommand('CurveUps_NewDesign')
+    with open(broken, "w") as file:
+        file.write("nothing")
+    monkeypatch.setattr(new_design, "ask_for_file", lambda title: broken)
+    FreeCADGui.runCommand("CurveUps_NewDesign")
     settle(300)
     names = len(made.Objects)
     if names > count:  # its content is only read when it is solved
-        FreeCADGui.runCommand('CurveUps_Solve')
+        FreeCADGui.runCommand("CurveUps_Solve")
         at_rest()
-        assert panel().form.line.text(), 'no line'
-        picture('broken')
-    assert 'Traceback' not in report(), report()
-""", homes, tmp_path, broken=tmp_path / "broken.stl")
-    assert "Traceback" not in out, out
+        assert panel().form.line.text(), "no line"
+        picture("broken")
+    assert "Traceback" not in report(), report()
 
 
-def test_verify_repair_solids_report_and_export(homes, tmp_path):
-    out = run("""
-def work():
+def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures):
+    out = str(tmp_path / "print")
+    saved = str(tmp_path / "saved.FCStd")
     made, design = example(L=12)
-    FreeCADGui.runCommand('CurveUps_Solve')
+    FreeCADGui.runCommand("CurveUps_Solve")
     at_rest()
-    assert design.Verdict == 'valid', design.Reasons
+    assert design.Verdict == "valid", design.Reasons
     form = panel().form
     # Softer membranes: the verdict waits for Verify.
-    form.group.setCurrentIndex(form.group.findText('Physics'))
+    form.group.setCurrentIndex(form.group.findText("Physics"))
     settle(200)
-    enter(form, 'FrictionCoefficient', '0.4')
-    until(lambda: abs(design.FrictionCoefficient - 0.4) < 1e-9, 5, 'the edit to arrive')
-    assert design.Verdict == 'out of date' and made.UndoNames[0] == 'Edit the design', made.UndoNames
-    assert 'out of date' in form.verdict.text()
+    enter(form, "FrictionCoefficient", "0.4")
+    until(lambda: abs(design.FrictionCoefficient - 0.4) < 1e-9, 5, "the edit to arrive")
+    assert design.Verdict == "out of date" and made.UndoNames[0] == "Edit the design", made.UndoNames
+    assert "out of date" in form.verdict.text()
     click(form.verify)
     at_rest()
-    picture('verified')
-    assert design.Verdict == 'valid' and made.UndoNames[0] == 'Verify', design.Reasons
+    picture("verified")
+    assert design.Verdict == "valid" and made.UndoNames[0] == "Verify", design.Reasons
     click(form.repair)
     at_rest()
-    assert design.Verdict == 'valid' and design.TileCount
+    assert design.Verdict == "valid" and design.TileCount
     # Thickness: solids follow by themselves once there is peace, or at once by the command.
-    form.group.setCurrentIndex(form.group.findText('Tiles'))
+    form.group.setCurrentIndex(form.group.findText("Tiles"))
     settle(200)
-    enter(form, 'HBody', '2.5 mm')
+    enter(form, "HBody", "2.5 mm")
     until(lambda: abs(design.HBody.Value - 2.5) < 1e-9, 5)
     panel().reject()
     settle(100)
-    FreeCADGui.runCommand('CurveUps_BuildSolids')
+    FreeCADGui.runCommand("CurveUps_BuildSolids")
     at_rest()
-    until(lambda: abs(design.Tiles.Shape.BoundBox.ZLength - 4.5) < 1e-6, 60, 'solids of the new thickness')
-    assert designs.state_of(design, 'Tiles')[0] == 'current'
-    assert design.Verdict == 'out of date', design.Verdict
+    until(lambda: abs(design.Tiles.Shape.BoundBox.ZLength - 4.5) < 1e-6, 60, "solids of the new thickness")
+    assert designs.state_of(design, "Tiles")[0] == "current"
+    assert design.Verdict == "out of date", design.Verdict
     panel().reject()
     settle(100)
 
-    press('CurveUps_Export')
-    form = widget('ExportPanel')
+    press("CurveUps_Export")
+    form = widget("ExportPanel")
 
     def field(kind, name):
         return form.findChild(getattr(QtGui, kind), name)
 
-    line, write_button = field('QLabel', 'line'), field('QPushButton', 'write')
-    picture('export-refused')
-    assert not write_button.isEnabled() and 'HBody' in field('QLabel', 'doubts').text()
-    field('QLineEdit', 'folder').setText(out)
-    field('QLineEdit', 'names').setText('{nam}')
-    field('QCheckBox', 'insist').setChecked(True)
+    line, write_button = field("QLabel", "line"), field("QPushButton", "write")
+    picture("export-refused")
+    assert not write_button.isEnabled() and "HBody" in field("QLabel", "doubts").text()
+    field("QLineEdit", "folder").setText(out)
+    field("QLineEdit", "names").setText("{nam}")
+    field("QCheckBox", "insist").setChecked(True)
     write_button.click()
-    assert 'nam' in line.text() and not os.path.exists(out), line.text()
-    field('QLineEdit', 'names').setText('{name}-{body}')
-    text = field('QLabel', 'estimate').text()
-    assert 'MB' in text and 'half-sphere-print.3mf' in text, text
+    assert "nam" in line.text() and not os.path.exists(out), line.text()
+    field("QLineEdit", "names").setText("{name}-{body}")
+    text = field("QLabel", "estimate").text()
+    assert "MB" in text and "half-sphere-print.3mf" in text, text
     write_button.click()
     at_rest()
-    picture('exported')
-    assert 'files in' in line.text(), line.text()
-    assert os.path.exists(os.path.join(out, 'half-sphere-print.step'))
+    picture("exported")
+    assert "files in" in line.text(), line.text()
+    assert os.path.exists(os.path.join(out, "half-sphere-print.step"))
     FreeCADGui.Control.closeDialog()
     settle(100)
 
     pages = []
-    qt.QtGui.QDesktopServices.openUrl = lambda url: pages.append(url.toLocalFile())
+    monkeypatch.setattr(qt.QtGui.QDesktopServices, "openUrl", lambda url: pages.append(url.toLocalFile()))
     made.saveAs(saved)
-    press('CurveUps_Report')
+    press("CurveUps_Report")
     at_rest()
     assert pages and pages[0].startswith(os.path.dirname(saved)) and os.path.getsize(pages[0]) > 50000, pages
 
     # FreeCAD's own Export: ours is among the formats.
-    assert FreeCAD.getExportType('step') and 'curveups.features.step_export' in FreeCAD.getExportType('step')
-    assert 'Traceback' not in report() and 'unexpected' not in report(), report()
-""", homes, tmp_path, out=tmp_path / "print", saved=tmp_path / "saved.FCStd")
-    assert "Traceback" not in out, out
-    found = json.loads((tmp_path / "print" / "report.json").read_text())
+    assert FreeCAD.getExportType("step") and "curveups.features.step_export" in FreeCAD.getExportType("step")
+    assert "Traceback" not in report() and "unexpected" not in report(), report()
+    found = json.loads((tmp_path / "print" / "report.json").read_text(encoding="utf-8"))
     assert found["valid"] is False and "HBody" in found["reasons"][0], found["reasons"]
-    assert "NOT VALID" in (tmp_path / "print" / "half-sphere-print.step").read_text()[:3000]
+    assert "NOT VALID" in (tmp_path / "print" / "half-sphere-print.step").read_text(encoding="utf-8")[:3000]
 
 
-def test_errors_are_one_line_with_tiles_to_click(homes, tmp_path):
-    out = run("""
-def work():
+def test_errors_are_one_line_with_tiles_to_click(pictures):
     made, design = example(L=12)
-    FreeCADGui.runCommand('CurveUps_Solve')
+    FreeCADGui.runCommand("CurveUps_Solve")
     at_rest()
     panel().reject()
     settle(200)
-    from curveups.window.notice import Notice, show_error
-    from curveups.base.errors import CurveUpsError
-    show_error(CurveUpsError('2 back faces vanish', 'Design, T00012, T00044', 'make HBody less'), 'Solve')
+    show_error(CurveUpsError("2 back faces vanish", "Design, T00012, T00044", "make HBody less"), "Solve")
     settle(700)
-    notice = widget('CurveUpsNotice')
-    assert 'href="T00012"' in notice.findChild(QtGui.QLabel, 'text').text()
-    picture('notice')
-    notice.findChild(QtGui.QLabel, 'text').linkActivated.emit('T00012')
+    notice = widget("CurveUpsNotice")
+    assert 'href="T00012"' in notice.findChild(QtGui.QLabel, "text").text()
+    picture("notice")
+    notice.findChild(QtGui.QLabel, "text").linkActivated.emit("T00012")
     selected = FreeCADGui.Selection.getSelectionEx()
-    assert [one.SubElementNames for one in selected] == [('T00012',)], selected
-    lines = [line for line in report().splitlines() if 'back faces' in line]
-    assert len(lines) == 1 and 'make HBody less' in lines[0]
+    assert [one.SubElementNames for one in selected] == [("T00012",)], selected
+    lines = [line for line in report().splitlines() if "back faces" in line]
+    assert len(lines) == 1 and "make HBody less" in lines[0]
     click(notice.findChild(QtGui.QToolButton))
     settle(200)
     shown = [w.objectName() for w in QtGui.QApplication.allWidgets() if w.isVisible()]
-    assert 'CurveUpsNotice' not in shown
+    assert "CurveUpsNotice" not in shown
     # A value that can't be is said with the range, in the panel; the run is refused.
     design.HBody = 200
     made.recompute()
-    FreeCADGui.runCommand('CurveUps_Solve')
+    FreeCADGui.runCommand("CurveUps_Solve")
     settle(300)
-    assert not live().busy
+    assert not LIVE.busy
     text = panel().form.line.text()
-    assert 'HBody' in text and '100' in text, text
-    assert 'Traceback' not in report(), report()
-""", homes, tmp_path)
-    assert "Traceback" not in out, out
+    assert "HBody" in text and "100" in text, text
+    assert "Traceback" not in report(), report()
 
 
-def test_inches_and_a_dark_theme(homes, tmp_path):
-    run("""
-def work():
-    FreeCAD.ParamGet('User parameter:BaseApp/Preferences/Units').SetInt('UserSchema', 3)
-    FreeCAD.Units.setSchema(3)
-    sheet = 'QWidget { background: #2b2b2b; color: #dddddd; }'
+def test_inches_and_a_dark_theme(pictures):
+    in_units(3)
+    sheet = "QWidget { background: #2b2b2b; color: #dddddd; }"
     QtGui.QApplication.instance().setStyleSheet(sheet)
     made, design = example(L=12)
-    FreeCADGui.runCommand('CurveUps_Solve')
+    FreeCADGui.runCommand("CurveUps_Solve")
     at_rest()
     form = panel().form
-    form.group.setCurrentIndex(form.group.findText('Tiles'))
+    form.group.setCurrentIndex(form.group.findText("Tiles"))
     settle(300)
-    box = form.findChild(QtGui.QAbstractSpinBox, 'HBody')
-    assert 'in' in box.text() or '\\"' in box.text(), box.text()
-    enter(form, 'HBody', '0.1 in')
-    until(lambda: abs(design.HBody.Value - 2.54) < 1e-6, 5, 'inches to arrive')
-    picture('dark-inches')
-    assert 'Traceback' not in report() and 'deleted' not in report(), report()
-""", homes, tmp_path)
+    box = form.findChild(QtGui.QAbstractSpinBox, "HBody")
+    assert "in" in box.text() or '"' in box.text(), box.text()
+    enter(form, "HBody", "0.1 in")
+    until(lambda: abs(design.HBody.Value - 2.54) < 1e-6, 5, "inches to arrive")
+    picture("dark-inches")
+    assert "Traceback" not in report() and "deleted" not in report(), report()
 
 
-def test_without_the_native_module(tmp_path):
+@pytest.mark.freecad(home="no native")
+def test_without_the_native_module(pictures):
     """The workbench opens, says what is wrong and how to mend it, and refuses what can't be."""
-    place = tmp_path / "checkout"
-    left_out = shutil.ignore_patterns("_native*.so", ".git", "build", "out", "native")
-    shutil.copytree(ROOT, place, ignore=left_out)
-    home = freecad_home(tmp_path / "home", False)
-    for base in (".local/share/FreeCAD", ".local/share/FreeCAD/v1-1"):
-        (home / base / "Mod" / "CurveUps").symlink_to(place)
-    out = run("""
-def work():
-    FreeCADGui.activateWorkbench('CurveUpsWorkbench')
+    FreeCADGui.activateWorkbench("CurveUpsWorkbench")
     settle(500)
     tidy()
-    for name in ('NewDesign', 'Solve', 'Examples', 'Export'):
-        assert not FreeCADGui.Command.get('CurveUps_' + name).isActive(), name
-    tip = action('CurveUps_NewDesign').statusTip()
-    assert 'has not been built' in tip, tip
-    press('CurveUps_SolverStatus')
-    text = widget('CurveUpsSolverStatus').text()
-    picture('status')
-    assert 'has not been built' in text and 'tools/setup' in text and 'cpython' in text, text
-""", home, tmp_path)
-    assert "Traceback" not in out, out
+    for name in ("NewDesign", "Solve", "Examples", "Export"):
+        assert not FreeCADGui.Command.get("CurveUps_" + name).isActive(), name
+    tip = action("CurveUps_NewDesign").statusTip()
+    assert "has not been built" in tip, tip
+    press("CurveUps_SolverStatus")
+    text = widget("CurveUpsSolverStatus").text()
+    picture("status")
+    assert "has not been built" in text and "tools/setup" in text and "cpython" in text, text

@@ -1,32 +1,26 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cuts picked by mouse in FreeCAD's window: chains, undo, the quick layout, suggestions."""
 
-import shutil
-
-import pytest
-from window import ROBOT
-from window import run_in_window
-
-pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("xdotool")),
-                                reason="there is no virtual display, or no xdotool")
-
-STEPS = ROBOT + """
+import FreeCAD
+import FreeCADGui
 import numpy as np
+import pytest
 from curveups.features import document as designs
 from curveups.window.overlays import overlay_of
-from curveups.window.run import LIVE
+from robot import (click, click_at, close_panel, display, keys, on_screen, picture, QtCore, QtGui, report,
+                   settle, until, widget, window)
+from steps import begin, LIVE
 
-def begin(name='half-sphere'):
-    FreeCADGui.activateWorkbench('CurveUpsWorkbench')
-    settle(300)
-    tidy()
-    made = FreeCAD.newDocument('Made')
-    made.UndoMode = 1
-    settle(200)
+pytestmark = pytest.mark.freecad(window=True)
+
+
+def cutting(name="half-sphere"):
+    """A new design, with the panel of cuts and its target from above."""
+    made = begin()
     design = designs.new_design(made, name)
-    FreeCADGui.runCommand('CurveUps_Cuts')
-    until(lambda: FreeCADGui.Control.activeDialog(), 20, 'the panel')
-    until(lambda: not LIVE.busy and overlay_of(design).scene is not None, 60, 'the target')
+    FreeCADGui.runCommand("CurveUps_Cuts")
+    until(lambda: FreeCADGui.Control.activeDialog(), 20, "the panel")
+    until(lambda: not LIVE.busy and overlay_of(design).scene is not None, 60, "the target")
     settle(300)
     view = FreeCADGui.ActiveDocument.ActiveView
     view.viewTop()
@@ -34,15 +28,17 @@ def begin(name='half-sphere'):
     settle(500)
     return made, design
 
+
 def edges(design):
     return {tuple(sorted(edge)) for edge in designs.cuts_of(design).tolist()}
 
+
 def edge_at(design, x, y):
-    # The interior edge between two tiles whose middle is nearest to a place seen from above, on the front.
+    """The interior edge between two tiles whose middle is nearest to a place, from above, on the front."""
     overlay = overlay_of(design)
     corners, shift = overlay.figures()[0]
     F = overlay.scene.F
-    seen = {}
+    seen: dict[tuple[int, ...], list] = {}
     for tile in range(len(F)):
         for k in range(3):
             pair = tuple(sorted((int(F[tile][k]), int(F[tile][(k + 1) % 3]))))
@@ -50,8 +46,9 @@ def edge_at(design, x, y):
     inner = {pair: places for pair, places in seen.items() if len(places) == 2}
     return min(inner.items(), key=lambda one: np.hypot(*(one[1][0][:2] - (x, y))))
 
+
 def point_in(design, pair):
-    # A little inside one of its tiles, so that the pixel is on it.
+    """A little inside one of its tiles, so that the pixel is on it."""
     overlay = overlay_of(design)
     corners, shift = overlay.figures()[0]
     tile = next(t for t, face in enumerate(overlay.scene.F.tolist()) if set(pair) <= set(face))
@@ -60,36 +57,32 @@ def point_in(design, pair):
     ends = own[[k for k in range(3) if face[k] in pair]]
     return FreeCAD.Vector(*map(float, 0.9 * ends.mean(0) + 0.1 * own.mean(0)))
 
+
 def move_to(design, pair):
     point = on_screen(point_in(design, pair))
-    display('mousemove', point.x() - 3, point.y())
-    display('mousemove', point.x(), point.y())
+    display("mousemove", point.x() - 3, point.y())
+    display("mousemove", point.x(), point.y())
     settle(250)
+
 
 def click_edge(design, x, y):
     pair, places = edge_at(design, x, y)
     move_to(design, pair)
-    display('click', 1)
+    display("click", 1)
     settle(400)
     return pair
 
+
 def quiet(seconds=60):
-    until(lambda: not LIVE.busy, seconds, 'the quick layout')
+    until(lambda: not LIVE.busy, seconds, "the quick layout")
     settle(400)
-"""
 
 
-def run(text, homes, tmp_path):
-    return run_in_window(STEPS + text, homes[True], tmp_path, pictures=tmp_path / "pictures")
-
-
-def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(homes, tmp_path):
-    said = run("""
-def work():
-    made, design = begin()
+def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(pictures):
+    made, design = cutting()
     pair, places = edge_at(design, 0, 0)
     move_to(design, pair)
-    picture('hovered')
+    picture("hovered")
     assert not edges(design)
     first = click_edge(design, 0, 0)
     assert edges(design) == {first}, (edges(design), first)
@@ -101,58 +94,55 @@ def work():
     ends = [v for edge in chain for v in edge]
     assert sorted(ends.count(v) for v in set(ends))[:2] == [1, 1]
     assert all(ends.count(v) == 2 for v in set(ends) if ends.count(v) != 1)
-    tree = widget('cuts')
+    tree = widget("cuts")
     assert tree.topLevelItemCount() == 1 and tree.topLevelItem(0).text(1) == str(len(chain))
     quiet()
-    assert overlay_of(design).scene.flat is not None, 'no quick layout is shown'
-    assert 'Quick layout' in widget('doing').text()
-    assert designs.state_of(design, 'Layout')[0] == 'empty'  # it is no result
-    picture('chain')
+    assert overlay_of(design).scene.flat is not None, "no quick layout is shown"
+    assert "Quick layout" in widget("doing").text()
+    assert designs.state_of(design, "Layout")[0] == "empty"  # it is no result
+    picture("chain")
     tree.topLevelItem(0).setSelected(True)
     settle(200)
-    picture('selected')
+    picture("selected")
     made.undo()
     settle(500)
     assert edges(design) == {first}
     made.redo()
     settle(500)
     assert edges(design) == chain
-    made.undo(); made.undo()
+    made.undo()
+    made.undo()
     settle(500)
     assert not edges(design) and tree.topLevelItemCount() == 0
     quiet()
     close_panel()
     settle(500)
-    assert 'Traceback' not in report(), report()
-""", homes, tmp_path)
-    assert "Traceback" not in said
+    assert "Traceback" not in report(), report()
 
 
-def test_a_click_on_a_cut_takes_it_back_and_suggestions_are_accepted(homes, tmp_path):
-    run("""
-def work():
-    made, design = begin()
-    box = widget('live')  # no quick layout; its middle lies beside its text
+def test_a_click_on_a_cut_takes_it_back_and_suggestions_are_accepted(pictures):
+    made, design = cutting()
+    box = widget("live")  # no quick layout; its middle lies beside its text
     click_at(box.mapToGlobal(QtCore.QPoint(10, box.height() // 2)))
-    until(lambda: not box.isChecked(), 10, 'the box')
+    until(lambda: not box.isChecked(), 10, "the box")
     overlay = overlay_of(design)
     first = click_edge(design, 5, 0)
     assert edges(design) == {first}
     assert overlay.scene.flat is None
     move_to(design, first)
-    display('click', 1)
+    display("click", 1)
     settle(400)
     assert not edges(design), (first, edges(design))
     assert not LIVE.busy
-    click(widget('suggest'))
-    until(lambda: not LIVE.busy, 120, 'the search')
+    click(widget("suggest"))
+    until(lambda: not LIVE.busy, 120, "the search")
     settle(300)
-    listed = widget('suggested') if any(w.objectName() == 'suggested' and w.isVisible()
-        for w in window.findChildren(QtGui.QTreeWidget)) else None
-    picture('suggested')
+    trees = [tree for tree in window.findChildren(QtGui.QTreeWidget) if tree.objectName() == "suggested"]
+    listed = widget("suggested") if any(tree.isVisible() for tree in trees) else None
+    picture("suggested")
     if listed is not None:
-        assert 'predicted' in listed.topLevelItem(0).text(0)
-        click(widget('accept'))
+        assert "predicted" in listed.topLevelItem(0).text(0)
+        click(widget("accept"))
         assert len(edges(design)) > 1
         made.undo()
         settle(400)
@@ -163,47 +153,46 @@ def work():
     settle(300)
     FreeCAD.closeDocument(made.Name)
     settle(300)
-    assert 'Traceback' not in report(), report()
-""", homes, tmp_path)
+    assert "Traceback" not in report(), report()
 
 
-def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(homes, tmp_path):
+def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(pictures):
     """On the quick layout, where both sides of an edge lie apart, and with both states side by side."""
-    run("""
-def inner_edges(design, beside=False):
-    # Of a figure that is drawn: a point a little inside either tile, by the edge between them.
-    overlay = overlay_of(design)
-    corners, shift = overlay.figures()[beside]
-    F, found = overlay.scene.F, {}
-    for tile in range(len(F)):
-        own = corners[tile, :3] + shift
-        for k in range(3):
-            pair = tuple(sorted((int(F[tile][k]), int(F[tile][(k + 1) % 3]))))
-            found.setdefault(pair, []).append(0.45 * (own[k] + own[(k + 1) % 3]) + 0.1 * own.mean(0))
-    return {pair: places for pair, places in found.items() if len(places) == 2}
+    def inner_edges(design, beside=False):
+        # Of a figure that is drawn: a point a little inside either tile, by the edge between them.
+        overlay = overlay_of(design)
+        corners, shift = overlay.figures()[beside]
+        F = overlay.scene.F
+        found: dict[tuple[int, ...], list] = {}
+        for tile in range(len(F)):
+            own = corners[tile, :3] + shift
+            for k in range(3):
+                pair = tuple(sorted((int(F[tile][k]), int(F[tile][(k + 1) % 3]))))
+                found.setdefault(pair, []).append(0.45 * (own[k] + own[(k + 1) % 3]) + 0.1 * own.mean(0))
+        return {pair: places for pair, places in found.items() if len(places) == 2}
 
-def edge_near(inner, x, y):
-    # That is nearest to a place seen from above, from the middle of the figure.
-    middle = np.mean(list(inner.values()), axis=(0, 1))
-    return min(inner, key=lambda pair: np.hypot(*(inner[pair][0][:2] - middle[:2] - (x, y))))
+    def edge_near(inner, x, y):
+        # That is nearest to a place seen from above, from the middle of the figure.
+        middle = np.mean(list(inner.values()), axis=(0, 1))
+        return min(inner, key=lambda pair: np.hypot(*(inner[pair][0][:2] - middle[:2] - (x, y))))
 
-def click_at_place(place):
-    point = on_screen(FreeCAD.Vector(*map(float, place)))
-    display('mousemove', point.x() - 3, point.y())
-    display('mousemove', point.x(), point.y())
-    settle(250)
-    display('click', 1)
-    settle(400)
-    quiet()
+    def click_at_place(place):
+        point = on_screen(FreeCAD.Vector(*map(float, place)))
+        display("mousemove", point.x() - 3, point.y())
+        display("mousemove", point.x(), point.y())
+        settle(250)
+        display("click", 1)
+        settle(400)
+        quiet()
 
-def work():
-    made, design = begin()
+    made, design = cutting()
     overlay, view = overlay_of(design), FreeCADGui.ActiveDocument.ActiveView
     first = click_edge(design, 0, 0)  # on the target: its quick layout is what is drawn from now on
     quiet()
-    assert overlay.morph() == 0 and overlay.scene.flat is not None, 'the tiles lie flat'
+    assert overlay.morph() == 0 and overlay.scene.flat is not None, "the tiles lie flat"
     assert np.ptp(overlay.figures()[0][0][:, :3, 2]) < 1e-6
-    view.viewTop(); view.fitAll()
+    view.viewTop()
+    view.fitAll()
     settle(500)
     # The chain goes on across the flat tiles.
     inner = inner_edges(design)
@@ -214,7 +203,7 @@ def work():
     ends = [v for edge in chain for v in edge]
     assert sorted(ends.count(v) for v in set(ends))[:2] == [1, 1]
     assert all(ends.count(v) == 2 for v in set(ends) if ends.count(v) != 1)
-    assert picture('flat-chain') > 12
+    assert picture("flat-chain") > 12
     # Both sides of a slit are that cut: each takes it back.
     for side in (0, 1):
         click_at_place(inner_edges(design)[pair][side])
@@ -223,25 +212,25 @@ def work():
         settle(600)
         quiet()
         assert edges(design) == chain
-    keys('Escape')
+    keys("Escape")
     settle(300)
     # Side by side: a click in either figure picks the same edge.
     design.ViewObject.Both = True
     settle(500)
-    view.viewTop(); view.fitAll()
+    view.viewTop()
+    view.fitAll()
     settle(500)
     for beside in (False, True):
         inner, before = inner_edges(design, beside), edges(design)
         pair = edge_near(inner, -20, -15)
         click_at_place(inner[pair][0])
         assert edges(design) == before | {pair}, (beside, edges(design) - before)
-        assert picture(f'both-{beside}') > 12
+        assert picture(f"both-{beside}") > 12
         made.undo()
         settle(600)
         quiet()
-        keys('Escape')
+        keys("Escape")
         settle(300)
     close_panel()
     settle(300)
-    assert 'Traceback' not in report(), report()
-""", homes, tmp_path)
+    assert "Traceback" not in report(), report()

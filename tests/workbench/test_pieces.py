@@ -1,86 +1,75 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A closed target in pieces, in a document without a window."""
 
-import sys
-from pathlib import Path
+import FreeCAD
+import pytest
+from curveups.base.errors import CurveUpsError
+from curveups.features import actions, document
+from shapes import obj_text, sphere
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-
-from shapes import obj_text, sphere  # noqa: E402
+pytestmark = pytest.mark.freecad
 
 
-def test_a_ball_in_pieces(freecad, tmp_path):
+def test_a_ball_in_pieces(tmp_path):
     ball = tmp_path / "ball.obj"
     ball.write_text(obj_text(*sphere(25, 3)))
-    freecad("""
-import FreeCAD
-from curveups.features import actions, document
-doc = FreeCAD.newDocument('pieces')
-design = document.new_design(doc, ball)
-design.Pieces = 'auto'
-actions.solve(design)
-doc.recompute()
-assert design.Verdict == 'valid', (design.Verdict, list(design.Reasons))
-project = document.project_of(design)
-division, first = project.latest('division'), project.latest('design').design
-assert set(division.piece.tolist()) == {0, 1} and len(first.cuts) == len(division.edges) > 10
-assert list(design.Cuts.Edges) == []  # nobody asked for a cut
-assert document.state_of(design)[0] == 'current', document.state_of(design)
-name = str(doc.Name)
-doc.saveAs(saved)
-FreeCAD.closeDocument(name)
-doc = FreeCAD.openDocument(saved)
-design = doc.Design
-project = document.project_of(design)
-assert project.out_of_date('verification') == (), project.out_of_date('verification')
-design.Pieces = '3'
-assert document.state_of(design)[0] == 'out of date', document.state_of(design)
-assert 'Solve' in document.state_of(design)[1]
-assert document.project_of(design).out_of_date('layout') == ('pieces',)
-try:
-    design.Pieces = 'some'
-    document.settings_of(design)
-except Exception as error:
-    assert '1 to 24' in str(error), error
-else:
-    raise AssertionError('some')
-design.Pieces = 'auto'
-assert document.state_of(design)[0] == 'current', document.state_of(design)
-done()
-""", ball=ball, saved=tmp_path / "saved.FCStd")
+    saved = str(tmp_path / "saved.FCStd")
+    doc = FreeCAD.newDocument("pieces")
+    design = document.new_design(doc, str(ball))
+    design.Pieces = "auto"
+    actions.solve(design)
+    doc.recompute()
+    assert design.Verdict == "valid", (design.Verdict, list(design.Reasons))
+    project = document.project_of(design)
+    division, first = project.latest("division"), project.latest("design").design
+    assert set(division.piece.tolist()) == {0, 1} and len(first.cuts) == len(division.edges) > 10
+    assert list(design.Cuts.Edges) == []  # nobody asked for a cut
+    assert document.state_of(design)[0] == "current", document.state_of(design)
+    name = str(doc.Name)
+    doc.saveAs(saved)
+    FreeCAD.closeDocument(name)
+    doc = FreeCAD.openDocument(saved)
+    design = doc.Design
+    project = document.project_of(design)
+    assert project.out_of_date("verification") == (), project.out_of_date("verification")
+    design.Pieces = "3"
+    assert document.state_of(design)[0] == "out of date", document.state_of(design)
+    assert "Solve" in document.state_of(design)[1]
+    assert document.project_of(design).out_of_date("layout") == ("pieces",)
+    design.Pieces = "some"
+    with pytest.raises(CurveUpsError, match="1 to 24"):
+        document.settings_of(design)
+    design.Pieces = "auto"
+    assert document.state_of(design)[0] == "current", document.state_of(design)
 
 
-def test_a_ball_that_can_be_sewn(freecad, tmp_path):
+def test_a_ball_that_can_be_sewn(tmp_path):
     """Holes are in a document's solids, and go with the property."""
     ball = tmp_path / "ball.obj"
     ball.write_text(obj_text(*sphere(30, 3)))
-    freecad("""
-import FreeCAD
-from curveups.features import actions, document
-doc = FreeCAD.newDocument('sewn')
-design = document.new_design(doc, ball)
-for name, value in (('Pieces', '2'), ('Joint', 'holes'), ('L', 8), ('HBody', 2)):
-    setattr(design, name, value)
-assert design.getGroupOfProperty('Joint') == design.getGroupOfProperty('Pieces')
-assert float(design.JointHole) == 1.0
-actions.solve(design)
-doc.recompute()
+    saved = str(tmp_path / "saved.FCStd")
+    doc = FreeCAD.newDocument("sewn")
+    design = document.new_design(doc, str(ball))
+    for name, value in (("Pieces", "2"), ("Joint", "holes"), ("L", 8), ("HBody", 2)):
+        setattr(design, name, value)
+    assert design.getGroupOfProperty("Joint") == design.getGroupOfProperty("Pieces")
+    assert float(design.JointHole) == 1.0
+    actions.solve(design)
+    doc.recompute()
 
-def bores():
-    assert design.Tiles.Shape.isValid() and len(design.Tiles.Shape.Solids) == design.TileCount
-    return sum(type(face.Surface).__name__ == 'Cylinder' for face in design.Tiles.Shape.Faces)
+    def bores():
+        assert design.Tiles.Shape.isValid() and len(design.Tiles.Shape.Solids) == design.TileCount
+        return sum(type(face.Surface).__name__ == "Cylinder" for face in design.Tiles.Shape.Faces)
 
-found = bores()
-assert found > 40, found
-name = str(doc.Name)
-doc.saveAs(saved)
-FreeCAD.closeDocument(name)
-doc = FreeCAD.openDocument(saved)
-design = doc.Design
-assert bores() == found
-assert document.state_of(design)[0] != 'out of date', document.state_of(design)
-design.Joint = 'none'
-assert document.state_of(design)[0] == 'out of date', document.state_of(design)
-assert document.project_of(design).out_of_date('layout') != ()
-done()
-""", ball=ball, saved=tmp_path / "saved.FCStd")
+    found = bores()
+    assert found > 40, found
+    name = str(doc.Name)
+    doc.saveAs(saved)
+    FreeCAD.closeDocument(name)
+    doc = FreeCAD.openDocument(saved)
+    design = doc.Design
+    assert bores() == found
+    assert document.state_of(design)[0] != "out of date", document.state_of(design)
+    design.Joint = "none"
+    assert document.state_of(design)[0] == "out of date", document.state_of(design)
+    assert document.project_of(design).out_of_date("layout") != ()

@@ -2,50 +2,69 @@
 """What a Design and all below it are in the tree: badges, menus, double clicks; and stay through FreeCADs
 that know nothing of them."""
 
-import shutil
+import sys
 
+import FreeCAD
+import FreeCADGui
 import pytest
-from window import run_in_window
+from curveups.window.viewproviders.part import ShapeView
+from robot import QtGui, settle, until
+from steps import LIVE, panel
 
-pytestmark = pytest.mark.skipif(not shutil.which("xvfb-run"), reason="there is no xvfb-run")
+pytestmark = pytest.mark.freecad(window=True)
 
-OPEN = """
-PARTS = ('Target', 'Cuts', 'Layout', 'Verification', 'Tiles', 'Support', 'Anchors')
-SHAPES = ('Target', 'Tiles', 'Support', 'Anchors')
+
+PARTS = ("Target", "Cuts", "Layout", "Verification", "Tiles", "Support", "Anchors")
+SHAPES = ("Target", "Tiles", "Support", "Anchors")
+
 
 def opened(path):
-    document = FreeCAD.openDocument(path)
-    settle(3000)  # views of shapes follow, one after another
+    document = FreeCAD.openDocument(str(path))
+    settle()
     return document, FreeCADGui.getDocument(document.Name)
+
 
 def shown(gui):
     return {name for name in SHAPES if gui.getObject(name).Visibility}
-"""
 
-TREE = OPEN + """
-from curveups.features import document as documents
-from curveups.window.viewproviders.part import ShapeView
+
+def followed(gui):
+    """Views of shapes follow a document that is opened, one after another."""
+    return all(isinstance(gui.getObject(name).Proxy, ShapeView) for name in SHAPES)
+
 
 def drawn(gui):
-    # What stands in the tree before each name.
+    """What stands in the tree before each name."""
     images = {}
-    for name in ('Design', *PARTS):
+    for name in ("Design", *PARTS):
         proxy = gui.getObject(name).Proxy
         image = proxy.getIcon().pixmap(64, 64).toImage()
         images[name] = bytes(image.constBits())[:image.sizeInBytes()]
     return images
 
-def work():
-    document, gui = opened(path)
+
+def save_twice(path, once, twice):
+    """Without the workbench. Hidden solids stay so: to show thousands takes half a minute."""
+    assert not any("CurveUps" in folder for folder in sys.path)
+    for start, end in ((path, once), (once, twice)):
+        document, gui = opened(start)
+        assert shown(gui) == {"Tiles", "Anchors"}, (start, shown(gui))
+        document.saveAs(str(end))
+        FreeCAD.closeDocument(document.Name)
+
+
+def test_all_below_a_design_is_a_full_member_of_the_tree(dome_document, tmp_path):
+    out = str(tmp_path / "again.FCStd")
+    document, gui = opened(dome_document)
     document.UndoMode = 1
-    design, panel = document.Design, __import__('curveups.window.panels.solve').window.panels.solve
-    assert all(isinstance(gui.getObject(name).Proxy, ShapeView) for name in SHAPES)
+    design = document.Design
+    until(lambda: followed(gui), what="views of the shapes")
     current = drawn(gui)
     assert len({current[name] for name in SHAPES}) == 4
     # A state is a badge, there and back.
-    for name, value, changed in (('HBody', '2.9 mm', {'Tiles', 'Support', 'Anchors'}),
-                                 ('L', '9 mm', {'Target', 'Layout'})):
-        document.openTransaction('Edit')
+    for name, value, changed in (("HBody", "2.9 mm", {"Tiles", "Support", "Anchors"}),
+                                 ("L", "9 mm", {"Target", "Layout"})):
+        document.openTransaction("Edit")
         setattr(design, name, value)
         document.commitTransaction()
         now = drawn(gui)
@@ -53,79 +72,55 @@ def work():
         document.undo()
         assert drawn(gui) == current, name
     # Every menu has commands, in a session that never activated the workbench too.
-    for name in ('Design', *PARTS):
+    for name in ("Design", *PARTS):
         menu = QtGui.QMenu()
         gui.getObject(name).Proxy.setupContextMenu(gui.getObject(name), menu)
         assert menu.actions() and all(action.text() for action in menu.actions()), name
     # A double click opens the panel, at what made the object; nothing is run by it.
-    for name, group in (('Target', 'Target'), ('Layout', 'Layout'), ('Verification', 'Physics'),
-                        ('Tiles', 'Tiles'), ('Support', 'Support'), ('Anchors', 'Anchors')):
+    for name, group in (("Target", "Target"), ("Layout", "Layout"), ("Verification", "Physics"),
+                        ("Tiles", "Tiles"), ("Support", "Support"), ("Anchors", "Anchors")):
         assert gui.getObject(name).Proxy.doubleClicked(gui.getObject(name))
         settle(100)
-        assert panel._open is not None and panel._open.design == design, name
-        assert panel._open.form.group.currentText() == group, (name, panel._open.form.group.currentText())
-        assert not panel.LIVE.busy
-    panel._open.reject()
+        assert panel() is not None and panel().design == design, name
+        assert panel().form.group.currentText() == group, (name, panel().form.group.currentText())
+        assert not LIVE.busy
+    panel().reject()
     settle(200)
     # Undone deletions, copies and reopened documents have their views.
-    FreeCADGui.Selection.addSelection(document.Name, 'Design')
-    FreeCADGui.runCommand('Std_Delete')
+    FreeCADGui.Selection.addSelection(document.Name, "Design")
+    FreeCADGui.runCommand("Std_Delete")
     settle()
     assert not document.Objects
     document.undo()
     settle()
     copy = document.copyObject(document.Design, True)
-    settle(3000)
     for one in (document.Design, copy):
-        for slot in SHAPES:
-            view = getattr(one, slot).ViewObject
-            assert isinstance(view.Proxy, ShapeView), (one.Name, slot)
+        until(lambda: all(isinstance(getattr(one, slot).ViewObject.Proxy, ShapeView) for slot in SHAPES),
+              what=f"views of the shapes of {one.Name}")
     copied = copy.Name
     before = shown(gui)
     document.saveAs(out)
     FreeCAD.closeDocument(document.Name)
     document, gui = opened(out)
-    assert shown(gui) == before == {'Tiles', 'Anchors'}, (shown(gui), before)
+    assert shown(gui) == before == {"Tiles", "Anchors"}, (shown(gui), before)
     for one in (document.Design, document.getObject(copied)):
-        for slot in SHAPES:
-            assert isinstance(getattr(one, slot).ViewObject.Proxy, ShapeView), (one.Name, slot)
+        until(lambda: all(isinstance(getattr(one, slot).ViewObject.Proxy, ShapeView) for slot in SHAPES),
+              what=f"views of the shapes of {one.Name}")
     assert drawn(gui) == current
-    assert not gui.Modified, 'opening is no edit'
+    assert not gui.Modified, "opening is no edit"
     FreeCAD.closeDocument(document.Name)
     closed = FreeCAD.openDocument(out).Name
     FreeCAD.closeDocument(closed)  # before its views are all ours
-    settle(3000)
-    assert closed not in FreeCAD.listDocuments()
-"""
-
-ELSEWHERE = OPEN + """
-def work():
-    import sys
-    assert not any('CurveUps' in p for p in sys.path)
-    for start, end in ((path, once), (once, twice)):
-        document, gui = opened(start)
-        # Hidden solids stay so: to show thousands takes half a minute.
-        assert shown(gui) == {'Tiles', 'Anchors'}, (start, shown(gui))
-        document.saveAs(end)
-        FreeCAD.closeDocument(document.Name)
-"""
+    document, gui = opened(out)  # its turn is after that of the one that is gone
+    until(lambda: followed(gui), what="views of the shapes")
+    assert closed == document.Name or closed not in FreeCAD.listDocuments()
 
 
-def test_all_below_a_design_is_a_full_member_of_the_tree(document, homes, tmp_path):
-    out = run_in_window(TREE, homes[True], tmp_path, path=document, out=tmp_path / "again.FCStd")
-    assert "Traceback" not in out, out
-
-
-def test_what_was_hidden_stays_so_in_any_FreeCAD(document, homes, tmp_path):
+def test_what_was_hidden_stays_so_in_any_FreeCAD(dome_document, elsewhere, tmp_path):
     """Saved twice where nothing is known of the workbench, opened where it is."""
     once, twice = tmp_path / "once.FCStd", tmp_path / "twice.FCStd"
-    run_in_window(ELSEWHERE, homes[False], tmp_path, path=document, once=once, twice=twice)
-    out = run_in_window(OPEN + """
-def work():
-    from curveups.window.viewproviders.part import ShapeView
-    document, gui = opened(path)
-    assert shown(gui) == {'Tiles', 'Anchors'}, shown(gui)
-    assert all(isinstance(gui.getObject(name).Proxy, ShapeView) for name in SHAPES)
-    assert document.Design.Verdict == 'valid'
-""", homes[True], tmp_path, path=twice)
-    assert "Traceback" not in out, out
+    elsewhere(save_twice, dome_document, once, twice, home="nothing", window=True)
+    document, gui = opened(twice)
+    until(lambda: followed(gui), what="views of the shapes")
+    assert shown(gui) == {"Tiles", "Anchors"}, shown(gui)
+    assert document.Design.Verdict == "valid"

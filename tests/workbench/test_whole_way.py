@@ -2,42 +2,47 @@
 """The whole way of a user, by mouse and keys in a real window: from a mesh file to print files, with what
 goes wrong on the way. The pictures of it are kept in build/whole-way, to be looked at."""
 
+import os
 import shutil
-import subprocess
 
+import FreeCAD
+import FreeCADGui
+import Mesh
 import pytest
-from window import ROBOT
-from running import ROOT, dome
-from window import run_in_window
-
-pytestmark = pytest.mark.skipif(not (shutil.which("xvfb-run") and shutil.which("xdotool")),
-                                reason="there is no virtual display, or no xdotool")
-
-STEPS = ROBOT + """
-from curveups.features import document
+from curveups.features import document as documents
 from curveups.window.overlays import overlay_of
-from curveups.window.run import LIVE
+from robot import (choose_file, click, click_at, close_panel, fill, in_dialog, keep_pictures_in, keys,
+                   on_screen, picture, press, report, settle, tidy, until, widget)
+from running import ROOT, dome
+from steps import LIVE
+
+pytestmark = pytest.mark.freecad(window=True)
+
 
 def design():
     return next(obj for obj in FreeCAD.ActiveDocument.Objects
-                if getattr(obj, 'CurveUpsType', '').endswith('Design'))
+                if getattr(obj, "CurveUpsType", "").endswith("Design"))
+
 
 def idle(seconds=120):
-    until(lambda: not LIVE.busy, seconds, 'the run to end')
+    until(lambda: not LIVE.busy, seconds, "the run to end")
     settle(300)
+
 
 def select(obj):
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(obj)
     settle(200)
 
+
 def drawn(at_least=1):
-    # Iterates that were shown while it is solved.
-    until(lambda: not LIVE.busy or LIVE._drawn >= at_least, 60, 'a picture of the run')
-    assert LIVE.busy, 'the run ended before it could be seen'
+    """Iterates that were shown while it is solved."""
+    until(lambda: not LIVE.busy or LIVE._drawn >= at_least, 60, "a picture of the run")
+    assert LIVE.busy, "the run ended before it could be seen"
+
 
 def again_until(combination, condition, what):
-    # Typing that pauses on a busy machine is several edits, each a step of undo.
+    """Typing that pauses on a busy machine is several edits, each a step of undo."""
     for _ in range(4):
         if condition():
             return
@@ -45,18 +50,21 @@ def again_until(combination, condition, what):
         settle(800)
     assert condition(), what
 
-def example(name):
-    FreeCADGui.runCommand(f'CurveUps_Example_{name}')
-    until(lambda: LIVE.busy, 30, 'the run to begin')
 
-def open_a_mesh():
-    in_dialog(lambda: keys('ctrl+o'), lambda: choose_file(mesh))
-    until(lambda: FreeCAD.ActiveDocument and FreeCAD.ActiveDocument.Objects, 30, 'the mesh')
+def start_example(name):
+    FreeCADGui.runCommand(f"CurveUps_Example_{name}")
+    until(lambda: LIVE.busy, 30, "the run to begin")
+
+
+def open_a_mesh(folder):
+    in_dialog(lambda: keys("ctrl+o"), lambda: choose_file(str(folder / "dome.stl")))
+    until(lambda: FreeCAD.ActiveDocument and FreeCAD.ActiveDocument.Objects, 30, "the mesh")
     surface, = FreeCAD.ActiveDocument.Objects
-    assert surface.isDerivedFrom('Mesh::Feature')
-    assert picture('01-mesh') > 5
+    assert surface.isDerivedFrom("Mesh::Feature")
+    assert picture("01-mesh") > 5
 
-def new_design():
+
+def new_design(folder):
     surface = FreeCAD.ActiveDocument.Objects[0]
     view = FreeCADGui.ActiveDocument.ActiveView
     view.viewTop()
@@ -64,187 +72,191 @@ def new_design():
     settle(300)
     click_at(on_screen(surface.Mesh.BoundBox.Center))
     assert FreeCADGui.Selection.getSelection() == [surface]
-    press('CurveUps_NewDesign')
-    until(lambda: len(FreeCAD.ActiveDocument.Objects) > 1, 20, 'the design')
+    press("CurveUps_NewDesign")
+    until(lambda: len(FreeCAD.ActiveDocument.Objects) > 1, 20, "the design")
     settle(300)
     assert design().Target.Source == surface, design().Target.Source
-    assert design().Status == 'empty', (design().Status, list(design().Reasons))
+    assert design().Status == "empty", (design().Status, list(design().Reasons))
     surface.ViewObject.Visibility = False
-    picture('02-new-design')
+    picture("02-new-design")
 
-def place_a_cut():
-    # An edge from the rim inwards, by one click on the target; a second click there takes it back.
+
+def place_a_cut(folder):
+    """An edge from the rim inwards, by one click on the target; a second click there takes it back."""
     select(design())
-    press('CurveUps_Cuts')
-    until(lambda: not LIVE.busy and overlay_of(design()).scene is not None, 60, 'the target')
+    press("CurveUps_Cuts")
+    until(lambda: not LIVE.busy and overlay_of(design()).scene is not None, 60, "the target")
     view = FreeCADGui.ActiveDocument.ActiveView
     view.viewTop()
     view.fitAll()
     settle(500)
-    picture('03-target')
+    picture("03-target")
     place = on_screen(FreeCAD.Vector(0, 25, 0))
     click_at(place)
-    until(lambda: len(document.cuts_of(design())), 20, 'a cut')
-    until(lambda: not LIVE.busy, 60, 'the quick layout')
-    assert picture('04-cut') > 5
-    again_until('ctrl+z', lambda: not len(document.cuts_of(design())), 'undo of the cut')
+    until(lambda: len(documents.cuts_of(design())), 20, "a cut")
+    until(lambda: not LIVE.busy, 60, "the quick layout")
+    assert picture("04-cut") > 5
+    again_until("ctrl+z", lambda: not len(documents.cuts_of(design())), "undo of the cut")
     close_panel()
 
-def solve_live():
+
+def solve_live(folder):
     select(design())
-    press('CurveUps_Solve')
+    press("CurveUps_Solve")
     idle()
-    assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
+    assert design().Verdict == "valid", (design().Verdict, list(design().Reasons))
     assert design().TileCount > 50
-    assert picture('05-solved') > 12
-    assert not widget('stop').isEnabled()
+    assert picture("05-solved") > 12
+    assert not widget("stop").isEnabled()
     close_panel()
 
-def change_thickness():
-    # In the panel, by the keys; then undo and redo.
+
+def change_thickness(folder):
+    """In the panel, by the keys; then undo and redo."""
     before = design().HBody.Value
     FreeCADGui.ActiveDocument.setEdit(design().Name)
-    group = widget('group')
-    group.setCurrentText('Tiles')
+    group = widget("group")
+    group.setCurrentText("Tiles")
     settle(200)
-    fill(widget('HBody'), '2.8')
-    until(lambda: abs(design().HBody.Value - 2.8) < 1e-9, 10, 'the thickness')
-    assert design().Verdict != 'valid', 'a stale verdict'
-    picture('06-thicker')
+    fill(widget("HBody"), "2.8")
+    until(lambda: abs(design().HBody.Value - 2.8) < 1e-9, 10, "the thickness")
+    assert design().Verdict != "valid", "a stale verdict"
+    picture("06-thicker")
     close_panel()
     settle(500)
-    again_until('ctrl+z', lambda: design().HBody.Value == before, 'undo')
-    assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
-    again_until('ctrl+shift+z', lambda: abs(design().HBody.Value - 2.8) < 1e-9, 'redo')
-    picture('07-redone')
+    again_until("ctrl+z", lambda: design().HBody.Value == before, "undo")
+    assert design().Verdict == "valid", (design().Verdict, list(design().Reasons))
+    again_until("ctrl+shift+z", lambda: abs(design().HBody.Value - 2.8) < 1e-9, "redo")
+    picture("07-redone")
 
-def verify():
+
+def verify(folder):
     select(design())
-    press('CurveUps_Verify')
+    press("CurveUps_Verify")
     idle()
-    assert design().Verdict in ('valid', 'not valid'), design().Verdict
-    assert design().Status in ('current', 'invalid'), design().Status
-    picture('08-verified')
+    assert design().Verdict in ("valid", "not valid"), design().Verdict
+    assert design().Status in ("current", "invalid"), design().Status
+    picture("08-verified")
     close_panel()
 
-def repair():
+
+def repair(folder):
     select(design())
-    press('CurveUps_Repair')
+    press("CurveUps_Repair")
     idle()
-    assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
-    picture('09-repaired')
+    assert design().Verdict == "valid", (design().Verdict, list(design().Reasons))
+    picture("09-repaired")
     close_panel()
 
-def refused_value():
+
+def refused_value(folder):
     FreeCADGui.ActiveDocument.setEdit(design().Name)
-    widget('group').setCurrentText('Tiles')
+    widget("group").setCurrentText("Tiles")
     settle(200)
-    fill(widget('HBody'), '45')
-    until(lambda: design().Status == 'invalid', 10, 'the refusal')
-    assert design().Verdict != 'valid' and 'HBody' in ' '.join(design().Reasons), list(design().Reasons)
-    picture('10-refused')
+    fill(widget("HBody"), "45")
+    until(lambda: design().Status == "invalid", 10, "the refusal")
+    assert design().Verdict != "valid" and "HBody" in " ".join(design().Reasons), list(design().Reasons)
+    picture("10-refused")
     close_panel()
-    again_until('ctrl+z', lambda: design().HBody.Value == 2.8, 'undo')
-    assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
+    again_until("ctrl+z", lambda: design().HBody.Value == 2.8, "undo")
+    assert design().Verdict == "valid", (design().Verdict, list(design().Reasons))
 
-def delete_and_back():
+
+def delete_and_back(folder):
     count = len(FreeCAD.ActiveDocument.Objects)
     select(design())
-    keys('Delete')
-    until(lambda: len(FreeCAD.ActiveDocument.Objects) == 1, 20, 'all of the design to go')
-    picture('11-deleted')
-    keys('ctrl+z')
-    until(lambda: len(FreeCAD.ActiveDocument.Objects) == count, 20, 'undo')
-    assert design().Verdict == 'valid', (design().Verdict, list(design().Reasons))
-    assert picture('12-back') > 12
+    keys("Delete")
+    until(lambda: len(FreeCAD.ActiveDocument.Objects) == 1, 20, "all of the design to go")
+    picture("11-deleted")
+    keys("ctrl+z")
+    until(lambda: len(FreeCAD.ActiveDocument.Objects) == count, 20, "undo")
+    assert design().Verdict == "valid", (design().Verdict, list(design().Reasons))
+    assert picture("12-back") > 12
 
-def export():
+
+def export(folder):
+    files = str(folder / "files")
     select(design())
-    press('CurveUps_Export')
-    fill(widget('folder'), files)
-    picture('13-export')
-    click(widget('write'))
-    until(lambda: LIVE.busy or os.path.isdir(files), 20, 'the export to begin')
+    press("CurveUps_Export")
+    fill(widget("folder"), files)
+    picture("13-export")
+    click(widget("write"))
+    until(lambda: LIVE.busy or os.path.isdir(files), 20, "the export to begin")
     idle()
     names = sorted(os.listdir(files))
-    assert any(name.endswith('-print.3mf') for name in names), names
-    assert any(name.endswith('-print.step') for name in names) and 'report.json' in names, names
-    picture('14-exported')
+    assert any(name.endswith("-print.3mf") for name in names), names
+    assert any(name.endswith("-print.step") for name in names) and "report.json" in names, names
+    picture("14-exported")
     close_panel()
 
-def save_close_reopen():
+
+def save_close_reopen(folder):
+    saved = str(folder / "whole-way.FCStd")
     verdict, tiles, name = design().Verdict, design().TileCount, design().Name
-    in_dialog(lambda: keys('ctrl+s'), lambda: choose_file(saved))
-    until(lambda: os.path.exists(saved), 20, 'the file')
+    in_dialog(lambda: keys("ctrl+s"), lambda: choose_file(saved))
+    until(lambda: os.path.exists(saved), 20, "the file")
     FreeCAD.closeDocument(FreeCAD.ActiveDocument.Name)
-    until(lambda: not FreeCAD.listDocuments(), 20, 'the document to close')
-    in_dialog(lambda: keys('ctrl+o'), lambda: choose_file(saved))
-    until(lambda: FreeCAD.ActiveDocument and FreeCAD.ActiveDocument.getObject(name), 30, 'the document')
+    until(lambda: not FreeCAD.listDocuments(), 20, "the document to close")
+    in_dialog(lambda: keys("ctrl+o"), lambda: choose_file(saved))
+    until(lambda: FreeCAD.ActiveDocument and FreeCAD.ActiveDocument.getObject(name), 30, "the document")
     settle(1000)
-    assert (design().Verdict, design().TileCount, design().Status) == (verdict, tiles, 'current')
-    assert not design().Tiles.Visibility, 'the solids hide the overlay'
+    assert (design().Verdict, design().TileCount, design().Status) == (verdict, tiles, "current")
+    assert not design().Tiles.Visibility, "the solids hide the overlay"
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
-    assert picture('15-reopened') > 12
+    assert picture("15-reopened") > 12
 
-def cancel_a_run():
-    example('tower')
+
+def cancel_a_run(folder):
+    start_example("tower")
     drawn()
-    picture('16-running')
-    start = time.monotonic()
-    click(widget('cancel'))
-    until(lambda: not LIVE.busy, 10, 'cancel')
-    assert time.monotonic() - start < 3  # two of them are the mouse's
-    assert design().Status == 'empty' and design().TileCount == 0, (design().Status, design().TileCount)
-    picture('17-cancelled')
+    picture("16-running")
+    click(widget("cancel"))
+    until(lambda: not LIVE.busy, 10, "cancel")
+    assert design().Status == "empty" and design().TileCount == 0, (design().Status, design().TileCount)
+    picture("17-cancelled")
 
-def stop_a_run():
-    click(widget('solve'))
-    until(lambda: LIVE.busy, 10, 'the run')
+
+def stop_a_run(folder):
+    click(widget("solve"))
+    until(lambda: LIVE.busy, 10, "the run")
     drawn(2)
-    click(widget('stop'))
+    click(widget("stop"))
     idle(20)
-    assert design().TileCount > 100 and design().Status != 'running', (design().Status, design().TileCount)
-    picture('18-stopped')
+    assert design().TileCount > 100 and design().Status != "running", (design().Status, design().TileCount)
+    picture("18-stopped")
 
-def close_in_mid_run():
+
+def close_in_mid_run(folder):
     close_panel()
-    example('tower')  # from nothing: what was stopped goes on from its best, and may end at once
+    start_example("tower")  # from nothing: what was stopped goes on from its best, and may end at once
     drawn()
     name = FreeCAD.ActiveDocument.Name
     FreeCAD.closeDocument(name)
-    until(lambda: not LIVE.busy, 20, 'the run to end')
+    until(lambda: not LIVE.busy, 20, "the run to end")
     settle(1000)
     assert name not in FreeCAD.listDocuments()
     assert not FreeCADGui.Control.activeDialog()
-    picture('19-closed')
+    picture("19-closed")
+
 
 WAY = (open_a_mesh, new_design, place_a_cut, solve_live, change_thickness, verify, repair, refused_value,
        delete_and_back, export, save_close_reopen, cancel_a_run, stop_a_run, close_in_mid_run)
 
-def work():
-    FreeCADGui.activateWorkbench('CurveUpsWorkbench')
-    tidy()
-    for step in WAY:
-        start = time.monotonic()
-        try:
-            step()
-        except BaseException:
-            picture('failed')
-            raise
-        print(f'{step.__name__}: {time.monotonic() - start:.1f} s', flush=True)
-        assert 'Traceback' not in report() and 'unexpected' not in report(), report()[-2000:]
-"""
 
-
-def test_the_whole_way(homes, tmp_path):
+@pytest.mark.freecad(timeout=600)
+def test_the_whole_way(tmp_path):
     pictures = ROOT / "build" / "whole-way"
     shutil.rmtree(pictures, ignore_errors=True)
+    keep_pictures_in(pictures)
     (tmp_path / "dome.obj").write_text(dome(5))
-    mesh = tmp_path / "dome.stl"
-    subprocess.run(["freecadcmd", "-c",
-                    f"import Mesh; Mesh.Mesh({str(tmp_path / 'dome.obj')!r}).write({str(mesh)!r})"],
-                   stdin=subprocess.DEVNULL, capture_output=True, check=False, timeout=100)
-    out = run_in_window(STEPS, homes[True], tmp_path, timeout=600, mesh=mesh, pictures=pictures,
-                        files=tmp_path / "files", saved=tmp_path / "whole-way.FCStd")
-    assert "Traceback" not in out, out
+    Mesh.Mesh(str(tmp_path / "dome.obj")).write(str(tmp_path / "dome.stl"))
+    FreeCADGui.activateWorkbench("CurveUpsWorkbench")
+    tidy()
+    for step in WAY:
+        try:
+            step(tmp_path)
+        except BaseException:
+            picture("failed")
+            raise
+        assert "Traceback" not in report() and "unexpected" not in report(), report()[-2000:]
     assert len(list(pictures.glob("*.png"))) >= 19 and not (pictures / "failed.png").exists()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Loads the native module, and says plainly what is wrong where that fails.
 
-`from curveups.native import native` gives the module; every other file imports it from here. It is
+`from curveups.base.native import native` gives the module; every other file imports it from here. It is
 loaded when something of it is first used: documents open, show and say what is wrong without it.
 """
 
