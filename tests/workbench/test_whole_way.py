@@ -37,7 +37,7 @@ def select(obj):
 
 def drawn(at_least=1):
     """Iterates that were shown while it is solved."""
-    until(lambda: not LIVE.busy or LIVE._drawn >= at_least, 60, "a picture of the run")
+    until(lambda: not LIVE.busy or LIVE._drawn >= at_least, 180, "a picture of the run")
     assert LIVE.busy, "the run ended before it could be seen"
 
 
