@@ -31,6 +31,13 @@ int segments(double radius, double deviation) {
   return std::clamp(static_cast<int>(std::ceil(pi / std::acos(c))), 8, 720);
 }
 
+// A regular polygon has its circle's area where its corners stand that much farther out. They and
+// its chords then stay nearer to the circle than the chords of corners on the circle.
+double equal_area_scale(int corners) {
+  const double angle = 2 * pi / corners;
+  return std::sqrt(angle / std::sin(angle));
+}
+
 class Mesher {
  public:
   Mesher(const PrintBody& body, const MeshingOptions& options) : body_(body), options_(options) {
@@ -45,11 +52,12 @@ class Mesher {
     }
     // Cylinder walls join points of the same angle: their circles have a common axis and number.
     for (const CylinderWall& wall : body.cylinders) {
-      make_ring(wall.bottom, body.circles[wall.bottom].axis);
-      make_ring(wall.top, body.circles[wall.bottom].axis);
+      for (int circle : {wall.bottom, wall.top}) {
+        make_ring(circle, body.circles[wall.bottom].axis, equal_area_scale(corners_of(circle)));
+      }
     }
     for (const SphericalCap& cap : body.caps) {
-      if (options.caps) make_ring(cap.circle, cap.axis);
+      if (options.caps) make_ring(cap.circle, cap.axis, 1);
     }
   }
 
@@ -79,9 +87,13 @@ class Mesher {
     return ring;
   }
 
-  void make_ring(int circle, const Vec3& axis) {
+  int corners_of(int circle) const {
+    return segments(body_.circles[circle].radius, options_.deviation);
+  }
+
+  void make_ring(int circle, const Vec3& axis, double scale) {
     const BodyCircle& c = body_.circles[circle];
-    ring_[circle] = ring_points(c.centre, axis, c.radius, segments(c.radius, options_.deviation));
+    ring_[circle] = ring_points(c.centre, axis, scale * c.radius, corners_of(circle));
   }
 
   std::vector<int> loop_points(const BodyLoop& loop) {
