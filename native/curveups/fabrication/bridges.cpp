@@ -16,8 +16,9 @@
 namespace curveups {
 namespace {
 
-constexpr double clearance = 0.1;  // from back and front faces, bumps and third bodies, mm
-constexpr double apart = 0.3;  // two bridges: the widest gap that a printer of ours asks for, mm
+constexpr double clearance = 0.1;  // from back and front faces, and bumps of its own two bodies, mm
+constexpr double apart =
+    0.3;  // from others at least: the widest gap that a printer of ours asks for
 
 // How far from p along d the convex body begins; nothing where the line passes it by.
 std::optional<double> entry(const ConvexBody& body, const Vec3& p, const Vec3& d) {
@@ -192,6 +193,8 @@ Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
     throw InfeasibleDesign("the tiles are too thin for breakaway bridges",
                            "raise H_body or lower bridge_notch, or choose another support");
   }
+  const double gap = std::max(apart, p.d_gap_min);  // from third bodies, as these from one another
+  const double reach = std::max(2.0, gap);
   const int count = static_cast<int>(bodies.size());
   Points3 low(count, 3), high(count, 3);
   for (int i = 0; i < count; ++i) {
@@ -200,8 +203,8 @@ Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
       box.add(bodies[i].ball_centres[k] - Vec3::Constant(bodies[i].ball_radii[k]));
       box.add(bodies[i].ball_centres[k] + Vec3::Constant(bodies[i].ball_radii[k]));
     }
-    low.row(i) = (box.low - Vec3::Constant(2.0)).transpose();
-    high.row(i) = (box.high + Vec3::Constant(2.0)).transpose();
+    low.row(i) = (box.low - Vec3::Constant(reach)).transpose();
+    high.row(i) = (box.high + Vec3::Constant(reach)).transpose();
   }
   std::vector<std::vector<int>> near(count);
   for (const auto& [i, j] : overlapping_boxes(low, high)) {
@@ -211,11 +214,13 @@ Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
   auto free = [&](const ConvexBody& box, int a, int b) {
     auto clear_of = [&](int i) {
       const BridgeObstacle& body = bodies[i];
+      const bool own = i == a || i == b;
+      const double keep = own ? clearance : gap;
       for (std::size_t k = 0; k < body.ball_centres.size(); ++k) {
         const Vec3& c = body.ball_centres[k];
-        if ((nearest_point(box, c) - c).norm() < body.ball_radii[k] + clearance) return false;
+        if ((nearest_point(box, c) - c).norm() < body.ball_radii[k] + keep) return false;
       }
-      return i == a || i == b || distance(box, body.body) >= clearance;
+      return own || distance(box, body.body) >= gap;
     };
     if (!clear_of(a) || !clear_of(b)) return false;
     for (int i : near[a]) {

@@ -38,8 +38,8 @@ struct BridgeObstacle {
 double bridge_neck(const Parameters& parameters);
 
 // One bridge per wish where one of its lines of sight is free: it enters both bodies by
-// bridge_depth and keeps clear of all bumps, third bodies and the bridges of earlier wishes. z: the
-// height of the back faces.
+// bridge_depth and keeps clear of their bumps, of the bridges of earlier wishes and, by d_gap_min,
+// of third bodies. z: the height of the back faces.
 // Throws InfeasibleDesign where the body is too thin for bridges with these notches.
 Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
                      const std::vector<BridgeWish>& wishes, double z, const Parameters& parameters);
