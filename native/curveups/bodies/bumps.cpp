@@ -17,8 +17,7 @@ namespace {
 constexpr double edge_margin = 0.1;      // between a cap and the rim of its wall, mm
 constexpr double bump_spacing = 0.2;     // between two caps of an interface, mm
 constexpr double flat_clearance = 0.05;  // between a cap and the neighbour in the flat layout, mm
-constexpr double rim_margin = 0.05;      // material between a hollow's rim and another face, mm
-constexpr double hollow_margin = 0.2;    // below the rim, and between two hollows, mm
+constexpr double hollow_margin = 0.2;    // of material beside a hollow at least, mm
 constexpr int shrink_steps = 4;          // of the diameter, down to
 constexpr double least_diameter = 0.5;   // fraction of bump_diameter that shrinking stops at
 
@@ -58,7 +57,11 @@ Shape dimple_of(const Shape& bump, double clearance) {
 class Planner {
  public:
   Planner(const DesignGeometry& geometry, const FlatPoses& poses, const Parameters& parameters)
-      : geometry_(geometry), tiles_(geometry.tiles), poses_(poses), p_(parameters) {}
+      : geometry_(geometry),
+        tiles_(geometry.tiles),
+        poses_(poses),
+        p_(parameters),
+        material_(std::max(parameters.p_floor, hollow_margin)) {}
 
   BumpPlan run() {
     const int count = static_cast<int>(tiles_.contacts.size());
@@ -157,24 +160,24 @@ class Planner {
     for (int s = 0; s < 2; ++s) {
       const int tile = contact.tile[s], wall = contact.side[s];
       const TileFrame& frame = tiles_.frame[tile];
-      const Vec3 origin = frame.to_local(plane.origin);
-      const Vec3 u = frame.to_local(plane.origin + plane.u) - origin;
-      const Vec3 v = frame.to_local(plane.origin + plane.v) - origin;
-      const Vec3 inward = -tiles_.wall_normal(tile, wall);
+      const Vec3 inward = -tiles_.wall_normal(tile, wall), start = frame.to_local(plane.origin);
+      const Vec3 u = frame.to_local(plane.origin + plane.u) - start;
+      const Vec3 v = frame.to_local(plane.origin + plane.v) - start;
+      const Vec3 origin = start + plan_.recess(tile, wall) * inward;
       for (const BodyFace& face : plan_.body[tile].faces) {
         if (face.tag == body_tag::wall + wall) continue;
         // The hollow's point nearest to the face lies on its sphere, or else on its rim.
         const Vec3& n = face.plane.normal;
         const double slope = inward.dot(n);
         const double depth = slope * R >= flat
-                                 ? face.plane.distance(origin - flat * inward) + R + hollow_margin
+                                 ? face.plane.distance(origin - flat * inward) + R + material_
                                  : face.plane.distance(origin) +
-                                       hollow.radius * std::sqrt(1 - slope * slope) + rim_margin;
+                                       hollow.radius * std::sqrt(1 - slope * slope) + material_;
         room = clip(room, Vec2(n.dot(u), n.dot(v)), -depth);
       }
       for (int end = 0; end < 2; ++end) {
         const double sine = std::sin(0.5 * corner_angle(tile, end ? next3(wall) : wall));
-        const double keep = (hollow.radius + 0.5 * edge_margin) / sine;
+        const double keep = (hollow.radius + 0.5 * material_) / sine;
         // Tile 0 runs along u from the origin, tile 1 the other way.
         const bool at_origin = (end == 0) == (s == 0);
         room = at_origin ? clip(room, -Vec2::UnitX(), -keep)
@@ -203,10 +206,11 @@ class Planner {
     for (int& step = shrink_[k]; step <= shrink_steps; ++step) {
       const double diameter = p_.bump_diameter + (least - p_.bump_diameter) * step / shrink_steps;
       shape_[k] = {0.5 * diameter, p_.bump_height};
-      const double reach = p_.bumps == "dimples" ? dimple_of(shape_[k], p_.dimple_clearance).radius
-                                                 : shape_[k].radius;
-      for (const Vec2& p : bump_pattern(region(k, plane, shape_[k]), p_.bump_count, p_.bump_rows,
-                                        2 * reach + bump_spacing)) {
+      const double apart = p_.bumps == "dimples"
+                               ? 2 * dimple_of(shape_[k], p_.dimple_clearance).radius + material_
+                               : 2 * shape_[k].radius + bump_spacing;
+      for (const Vec2& p :
+           bump_pattern(region(k, plane, shape_[k]), p_.bump_count, p_.bump_rows, apart)) {
         centres_[k].push_back(plane.to_world(p));
       }
       if (!centres_[k].empty()) return;
@@ -268,7 +272,7 @@ class Planner {
           if (face.tag == body_tag::wall + cap.wall) continue;
           const Vec3 deepest = sphere.centre + sphere.radius * face.plane.normal;
           if (sphere.on_cap(face.plane.normal) &&
-              face.plane.distance(deepest) > -hollow_margin + 1e-9) {
+              face.plane.distance(deepest) > -material_ + 1e-9) {
             return false;
           }
         }
@@ -277,7 +281,7 @@ class Planner {
           const double apart =
               distance(sphere, cap_sphere(other.centre, other.axis, other.radius, other.height));
           const double discs = (other.centre - cap.centre).norm() - other.radius - cap.radius;
-          if ((std::isfinite(apart) ? apart : discs) < hollow_margin) return false;
+          if ((std::isfinite(apart) ? apart : discs) < material_) return false;
         }
       }
     }
@@ -327,6 +331,7 @@ class Planner {
   const TileMesh& tiles_;
   const FlatPoses& poses_;
   const Parameters& p_;
+  const double material_;  // to be left beside a hollow, mm
   BumpPlan plan_;
   std::vector<std::vector<Vec3>> centres_;  // per contact, in the unrecessed interface plane
   std::vector<Shape> shape_;

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/bodies/tile_print.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
+#include <utility>
 
+#include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/core/tolerances.hpp"
@@ -44,6 +49,61 @@ double inscribed_diameter(const Polygon& triangle) {
   double perimeter = 0;
   for (int k = 0; k < 3; ++k) perimeter += (triangle[(k + 1) % 3] - triangle[k]).norm();
   return 4 * area(triangle) / perimeter;
+}
+
+CapSphere sphere_of(const WallCap& cap) {
+  return cap_sphere(cap.centre, cap.axis, cap.radius, cap.height);
+}
+
+// How far the hollow lies below the face's plane. The point of the hollow that is nearest to it is
+// on its sphere, or else on its rim.
+double material_below(const BodyFace& face, const WallCap& hollow) {
+  const CapSphere sphere = sphere_of(hollow);
+  const Vec3& n = face.plane.normal;
+  if (sphere.on_cap(n)) return -face.plane.distance(sphere.centre) - sphere.radius;
+  const double slope = hollow.axis.dot(n);
+  return -face.plane.distance(hollow.centre) -
+         hollow.radius * std::sqrt(std::max(0.0, 1 - slope * slope));
+}
+
+// From a point of one hollow to another hollow.
+double distance(const Vec3& p, const WallCap& hollow) {
+  const CapSphere sphere = sphere_of(hollow);
+  const Vec3 outwards = p - sphere.centre;
+  if (sphere.on_cap(outwards.normalized())) return outwards.norm() - sphere.radius;
+  const double height = hollow.axis.dot(p - hollow.centre);
+  const double beside = (p - hollow.centre - height * hollow.axis).norm() - hollow.radius;
+  return std::hypot(height, beside);
+}
+
+// Of two hollows: between their spheres, or from one's rim, point by point.
+double distance(const WallCap& a, const WallCap& b) {
+  constexpr int points = 64;
+  double least = distance(sphere_of(a), sphere_of(b));
+  for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    const Vec3 u = from->axis.unitOrthogonal(), v = from->axis.cross(u);
+    for (int k = 0; k < points; ++k) {
+      const PlaneRotation turn(2 * M_PI * k / points);
+      least =
+          std::min(least, distance(from->centre + from->radius * (turn.c * u + turn.s * v), *to));
+    }
+  }
+  return least;
+}
+
+double least_hollow_wall(const ConvexBody& body, const std::vector<WallCap>& caps) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < caps.size(); ++k) {
+    if (caps[k].bump) continue;
+    for (const BodyFace& face : body.faces) {
+      if (face.tag == body_tag::wall + caps[k].wall) continue;
+      least = std::min(least, material_below(face, caps[k]));
+    }
+    for (std::size_t l = 0; l < k; ++l) {
+      if (!caps[l].bump) least = std::min(least, distance(caps[k], caps[l]));
+    }
+  }
+  return least;
 }
 
 FaceRole role_of(int tag) {
@@ -140,6 +200,7 @@ TileFeatures tile_features(const TileMesh& tiles, const ConvexBody& body,
   for (const WallCap& cap : caps) {
     if (cap.bump && (f.bump == 0 || 2 * cap.radius < f.bump)) f.bump = 2 * cap.radius;
   }
+  f.hollow_wall = least_hollow_wall(body, caps);
   return f;
 }
 

@@ -27,6 +27,8 @@ struct TileFeatures {
   double body;                 // thickness, or the width of the narrower face
   double rim;                  // least distance from a pin to the edge of its face
   double bump;                 // diameter, 0 without bumps
+  double hollow_wall;  // least material from a hollow to a face of the body or to another hollow,
+                       // infinite without hollows
 };
 TileFeatures tile_features(const TileMesh& tiles, const ConvexBody& body,
                            const std::vector<WallCap>& caps, const double* q, int tile);

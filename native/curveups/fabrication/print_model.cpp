@@ -188,6 +188,7 @@ class Builder {
       consider("height of the pins", p().H_pin);
       consider("body", f.body);
       if (f.bump > 0) consider("bump", f.bump);
+      consider("material beside a dimple", f.hollow_wall);
       if (!model_.joints.of_tile[i].empty()) {
         consider("joint hole", p().joint_hole);
         consider("wall beside the joint hole", p().p_floor);

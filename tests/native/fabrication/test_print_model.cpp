@@ -154,6 +154,7 @@ TEST(Dimples, LeaveMaterialToOtherFacesAndToOneAnother) {
     o.kx = o.ky = k;
     const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
     EXPECT_TRUE(model.bumps.bare.empty());
+    double least = 1e300;
     for (std::size_t i = 0; i < model.tiles.size(); ++i) {
       SCOPED_TRACE(i);
       std::vector<std::pair<int, std::vector<Vec3>>> hollows;
@@ -172,10 +173,19 @@ TEST(Dimples, LeaveMaterialToOtherFacesAndToOneAnother) {
             for (const Vec3& r : theirs) to_others = std::min(to_others, (q - r).norm());
           }
         }
-        EXPECT_GT(to_faces, 0.05 - 1e-9);  // at the rim; 0.2 below
-        EXPECT_GT(to_others, 0.15);
+        EXPECT_GT(to_faces, p.p_floor - 1e-6);
+        EXPECT_GT(to_others, p.p_floor - 1e-6);
+        least = std::min({least, to_faces, to_others});
       }
     }
+    // What is said is what is there, up to the distance of the points on a hollow.
+    double said = 1e300;
+    for (const ThinFeature& thin : model.thin) {
+      if (thin.what == "material beside a dimple") said = std::min(said, thin.size);
+    }
+    EXPECT_GT(said, p.p_floor - 1e-6);
+    EXPECT_LT(said, least + 1e-6);
+    EXPECT_GT(said, least - 0.02);
   }
 }
 
@@ -201,6 +211,44 @@ TEST(Bridges, BreakWhereEveryPrinterStillPrints) {
       if (q.z() < high - 1e-9) tip = std::max(tip, q.z());
     }
     EXPECT_NEAR(high - tip, bridge_neck(p), 1e-9) << bridge.name;
+  }
+}
+
+// To the two bodies that it joins a bridge reaches; the layout's gap is between it and all others.
+TEST(Bridges, KeepTheLayoutsGapFromThirdTiles) {
+  for (const char* bumps : {"bumps", "dimples", "none"}) {
+    SCOPED_TRACE(bumps);
+    Parameters p;
+    p.support = "breakaway";
+    p.bumps = bumps;
+    test::SampleOptions o;
+    o.rows = 6;
+    o.columns = 8;
+    const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+    EXPECT_TRUE(model.loose_tiles.empty());
+    std::vector<ConvexBody> tiles;
+    for (std::size_t i = 0; i < model.tiles.size(); ++i) {
+      tiles.push_back(moved(model.bumps.body[i], model.flat[i]));
+    }
+    for (const PrintBody& bridge : model.supports) {
+      const Box box = bounding_box(bridge);
+      const std::size_t n = bridge.points.size() / 2;  // on either of its upright sides
+      std::vector<Vec2> outline;
+      for (std::size_t k : {std::size_t{0}, n - 3, 2 * n - 3, n}) {
+        outline.push_back(bridge.points[k].head<2>());
+      }
+      std::vector<double> gaps;
+      for (const ConvexBody& tile : tiles) {
+        double gap = 1e300;
+        for (int k : {0, 2}) {
+          const std::array<Vec2, 3> half = {outline[k], outline[k + 1], outline[(k + 2) % 4]};
+          gap = std::min(gap, distance(make_prism(half, box.low.z(), box.high.z()), tile));
+        }
+        if (gap > 1e-9) gaps.push_back(gap);
+      }
+      EXPECT_GE(gaps.size(), tiles.size() - 2) << bridge.name;
+      EXPECT_GE(*std::min_element(gaps.begin(), gaps.end()), p.d_gap_min - 1e-9) << bridge.name;
+    }
   }
 }
 
@@ -239,6 +287,27 @@ TEST(Bridges, NeverMeet) {
       for (const Vec2& q : a) gap = std::min(gap, distance(b, q));
       for (const Vec2& q : b) gap = std::min(gap, distance(a, q));
       EXPECT_GT(gap, 0.3 - 1e-9) << model.supports[i].name << ", " << model.supports[j].name;
+    }
+  }
+}
+
+// Prints weigh what is said, whichever file a slicer gets.
+TEST(Meshes, OfCylindersHaveTheirVolume) {
+  for (double deviation : {0.1, 0.02, 0.001}) {
+    Parameters p;
+    p.engrave = false;
+    const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+    ASSERT_FALSE(model.anchors.empty());
+    for (const PrintBody& anchor : model.anchors) {
+      const BodyMesh mesh = mesh_body(anchor, {deviation, true});
+      EXPECT_NEAR(volume(mesh), volume(anchor), 1e-9 * volume(anchor));
+      double corner = 0;
+      for (const Vec3& q : mesh.points) {
+        corner = std::max(corner, (q - anchor.circles[0].centre).head<2>().norm());
+      }
+      const double chord = corner * std::cos(2 * M_PI / mesh.points.size());
+      EXPECT_LE(corner - p.anchor_radius, deviation);
+      EXPECT_LE(p.anchor_radius - chord, deviation);
     }
   }
 }
