@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """`joint=holes`: pieces that can be sewn together after printing."""
 
+import html
 import json
 import math
 import struct
@@ -100,25 +101,38 @@ def test_one_piece_has_nothing_to_join(curveups, cap, tmp_path):
     assert report["joints"]["edges"] == report["joints"]["holes"] == 0
 
 
-def test_what_is_advised_makes_room(curveups, ball_file, tmp_path):
-    """Of a layout without holes, then of one whose pins have no room for them."""
-    tight = ("pieces=2", "verify=off", "joint=holes")
-
+def test_holes_that_find_no_room_are_refused(curveups, ball_file, tmp_path):
+    """Before anything is solved, where pins can't give way; and what is named does."""
     def run(name, *values):
-        ran = curveups("design", ball_file, "-o", tmp_path / name, "--set", *tight, *values)
-        assert ran.status == 0, ran.err
-        report = json.loads((tmp_path / name / "report.json").read_text())
-        return report["joints"], next((one for one in report["warnings"] if one["kind"] == "joint"), None)
+        return curveups("design", ball_file, "-o", tmp_path / name, "--set", "pieces=2", "verify=off",
+                        "joint=holes", *values)
 
-    joints, said = run("tight")
-    assert joints["without"] and said["tiles"] == sorted({i for pair in joints["without"] for i in pair})
-    a, b = joints["without"][0]
-    assert f"{len(joints['without'])} of {joints['edges']} edges" in said["what"]
-    assert f"T{a + 1:05d}-T{b + 1:05d}" in said["what"]
-    area = joints["possible"]["A_pin_min"]
-    assert 1 < area < 4 and f"A_pin_min to {math.floor(100 * area) / 100:g}" in said["remedy"]
-    joints, said = run("advised", f"A_pin_min={math.floor(100 * area) / 100:g}")
-    assert joints["without"] == [] and said is None
+    refused = run("wide", "joint_hole=3")
+    line, = refused.error_lines
+    assert refused.status == 2 and not (tmp_path / "wide").exists()
+    assert "no room for stitching holes of 3 mm" in line and "T0" in line and "tried" not in line
+    hole = float(line.split("lower joint_hole to ")[1].split()[0])
+    assert 1 < hole < 3
+    assert run("advised", f"joint_hole={hole:g}").status == 0
+    report = json.loads((tmp_path / "advised" / "report.json").read_text())
+    assert report["joints"]["without"] == []
+
+
+def test_tiles_of_standard_size_have_holes(curveups, ball_file, tmp_path):
+    """Pins beside them are smaller than A_pin_min, which is said, and no smaller than A_pin_floor."""
+    ran = curveups("design", ball_file, "-o", tmp_path, "--set", "pieces=2", "joint=holes")
+    assert ran.status == 0, ran.err
+    design, report = read_run(tmp_path)
+    assert report["valid"] is True and len(borders(design)) > 20
+    assert report["joints"]["edges"] == len(borders(design)) and report["joints"]["without"] == []
+    assert not [one for one in report["warnings"] if one["kind"] == "joint"]
+    small, = (one for one in report["warnings"] if "pin sides can't reach A_pin_min" in one["what"])
+    assert 1 <= float(small["what"].split("smallest has ")[1].split()[0]) < 4
+    beside = {tile for pair in borders(design) for tile in pair}
+    assert set(small["tiles"]) <= beside
+    page = html.unescape((tmp_path / "report.html").read_text(encoding="utf-8"))
+    assert "stitching hole (1 mm)" in page and f"{report['joints']['holes']} holes in all" in page
+    assert "Cut the 2 pieces apart" in page
 
 
 def test_a_layout_without_holes_is_to_be_made_anew(curveups, ball_file, tmp_path):
@@ -153,7 +167,7 @@ def test_remedies_by_what_is_possible():
         assert said["what"] == "1 of 2 edges between pieces have no room for stitching holes: T00003-T00004"
         return said["remedy"]
 
-    assert remedy(0.0, 0.5) == "raise L or lower H_body"
-    assert "A_pin_min to 2.34," in remedy(0.0, 2.349) and "joint_hole" not in remedy(0.0, 2.349)
-    assert "joint_hole to 0.78 or A_pin_min to 2.34" in remedy(0.789, 2.349)
+    assert remedy(0.0, 0.0) == "raise L or lower H_body"
+    assert "A_pin_floor to 2.34," in remedy(0.0, 2.349) and "joint_hole" not in remedy(0.0, 2.349)
+    assert "joint_hole to 0.78 or A_pin_floor to 2.34" in remedy(0.789, 2.349)
     assert "compute the layout" in remedy(1.0, 5.0)

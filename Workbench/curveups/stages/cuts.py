@@ -27,9 +27,10 @@ class Cuts(Result):
 def _run(inputs: Inputs, job: Job) -> Cuts:
     V, F = inputs["fairing"].V, inputs["target"].F
     edges = inputs["division"].edges
-    findings = native.check_target(V, F, edges, inputs.parameters)
+    errors = [one for one in native.check_target(V, F, edges, inputs.parameters) if one.is_error]
     with with_advice(inputs, inputs["cut request"], job):
-        settle([finding for finding in findings if finding.is_error], inputs.where, tiles_place)
+        settle([error for error in errors if error.kind != "joint"], inputs.where, tiles_place)
+    settle(errors, inputs.where, tiles_place)  # other sizes are tried without stitching holes
     return Cuts(edges)
 
 

@@ -18,7 +18,7 @@ def joints_of(model: Any, parameters: Any) -> dict[str, Any]:
     joined, closed, holes, hole, area = model.joints
     return {"edges": len(joined) + len(closed), "holes": int(holes), "hole_mm": parameters.get("joint_hole"),
             "wall_mm": parameters.get("p_floor"), "without": [[int(a), int(b)] for a, b in closed],
-            **({"possible": {"joint_hole": hole, "A_pin_min": area}} if closed else {})}
+            **({"possible": {"joint_hole": hole, "A_pin_floor": area}} if closed else {})}
 
 
 def not_joined(joints: Mapping[str, Any], parameters: Any) -> Sequence[dict[str, Any]]:
@@ -40,10 +40,10 @@ def not_joined(joints: Mapping[str, Any], parameters: Any) -> Sequence[dict[str,
 
 def _remedy(possible: Mapping[str, float], parameters: Any) -> str:
     # Rounded down, so that what is named does.
-    hole, area = (math.floor(100 * possible[name]) / 100 for name in ("joint_hole", "A_pin_min"))
+    hole, area = (math.floor(100 * possible[name]) / 100 for name in ("joint_hole", "A_pin_floor"))
     if hole >= parameters.get("joint_hole"):
         return "compute the layout with joint=holes, so that pins make room"
     options = [f"joint_hole to {hole:g}"] if hole > 0 else []
-    options += [f"A_pin_min to {area:g}"] if area >= parameters.get("A_pin_floor") else []
+    options += [f"A_pin_floor to {area:g}"] if area > 0 else []
     other = "raise L or lower H_body"
     return f"set {' or '.join(options)}, so that pins can make room; or {other}" if options else other

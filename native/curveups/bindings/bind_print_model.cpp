@@ -87,7 +87,7 @@ void bind_print_model(py::module_& module) {
           },
           "With joint=holes the pairs of tiles along borders of pieces with stitching holes, those "
           "without room for them, how many holes there are in all, and, where there are such "
-          "without, the largest joint_hole (mm, 0 for none) and the largest A_pin_min (mm2) for "
+          "without, the largest joint_hole (mm, 0 for none) and the largest A_pin_floor (mm2) for "
           "which pins can make room everywhere.")
       .def_readonly("loose_tiles", &PrintModel::loose_tiles)
       .def_readonly("loose_anchors", &PrintModel::loose_anchors)

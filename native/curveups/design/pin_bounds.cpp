@@ -144,17 +144,18 @@ PinRoom pin_room(const TileMesh& tiles, const Truncation& truncation, const Para
 
 namespace {
 
-constexpr double enough = 1.02;  // times A_pin_min, beside holes: room for interior points
+constexpr double enough = 1.02;  // times A_pin_floor, beside holes: room for interior points
 
-// The room that is left beside holes of joints, or as much of the way there as A_pin_min lets pins
-// go: bounds follow vertices without a jump. least: becomes what was asked of the insets for it.
+// The room that is left beside holes of joints, or as much of the way there as A_pin_floor lets
+// pins go: bounds follow vertices without a jump. least: becomes what was asked of the insets for
+// it.
 PinRoom beside_holes(const TileMesh& tiles, const Truncation& truncation, const Parameters& p,
                      int tile, Side side, const Array6& joint, std::array<double, 3>& least) {
   const auto part = [&](double share) {
     for (int t = 0; t < 3; ++t) least[t] = share * joint(tile, inset_index(side, t));
     return pin_room(tiles, truncation, p, tile, side, p.p_min, least);
   };
-  const auto fits = [&](const PinRoom& room) { return room.area >= enough * p.A_pin_min; };
+  const auto fits = [&](const PinRoom& room) { return room.area >= enough * p.A_pin_floor; };
   PinRoom whole = part(1);
   if (fits(whole)) return whole;
   double low = 0, high = 1;
@@ -221,7 +222,7 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
 }
 
 JointRoom joint_room(const TileMesh& tiles, const Truncation& truncation, Parameters p) {
-  // The largest A_pin_min that such holes leave.
+  // The largest A_pin_floor that such holes leave.
   const auto area = [&](double hole) {
     p.joint_hole = hole;
     const Array6 joint = joint_insets(tiles, p);
@@ -239,11 +240,11 @@ JointRoom joint_room(const TileMesh& tiles, const Truncation& truncation, Parame
   };
   double low = std::min(p.p_floor, p.joint_hole), high = p.joint_hole;
   const double as_set = area(high);
-  if (as_set >= p.A_pin_min) return {high, as_set};
-  if (area(low) < p.A_pin_min) return {0, as_set};
+  if (as_set >= p.A_pin_floor) return {high, as_set};
+  if (area(low) < p.A_pin_floor) return {0, as_set};
   while (high - low > 1e-3) {
     const double middle = 0.5 * (low + high);
-    (area(middle) >= p.A_pin_min ? low : high) = middle;
+    (area(middle) >= p.A_pin_floor ? low : high) = middle;
   }
   return {low, as_set};
 }

@@ -63,7 +63,7 @@ struct PinBounds {
 // possible as its least_area; where not even A_pin_floor is possible its p_min is lowered as far as
 // it must be, to p_floor at most. Where lower and upper contradict one another lower wins: pins
 // that meet are worse than a membrane that touches an edge. What was relaxed is listed. With
-// joint=holes insets at joints leave room for their holes (joint_inset), as far as A_pin_min lets
+// joint=holes insets at joints leave room for their holes (joint_inset), as far as A_pin_floor lets
 // them.
 PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation,
                              const Parameters& parameters);
@@ -72,7 +72,7 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
 struct JointRoom {
   double hole;  // the largest joint_hole, no larger than the one that is set; 0 where not even one
                 // as wide as p_floor has room
-  double area;  // the largest A_pin_min with the joint_hole that is set, mm2
+  double area;  // the largest A_pin_floor with the joint_hole that is set, mm2
 };
 JointRoom joint_room(const TileMesh& tiles, const Truncation& truncation, Parameters parameters);
 

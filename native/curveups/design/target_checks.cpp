@@ -2,9 +2,11 @@
 #include "curveups/design/target_checks.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "curveups/core/text.hpp"
 #include "curveups/core/tolerances.hpp"
+#include "curveups/design/joints.hpp"
 #include "curveups/design/remote_overlaps.hpp"
 
 namespace curveups {
@@ -62,6 +64,24 @@ std::vector<TargetFinding> check_target(const TriangleMesh& mesh, const Edges& c
                         "lower H_body or smooth the target there", std::move(hinged), false});
   }
   const PinBounds bounds = compute_pin_bounds(tiles, truncation, parameters);
+  const Array6 beside_holes = joint_insets(tiles, parameters);
+  std::vector<int> closed;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    if ((beside_holes.row(i) - bounds.lower.row(i)).maxCoeff() > tolerance::constraint) {
+      closed.push_back(i);
+    }
+  }
+  if (!closed.empty()) {
+    const double hole = std::floor(100 * joint_room(tiles, truncation, parameters).hole) / 100;
+    findings.push_back({"joint",
+                        "pins of at least A_pin_floor (" + number(parameters.A_pin_floor) +
+                            " mm2) leave no room for stitching holes of " +
+                            number(parameters.joint_hole) + " mm",
+                        (hole > 0 ? "lower joint_hole to " + number(hole) + " or H_body"
+                                  : std::string("lower H_body")) +
+                            ", raise L, or set joint to none",
+                        std::move(closed), true});
+  }
   if (!bounds.small.empty()) {
     std::vector<int> small;
     double least = bounds.small.front().area;

@@ -203,7 +203,8 @@ TEST(JointHoles, PinsMakeRoomAsFarAsTheirAreaLetsThem) {
     const Design design = test::sample_design({}, o);
     return make_geometry(design.mesh, design.cuts, p);
   };
-  const Parameters wide = sewn(3.0);
+  Parameters wide = sewn(3.0);
+  wide.A_pin_floor = wide.A_pin_min;
   const DesignGeometry with = bounds(wide), without = bounds(Parameters());
   const std::vector<Joint> joints = find_joints(with.tiles);
   int limited = 0;
@@ -224,7 +225,8 @@ TEST(JointHoles, PinsMakeRoomAsFarAsTheirAreaLetsThem) {
       ++limited;
       EXPECT_GT(lower, before);
       EXPECT_LT(lower, joint_inset(with.tiles, wide, i, side, k % 3));
-      EXPECT_GE(pin_area(with.tiles, i, side, with.pin_bounds.lower.row(i).data()), wide.A_pin_min);
+      EXPECT_GE(pin_area(with.tiles, i, side, with.pin_bounds.lower.row(i).data()),
+                wide.A_pin_floor);
     }
   }
   EXPECT_EQ(limited, 16);
@@ -235,15 +237,17 @@ TEST(JointHoles, PinsMakeRoomAsFarAsTheirAreaLetsThem) {
   ASSERT_GT(possible.hole, 0.5);
   ASSERT_LT(possible.hole, 3.0);
   for (double hole : {possible.hole, possible.hole + 0.05}) {
-    const Design design = test::sample_design(sewn(hole), o);
+    wide.joint_hole = hole;
+    const Design design = test::sample_design(wide, o);
     const bool all = make_print_model(design, "0.1").joints.closed.empty();
     EXPECT_EQ(all, hole == possible.hole) << hole;
   }
   Parameters small = sewn(1.2);
   const double area = joint_room(with.tiles, with.truncation, small).area;
   ASSERT_LT(area, small.A_pin_min);
+  ASSERT_GT(area, small.A_pin_floor);
   for (double share : {1.0, 1.1}) {
-    small.A_pin_min = share * area;
+    small.A_pin_floor = share * area;
     const Design design = test::sample_design(small, o);
     EXPECT_EQ(make_print_model(design, "0.1").joints.closed.empty(), share == 1.0);
   }
