@@ -38,7 +38,7 @@ OPTIONAL = {
     "unchecked_files": dict,
     "print": {"bbox_mm": list, "bodies": COUNT, "tile_volume_cm3": NUMBER,
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
-              "smallest_feature_mm": NUMBER, "files": dict,
+              "smallest_feature_mm": NUMBER, "overhang_mm": NUMBER, "files": dict,
               "glue": {"first": TEXT, **{f"{side}_{what}_mm2": NUMBER for side in ("front", "back")
                                          for what in ("pins", "anchors", "support")}}},
 }

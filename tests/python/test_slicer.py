@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The print's 3MF as PrusaSlicer takes it: every body stays where it is."""
 
+import html
 import json
 import re
 import shutil
@@ -11,6 +12,7 @@ import zipfile
 
 import numpy as np
 import pytest
+from running import ROOT
 
 SLICER = shutil.which("prusa-slicer")
 pytestmark = pytest.mark.skipif(not SLICER, reason="there is no prusa-slicer")
@@ -102,6 +104,10 @@ def fdm_print(curveups, tmp_path_factory):
     folder = tmp_path_factory.mktemp("fdm")
     ran = curveups("design", "half-sphere", "-o", folder, "--profile", "fdm", "--set", "scale=0.6")
     assert ran.status == 0, ran.err
+    # One object of all parts, as in the window.
+    kinds = [(folder / f"half-sphere-{kind}.stl").read_bytes() for kind in ("tiles", "support", "anchors")]
+    facets = sum(struct.unpack_from("<I", kind, 80)[0] for kind in kinds)
+    (folder / "all.stl").write_bytes(bytes(80) + struct.pack("<I", facets) + b"".join(k[84:] for k in kinds))
     return folder, json.loads((folder / "report.json").read_text(encoding="utf-8"))
 
 
@@ -118,13 +124,9 @@ def test_the_profile_for_fdm_is_sliced_whole(fdm_print):
     """Half way up, where there are no bridges, each tile and anchor is a loop of its own: none is lost
     and none grows together with another. As much is extruded as the bodies hold."""
     folder, report = fdm_print
-    kinds = [(folder / f"half-sphere-{kind}.stl").read_bytes() for kind in ("tiles", "support", "anchors")]
-    facets = sum(struct.unpack_from("<I", kind, 80)[0] for kind in kinds)
-    # One object of all parts, as in the window.
-    (folder / "all.stl").write_bytes(bytes(80) + struct.pack("<I", facets) + b"".join(k[84:] for k in kinds))
     code = folder / "a.gcode"
     slicer(folder, "--export-gcode", *FDM, *IN_PLACE, "--output", code, "all.stl")
-    loops, volume = loops_and_volume(code.read_text(), 1.6)
+    loops, volume = loops_and_volume(code.read_text(), 2.2)
     block = report["print"]
     with zipfile.ZipFile(folder / "half-sphere-print.3mf") as archive:
         bridges = archive.read("3D/3dmodel.model").decode().count('name="Support ')
@@ -133,10 +135,29 @@ def test_the_profile_for_fdm_is_sliced_whole(fdm_print):
     assert volume == pytest.approx(held, rel=0.05)
 
 
-def loops_and_volume(code, height):
-    """Outer loops of the layer at that height, and mm3 extruded but for supports."""
-    loops, length, z, kind, drawing, relative = 0, 0.0, 0.0, "", False, False
-    before = 0.0
+def test_supports_for_the_profile_lie_on_the_side_that_is_glued_second(fdm_print):
+    """Level with the back pins on the bed, and nowhere else; the page and the README have them taken away
+    when the front membrane holds the tiles."""
+    folder, report = fdm_print
+    code = folder / "supported.gcode"
+    slicer(folder, "--export-gcode", *FDM, "--support-material", "--support-material-buildplate-only",
+           *IN_PLACE, "--output", code, "all.stl")
+    heights = {z for kind, z, _, _ in extrusions(code.read_text()) if kind.startswith("Support")}
+    assert heights and max(heights) < 0.6 + 1e-6  # H_pin
+    assert report["print"]["glue"]["first"] == "front"
+    page = html.unescape((folder / "report.html").read_text(encoding="utf-8"))
+    steps = re.findall(r"<li>(.*?)</li>", page)
+    assert "front side up" in page
+    glued, = (k for k, step in enumerate(steps) if step.startswith("Glue the front first"))
+    peeled, = (k for k, step in enumerate(steps) if "peel the slicer's supports off the back" in step)
+    assert glued < peeled and "slicer's supports lie level" in steps[glued]
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert readme.index("the front pins and the anchors") < readme.index("slicer's supports")
+
+
+def extrusions(code):
+    """What is drawn of a G-code: kind, height, whether a line begins, mm3."""
+    z, kind, drawing, relative, before = 0.0, "", False, False, 0.0
     for line in code.splitlines():
         if line.startswith(";TYPE:"):
             kind, drawing = line[6:], False
@@ -150,9 +171,14 @@ def loops_and_volume(code, height):
             extruded = words.get("E", before if not relative else 0.0) - (0.0 if relative else before)
             before = words.get("E", before)
             draws = extruded > 0 and "X" in words
-            if draws and kind == "External perimeter" and not drawing and abs(z - height) < 0.05:
-                loops += 1
+            if draws:
+                yield kind, z, not drawing, extruded * np.pi * (1.75 / 2) ** 2
             drawing = draws
-            if draws and not kind.startswith(("Support", "Skirt")):
-                length += extruded
-    return loops, length * np.pi * (1.75 / 2) ** 2
+
+
+def loops_and_volume(code, height):
+    """Outer loops of the layer at that height, and mm3 extruded but for supports."""
+    drawn = list(extrusions(code))
+    loops = sum(begins for kind, z, begins, _ in drawn
+                if kind == "External perimeter" and abs(z - height) < 0.05)
+    return loops, sum(volume for kind, _, _, volume in drawn if not kind.startswith(("Support", "Skirt")))

@@ -11,7 +11,7 @@ from typing import Any, Callable, Iterable, Iterator, Optional, Sequence
 from ..base.errors import tile_list, tile_name
 from ..base.native import native
 from ..project.project import Results
-from ..stages.solids import fits_bed, read_printer
+from ..stages.solids import fits_bed, overhangs, read_printer
 from .changes import changes, worst_contacts
 from .tables import show, table
 
@@ -169,7 +169,9 @@ def _quote(report: dict, parameters: Any) -> str:
                            f"{block['anchor_volume_cm3']:.1f} cm³"
                            + (f", bridges {bridges:.1f} cm³)" if bridged else ")")),
         ("Support material", f"{block['support_volume_cm3'] - bridges:.1f} cm³"
-         + (" (soluble)" if get("support") == "soluble" else "")),
+         + (" (soluble)" if get("support") == "soluble" else "")
+         + ("; the slicer's supports under tiles that reach out come on top"
+            if overhangs(block["overhang_mm"], parameters, printer) else "")),
         ("Smallest feature", f"{block['smallest_feature_mm']:.3g} mm; the printer makes "
                              f"{printer['smallest_feature_mm']:g} mm"),
         ("Least clearance between tiles", f"{show(report['solids']['min_clearance_flat_mm'])} mm; the "
@@ -189,29 +191,55 @@ _SIDES = {"front-up": "front side up", "front-down": "front side down"}
 
 def _assembly(report: dict, parameters: Any) -> str:
     """What is glued in which order, for whoever puts it together."""
-    get, glue = parameters.get, report["print"]["glue"]
-    first = glue["first"]
+    get, block = parameters.get, report["print"]
+    glue, first = block["glue"], block["glue"]["first"]
     second = "back" if first == "front" else "front"
-    support = {"soluble": "dissolve the slab", "breakaway": "break the bridges from the back",
-               "none": "there is no support to remove"}[get("support")]
-    flush = glue[f"{second}_support_mm2"]
+    on_bed = "back" if get("orientation") == "front-up" else "front"
+    level = f"the slab lies level with the pins ({glue[f'{second}_support_mm2']:.0f} mm²)"
+    away = {"soluble": "dissolve the slab and let the tiles dry",
+            "breakaway": f"break the bridges from the {second}", "none": ""}[get("support")]
+    before = ""
+    if overhangs(block["overhang_mm"], parameters, read_printer(get("printer"))):
+        level = "the slicer's supports lie level with the pins"
+        if on_bed == second:
+            away = f"peel the slicer's supports off the {on_bed}" + (f", {away}" if away else "")
+        else:
+            before = (f"Peel the slicer's supports off the {on_bed}, tile by tile: {level} there. Bridges "
+                      "alone hold the tiles meanwhile, and break easily.")
     steps = [
         f"Stretch both membranes to {get('tau'):g} times their length.",
+        before,
         f"Glue the {first} first: its pins and anchors alone stand out there "
         f"({glue[f'{first}_pins_mm2'] + glue[f'{first}_anchors_mm2']:.0f} mm²)"
-        + (f"; on the {second} the slab lies level with the pins ({flush:.0f} mm²) and would be glued along."
-           if flush else "."),
-        f"Turn the sheet over, {support} and let the tiles dry.",
+        + (f"; on the {second} {level} and would be glued along."
+           if glue[f"{second}_support_mm2"] or "peel" in away else "."),
+        f"Once the glue holds, turn the sheet over{', ' * bool(away)}{away}.",
         f"Glue the {second} pins and the other end of the anchors ("
         f"{glue[f'{second}_pins_mm2'] + glue[f'{second}_anchors_mm2']:.0f} mm²), lay the second membrane on.",
         "Take the sheet off the plates when the glue holds: it pulls itself into shape.",
         "Cut the anchors off with the surplus membrane; trim along rims, holes and cuts.",
+        *_joining(block["pieces"], report.get("joints")),
     ]
     printed = "FRONT" if get("orientation") == "front-up" else "BACK"
     note = (f"The label beside an anchor of each piece says {printed} on that side."
             if get("anchors") and get("engrave") else "")
-    return ("<ol>" + "".join(f"<li>{escape(step)}</li>" for step in steps) + "</ol>"
+    return ("<ol>" + "".join(f"<li>{escape(step)}</li>" for step in steps if step) + "</ol>"
             + (f'<p class="note">{note}</p>' if note else ""))
+
+
+def _joining(pieces: int, joints: Optional[dict]) -> Sequence[str]:
+    """The steps after those of one piece."""
+    if pieces < 2:
+        return ()
+    apart = f"Cut the {pieces} pieces apart where the membranes join them: each holds its shape by itself."
+    if not joints or not joints["holes"]:
+        return (apart, "Nothing joins the pieces: tape or glue them along their borders.")
+    return (apart,
+            "Bring pieces together in shape and sew them along their borders: through the membrane into "
+            f"a stitching hole ({joints['hole_mm']:g} mm), out at its other side, and back through the hole "
+            f"that faces it in the other piece; {joints['holes']} holes in all. "
+            "A drop of glue around a hole keeps the membrane from tearing on. Pull the thread tight when all "
+            "stitches are in.")
 
 
 def _either(values: set[float]) -> str:

@@ -144,6 +144,7 @@ def _if_sound(inputs: Inputs) -> Check:
     printed = {"bbox_mm": box, "bodies": int(model.body_count), "pieces": int(model.piece_count),
                "tile_volume_cm3": volumes["tiles"], "support_volume_cm3": volumes["support"],
                "anchor_volume_cm3": volumes["anchors"], "smallest_feature_mm": smallest,
+               "overhang_mm": max(model.overhangs, default=0.0),
                "glue": {"first": GLUED_FIRST, **{f"{side}_{what}_mm2": area
                                                  for side, areas in model.glued_areas.items()
                                                  for what, area in areas.items()}}}
@@ -219,16 +220,23 @@ def _printer_warnings(model: Any, parameters: Any, box: Sequence[float], clearan
         warn("resolution", f"dimples are {get('dimple_clearance'):g} mm wider than bumps, less than the "
                            f"{printer['resolution_mm']:g} mm that a {name} resolves",
              "raise dimple_clearance, or set bumps to none")
-    most = printer["overhang_mm"]
-    if most is not None and not soluble:
-        far = [tile for tile, size in enumerate(model.overhangs) if size > most]
-        if far:
-            reach = max(model.overhangs)
-            warn("overhang", f"{len(far)} tiles reach out level by up to {reach:.2g} mm beyond the pin they "
-                             f"stand on, {get('H_pin'):g} mm above the bed; a {name} prints {most:g} mm "
-                             "without supports",
-                 "let the slicer put supports there, on the bed alone", far)
+    if overhangs(max(model.overhangs, default=0.0), parameters, printer):
+        most = printer["overhang_mm"]
+        front_down = get("orientation") == "front-down"
+        warn("overhang", f"tiles reach out level by up to {max(model.overhangs):.2g} mm beyond the pin they "
+                         f"stand on, {get('H_pin'):g} mm above the bed; a {name} prints {most:g} mm without "
+                         "supports",
+             "let the slicer put supports there, on the bed alone"
+             + ("; with orientation=front-up they come off once a membrane holds the tiles" if front_down
+                else ""),
+             [tile for tile, size in enumerate(model.overhangs) if size > most])
     return warnings
+
+
+def overhangs(reach: float, parameters: Any, printer: dict) -> bool:
+    """Whether tiles that reach out level so far (mm) beyond their pins need supports of the slicer's."""
+    most = printer["overhang_mm"]
+    return most is not None and parameters.get("support") != "soluble" and reach > most
 
 
 def too_thin(relaxed: Sequence[Mapping[str, Any]], printer: dict) -> tuple[str, ...]:
