@@ -27,7 +27,6 @@ LIBRARIES = (
     ("Clipper", r"polyclipping/.*", {"bodies"}),
     ("CHOLMOD", r"cholmod.*|suitesparse/.*", {"numerics"}),
     ("oneTBB", r"(tbb|oneapi)/.*", {"core"}),
-    ("Ceres", r"ceres/.*", {"layout"}),
     ("CGAL", r"CGAL/.*", {"geometry"}),
     ("pybind11", r"pybind11/.*", {"bindings"}),
 )

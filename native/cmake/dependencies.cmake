@@ -18,16 +18,6 @@ find_package(CGAL 5.5 REQUIRED)
 add_library(curveups_cgal INTERFACE)
 target_link_libraries(curveups_cgal INTERFACE CGAL::CGAL)
 
-# Ceres: the soft layout problem. Its package names ATLAS where that is installed, and the first BLAS
-# that is named serves CHOLMOD too: more than twice as slow, so OpenBLAS stands in for it.
-find_package(Ceres 2.1 REQUIRED)
-get_target_property(CERES_LIBRARIES Ceres::ceres INTERFACE_LINK_LIBRARIES)
-list(FILTER CERES_LIBRARIES EXCLUDE REGEX "(atlas|f77blas|cblas|blas|lapack)[^/]*$")
-list(APPEND CERES_LIBRARIES ${OPENBLAS_LIBRARY})
-set_target_properties(Ceres::ceres PROPERTIES INTERFACE_LINK_LIBRARIES "${CERES_LIBRARIES}")
-add_library(curveups_ceres INTERFACE)
-target_link_libraries(curveups_ceres INTERFACE Ceres::ceres)
-
 # Clipper: unions and offsets of plane polygons, used by bodies alone.
 find_path(CLIPPER_INCLUDE polyclipping/clipper.hpp REQUIRED)
 find_library(CLIPPER_LIBRARY polyclipping REQUIRED)

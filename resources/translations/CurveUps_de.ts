@@ -28,8 +28,8 @@
       <translation>Wählen, was das Gewicht der Kacheln trägt: nichts (off lässt es weg), die gehaltenen Kacheln (held) oder eine Ebene unter dem Stück (resting). Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Choose what happens to a target that can't become tiles: off refuses it, ask also reports what would help, on changes it. Takes effect with Solve.</source>
-      <translation>Wählen, was mit einer Zielfläche geschieht, die keine Kacheln ergibt: off lehnt sie ab, ask berichtet auch, was helfen würde, on ändert sie. Wirkt mit „Lösen“.</translation>
+      <source>Choose what happens to a target that can't become tiles: off refuses it, on changes it. Takes effect with Solve.</source>
+      <translation>Wählen, was mit einer Zielfläche geschieht, die keine Kacheln ergibt: off lehnt sie ab, on ändert sie. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Choose what holds the layout together after printing: a soluble slab, breakaway bridges or nothing (none). Takes effect at once.</source>
@@ -252,28 +252,12 @@
       <translation>Dicke der vorderen Membran vor dem Dehnen. Von 0.01 bis 10 mm. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Treat least normal forces as hard constraints, or weigh them against the deviation by w_tight (penalty). Takes effect with Solve.</source>
-      <translation>Kleinste Normalkräfte als harte Bedingungen behandeln oder mit w_tight gegen die Abweichung abwägen (penalty). Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Weight of missing normal force against deviation from the target. Only tightness=penalty uses it. From 0 to 1e+09. Takes effect with Solve.</source>
-      <translation>Gewicht fehlender Normalkraft gegen die Abweichung von der Zielfläche. Nur tightness=penalty verwendet es. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
       <source>Weight of the alignment energy, which puts facing edges opposite each other. From 0 to 1e+06. Takes effect with Solve.</source>
       <translation>Gewicht der Ausrichtungsenergie, die zugewandte Kanten einander gegenüberstellt. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Weight of the collision energy in the soft layout. From 0 to 1e+09. Takes effect with Solve.</source>
-      <translation>Gewicht der Kollisionsenergie in der weichen Abwicklung. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
       <source>Weight of the packing energy, which draws facing edges together. From 0 to 1e+06. Takes effect with Solve.</source>
       <translation>Gewicht der Packungsenergie, die zugewandte Kanten zueinander zieht. Von 0 bis 1e+06. Wirkt mit „Lösen“.</translation>
-    </message>
-    <message>
-      <source>Weight of the pin area energy in the soft layout. From 0 to 1e+09. Takes effect with Solve.</source>
-      <translation>Gewicht der Zapfenflächenenergie in der weichen Abwicklung. Von 0 bis 1e+09. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
       <source>Weight of the spring energy, which keeps the membranes well and evenly stretched. From 0 to 1e+06. Takes effect with Solve.</source>
@@ -474,10 +458,6 @@
     <message>
       <source>Whole print</source>
       <translation>Ganzer Druck</translation>
-    </message>
-    <message>
-      <source>about {size} in {seconds:.0f} s</source>
-      <translation>etwa {size} in {seconds:.0f} s</translation>
     </message>
     <message>
       <source>another task panel is open</source>
@@ -862,12 +842,12 @@
       <translation>Abwickeln</translation>
     </message>
     <message>
-      <source>Pick edges along which tiles are disconnected, or ask for suggestions</source>
-      <translation>Kanten wählen, an denen Kacheln getrennt sind, oder Vorschläge holen</translation>
+      <source>Layout in {seconds:.1f} s. Solve repairs and verifies it.</source>
+      <translation>Abwicklung in {seconds:.1f} s. „Lösen“ repariert und prüft sie.</translation>
     </message>
     <message>
-      <source>Quick layout in {seconds:.1f} s; contacts that are likely to be weak (marked by triangles): {count}. Solve makes the exact one.</source>
-      <translation>Schnelle Abwicklung in {seconds:.1f} s; wohl schwache Kontakte (mit Dreiecken markiert): {count}. „Lösen“ macht die genaue.</translation>
+      <source>Pick edges along which tiles are disconnected, or ask for suggestions</source>
+      <translation>Kanten wählen, an denen Kacheln getrennt sind, oder Vorschläge holen</translation>
     </message>
     <message>
       <source>Remove cuts</source>
@@ -1293,8 +1273,8 @@
       <translation>Kanten</translation>
     </message>
     <message>
-      <source>End the quick layout or the search for cuts, and keep the best so far</source>
-      <translation>Die schnelle Abwicklung oder die Suche nach Schnitten beenden und das bisher Beste behalten</translation>
+      <source>End the layout or the search for cuts, and keep the best so far</source>
+      <translation>Die Abwicklung oder die Suche nach Schnitten beenden und das bisher Beste behalten</translation>
     </message>
     <message>
       <source>Lay out at once</source>
@@ -1309,8 +1289,8 @@
       <translation>Schnitte suchen, mit denen die Zielfläche mit weniger Dehnung flach liegt, und ihren Gewinn voraussagen</translation>
     </message>
     <message>
-      <source>Make a quick layout with soft constraints after every cut. Solve makes the exact one</source>
-      <translation>Nach jedem Schnitt eine schnelle Abwicklung mit weichen Bedingungen machen. „Lösen“ macht die genaue</translation>
+      <source>Make the layout anew after every cut. Solve repairs and verifies it</source>
+      <translation>Nach jedem Schnitt neu abwickeln. „Lösen“ repariert und prüft die Abwicklung</translation>
     </message>
     <message>
       <source>Make the selected cut and the suggestions above it, which it builds on</source>
@@ -1351,10 +1331,6 @@
   </context>
   <context>
     <name>ExportPanel</name>
-    <message>
-      <source>About</source>
-      <translation>Umfang</translation>
-    </message>
     <message>
       <source>Bodies</source>
       <translation>Körper</translation>

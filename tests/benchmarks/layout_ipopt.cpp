@@ -90,7 +90,7 @@ class LayoutProblem : public Ipopt::TNLP {
  public:
   LayoutProblem(const LayoutModel& model, LayoutState start)
       : state(std::move(start)),
-        energies_(make_energies(model, false)),
+        energies_(make_energies(model)),
         constraints_(make_constraints(model)),
         bounds_(inset_bounds(model)),
         pattern_(model.tile_count(), energies_, constraints_) {
@@ -222,7 +222,7 @@ class LayoutProblem : public Ipopt::TNLP {
 
 double energy_of(const LayoutModel& model, const LayoutState& state) {
   double sum = 0;
-  for (const auto& [name, value] : energies_by_name(make_energies(model, false), state))
+  for (const auto& [name, value] : energies_by_name(make_energies(model), state))
     sum += value;
   return sum;
 }
@@ -237,7 +237,7 @@ void compare(const std::string& path) {
   const LayoutState start = initial_layout(model);
 
   LayoutState own = start;
-  LayoutTerms energies = make_energies(model, false);
+  LayoutTerms energies = make_energies(model);
   double begun = processor_seconds();
   InteriorPoint<LayoutTerm> method(
       {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},

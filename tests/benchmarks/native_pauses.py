@@ -79,7 +79,6 @@ def main() -> None:
 
     calls: dict[str, Call] = {
         "solve_layout": lambda sink: native.solve_layout(V, F, cuts, p, sink),
-        "solve_soft_layout": lambda sink: native.solve_soft_layout(V, F, cuts, p, None, 30, sink),
         "relieve_pins": lambda sink: native.relieve_pins(V, F, cuts, p, sink),
         "suggest_cuts": lambda sink: native.suggest_cuts(V, F, cuts, p, 1, [], sink),
         "verify_design": lambda sink: native.verify_design(design, None, sink),

@@ -40,7 +40,6 @@ def calls(design, folder):
 
     return {
         "layout": lambda sink: native.solve_layout(V, F, NONE, p, sink),
-        "soft layout": lambda sink: native.solve_soft_layout(V, F, NONE, p, None, 50, sink),
         "cuts": lambda sink: native.suggest_cuts(V, F, NONE, p, 1, [], sink),
         "verify": lambda sink: native.verify_design(design, None, sink),
         "repair": repair,
@@ -55,9 +54,9 @@ def calls(design, folder):
     }
 
 
-LEAST = {"layout": 8, "soft layout": 4, "cuts": 4, "verify": 8, "print model": 3, "judge": 3,
+LEAST = {"layout": 8, "cuts": 4, "verify": 8, "print model": 3, "judge": 3,
          "remesh": 2}
-NAMES = ["layout", "soft layout", "cuts", "verify", "repair", "print model", "solids", "judge", "step", "stl",
+NAMES = ["layout", "cuts", "verify", "repair", "print model", "solids", "judge", "step", "stl",
          "3mf", "remesh", "deviation"]
 
 
@@ -87,7 +86,7 @@ def test_work_is_told_and_can_be_stopped(design, folder, name):
     except native.Cancelled:
         part = None
     assert len(answered) == 1, "asked again after it was stopped"
-    if name in ("layout", "soft layout", "cuts"):
+    if name in ("layout", "cuts"):
         assert part.stopped and not whole.stopped
     elif name == "repair":
         assert part.status == "stopped"

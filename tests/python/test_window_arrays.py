@@ -20,7 +20,7 @@ def target():
 def design(target):
     V, F = target
     parameters, cuts = native.Parameters(), np.zeros((0, 2), np.int32)
-    found = native.solve_soft_layout(V, F, cuts, parameters, max_iterations=3)
+    found = native.solve_layout(V, F, cuts, parameters)
     return native.Design("dome", parameters, V, F, found.T, found.q, cuts)
 
 
@@ -31,9 +31,10 @@ def test_shapes_of_a_design_have_a_row_per_tile_and_contact(design):
     np.testing.assert_allclose(shapes.actuated[:, :3], design.V[design.F], atol=1e-9)
     np.testing.assert_allclose(shapes.flat[:, :3, :2], design.T, atol=1e-9)
     contacts = len(shapes.contacts)
-    assert shapes.contact_edges.shape == (contacts, 2, 3) and contacts > tiles / 2
-    first, side = shapes.contacts[:, 0], shapes.contact_sides[:, 0]
-    np.testing.assert_allclose(shapes.contact_edges[:, 0], shapes.actuated[first, side], atol=1e-9)
+    assert shapes.contact_sides.shape == (contacts, 2) and contacts > tiles / 2
+    pairs, sides = shapes.contacts.T, shapes.contact_sides.T  # the edge that both tiles have
+    np.testing.assert_allclose(shapes.actuated[pairs[0], sides[0]],
+                               shapes.actuated[pairs[1], (sides[1] + 1) % 3], atol=1e-9)
 
 
 def test_arrays_outlive_what_they_came_from_and_cannot_be_written(design):
@@ -88,7 +89,6 @@ def test_fields_have_a_value_per_tile_or_contact(design):
         "contact_tiles": contacts, "fold_angle": contacts, "pin_room": tiles, "conformal_stretch": tiles,
         "least_stretch": tiles, "most_stretch": tiles}
     assert {name: len(values) for name, values in after.items()} == {
-        "contact_tiles": contacts, "gap": contacts, "membrane_slack": contacts, "spring_force": contacts,
-        "weak": len(after["weak"]), "pin_area": tiles}
+        "contact_tiles": contacts, "gap": contacts, "pin_area": tiles}
     assert (before["fold_angle"] > 0).all()  # a dome is convex everywhere
     assert (after["pin_area"] > 0).all()

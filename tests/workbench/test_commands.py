@@ -249,8 +249,8 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
     write_button.click()
     assert "nam" in line.text() and not os.path.exists(out), line.text()
     field("QLineEdit", "names").setText("{name}-{body}")
-    text = field("QLabel", "estimate").text()
-    assert "MB" in text and "half-sphere-print.3mf" in text, text
+    text = field("QLabel", "chosen").text()
+    assert "half-sphere-print.3mf" in text, text
     write_button.click()
     at_rest()
     picture("exported")

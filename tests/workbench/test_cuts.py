@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cuts picked by mouse in FreeCAD's window: chains, undo, the quick layout, suggestions."""
+"""Cuts picked by mouse in FreeCAD's window: chains, undo, the layout, suggestions."""
 
 import FreeCAD
 import FreeCADGui
@@ -74,7 +74,7 @@ def click_edge(design, x, y):
 
 
 def quiet(seconds=60):
-    until(lambda: not LIVE.busy, seconds, "the quick layout")
+    until(lambda: not LIVE.busy, seconds, "the layout")
     settle(400)
 
 
@@ -97,8 +97,8 @@ def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(pict
     tree = widget("cuts")
     assert tree.topLevelItemCount() == 1 and tree.topLevelItem(0).text(1) == str(len(chain))
     quiet()
-    assert overlay_of(design).scene.flat is not None, "no quick layout is shown"
-    assert "Quick layout" in widget("doing").text()
+    assert overlay_of(design).scene.flat is not None, "no layout is shown"
+    assert "Layout in" in widget("doing").text()
     assert designs.state_of(design, "Layout")[0] == "empty"  # it is no result
     picture("chain")
     tree.topLevelItem(0).setSelected(True)
@@ -122,7 +122,7 @@ def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(pict
 
 def test_a_click_on_a_cut_takes_it_back_and_suggestions_are_accepted(pictures):
     made, design = cutting()
-    box = widget("live")  # no quick layout; its middle lies beside its text
+    box = widget("live")  # no layout; its middle lies beside its text
     click_at(box.mapToGlobal(QtCore.QPoint(10, box.height() // 2)))
     until(lambda: not box.isChecked(), 10, "the box")
     overlay = overlay_of(design)
@@ -157,7 +157,7 @@ def test_a_click_on_a_cut_takes_it_back_and_suggestions_are_accepted(pictures):
 
 
 def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(pictures):
-    """On the quick layout, where both sides of an edge lie apart, and with both states side by side."""
+    """On the layout, where both sides of an edge lie apart, and with both states side by side."""
     def inner_edges(design, beside=False):
         # Of a figure that is drawn: a point a little inside either tile, by the edge between them.
         overlay = overlay_of(design)
@@ -187,7 +187,7 @@ def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(pictures):
 
     made, design = cutting()
     overlay, view = overlay_of(design), FreeCADGui.ActiveDocument.ActiveView
-    first = click_edge(design, 0, 0)  # on the target: its quick layout is what is drawn from now on
+    first = click_edge(design, 0, 0)  # on the target: its layout is what is drawn from now on
     quiet()
     assert overlay.morph() == 0 and overlay.scene.flat is not None, "the tiles lie flat"
     assert np.ptp(overlay.figures()[0][0][:, :3, 2]) < 1e-6

@@ -94,7 +94,7 @@ def place_a_cut(folder):
     place = on_screen(FreeCAD.Vector(0, 25, 0))
     click_at(place)
     until(lambda: len(documents.cuts_of(design())), 20, "a cut")
-    until(lambda: not LIVE.busy, 60, "the quick layout")
+    until(lambda: not LIVE.busy, 60, "the layout")
     assert picture("04-cut") > 5
     again_until("ctrl+z", lambda: not len(documents.cuts_of(design())), "undo of the cut")
     close_panel()

@@ -133,7 +133,9 @@ def export(options: Any, session: Session) -> int:
     for name, text in _settings(options.settings):
         row = native.find_parameter(name)
         before = values.get(name) if row else None
-        _set(values, name, text, f"--set {name}")
+        _set(values, name, text, f"--set {name}", session)
+        if row is None:  # retired
+            continue
         if row.tier not in ("rebuild", "files"):
             raise CurveUpsError(f"{name} can't change on export", f"--set {name}",
                                 "run 'curveups design' with it")
@@ -184,7 +186,7 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
             automatic.add(name)
         else:
             automatic.discard(name)
-            _set(values, name, value, where)
+            _set(values, name, value, where, session)
 
     profile = [profile_path(options.profile)] if options.profile else []
     for path in (*profile, *options.config):
@@ -237,10 +239,12 @@ def _settings(texts: list[str]) -> Iterator[tuple[str, str]]:
         yield name.strip(), value.strip()
 
 
-def _set(values: Any, name: str, value: Any, where: str) -> None:
+def _set(values: Any, name: str, value: Any, where: str, session: Session) -> None:
     for text in (name, value):
         if isinstance(text, str) and not is_text(text):
             raise CurveUpsError(f"{text!a} is no UTF-8 text", where, "give it in plain letters")
+    if name in native.retired_parameters():
+        session.reporter.say(f"warning: {name} has no effect any more ({where})")
     with translated(where):
         values.set(name, value)
 

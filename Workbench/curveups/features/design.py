@@ -51,8 +51,10 @@ class DesignProxy(Proxy):
             READ_ONLY)
         if not obj.CurveUpsVersion:
             obj.CurveUpsVersion = __version__
-        if problem() is None and properties.lacks_parameters(obj):
-            properties.add_parameters(obj, live.made_with(obj))
+        if problem() is None:
+            properties.hide_retired(obj)
+            if properties.lacks_parameters(obj):
+                properties.add_parameters(obj, live.made_with(obj))
 
     def execute(self, obj: Any) -> None:
         """Without a window, makes the solids for the values as they are; with one they follow after the

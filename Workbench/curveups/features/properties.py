@@ -76,6 +76,13 @@ def add_parameters(obj: Any, parameters: Any) -> None:
         _set(obj, row, parameters.get(row.name))
 
 
+def hide_retired(obj: Any) -> None:
+    """Parameters that earlier versions had stay, for these, where nobody sees them."""
+    for name in native.retired_parameters():
+        if property_name(name) in obj.PropertiesList:
+            obj.setEditorMode(property_name(name), 2)
+
+
 def tip_of(row: Any) -> str:
     """What a document says of a parameter's property. Windows translate it whole, in the context
     App::Property as FreeCAD's property editor does."""

@@ -38,12 +38,7 @@ def worst_contacts(contacts: Sequence[Mapping[str, Any]], f_min: float) -> list[
 
 def _mending(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
     actions, remaining = block["actions"], block["remaining"]
-    if not actions:
-        said = "There was nothing to mend."
-    else:
-        said = ("The target was mended:" if block["applied"] else
-                "Nothing was mended, as mend=ask only says what mend=on would do:")
-    parts = [f"<p>{said}</p>"]
+    parts = [f"<p>{'The target was mended:' if actions else 'There was nothing to mend.'}</p>"]
     if actions:
         parts += ["<ul>", *(f"<li>{escape(action)}</li>" for action in actions), "</ul>",
                   table([("Vertices moved", block["moved_vertices"]),

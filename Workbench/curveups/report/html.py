@@ -249,7 +249,7 @@ def _either(values: set[float]) -> str:
 
 # Units that names of figures do not end in.
 _FORCES = ("normal_mean", "normal_min", "f_min", "floor", "largest_floor", "mean_tile_force",
-           "largest_floor_unlimited_friction", "largest_floor_at_bump_tips")
+           "largest_floor_at_bump_tips")
 _UNITS = {"mm": "mm", "mm2": "mm²", "mm3": "mm³", "cm2": "cm²", "cm3": "cm³"}
 
 

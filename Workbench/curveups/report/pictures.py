@@ -111,16 +111,6 @@ def _both_sides(V: np.ndarray, F: np.ndarray, colours: np.ndarray, below: float 
     return figure, height
 
 
-def overview(design: Any) -> bytes:
-    """Flat and actuated side by side, small."""
-    figure = Figure(figsize=(9, 4.2))
-    flat = figure.add_axes([0, 0, 0.5, 1])
-    _draw_flat(flat, design, None)
-    flat.axis("off")
-    _draw_actuated(figure.add_axes([0.52, 0.05, 0.46, 0.9]), design)
-    return _png(figure, dpi=100)
-
-
 def _draw_flat(axes: Any, design: Any, values: np.ndarray | None) -> PolyCollection:
     T, q = np.asarray(design.T), np.asarray(design.q)
     thin = float(np.clip(120 / np.sqrt(len(T)) / 10, 0.15, 0.8))
@@ -202,12 +192,3 @@ def _png(figure: Figure, dpi: int = 130) -> bytes:
     FigureCanvasAgg(figure)
     figure.savefig(buffer, format="png", dpi=dpi, metadata={"Software": None})
     return buffer.getvalue()
-
-
-if __name__ == "__main__":  # python -m curveups.report.pictures DESIGN.json FILE.png
-    import sys
-    from pathlib import Path
-
-    from ..base.native import native
-
-    Path(sys.argv[2]).write_bytes(overview(native.read_design(Path(sys.argv[1]).read_text("utf-8"))))

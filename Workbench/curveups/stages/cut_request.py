@@ -134,6 +134,12 @@ def _snap(line: np.ndarray, number: int, V: np.ndarray, F: np.ndarray, size: flo
 
 def interior_edges(F: np.ndarray) -> set[tuple[int, int]]:
     """Edges of two faces, each as its two vertices in ascending order."""
-    pairs = np.sort(np.vstack([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1)
-    unique, count = np.unique(pairs, axis=0, return_counts=True)
-    return {(int(a), int(b)) for a, b in unique[count == 2]}
+    pairs, faces = mesh_edges(F)
+    return {(int(a), int(b)) for a, b in pairs[faces == 2]}
+
+
+def mesh_edges(F: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Every edge once, as its two vertices in ascending order (E x 2), and how many faces have it."""
+    sides = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    pairs, faces = np.unique(sides, axis=0, return_counts=True)
+    return pairs, faces

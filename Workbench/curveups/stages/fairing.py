@@ -10,6 +10,7 @@ import numpy as np
 
 from ..base.errors import tile_list
 from ..base.native import native
+from .cut_request import mesh_edges
 from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
 
 # Cuts leave tiles more room than contacts do, and are asked for on what this makes.
@@ -21,7 +22,7 @@ class Fairing(Result):
     """V: N x 3, where the target's vertices are from now on."""
 
     V: np.ndarray
-    asked: str                            # off, ask, on
+    asked: bool = False                   # whether mending was
     block: Optional[dict] = None          # of report.json, where mending was asked for
     found: tuple[dict, ...] = ()          # warnings
     F: Optional[np.ndarray] = None        # M x 3, where anything is to be shown of it
@@ -38,7 +39,7 @@ class Fairing(Result):
         return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
-        return () if self.asked == "off" else (Row("fairing", seconds),)
+        return (Row("fairing", seconds),) if self.asked else ()
 
     def pictures(self) -> Sequence[Picture]:
         if self.distance is None:
@@ -54,9 +55,8 @@ def fair(V: np.ndarray, F: np.ndarray, parameters: Any, job: Job) -> Any:
 
 def _run(inputs: Inputs, job: Job) -> Fairing:
     target, parameters = inputs["target"], inputs.parameters
-    asked = parameters.get("mend")
-    if asked == "off":
-        return Fairing(target.V, asked)
+    if parameters.get("mend") != "on":
+        return Fairing(target.V)
     made = fair(target.V, target.F, parameters, job)
     move = np.asarray(made.move, float)
     moved, largest = int((move > 0).sum()), float(move.max(initial=0.0))
@@ -70,26 +70,21 @@ def _run(inputs: Inputs, job: Job) -> Fairing:
         actions.append(f"{int((border > 0).sum())} of these are of the border, which moved by up to "
                        f"{border.max():.2g} mm where tiles had no room otherwise")
     faired_by = native.surface_deviation(made.V, target.F, target.V, target.F, job)[2] if moved else 0.0
-    block = {"actions": actions, "applied": asked == "on", "moved_vertices": moved,
+    block = {"actions": actions, "moved_vertices": moved,
              "border_max_mm": float(border.max(initial=0.0)),
              "mean_mm": float(move[move > 0].mean()) if moved else 0.0, "max_mm": largest,
              "hausdorff_mm": max(target.mended_by, float(faired_by)), "tiles": tiles,
              "remaining": sorted({int(pin.tile) for pin in made.remaining})}
-    if asked == "on":
-        found = [_remaining(block["remaining"], target.F, parameters)] if block["remaining"] else []
-        V = np.ascontiguousarray(made.V) if moved else target.V
-        shown = (target.F, native.distances(V, *target.given)) if actions else ()
-        return Fairing(V, asked, block, tuple(found), *shown)
-    found = [{"what": f"mend=on would mend the target: {', '.join(actions)}", "kind": "mending",
-              "remedy": "set mend=on", "tiles": tiles}] if actions else []
-    return Fairing(target.V, asked, block, tuple(found))
+    found = [_remaining(block["remaining"], target.F, parameters)] if block["remaining"] else []
+    V = np.ascontiguousarray(made.V) if moved else target.V
+    shown = (target.F, native.distances(V, *target.given)) if actions else ()
+    return Fairing(V, True, block, tuple(found), *shown)
 
 
 def _border(F: np.ndarray) -> np.ndarray:
     """The vertices of the boundary."""
-    sides = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-    pairs, count = np.unique(sides, axis=0, return_counts=True)
-    return np.unique(pairs[count == 1])
+    pairs, faces = mesh_edges(F)
+    return np.unique(pairs[faces == 1])
 
 
 def _remaining(tiles: list[int], F: np.ndarray, parameters: Any) -> dict[str, Any]:

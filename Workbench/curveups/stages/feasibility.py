@@ -78,14 +78,6 @@ class Feasibility(Result):
         return not any(one.certain for one in self.blocked)
 
     @property
-    def spread(self) -> float:
-        """Largest over least conformal scale; NaN where there is no map."""
-        known = self.stretch[np.isfinite(self.stretch)]
-        if not len(known):
-            return float("nan")
-        return float(known.max() / known.min()) if known.min() > 0 else float("inf")
-
-    @property
     def content(self) -> str:
         return digest(self.V, self.F, self.blocked)
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..base.errors import tile_name
 from ..base.native import native
+from .cut_request import interior_edges
 from .stage import Inputs, Job, Result, Stage, Value
 
 _TILE = re.compile(r"\bT(\d{5,})\b")  # as messages name tiles
@@ -82,11 +83,8 @@ def _run(inputs: Inputs, job: Job) -> Pieces:
 
 def _contacts(design: Any, piece: np.ndarray, number: int) -> int:
     """Edges between two of its tiles, but for those that are cut."""
-    F = design.F[piece == number]
-    sides = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-    pairs, times = np.unique(sides, axis=0, return_counts=True)
     cut = {tuple(sorted(pair)) for pair in design.cuts.tolist()}
-    return sum(1 for pair in pairs[times == 2].tolist() if tuple(pair) not in cut)
+    return len(interior_edges(design.F[piece == number]) - cut)
 
 
 def _own(found: Any, piece: np.ndarray, number: int) -> np.ndarray:

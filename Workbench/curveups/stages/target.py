@@ -10,7 +10,7 @@ import numpy as np
 
 from ..base.errors import CurveUpsError
 from ..base.native import native
-from .cut_request import interior_edges
+from .cut_request import interior_edges, mesh_edges
 from .findings import faces_place, settle
 from .stage import Inputs, Job, Result, Row, Stage, digest
 
@@ -37,8 +37,8 @@ class Target(Result):
     found: tuple[dict, ...]          # warnings
     own_length: Optional[float]      # L, where the mesh is taken as it is
     wall: Optional[float] = None     # how thick the part is drawn, mm
-    # What the user gave, where it was mended before it was remeshed (V, F); what mending did to it, or would
-    # do; and by how much the two differ (Hausdorff distance, mm).
+    # What the user gave, where it was mended before it was remeshed (V, F); what mending did to it; and by
+    # how much the two differ (Hausdorff distance, mm).
     unmended: Optional[tuple[np.ndarray, np.ndarray]] = None
     actions: tuple[str, ...] = ()
     mended_by: float = 0.0
@@ -78,8 +78,8 @@ def _run(inputs: Inputs, job: Job) -> Target:
         clean = native.clean_mesh(V, F, job)
         V, F = clean.V, clean.F
         notes += clean.notes
-        if inputs.parameters.get("mend") != "off":
-            V, F, mended, apart = _mend(V, F, L, inputs.parameters.get("mend") == "on", clean.notes, job)
+        if inputs.parameters.get("mend") == "on":
+            V, F, mended, apart = _mend(V, F, L, clean.notes, job)
     else:
         settle([f for f in native.check_mesh(V, F, 1.0, True, job) if f.kind in BROKEN], inputs.where,
                faces_place)
@@ -123,21 +123,18 @@ def _creases(surface: Any, V: np.ndarray, F: np.ndarray) -> Optional[np.ndarray]
     return np.array(sorted(found), np.int32).reshape(-1, 2)
 
 
-def _mend(V: np.ndarray, F: np.ndarray, L: float, apply: bool, cleaned: Sequence[str],
+def _mend(V: np.ndarray, F: np.ndarray, L: float, cleaned: Sequence[str],
           job: Job) -> tuple[np.ndarray, np.ndarray, dict[str, Any], bool]:
     """What is to be remeshed, what the result says of mending, and whether no face of the first is known to
     run through another. `cleaned`: what is done to any mesh."""
-    done = tuple(cleaned) if apply else ()
     if not len(F) or not np.isfinite(V).all():  # said by check_mesh
         return V, F, {}, False
     made = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
     if not made.actions:
-        return V, F, {"actions": done}, made.without_crossings
+        return V, F, {"actions": tuple(cleaned)}, made.without_crossings
     _, _, hausdorff = native.surface_deviation(made.V, made.F, V, F, job)
-    said = {"actions": (*done, *made.actions), "mended_by": float(hausdorff)}
-    if not apply:
-        return V, F, said, False
-    return made.V, made.F, {"unmended": (V, F), **said}, made.without_crossings
+    said = {"actions": (*cleaned, *made.actions), "mended_by": float(hausdorff), "unmended": (V, F)}
+    return made.V, made.F, said, made.without_crossings
 
 
 def _with_mending(error: CurveUpsError, V: np.ndarray, F: np.ndarray, L: float, will_be_cut: bool,
@@ -166,5 +163,5 @@ def _own_length(V: np.ndarray, F: np.ndarray, where: str) -> float:
 
 
 def _edge_lengths(V: np.ndarray, F: np.ndarray) -> np.ndarray:
-    pairs = np.unique(np.sort(np.vstack([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1), axis=0)
+    pairs, _ = mesh_edges(F)
     return np.linalg.norm(V[pairs[:, 0]] - V[pairs[:, 1]], axis=1)

@@ -1,10 +1,38 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The design and its file.
+// A design, how well it keeps its constraints, and the corners of its tiles.
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/design/design_arrays.hpp"
 #include "curveups/design/design_file.hpp"
+#include "curveups/design/target_checks.hpp"
+#include "curveups/design/tile_shapes.hpp"
 
 namespace curveups::bindings {
+namespace {
+
+const char* side_name(Side side) { return side == Side::front ? "front" : "back"; }
+
+TileShapes shapes_at(const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
+                     const Parameters& parameters, const std::optional<BlocksIn>& T,
+                     const std::optional<BlocksIn>& q) {
+  const TriangleMesh mesh = read_mesh(V, F);
+  const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+  const FlatCorners corners = T ? read_blocks(*T, "T", 3, 2) : FlatCorners(0, 6);
+  const Array6 insets = q ? read_blocks(*q, "q", 2, 3) : Array6(0, 6);
+  const py::gil_scoped_release release;
+  return tile_shapes(mesh, edges, parameters, corners, insets);
+}
+
+// Rows of numbers as blocks, without a copy: the array keeps its owner alive.
+template <class Matrix>
+py::array_t<double> blocks(const py::object& owner, const Matrix& m,
+                           std::vector<py::ssize_t> shape) {
+  shape.insert(shape.begin(), m.rows());
+  py::array_t<double> out(shape, m.data(), owner);
+  out.attr("setflags")(py::arg("write") = false);
+  return out;
+}
+
+}  // namespace
 
 py::array_t<double> to_blocks(const Array6& m, int a, int b) {
   return py::array_t<double>({static_cast<py::ssize_t>(m.rows()), static_cast<py::ssize_t>(a),
@@ -68,6 +96,98 @@ void bind_design(py::module_& module) {
              py::call_guard<py::gil_scoped_release>(), "The text of design.json.");
   module.def("read_design", &read_design, py::arg("text"), py::call_guard<py::gil_scoped_release>(),
              "Reads the text of design.json; raises InvalidInput naming the field.");
+
+  py::class_<ConstraintReport>(module, "ConstraintReport")
+      .def_readonly("max_rigidity_mm", &ConstraintReport::max_rigidity_mm)
+      .def_readonly("max_gap_violation_mm", &ConstraintReport::max_gap_violation_mm)
+      .def_readonly("max_pin_bound_violation_mm", &ConstraintReport::max_pin_bound_violation_mm)
+      .def_readonly("max_pin_area_violation_mm2", &ConstraintReport::max_pin_area_violation_mm2)
+      .def_readonly("close_pairs", &ConstraintReport::close_pairs)
+      .def_property_readonly(
+          "small_pins",
+          [](const ConstraintReport& report) {
+            py::list out;
+            for (const SmallPin& pin : report.small_pins) {
+              out.append(py::make_tuple(pin.tile, side_name(pin.side), pin.area));
+            }
+            return out;
+          })
+      .def_property_readonly(
+          "relaxed",
+          [](const ConstraintReport& report) {
+            py::list out;
+            for (const RelaxedBound& bound : report.relaxed) {
+              py::dict one;
+              one["what"] = bound.what;
+              one["tile"] = bound.tile;
+              one["side"] = side_name(bound.side);
+              one["edge"] = bound.edge;
+              one["from"] = bound.from;
+              one["to"] = bound.to;
+              out.append(one);
+            }
+            return out;
+          },
+          "Bounds of insets that gave way to folds, mm; the violation is measured against `to`.");
+
+  py::class_<DesignFigures>(module, "DesignFigures", "Counts and areas of a design.")
+      .def_readonly("contacts", &DesignFigures::contacts)
+      .def_readonly("hinges", &DesignFigures::hinges)
+      .def_readonly("three_point_contacts", &DesignFigures::three_point_contacts)
+      .def_readonly("truncation_types", &DesignFigures::truncation_types)
+      .def_readonly("shortened", &DesignFigures::shortened,
+                    "Pairs without a common vertex that were parted at the cost of an interface.")
+      .def_readonly("flat_clearance_mm", &DesignFigures::flat_clearance,
+                    "What bumps leave of d_gap_min between flat tiles.")
+      .def_readonly("actuated_area_mm2", &DesignFigures::actuated_area)
+      .def_readonly("flat_area_mm2", &DesignFigures::flat_area)
+      .def_readonly("constraints", &DesignFigures::constraints)
+      .def_readonly("reasons", &DesignFigures::reasons,
+                    "Why these make a design not valid; none: they do not.");
+  module.def(
+      "evaluate_design",
+      [](const Design& design) {
+        py::gil_scoped_release release;
+        return evaluate_design(design);
+      },
+      py::arg("design"),
+      "Counts, areas and how well the hard constraints hold, from the design alone. Raises "
+      "InfeasibleDesign where its tiles can't be made.");
+
+  using Shapes = TileShapes;
+  const auto corners = [](Shapes::Corners Shapes::*member) {
+    return [member](const py::object& self) {
+      return blocks(self, self.cast<const Shapes&>().*member, {6, 3});
+    };
+  };
+  const auto pins = [](Shapes::Pins Shapes::*member) {
+    return [member](const py::object& self) {
+      return blocks(self, self.cast<const Shapes&>().*member, {2, 6, 3});
+    };
+  };
+  py::class_<Shapes>(module, "TileShapes",
+                     "Corners of tiles and pins, mm: of a tile the three front ones in the order "
+                     "of F, then those below them; of a pin three at its foot, then three at its "
+                     "end. Flat: front faces at z = 0. Tiles are not truncated.")
+      .def_property_readonly("actuated", corners(&Shapes::actuated), "M x 6 x 3.")
+      .def_property_readonly("flat", corners(&Shapes::flat), "M x 6 x 3; empty without T.")
+      .def_property_readonly("actuated_pins", pins(&Shapes::actuated_pins),
+                             "M x 2 x 6 x 3, front and back; empty without q.")
+      .def_property_readonly("flat_pins", pins(&Shapes::flat_pins),
+                             "M x 2 x 6 x 3; empty without T or q.")
+      .def_readonly("contacts", &Shapes::contacts, "N x 2 tiles.")
+      .def_readonly("contact_sides", &Shapes::contact_sides,
+                    "N x 2, which edge (0 to 2) of each of the two tiles.");
+  module.def(
+      "tile_shapes",
+      [](const Design& design) {
+        const py::gil_scoped_release release;
+        return tile_shapes(design.mesh, design.cuts, design.parameters, design.T, design.q);
+      },
+      py::arg("design"), "Corners of a design's tiles and pins in both configurations.");
+  module.def("tile_shapes_at", &shapes_at, py::arg("V"), py::arg("F"), py::arg("cuts"),
+             py::arg("parameters"), py::arg("T") = py::none(), py::arg("q") = py::none(),
+             "The same of a target (actuated tiles alone) or of what a solver has at hand.");
 }
 
 }  // namespace curveups::bindings

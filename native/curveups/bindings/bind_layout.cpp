@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The coarse optimisation.
+// The coarse optimisation, its figures, and cuts that relieve it.
 #include "curveups/bindings/arrays.hpp"
-#include "curveups/core/errors.hpp"
+#include "curveups/layout/cut_suggestions.hpp"
+#include "curveups/layout/fields.hpp"
 #include "curveups/layout/layout.hpp"
-#include "curveups/layout/soft_layout.hpp"
+#include "curveups/layout/layout_figures.hpp"
+#include "curveups/layout/remedies.hpp"
 
 namespace curveups::bindings {
 namespace {
@@ -31,29 +33,6 @@ LayoutResult lay_out(const PointsIn& V, const TrianglesIn& F, const EdgesIn& cut
   return result;
 }
 
-LayoutResult lay_out_softly(const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
-                            const Parameters& parameters, const std::optional<Design>& start,
-                            int max_iterations, py::object progress, py::object on_iterate) {
-  const TriangleMesh mesh = read_mesh(V, F);
-  const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
-  if (start && start->mesh.F.rows() != mesh.F.rows()) {
-    throw InvalidInput("the start has " + std::to_string(start->mesh.F.rows()) + " tiles, F has " +
-                           std::to_string(mesh.F.rows()),
-                       "start from a layout of the same mesh");
-  }
-  PythonListener listener(std::move(on_iterate));
-  const PythonListener::Function function = listener.function();
-  LayoutResult result = without_gil(std::move(progress), [&](const Progress& sink) {
-    const DesignGeometry geometry = make_geometry(mesh, edges, parameters);
-    std::optional<SoftLayoutStart> from;
-    if (start) from = SoftLayoutStart{fit_poses(geometry.tiles, start->T), start->q};
-    return solve_soft_layout(geometry, parameters, from, max_iterations, sink,
-                             by_corners(function, geometry.tiles));
-  });
-  listener.rethrow();
-  return result;
-}
-
 }  // namespace
 
 void bind_layout(py::module_& module) {
@@ -76,11 +55,111 @@ void bind_layout(py::module_& module) {
       "Flat poses and pins for a target mesh (Eq. 9 under hard constraints). "
       "on_iterate(T, q, energy, violation) gets every iterate, the hard constraints' largest "
       "violation in mm with it, and stops the work by returning False.");
-  module.def("solve_soft_layout", &lay_out_softly, py::arg("V"), py::arg("F"), py::arg("cuts"),
-             py::arg("parameters"), py::arg("start") = py::none(), py::arg("max_iterations") = 100,
-             py::arg("progress") = py::none(), py::arg("on_iterate") = py::none(),
-             "Eq. 9 with soft terms only, for interaction; on_iterate as in solve_layout. start: a "
-             "design of the same mesh.");
+
+  py::class_<LayoutFigures>(module, "LayoutFigures", "How far a layout is stretched.")
+      .def_readonly("scale_spread", &LayoutFigures::scale_spread)
+      .def_readonly("area_ratio", &LayoutFigures::area_ratio)
+      .def_readonly("energy_per_contact", &LayoutFigures::energy)
+      .def_readonly("spring_mean", &LayoutFigures::spring_mean)
+      .def_readonly("slack_springs", &LayoutFigures::slack_springs);
+  module.def(
+      "layout_figures",
+      [](const Design& design) {
+        const py::gil_scoped_release release;
+        const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+        return layout_figures(geometry, design.parameters, fit_poses(geometry.tiles, design.T),
+                              design.q);
+      },
+      py::arg("design"), "How far a design's layout is stretched.");
+
+  module.def(
+      "target_fields",
+      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
+         const Parameters& parameters) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+        const TargetFields fields = [&] {
+          const py::gil_scoped_release release;
+          return target_fields(mesh, edges, parameters);
+        }();
+        py::dict out;
+        out["contact_tiles"] = fields.contacts;
+        out["fold_angle"] = fields.fold;
+        out["pin_room"] = fields.pin_room;
+        out["conformal_stretch"] = fields.stretch;
+        out["least_stretch"] = fields.least_stretch;
+        out["most_stretch"] = fields.most_stretch;
+        return out;
+      },
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      "What can be said before a layout. Per contact: contact_tiles (N x 2), fold_angle (degrees, "
+      "convex positive). Per tile: pin_room (M x 2, front and back, mm2: the largest pin's area "
+      "less A_pin_min), conformal_stretch (by how much the layout's start scales the tile's place; "
+      "NaN where there is no flat map), least_stretch (below it the start leaves the tile less "
+      "than d_gap_min, which a layout may make up for), most_stretch (above it the start has a "
+      "slack membrane next to the tile).");
+  module.def(
+      "design_fields",
+      [](const Design& design) {
+        const DesignFields fields = [&] {
+          const py::gil_scoped_release release;
+          return design_fields(design);
+        }();
+        py::dict out;
+        out["contact_tiles"] = fields.contacts;
+        out["gap"] = fields.gap;
+        out["pin_area"] = fields.pin_area;
+        return out;
+      },
+      py::arg("design"),
+      "What can be said of a layout without its membranes. Per contact: contact_tiles (N x 2), gap "
+      "(mm, flat). Per tile: pin_area (M x 2, front and back, mm2).");
+
+  py::class_<CutSuggestion>(module, "CutSuggestion", "A cut and what it does to the layout.")
+      .def_readonly("edges", &CutSuggestion::edges)
+      .def_readonly("length_mm", &CutSuggestion::length)
+      .def_readonly("reason", &CutSuggestion::reason)
+      .def_readonly("opens", &CutSuggestion::opens)
+      .def_readonly("before", &CutSuggestion::before)
+      .def_readonly("after", &CutSuggestion::after);
+  py::class_<CutSuggestions>(module, "CutSuggestions", "Cuts in the order of their making.")
+      .def_readonly("cuts", &CutSuggestions::cuts)
+      .def_property_readonly("layouts", [](const CutSuggestions& s) { return s.solve.iterations; })
+      .def_property_readonly("stopped", [](const CutSuggestions& s) { return s.solve.stopped(); });
+  module.def(
+      "suggest_cuts",
+      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, const Parameters& parameters,
+         int most, const std::vector<std::array<int, 2>>& weak, py::object progress) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+        require_tiles(weak, mesh.F.rows(), "weak");
+        return without_gil(std::move(progress), [&](const Progress& sink) {
+          CutSuggestionOptions options;
+          options.most = most;
+          options.weak = weak;
+          return suggest_cuts(mesh, edges, parameters, options, sink);
+        });
+      },
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), py::arg("most"),
+      py::arg("weak") = std::vector<std::array<int, 2>>(), py::arg("progress") = py::none(),
+      "Cuts that let a target lie flat with less stretch. weak: tile pairs of weak contacts.");
+
+  py::class_<Remedies>(module, "Remedies", "Parameter values that would help weak contacts.")
+      .def_readonly("H_body", &Remedies::H_body)
+      .def_readonly("L", &Remedies::L)
+      .def_readonly("tau", &Remedies::tau);
+  module.def(
+      "find_remedies",
+      [](const Design& design, const std::vector<int>& pins,
+         const std::vector<std::array<int, 2>>& weak) {
+        require_tiles(pins, design.mesh.F.rows(), "pins");
+        require_tiles(weak, design.mesh.F.rows(), "weak");
+        const py::gil_scoped_release release;
+        return find_remedies(design, pins, weak);
+      },
+      py::arg("design"), py::arg("pins"), py::arg("weak"),
+      "Other values of H_body, L and tau: for pins of the tiles `pins` that want room, and "
+      "contacts of the tile pairs `weak`.");
 }
 
 }  // namespace curveups::bindings

@@ -67,6 +67,8 @@ void bind_parameters(py::module_& module) {
   module.def("parameter_table", &parameter_table, py::return_value_policy::reference,
              "Every parameter, in the order in which they are shown.");
 
+  module.def("retired_parameters", &retired_parameters,
+             "Names of parameters that earlier versions had: setting one has no effect.");
   module.def("find_parameter", &find_parameter, py::return_value_policy::reference, py::arg("name"),
              "The row of a parameter by its name or an alias; None for an unknown name.");
 
@@ -76,7 +78,7 @@ void bind_parameters(py::module_& module) {
       .def(
           "set",
           [](Parameters& p, const std::string& name, const py::object& value) {
-            if (!find_parameter(name)) refuse_unknown(name);
+            if (!find_parameter(name) && !is_retired(name)) refuse_unknown(name);
             if (py::isinstance<py::bool_>(value)) {
               set_parameter(p, name, value.cast<bool>());
             } else if (py::isinstance<py::str>(value)) {

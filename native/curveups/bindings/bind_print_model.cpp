@@ -125,11 +125,6 @@ void bind_print_model(py::module_& module) {
              py::gil_scoped_release release;
              return min_clearance_flat(m).value;
            })
-      .def("max_overlap_actuated",
-           [](const PrintModel& m) {
-             py::gil_scoped_release release;
-             return max_overlap_actuated(m).value;
-           })
       .def(
           "build_solids",
           [](PrintModel& m, py::object progress) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The exact physical model and its verdict.
+// The exact physical model and its verdict, and repair.
 #include <algorithm>
 
 #include "curveups/bindings/bindings.hpp"
+#include "curveups/physics/solved_design.hpp"
 #include "curveups/physics/verification.hpp"
+#include "curveups/refinement/repair.hpp"
 
 namespace curveups::bindings {
 namespace {
@@ -66,8 +68,6 @@ py::dict unilateral_block(const UnilateralFigures& f) {
   out["floor"] = f.floor;
   out["largest_floor"] = f.largest_floor;
   out["status"] = status_name(f.status);
-  out["status_unlimited_friction"] = status_name(f.unlimited_status);
-  out["largest_floor_unlimited_friction"] = f.unlimited_largest_floor;
   if (f.tips_status) {
     out["feasible_at_bump_tips"] = f.feasible_at_tips;
     out["status_at_bump_tips"] = status_name(*f.tips_status);
@@ -131,6 +131,12 @@ auto array(Member VerificationReport::*member) {
 }  // namespace
 
 void bind_verification(py::module_& module) {
+  py::class_<SolutionStore>(module, "SolutionStore",
+                            "Membranes and forces of one design at most, for whoever solves it "
+                            "next. Served once, and only to the very design they belong to.")
+      .def(py::init<>())
+      .def("clear", &SolutionStore::clear, "Gives their memory back.");
+
   py::class_<MembranePicture>(module, "MembranePicture", "One membrane's mesh, for pictures.")
       .def_readonly("flat", &MembranePicture::flat, "N x 2, mm, in the layout.")
       .def_readonly("actuated", &MembranePicture::actuated, "N x 3, mm.")
@@ -146,24 +152,14 @@ void bind_verification(py::module_& module) {
       .def_property_readonly("warnings", &warnings)
       .def_property_readonly("blocks", &blocks, "physics, contact_forces, unilateral, glue.")
       .def("to_dict", &to_dict, "The blocks with valid, reasons and warnings.")
-      .def_property_readonly(
-          "contact_tiles",
-          [](const VerificationReport& report) {
-            Edges out(report.contact_tiles.size(), 2);
-            for (Eigen::Index k = 0; k < out.rows(); ++k) {
-              out.row(k) << report.contact_tiles[k][0], report.contact_tiles[k][1];
-            }
-            return out;
-          },
-          "K x 2: the tiles of every contact.")
+      .def_property_readonly("contact_tiles", array(&VerificationReport::contact_tiles),
+                             "K x 2: the tiles of every contact.")
       .def_property_readonly("contact_normal_min", array(&VerificationReport::contact_normal_min))
       .def_property_readonly("contact_normal_mean", array(&VerificationReport::contact_normal_mean))
       .def_property_readonly("contact_friction_ratio",
                              array(&VerificationReport::contact_friction_ratio))
       .def_property_readonly("tile_normal_force", array(&VerificationReport::tile_normal_min),
                              "Least normal force at each tile's contact points, N.")
-      .def_property_readonly("elastic_wrenches", array(&VerificationReport::elastic),
-                             "M x 6: membranes' force (N) and torque about the tile's centre.")
       .def_property_readonly("membranes", [](const VerificationReport& report) {
         return py::make_tuple(report.membrane[0], report.membrane[1]);
       });
@@ -180,6 +176,51 @@ void bind_verification(py::module_& module) {
       "solved of the design already, and left with it. weak_is_enough: without a verdict where "
       "points "
       "push too weakly (complete is False).");
+
+  py::class_<RepairStep>(module, "RepairStep", "One step of a repair and what it left.")
+      .def_readonly("weak_points", &RepairStep::weak_points)
+      .def_readonly("least_force", &RepairStep::least_force, "In units of f_min.")
+      .def_readonly("least_floor", &RepairStep::least_floor,
+                    "Of the unilateral problem, in units of f_min; NaN where not looked at.")
+      .def_readonly("vertices", &RepairStep::vertices, "Whether vertices moved.")
+      .def_readonly("largest_move_mm", &RepairStep::largest_move)
+      .def_readonly("fresh_mesh", &RepairStep::fresh_mesh);
+  py::class_<BlockedContact>(module, "BlockedContact", "A contact that stays weak, and why.")
+      .def_readonly("tiles", &BlockedContact::tiles)
+      .def_readonly("least_force", &BlockedContact::least_force, "In units of f_min.")
+      .def_readonly("reason", &BlockedContact::reason)
+      .def_readonly("obstacle", &BlockedContact::obstacle,
+                    "The kind of constraint that holds it, empty where none does.")
+      .def_readonly("held", &BlockedContact::held);
+  py::class_<RepairResult>(module, "RepairResult", "A repaired design and how it was found.")
+      .def_readonly("design", &RepairResult::design)
+      .def_property_readonly(
+          "status",
+          [](const RepairResult& r) {
+            return r.solve.converged() ? "valid" : r.solve.stopped() ? "stopped" : "blocked";
+          })
+      .def_readonly("steps", &RepairResult::steps)
+      .def_readonly("restored_mm", &RepairResult::restored_mm)
+      .def_readonly("largest_move_mm", &RepairResult::largest_move)
+      .def_readonly("largest_vertex_move_mm", &RepairResult::largest_vertex_move)
+      .def_readonly("blocked", &RepairResult::blocked)
+      .def_readonly("suggestions", &RepairResult::suggestions);
+  module.def(
+      "repair_design",
+      [](const Design& design, SolutionStore* store, py::object progress, py::object on_step) {
+        PythonListener listener(std::move(on_step));
+        const PythonListener::Function function = listener.function();
+        RepairResult result = without_gil(std::move(progress), [&](const Progress& sink) {
+          return repair_design(design, {}, store, sink, function);
+        });
+        listener.rethrow();
+        return result;
+      },
+      py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
+      py::arg("on_step") = py::none(),
+      "Lifts contact forces above f_min by the least steps of poses, pins and, where these do not "
+      "do, vertices. store: as in verify_design; a valid result leaves what was solved of it. "
+      "on_step(T, q, weak_points) gets every step and stops the work by returning False.");
 }
 
 }  // namespace curveups::bindings

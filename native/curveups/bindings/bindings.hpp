@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One function per class, or per group of functions, in a file of its name; module.cpp calls them
-// in the order of dependency.
+// One function for what belongs together, in a file of its name; module.cpp calls them in the order
+// of dependency.
 //
 // Style: arrays go in as arrays.hpp says, which checks them, and out as numpy arrays; results are
 // small classes with read-only attributes; long calls take progress=None, a callable (what: str,
@@ -76,28 +76,12 @@ class PythonListener {
 py::array_t<double> to_blocks(const Array6& m, int a, int b);
 
 void bind_errors(py::module_& module);
-void bind_threads(py::module_& module);
-void bind_geometry(py::module_& module);
-void bind_clean_mesh(py::module_& module);
-void bind_mesh_checks(py::module_& module);
-void bind_mend_mesh(py::module_& module);
-void bind_remesh(py::module_& module);
-void bind_divide_surface(py::module_& module);
 void bind_parameters(py::module_& module);
+void bind_meshes(py::module_& module);
 void bind_design(py::module_& module);
-void bind_design_figures(py::module_& module);
-void bind_target_checks(py::module_& module);
-void bind_tile_shapes(py::module_& module);
+void bind_targets(py::module_& module);
 void bind_layout(py::module_& module);
-void bind_layout_figures(py::module_& module);
-void bind_fields(py::module_& module);
-void bind_cut_suggestions(py::module_& module);
-void bind_remedies(py::module_& module);
-void bind_solution_store(py::module_& module);
 void bind_verification(py::module_& module);
-void bind_repair(py::module_& module);
-void bind_pin_relief(py::module_& module);
-void bind_fairing(py::module_& module);
 void bind_print_model(py::module_& module);
 
 }  // namespace curveups::bindings

@@ -51,9 +51,8 @@ std::vector<ParameterInfo> make_table() {
      "none.",
      target, &P::crease_angle, 1, 180},
     {"mend", "", "Target",
-     "Choose what happens to a target that can't become tiles: off refuses it, ask also "
-     "reports what would help, on changes it.",
-     target, &P::mend, 0, 0, {"off", "ask", "on"}},
+     "Choose what happens to a target that can't become tiles: off refuses it, on changes it.",
+     target, &P::mend, 0, 0, {"off", "on"}},
     {"mend_max", "mm", "Target",
      "Largest distance by which mending may move a point of the target.",
      target, &P::mend_max, 0, 1000},
@@ -110,10 +109,6 @@ std::vector<ParameterInfo> make_table() {
     {"w_s", "", "Layout",
      "Weight of the spring energy, which keeps the membranes well and evenly stretched.",
      layout, &P::w_s, 0, 1e6},
-    {"w_c", "", "Layout", "Weight of the collision energy in the soft layout.",
-     layout, &P::w_c, 0, 1e9},
-    {"w_pa", "", "Layout", "Weight of the pin area energy in the soft layout.",
-     layout, &P::w_pa, 0, 1e9},
     {"bumps", "", "Bumps",
      "Choose what keeps contacts from sliding: bumps, dimples (bumps that snap into hollows) "
      "or nothing (none).",
@@ -234,14 +229,6 @@ std::vector<ParameterInfo> make_table() {
      "Let repair move vertices of the actuated surface slightly where poses and pins alone "
      "don't suffice.",
      reader::repair, &P::move_vertices},
-    {"tightness", "", "Repair",
-     "Treat least normal forces as hard constraints, or weigh them against the deviation by "
-     "w_tight (penalty).",
-     reader::repair, &P::tightness, 0, 0, {"hard", "penalty"}},
-    {"w_tight", "", "Repair",
-     "Weight of missing normal force against deviation from the target. Only "
-     "tightness=penalty uses it.",
-     reader::repair, &P::w_tight, 0, 1e9},
     {"verify", "", "Stages",
      "Compute membranes and contact forces, and decide whether the design is valid.",
      physics, &P::verify},
@@ -364,6 +351,16 @@ const ParameterInfo* find_parameter(std::string_view name) {
   return nullptr;
 }
 
+const std::vector<std::string_view>& retired_parameters() {
+  static const std::vector<std::string_view> names = {"tightness", "w_c", "w_pa", "w_tight"};
+  return names;
+}
+
+bool is_retired(std::string_view name) {
+  const auto& names = retired_parameters();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 std::string_view tier(const ParameterInfo& info) {
   const std::string_view group = info.group;
   if (group == "Files") return "files";
@@ -433,6 +430,7 @@ void check_pieces(std::string_view text) {
 }
 
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value) {
+  if (is_retired(name)) return;
   const ParameterInfo& info = find(name);
   if (const auto* member = std::get_if<double P::*>(&info.member)) {
     parameters.*(*member) = to_number(info, value);
@@ -457,7 +455,9 @@ void set_parameter(Parameters& parameters, std::string_view name, const Paramete
     for (std::string_view choice : info.choices) {
       choices += (choices.empty() ? "" : ", ") + std::string(choice);
     }
+    static const std::string off = "off";  // what "ask" of earlier versions did to the design
     const std::string* text = std::get_if<std::string>(&value);
+    if (text && name == "mend" && *text == "ask") text = &off;
     if (!text || std::find(info.choices.begin(), info.choices.end(), *text) == info.choices.end()) {
       refuse(info, value, "give one of " + choices);
     }

@@ -43,8 +43,6 @@ struct Parameters {
   double w_a = 30.0;
   double w_p = 30.0;
   double w_s = 1.0;
-  double w_c = 1000.0;
-  double w_pa = 1000.0;
   // Bumps
   std::string bumps = "bumps";
   double bump_height = 0.25;
@@ -94,8 +92,6 @@ struct Parameters {
   double gravity_z = -1.0;
   // Repair
   bool move_vertices = true;
-  std::string tightness = "hard";
-  double w_tight = 100.0;
   // Stages
   bool verify = true;
   bool repair = true;
@@ -152,9 +148,13 @@ std::string_view tier(const ParameterInfo& info);
 
 using ParameterValue = std::variant<double, bool, std::string>;
 
-// Sets one parameter by its name. Numbers may come as text. Throws InvalidInput, naming the
-// parameter and its range: unknown name, value of another type, not finite,
-// or out of range; leaves the parameters as they were.
+// Names of parameters that earlier versions had and nothing reads any more.
+const std::vector<std::string_view>& retired_parameters();
+bool is_retired(std::string_view name);
+
+// Sets one parameter by its name; a retired one has no effect. Numbers may come as text. Throws
+// InvalidInput, naming the parameter and its range: unknown name, value of another type, not
+// finite, or out of range; leaves the parameters as they were.
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value);
 // The tiles of a list like "T00012, T00345" (the first tile is T00001), numbered from 0, ascending.
 // Throws InvalidInput for anything else.

@@ -93,12 +93,11 @@ TileMargins tile_margins(const TriangleMesh& mesh, const Edges& cuts,
   TileMargins out;
   out.back_scale.resize(tiles.tile_count());
   for (int i = 0; i < tiles.tile_count(); ++i) out.back_scale[i] = back_scale(tiles, i);
-  out.contacts.resize(contact_count, 2);
+  out.contacts = contact_tiles(tiles);
   out.fold.resize(contact_count);
   out.fold_room.resize(contact_count);
   for (Eigen::Index k = 0; k < contact_count; ++k) {
     const Contact& contact = tiles.contacts[static_cast<std::size_t>(k)];
-    out.contacts.row(k) << contact.tile[0], contact.tile[1];
     out.fold[k] = degrees * tiles.fold(contact.tile[0], contact.side[0]);
     double room = 180;
     for (int s = 0; s < 2; ++s) {

@@ -134,6 +134,15 @@ void require_back_faces(const TileMesh& tiles) {
       "lower H_body, raise L or smooth the target there", std::move(without));
 }
 
+Edges contact_tiles(const TileMesh& tiles) {
+  Edges out(static_cast<Eigen::Index>(tiles.contacts.size()), 2);
+  for (Eigen::Index k = 0; k < out.rows(); ++k) {
+    const std::array<int, 2>& pair = tiles.contacts[static_cast<std::size_t>(k)].tile;
+    out.row(k) << pair[0], pair[1];
+  }
+  return out;
+}
+
 std::string tile_name(int tile) {
   char name[16];
   std::snprintf(name, sizeof name, "T%05d", tile + 1);

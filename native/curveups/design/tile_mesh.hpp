@@ -77,6 +77,9 @@ std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale = 
 // Throws InfeasibleDesign with the tiles where there are any.
 void require_back_faces(const TileMesh& tiles);
 
+// N x 2, the tiles of each contact.
+Edges contact_tiles(const TileMesh& tiles);
+
 // What tile i is called in files and messages: "T00001" for tile 0; a list is separated by commas.
 std::string tile_name(int tile);
 // The first `most`, and how many more there are.

@@ -52,17 +52,11 @@ TileShapes tile_shapes(const TileMesh& tiles, double H_pin, const FlatCorners& T
       }
     }
   });
-  const auto contact_count = static_cast<Eigen::Index>(tiles.contacts.size());
-  out.contacts.resize(contact_count, 2);
-  out.contact_sides.resize(contact_count, 2);
-  out.contact_edges.resize(contact_count, 6);
-  for (Eigen::Index k = 0; k < contact_count; ++k) {
-    const Contact& contact = tiles.contacts[static_cast<std::size_t>(k)];
-    const int i = contact.tile[0], t = contact.side[0];
-    out.contacts.row(k) << i, contact.tile[1];
-    out.contact_sides.row(k) << t, contact.side[1];
-    out.contact_edges.row(k) << tiles.mesh.V.row(tiles.mesh.F(i, t)),
-        tiles.mesh.V.row(tiles.mesh.F(i, next3(t)));
+  out.contacts = contact_tiles(tiles);
+  out.contact_sides.resize(out.contacts.rows(), 2);
+  for (Eigen::Index k = 0; k < out.contacts.rows(); ++k) {
+    const std::array<int, 2>& side = tiles.contacts[static_cast<std::size_t>(k)].side;
+    out.contact_sides.row(k) << side[0], side[1];
   }
   return out;
 }

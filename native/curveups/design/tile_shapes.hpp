@@ -12,12 +12,10 @@ namespace curveups {
 struct TileShapes {
   using Corners = Eigen::Matrix<double, Eigen::Dynamic, 18, Eigen::RowMajor>;  // M x 6 x 3
   using Pins = Eigen::Matrix<double, Eigen::Dynamic, 36, Eigen::RowMajor>;     // M x 2 x 6 x 3
-  using Segments = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;  // N x 2 x 3
   Corners actuated, flat;         // flat: no rows where there is no layout
   Pins actuated_pins, flat_pins;  // front pin, then back pin; no rows where there are no insets
   Edges contacts;                 // N x 2 tiles, as TileMesh::contacts
   Edges contact_sides;            // N x 2: which edge (0 to 2) of each of the two
-  Segments contact_edges;  // N x 2 x 3: the actuated front edge, as the first tile runs along it
 };
 
 // T and q have a row per tile, or none where there is no layout yet. Throws InvalidInput for other

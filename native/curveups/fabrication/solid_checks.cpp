@@ -3,6 +3,8 @@
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepCheck_Shell.hxx>
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
@@ -16,7 +18,6 @@
 #include "curveups/fabrication/occ_errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/plane_curves.hpp"
-#include "curveups/fabrication/solid_volume.hpp"
 
 namespace curveups {
 namespace {
@@ -72,7 +73,9 @@ std::string closed_and_of_volume(const TopoDS_Shape& solid, double exact) {
     if (shell.Orientation() != BRepCheck_NoError) return "faces turned over";
   }
   if (!(exact > 0)) return "no volume";
-  return std::abs(solid_volume(solid) - exact) > volume_tolerance * exact ? "volume" : "";
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(solid, properties);
+  return std::abs(properties.Mass() - exact) > volume_tolerance * exact ? "volume" : "";
 }
 
 }  // namespace

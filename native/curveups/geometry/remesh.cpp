@@ -228,7 +228,6 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   const EdgeStatistics edges = edge_statistics(result.mesh);
   result.mean_edge = edges.mean;
   result.edge_cv = edges.deviation / edges.mean;
-  result.max_distance = largest_distance(result.mesh.V, closest);
   result.sagitta = largest_distance(surface_samples(surface), ClosestPoints(result.mesh));
   return result;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Eq. 7, for counter-clockwise tiles: a corner of one tile keeps d_gap_min from an edge's line of
-// another, as a hard constraint (gap - d_gap_min >= 0) and as the collision energy of Eq. 11
-//   E_c = L^-2 sum [d_gap_min - gap]+^2.
+// another: gap - d_gap_min >= 0.
 #include <algorithm>
 #include <cmath>
 
@@ -47,35 +46,10 @@ class GapConstraint : public LayoutTerm {
   const LayoutModel& model_;
 };
 
-class CollisionEnergy : public GapConstraint {
- public:
-  explicit CollisionEnergy(const LayoutModel& model)
-      : GapConstraint(model), weight_(std::sqrt(model.parameters.w_c) / model.L) {}
-
-  std::string_view name() const override { return "collision"; }
-  int curvature_rows() const override { return 0; }
-
-  void evaluate(int block, const Unknowns& x, bool derivatives, Value& out) const override {
-    GapConstraint::evaluate(block, x, derivatives, out);
-    const double factor = out.value(0) < 0 ? -weight_ : 0.0;
-    out.value(0) *= factor;
-    if (!derivatives) return;
-    out.jacobian[0].row(0) *= factor;
-    out.jacobian[1].row(0) *= factor;
-  }
-
- private:
-  double weight_;
-};
-
 }  // namespace
 
 std::unique_ptr<LayoutTerm> make_gap_constraint(const LayoutModel& model) {
   return std::make_unique<GapConstraint>(model);
-}
-
-std::unique_ptr<LayoutTerm> make_collision_energy(const LayoutModel& model) {
-  return std::make_unique<CollisionEnergy>(model);
 }
 
 }  // namespace curveups

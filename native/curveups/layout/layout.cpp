@@ -61,11 +61,11 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   require_room_for_pins(geometry.pin_bounds);
   LayoutModel model = make_layout_model(geometry, parameters);
   LayoutState state = initial_layout(model);
-  LayoutTerms energies = make_energies(model, false);
+  LayoutTerms energies = make_energies(model);
   InteriorPoint<LayoutTerm> method(
       {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},
       make_constraints(model), inset_bounds(model), state.leftCols<2>());
-  const LayoutTerms terms = make_energies(model, false);  // for those who listen
+  const LayoutTerms terms = make_energies(model);  // for those who listen
   LayoutResult result;
   const bool draft = effort == LayoutEffort::draft;
   KnownPairs known(geometry.tiles);

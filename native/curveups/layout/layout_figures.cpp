@@ -59,7 +59,7 @@ LayoutFigures layout_figures(const DesignGeometry& geometry, const Parameters& p
   if (tiles.contacts.empty()) return out;
   const LayoutModel model = make_layout_model(geometry, parameters);
   const LayoutState state = state_of(model, poses, q);
-  for (const auto& term : make_energies(model, false)) out.energy += 2 * term->value(state);
+  for (const auto& term : make_energies(model)) out.energy += 2 * term->value(state);
   out.energy /= static_cast<double>(tiles.contacts.size());
   const Eigen::VectorXd springs = spring_ratios(geometry, parameters, poses, q);
   out.spring_mean = springs.mean();

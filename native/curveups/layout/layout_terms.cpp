@@ -3,15 +3,11 @@
 
 namespace curveups {
 
-LayoutTerms make_energies(const LayoutModel& model, bool soft) {
+LayoutTerms make_energies(const LayoutModel& model) {
   LayoutTerms functions;
   functions.push_back(make_alignment_energy(model));
   functions.push_back(make_packing_energy(model));
   functions.push_back(make_spring_energy(model));
-  if (soft) {
-    functions.push_back(make_collision_energy(model));
-    functions.push_back(make_pin_area_energy(model));
-  }
   return functions;
 }
 

@@ -14,9 +14,9 @@ namespace curveups {
 using LayoutTerm = Residuals<unknowns_per_tile, 2, 8>;
 using LayoutTerms = std::vector<std::unique_ptr<LayoutTerm>>;
 
-// Residuals of Eq. 9 with their weights inside: E = sum of squares, twice the terms' values. `soft`
-// adds the terms that stand in for hard constraints (E_c, E_pa). The terms refer to the model.
-LayoutTerms make_energies(const LayoutModel& model, bool soft);
+// Residuals of Eq. 9 with their weights inside: E = sum of squares, twice the terms' values. The
+// terms refer to the model.
+LayoutTerms make_energies(const LayoutModel& model);
 
 // Hard constraints, mm: every element must be at least 0. Bounds of insets are not among them;
 // inset_bounds has them.
@@ -30,8 +30,6 @@ std::map<std::string, double> energies_by_name(const LayoutTerms& terms, const L
 std::unique_ptr<LayoutTerm> make_alignment_energy(const LayoutModel& model);
 std::unique_ptr<LayoutTerm> make_packing_energy(const LayoutModel& model);
 std::unique_ptr<LayoutTerm> make_spring_energy(const LayoutModel& model);
-std::unique_ptr<LayoutTerm> make_collision_energy(const LayoutModel& model);
-std::unique_ptr<LayoutTerm> make_pin_area_energy(const LayoutModel& model);
 std::unique_ptr<LayoutTerm> make_gap_constraint(const LayoutModel& model);
 std::unique_ptr<LayoutTerm> make_pin_area_constraint(const LayoutModel& model);
 std::unique_ptr<LayoutTerm> make_pin_keepout_constraint(const LayoutModel& model);

@@ -16,12 +16,10 @@ using Eigen::VectorXd;
 constexpr int max_iterations = 100;
 
 // Unknowns: s, and f, three per point: the force less the floor, (n - s, t); at points that only
-// have to push the force itself. (With the force itself everywhere the relaxed program and that of
-// unlimited friction lose all digits at the end.) Balance: A f + a s + b = 0, a = A applied to a
-// unit normal force at every point with a floor. Cones, with slack z and multiplier l:
-//   circle: z = (mu (f_n + rho s), f_t), where friction is limited; rho is 1 at points with a
-//   floor,
-//           relaxed 0
+// have to push the force itself. (With the force itself everywhere the relaxed program loses all
+// digits at the end.) Balance: A f + a s + b = 0, a = A applied to a unit normal force at every
+// point with a floor. Cones, with slack z and multiplier l:
+//   circle: z = (mu (f_n + rho s), f_t); rho is 1 at points with a floor, relaxed 0
 //   floor:  z = f_n
 //   cap:    z = 1 - s
 class ConeProgram {
@@ -30,13 +28,9 @@ class ConeProgram {
       : system_(system),
         count_(system.point_count()),
         b_(b),
-        limited_(std::isfinite(options.friction_coefficient)),
-        mu_(limited_ ? options.friction_coefficient : 0),
+        mu_(options.friction_coefficient),
         lift_(VectorXd::Ones(count_)),
-        tolerance_(options.tolerance),
-        // Unlimited tangential forces need a reason to stay small; it costs the floor 1e-3 of the
-        // mean square force at most, on the safe side.
-        proximal_(limited_ ? 0 : 1e-3 / std::max(1, count_)) {
+        tolerance_(options.tolerance) {
     for (int p = 0; p < count_ && !options.only_push.empty() && !options.relaxed; ++p) {
       if (options.only_push[p] != 0) lift_(p) = 0;
     }
@@ -81,10 +75,9 @@ class ConeProgram {
   ForceMap& system_;
   int count_;
   VectorXd b_;
-  bool limited_;
   double mu_;
   VectorXd lift_, rho_;  // what of s is in a point's normal force, and in the radius of its circle
-  double tolerance_, proximal_;
+  double tolerance_;
   VectorXd a_;
 
   VectorXd f_, y_;
@@ -119,13 +112,12 @@ void ConeProgram::initialize(const VectorXd& start) {
   s_ = least - 0.1;
   for (int p = 0; p < count_; ++p) f_(3 * p) -= lift_(p) * s_;
   const double weight = 1.0 / std::max(1, count_);
-  z_.circle.setZero(limited_ ? count_ : 0, 3);
-  l_.circle.setZero(limited_ ? count_ : 0, 3);
+  z_.circle.setZero(count_, 3);
+  l_.circle.setZero(count_, 3);
   z_.floor.resize(count_);
   l_.floor = VectorXd::Constant(count_, weight);
   for (int p = 0; p < count_; ++p) {
     z_.floor(p) = lift_(p) != 0 ? f_(3 * p) : std::max(f_(3 * p), 0.1);
-    if (!limited_) continue;
     Vec3 u = circle_of(p, f_.segment<3>(3 * p), s_);
     u.x() = std::max(u.x(), 1.1 * u.tail<2>().norm() + 0.1);
     z_.circle.row(p) = u.transpose();
@@ -136,14 +128,13 @@ void ConeProgram::initialize(const VectorXd& start) {
 }
 
 void ConeProgram::residuals() {
-  r_f_ = proximal_ * f_ + system_.apply_transposed(y_);
+  r_f_ = system_.apply_transposed(y_);
   r_s_ = -1 + l_.cap + a_.dot(y_);
   r_z_.floor.resize(count_);
-  r_z_.circle.resize(limited_ ? count_ : 0, 3);
+  r_z_.circle.resize(count_, 3);
   for (int p = 0; p < count_; ++p) {
     r_f_(3 * p) -= l_.floor(p);
     r_z_.floor(p) = z_.floor(p) - f_(3 * p);
-    if (!limited_) continue;
     const Vec3 l = l_.circle.row(p);
     r_f_.segment<3>(3 * p) -= Vec3(mu_ * l.x(), l.y(), l.z());
     r_s_ -= mu_ * rho_(p) * l.x();
@@ -156,17 +147,13 @@ void ConeProgram::residuals() {
 bool ConeProgram::factorize() {
   w_floor_ = l_.floor.cwiseQuotient(z_.floor);
   w_cap_ = l_.cap / z_.cap;
-  circle_.resize(limited_ ? count_ : 0);
+  circle_.resize(count_);
   D_inverse_.resize(count_);
   D_e0_.setZero(count_, 3);
   D_e_.setZero(count_, 3);
   pivot_ = w_cap_;
   for (int p = 0; p < count_; ++p) {
     const double w = w_floor_(p);
-    if (!limited_) {
-      D_inverse_[p] = Vec3(1 / (proximal_ + w), 1 / proximal_, 1 / proximal_).asDiagonal();
-      continue;
-    }
     // D = M + w e0 e0^T with M^-1 = N from the scaling, e = rho M e0. Sums of positive terms only:
     // near the cones' surfaces D and M have no digits left to invert or subtract.
     circle_[p] = cone_scaling(z_.circle.row(p), l_.circle.row(p));
@@ -217,7 +204,7 @@ ConeProgram::Direction ConeProgram::newton(double keep, const Cones& d) const {
   const Eigen::Map<const VectorXd> D_e(D_e_.data(), D_e_.size());
   VectorXd D_r = times(D_inverse_, rhs);
   rhs_s -= D_e.dot(rhs);
-  for (int p = 0; limited_ && p < count_; ++p) {
+  for (int p = 0; p < count_; ++p) {
     // The circles' share M beta of the right-hand side, with M cancelled.
     Vec3 b = beta.circle.row(p);
     b.x() /= mu_;
@@ -233,13 +220,12 @@ ConeProgram::Direction ConeProgram::newton(double keep, const Cones& d) const {
   const VectorXd dual = keep * r_f_ + system_.apply_transposed(out.y);
   out.z.floor.resize(count_);
   out.l.floor.resize(count_);
-  out.z.circle.resize(limited_ ? count_ : 0, 3);
-  out.l.circle.resize(limited_ ? count_ : 0, 3);
+  out.z.circle.resize(count_, 3);
+  out.l.circle.resize(count_, 3);
   for (int p = 0; p < count_; ++p) {
     const double n = out.f(3 * p);
     out.z.floor(p) = -keep * r_z_.floor(p) + n;
     out.l.floor(p) = w_floor_(p) * (-n - beta.floor(p));
-    if (!limited_) continue;
     const Vec3 m = circle_of(p, out.f.segment<3>(3 * p), out.s);
     out.z.circle.row(p) = -keep * r_z_.circle.row(p) + m.transpose();
     // From the dual equation rather than from the scaling, which would amplify rounding in f.
@@ -260,7 +246,6 @@ double ConeProgram::step_length(const Direction& d, double limit) const {
   for (int p = 0; p < count_; ++p) {
     line(z_.floor(p), d.z.floor(p));
     line(l_.floor(p), d.l.floor(p));
-    if (!limited_) continue;
     step = cone_step(z_.circle.row(p), d.z.circle.row(p), step);
     step = cone_step(l_.circle.row(p), d.l.circle.row(p), step);
   }
@@ -291,7 +276,7 @@ ConeProgram::Cones ConeProgram::predictor() const {
   Cones d;
   d.floor = -(z_.floor.cwiseProduct(l_.floor)).cwiseSqrt();
   d.cap = -std::sqrt(z_.cap * l_.cap);
-  d.circle.resize(limited_ ? count_ : 0, 3);
+  d.circle.resize(count_, 3);
   for (std::size_t p = 0; p < circle_.size(); ++p) d.circle.row(p) = -circle_[p].nu.transpose();
   return d;
 }
@@ -302,7 +287,6 @@ void ConeProgram::correct(Cones& d, const Direction& affine, double target) cons
   for (int p = 0; p < count_; ++p) {
     const double nu = -d.floor(p);
     d.floor(p) = (-nu * nu - affine.z.floor(p) * affine.l.floor(p) + target) / nu;
-    if (!limited_) continue;
     const ConeScaling& scaling = circle_[p];
     const Vec3 r = -cone_product(scaling.nu, scaling.nu) -
                    cone_product(scaling.W_inverse * affine.z.circle.row(p).transpose(),
@@ -337,7 +321,7 @@ void ConeProgram::take_up_imbalance() {
 ConeSolution ConeProgram::solve(const VectorXd& start, const Progress& progress) {
   initialize(start);
   ConeSolution out;
-  const double degree = count_ * (limited_ ? 2.0 : 1.0) + 1;
+  const double degree = count_ * 2.0 + 1;
   for (; out.solve.iterations < max_iterations; ++out.solve.iterations) {
     if (!keep_going(progress, "friction and unilateral contacts")) throw Cancelled();
     residuals();
@@ -367,7 +351,7 @@ ConeSolution ConeProgram::solve(const VectorXd& start, const Progress& progress)
   out.circle = l_.circle;
   out.floor = l_.floor;
   out.weight = l_.floor;
-  for (int p = 0; limited_ && p < count_; ++p) out.weight(p) += mu_ * l_.circle(p, 0);
+  for (int p = 0; p < count_; ++p) out.weight(p) += mu_ * l_.circle(p, 0);
   return out;
 }
 

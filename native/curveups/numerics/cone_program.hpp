@@ -31,7 +31,7 @@ class ForceMap {
 };
 
 struct ConeOptions {
-  double friction_coefficient = 0.5;  // mu; infinity: any friction
+  double friction_coefficient = 0.5;  // mu
   bool relaxed = false;
   double tolerance = 1e-4;  // on s
   // Per point whether it only has to push; empty: none.
@@ -44,7 +44,7 @@ struct ConeSolution {
   double s = 0;
   Eigen::VectorXd weight;  // dual weight of each point's cones
   Eigen::VectorXd y;       // multipliers of A f + b = 0
-  Points3 circle;          // multipliers of the friction cones; no rows with unlimited friction
+  Points3 circle;          // multipliers of the friction cones
   Eigen::VectorXd floor;   // and of n >= s
 };
 

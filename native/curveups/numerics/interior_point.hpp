@@ -2,7 +2,7 @@
 // Minimises energy terms under inequality constraints: a primal-dual interior-point method with
 // slacks, condensed onto the pattern of the terms.
 //
-// Why a method of our own: least-squares solvers with bounds (Ceres) have no general inequality
+// Why a method of our own: least-squares solvers with bounds have no general inequality
 // constraints, and Ipopt on the very same problem takes six to twelve times as long, because its
 // linear algebra can't use that all blocks are alike on one sparsity pattern that never changes.
 //

@@ -86,7 +86,7 @@ class LeastStepMethod {
   const LeastStepProblem& problem_;
   const Eigen::Index n_, sparse_, dense_, rows_;
   VectorXd c_, wanted_;
-  ArrayXd penalty_, curvature_;
+  ArrayXd penalty_;
   BlockMatrix<1> normal_;
   ArrayXd z_, s_, e_;
   // elastic_, of e, is kept apart from penalty - m, which cancels where a row stays unmet.
@@ -104,21 +104,19 @@ LeastStepMethod::LeastStepMethod(const LeastStepProblem& problem)
       c_(rows_),
       wanted_(problem.wanted.size() > 0 ? problem.wanted : VectorXd::Zero(n_)),
       penalty_(rows_),
-      curvature_(ArrayXd::Zero(rows_)),
       normal_(normal_pattern(problem.sparse)) {
   c_.head(sparse_) = problem.sparse_value;
   c_.tail(dense_) = problem.dense_value;
   penalty_.head(sparse_) = problem.sparse_penalty;
   penalty_.tail(dense_) = problem.dense_penalty;
-  curvature_.tail(dense_) = problem.dense_curvature;
   const ArrayXd width = (problem.upper - problem.lower).array();
   z_ = (-problem.lower.array()).max(0.1 * width).min(0.9 * width) + problem.lower.array();
   // On the central path of complementarity mu as nearly as z allows.
   const ArrayXd at_start = rows_times(problem, z_.matrix()).array() + c_.array();
   s_ = at_start.max(0.1);
   e_ = (s_ - at_start).max(1e-3);
-  m_ = (mu_ / s_).min(0.5 * (penalty_ + curvature_ * e_));
-  elastic_ = penalty_ + curvature_ * e_ - m_;
+  m_ = (mu_ / s_).min(0.5 * penalty_);
+  elastic_ = penalty_ - m_;
   lower_ = mu_ / (z_ - problem.lower.array());
   upper_ = mu_ / (problem.upper.array() - z_);
 }
@@ -128,7 +126,7 @@ void LeastStepMethod::linearize() {
   high_ = problem_.upper.array() - z_;
   residual_ = rows_times(problem_, z_.matrix()).array() + c_.array() + e_ - s_;
   dual_ = z_ - wanted_.array() - transposed_times(problem_, m_.matrix()).array() - lower_ + upper_;
-  unpaid_ = penalty_ + curvature_ * e_ - m_ - elastic_;
+  unpaid_ = penalty_ - m_ - elastic_;
   const double products =
       (s_ * m_).sum() + (e_ * elastic_).sum() + (low_ * lower_).sum() + (high_ * upper_).sum();
   mu_ = products / static_cast<double>(2 * rows_ + 2 * n_);
@@ -147,9 +145,8 @@ bool LeastStepMethod::converged() const {
 
 bool LeastStepMethod::newton(Direction& d) {
   const double target = 0.15 * mu_;
-  const ArrayXd give = elastic_ + curvature_ * e_;
-  const ArrayXd weight = 1 / (s_ / m_ + e_ / give);
-  const ArrayXd free = (target - e_ * (elastic_ + unpaid_)) / give;
+  const ArrayXd weight = 1 / (s_ / m_ + e_ / elastic_);
+  const ArrayXd free = (target - e_ * (elastic_ + unpaid_)) / elastic_;
   const ArrayXd k = -residual_ - free + target / m_ - s_;
   const VectorXd right = wanted_ - z_.matrix() +
                          transposed_times(problem_, (m_ + weight * k).matrix()) +
@@ -170,8 +167,8 @@ bool LeastStepMethod::newton(Direction& d) {
   if (!dz.allFinite()) return false;
   d.z = dz.array();
   d.m = weight * (k - rows_times(problem_, dz).array());
-  d.e = free + e_ / give * d.m;
-  d.elastic = curvature_ * d.e - d.m + unpaid_;
+  d.e = free + e_ / elastic_ * d.m;
+  d.elastic = unpaid_ - d.m;
   d.s = target / m_ - s_ - s_ / m_ * d.m;
   d.lower = target / low_ - lower_ - lower_ / low_ * d.z;
   d.upper = target / high_ - upper_ + upper_ / high_ * d.z;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The least step that keeps linearised constraints, a convex quadratic program:
-//   minimise 1/2 |z - wanted|^2 + penalty . e + 1/2 e . curvature e
+//   minimise 1/2 |z - wanted|^2 + penalty . e
 //   subject to   C z + c + e >= 0,  e >= 0,  lower <= z <= upper.
 // Rows are sparse (geometric constraints) or dense (few, each of all unknowns). The elastic e makes
 // every problem feasible (exact penalty): where constraints contradict one another those of the
@@ -25,7 +25,6 @@ struct LeastStepProblem {
   Eigen::VectorXd lower, upper;  // lower < upper, within which zero lies or on one of which
   Eigen::VectorXd wanted;        // empty for zero
   double sparse_penalty = 1e4, dense_penalty = 1e3;
-  double dense_curvature = 0;  // with a small penalty: dense rows as a quadratic one
 };
 
 struct LeastStep {

@@ -2,7 +2,6 @@
 #include "curveups/physics/solved_design.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace curveups {
@@ -112,16 +111,6 @@ const UnilateralResult& find_floor(SolvedDesign& solved, Touching where, Balance
   options.friction_coefficient = solved.design.parameters.friction_coefficient;
   options.scale = force_scale(solved);
   return kept.emplace(solve_unilateral(system, solved.loads, start, options, progress));
-}
-
-const UnilateralResult& find_unlimited(SolvedDesign& solved, BalanceSystem& system,
-                                       const Progress& progress) {
-  if (solved.unlimited) return *solved.unlimited;
-  UnilateralOptions options;
-  options.friction_coefficient = std::numeric_limits<double>::infinity();
-  options.scale = force_scale(solved);
-  return solved.unlimited.emplace(
-      solve_unilateral(system, solved.loads, solved.forces.force, options, progress));
 }
 
 const std::vector<MembraneClearance>& find_clearances(SolvedDesign& solved,

@@ -29,8 +29,6 @@ struct SolvedDesign {
   double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the error where larger
   // What find_floor found, by Touching.
   std::array<std::optional<UnilateralResult>, 2> floor;
-  // What find_unlimited found.
-  std::optional<UnilateralResult> unlimited;
   // What find_clearances found, by Side.
   std::array<std::optional<std::vector<MembraneClearance>>, 2> clearances;
 };
@@ -63,12 +61,6 @@ double force_scale(const SolvedDesign& solved);
 // whose factorization changes. Throws what solve_unilateral and solve_contact_forces throw.
 const UnilateralResult& find_floor(SolvedDesign& solved, Touching where, BalanceSystem& system,
                                    const Progress& progress);
-
-// The largest floor at the interfaces' corners with any friction, kept in `solved`; at once with
-// others where threads ask. system: of its own, whose factorization changes. Throws what
-// solve_unilateral throws.
-const UnilateralResult& find_unlimited(SolvedDesign& solved, BalanceSystem& system,
-                                       const Progress& progress);
 
 // How far a side's membrane stays from the bodies (patch_clearances), kept in `solved`; of both
 // sides at once where threads ask.

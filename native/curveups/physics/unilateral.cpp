@@ -31,12 +31,8 @@ Points3 derivative_by_normals(const BalanceSystem& system, double mu, const Poin
   Points3 out(force.rows(), 3);
   for (int p = 0; p < force.rows(); ++p) {
     const Eigen::Matrix3d& basis = system.basis(p);
-    double along = floor(p);
-    Vec3 sideways = Vec3::Zero();
-    if (circle.rows() > 0) {
-      along += mu * circle(p, 0);
-      sideways = circle(p, 1) * basis.col(1) + circle(p, 2) * basis.col(2);
-    }
+    const double along = floor(p) + mu * circle(p, 0);
+    const Vec3 sideways = circle(p, 1) * basis.col(1) + circle(p, 2) * basis.col(2);
     const Vec3 F = basis * force.row(p).transpose();
     out.row(p) = (along * F - force(p, 0) * sideways).transpose();
   }
@@ -48,8 +44,8 @@ Points3 derivative_by_normals(const BalanceSystem& system, double mu, const Poin
 UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
                                   const Points3& start, const UnilateralOptions& options,
                                   const Progress& progress) {
-  if (!(options.friction_coefficient > 0) || !(options.scale > 0) ||
-      !std::isfinite(options.scale)) {
+  if (!(options.friction_coefficient > 0) || !std::isfinite(options.friction_coefficient) ||
+      !(options.scale > 0) || !std::isfinite(options.scale)) {
     throw InvalidInput("friction coefficient and force scale must be positive",
                        "give positive numbers");
   }
@@ -67,7 +63,6 @@ UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
   std::vector<char> on_ground(count);
   for (int p = 0; p < count; ++p) on_ground[p] = system.points()[p].contact < 0 ? 1 : 0;
   for (bool relaxed : {false, true}) {
-    if (relaxed && !std::isfinite(mu)) break;  // the same program
     const ConeSolution outcome =
         solve_cone_program(system, b, from, {mu, relaxed, options.tolerance, on_ground}, progress);
     result.solve.iterations += outcome.solve.iterations;
@@ -78,7 +73,7 @@ UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
       const Vec3 f = outcome.force.segment<3>(3 * p);
       double& least = on_ground[p] != 0 ? push : floor;
       least = std::min(least, f.x());
-      if (std::isfinite(mu)) slip = std::max(slip, f.tail<2>().norm() - mu * f.x());
+      slip = std::max(slip, f.tail<2>().norm() - mu * f.x());
     }
     const VectorXd rest = system.apply(outcome.force) + b;
     const double imbalance = rest.size() ? rest.cwiseAbs().maxCoeff() : 0;

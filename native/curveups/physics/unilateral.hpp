@@ -20,7 +20,6 @@
 namespace curveups {
 
 struct UnilateralOptions {
-  // Infinity: any friction.
   double friction_coefficient = 0.5;
   // The unit of forces (N), and the cap on the floor: the mean normal force of least squares.
   double scale = 1;

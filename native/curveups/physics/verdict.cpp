@@ -84,11 +84,8 @@ void judge_unilateral(const VerdictInput& in, VerificationReport& report) {
   const UnilateralFigures& u = report.unilateral;
   std::string reason =
       lack_of_push(u, u.status, u.largest_floor, u.feasible, "", in.coulomb, in.system);
-  if (u.status == SolveStatus::infeasible && u.unlimited_status == SolveStatus::converged) {
-    reason += "; with enough friction they do";
-    if (u.sliding_play) {
-      reason += ", and dimples stop what slides after " + number(*u.sliding_play) + " mm at most";
-    }
+  if (u.status == SolveStatus::infeasible && u.sliding_play) {
+    reason += "; dimples stop what slides after " + number(*u.sliding_play) + " mm at most";
   }
   if (!reason.empty()) report.reasons.push_back(reason);
   if (!in.tips) return;

@@ -91,7 +91,7 @@ void describe_contacts(const TileMesh& tiles, const BalanceSystem& system,
   report.contact_normal_mean.setConstant(contacts, none);
   report.contact_friction_ratio.setConstant(contacts, none);
   report.tile_normal_min.setConstant(tiles.tile_count(), none);
-  for (const Contact& contact : tiles.contacts) report.contact_tiles.push_back(contact.tile);
+  report.contact_tiles = contact_tiles(tiles);
   const std::vector<ContactSummary> summaries = summarize_contacts(system, forces.force);
   for (const ContactSummary& one : summaries) {
     report.contact_normal_min(one.contact) = one.normal_min;
@@ -115,11 +115,10 @@ void describe_contacts(const TileMesh& tiles, const BalanceSystem& system,
 }
 
 // Second-order cone programs of a verdict, which stay in the solved design, and how far membranes
-// stay from bodies: independent of one another. system, unlimited_system: at the interfaces'
-// corners; tips: null without bumps.
-std::array<MembraneClearance, 2> solve_programs(BalanceSystem& system,
-                                                BalanceSystem& unlimited_system,
-                                                BalanceSystem* tips, SolvedDesign& solved,
+// stay from bodies: independent of one another. system: at the interfaces' corners; tips: null
+// without bumps.
+std::array<MembraneClearance, 2> solve_programs(BalanceSystem& system, BalanceSystem* tips,
+                                                SolvedDesign& solved,
                                                 const DesignGeometry& geometry,
                                                 const Progress& progress) {
   const Progress serial = one_at_a_time(progress);
@@ -132,13 +131,11 @@ std::array<MembraneClearance, 2> solve_programs(BalanceSystem& system,
                   [&] {
                     if (tips) find_floor(solved, Touching::at_tips, *tips, serial);
                   },
-                  [&] { find_unlimited(solved, unlimited_system, serial); },
                   [&] { clearance(Side::front); }, [&] { clearance(Side::back); }});
   return out;
 }
 
-UnilateralFigures describe_programs(const UnilateralResult& coulomb,
-                                    const UnilateralResult& unlimited, const UnilateralResult* tips,
+UnilateralFigures describe_programs(const UnilateralResult& coulomb, const UnilateralResult* tips,
                                     double f_min, double friction_coefficient, double scale) {
   UnilateralFigures u;
   u.friction_coefficient = friction_coefficient;
@@ -147,8 +144,6 @@ UnilateralFigures describe_programs(const UnilateralResult& coulomb,
   u.largest_floor = coulomb.largest_floor;
   u.feasible =
       u.status == SolveStatus::converged && floor_is_reached(u.largest_floor, f_min, scale);
-  u.unlimited_status = unlimited.solve.status;
-  u.unlimited_largest_floor = unlimited.largest_floor;
   if (tips) {
     u.tips_status = tips->solve.status;
     u.tips_largest_floor = tips->largest_floor;
@@ -188,8 +183,7 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
 
   const ContactForces& forces = solved.forces;
   const double f_min = solved.f_min_ratio * std::max(0.0, forces.normal_mean);
-  BalanceSystem system = make_balance_system(geometry, parameters),
-                unlimited_system = make_balance_system(geometry, parameters);
+  BalanceSystem system = make_balance_system(geometry, parameters);
   describe_contacts(tiles, system, forces, f_min, report);
   if (options.weak_is_enough && report.contact_forces.points_below_f_min > 0) {
     report.complete = false;
@@ -202,14 +196,14 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
     tips_system.emplace(make_balance_system(
         geometry, parameters, tie_to_corners(contact_corners(geometry, parameters), tips).points));
   }
-  const std::array<MembraneClearance, 2> clearance = solve_programs(
-      system, unlimited_system, tips_system ? &*tips_system : nullptr, solved, geometry, progress);
+  const std::array<MembraneClearance, 2> clearance =
+      solve_programs(system, tips_system ? &*tips_system : nullptr, solved, geometry, progress);
   const UnilateralResult& coulomb = *solved.floor[static_cast<int>(Touching::at_corners)];
   const UnilateralResult* at_tips =
       tips_system ? &*solved.floor[static_cast<int>(Touching::at_tips)] : nullptr;
   report.physics.clearance_mm = std::min(clearance[0].distance, clearance[1].distance);
-  report.unilateral = describe_programs(coulomb, *solved.unlimited, at_tips, f_min,
-                                        parameters.friction_coefficient, force_scale(solved));
+  report.unilateral = describe_programs(coulomb, at_tips, f_min, parameters.friction_coefficient,
+                                        force_scale(solved));
   if (parameters.bumps == "dimples") report.unilateral.sliding_play = sliding_play(plan, tiles);
   give_verdict({system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
                 slack_tiles, solved.f_min_ratio > parameters.f_min_ratio, parameters,

@@ -50,8 +50,6 @@ struct UnilateralFigures {
   double friction_coefficient = 0;
   double floor = 0;          // N, f_min
   double largest_floor = 0;  // N
-  SolveStatus unlimited_status = SolveStatus::unfinished;
-  double unlimited_largest_floor = 0;
   // The same at the bumps' tips.
   std::optional<SolveStatus> tips_status;
   bool feasible_at_tips = false;
@@ -84,7 +82,7 @@ struct VerificationReport {
   UnilateralFigures unilateral;
   LargestGlueLoads glue;
 
-  std::vector<std::array<int, 2>> contact_tiles;  // per contact
+  Edges contact_tiles;  // per contact
   Eigen::VectorXd contact_normal_min, contact_normal_mean, contact_friction_ratio;
   Eigen::VectorXd
       tile_normal_min;  // least normal force at each tile's points; NaN without contacts

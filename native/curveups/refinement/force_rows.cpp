@@ -38,10 +38,10 @@ ForceRow make_row(const Iterate& place, double value, double unit, const ForceGr
 
 MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& tracked,
                                 const Judgement& now, const RepairOptions& options,
-                                const TargetDistance& target) {
+                                const VertexPlaces& target) {
   const TileMesh& tiles = place.geometry().tiles;
   const std::vector<ContactPoint>& points = tracked.points();
-  std::vector<char> near(tiles.tile_count(), 0), chosen(target.places().rows(), 0);
+  std::vector<char> near(tiles.tile_count(), 0), chosen(target.place.rows(), 0);
   auto mark = [&](const std::array<int, 2>& pair) {
     for (int tile : pair) {
       if (tile < 0) continue;
@@ -65,7 +65,7 @@ MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& track
   }
   const VertexPatches patches(place.geometry());
   MovingVertices out;
-  for (int v = 0; v < target.places().rows(); ++v) {
+  for (int v = 0; v < target.place.rows(); ++v) {
     if (!chosen[v]) continue;
     out.vertex.push_back(v);
     out.patches.push_back(patches.around(v));
@@ -73,14 +73,14 @@ MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& track
   out.moved.resize(out.count(), 3);
   out.weight.resize(out.count());
   for (int k = 0; k < out.count(); ++k) {
-    out.moved.row(k) = place.vertices().row(out.vertex[k]) - target.places().row(out.vertex[k]);
-    out.weight(k) = target.area()(out.vertex[k]);
+    out.moved.row(k) = place.vertices().row(out.vertex[k]) - target.place.row(out.vertex[k]);
+    out.weight(k) = target.area(out.vertex[k]);
   }
   return out;
 }
 
 std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& tracked,
-                                 const Judgement& now, const RepairOptions& options, double goal,
+                                 const Judgement& now, const RepairOptions& options,
                                  const MovingVertices* moving) {
   const std::vector<ContactPoint>& points = tracked.points();
   std::vector<int> chosen;
@@ -101,7 +101,7 @@ std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& trac
   const std::vector<ForceGradient> gradients =
       force_gradients(tracked.forces(), functions, patches);
   for (std::size_t r = 0; r < chosen.size(); ++r) {
-    const double value = (now.normal(chosen[r]) - goal * now.f_min) / now.mean;
+    const double value = (now.normal(chosen[r]) - options.goal * now.f_min) / now.mean;
     rows.push_back(make_row(place, value, 1 / now.mean, gradients[r], moving));
   }
   for (Touching where : touchings) {

@@ -6,21 +6,24 @@
 #include <vector>
 
 #include "curveups/refinement/layout_step.hpp"
-#include "curveups/refinement/merit_terms.hpp"
 #include "curveups/refinement/tracked_forces.hpp"
 
 namespace curveups {
 
-// The vertices of the tiles at points that must be lifted, and of the tiles next to these. target:
-// where vertices belong.
+// Where vertices belong in Eq. 4, E_target = sum_j A_j |x_j - c_j|^2.
+struct VertexPlaces {
+  Points3 place;         // c_j, mm
+  Eigen::VectorXd area;  // A_j, mm2: that of the tiles around each, a third from each
+};
+
+// The vertices of the tiles at points that must be lifted, and of the tiles next to these.
 MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& tracked,
                                 const Judgement& now, const RepairOptions& options,
-                                const TargetDistance& target);
+                                const VertexPlaces& target);
 
-// A row per point below the active force, whose goal is `goal` times f_min, and one for each
-// floor that is active. moving may be null.
+// A row per point below the active force and one for each floor that is active. moving may be null.
 std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& tracked,
-                                 const Judgement& now, const RepairOptions& options, double goal,
+                                 const Judgement& now, const RepairOptions& options,
                                  const MovingVertices* moving);
 
 }  // namespace curveups

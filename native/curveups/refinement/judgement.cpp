@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/refinement/merit_terms.hpp"
 
 namespace curveups {
 
@@ -21,7 +20,6 @@ Judgement judge(const std::vector<ContactPoint>& points, const Eigen::VectorXd& 
   out.mean /= std::max(1, count);
   out.f_min = f_min_ratio * out.mean;
   out.least = 1e300;
-  std::vector<double> of_contacts;  // in units of f_min
   if (!(out.f_min > 0)) {
     throw InfeasibleDesign("the membranes do not press the tiles together",
                            "raise tau, or lower p_max so that pins pull more strongly");
@@ -32,12 +30,7 @@ Judgement judge(const std::vector<ContactPoint>& points, const Eigen::VectorXd& 
     out.weak += !presses(normal(static_cast<Eigen::Index>(p)), out.f_min);
     out.least = std::min(out.least, f);
     out.missing += std::max(0.0, options.goal - f);
-    of_contacts.push_back(f);
   }
-  const Eigen::Map<const BlockVector<1>> forces(of_contacts.data(),
-                                                static_cast<Eigen::Index>(of_contacts.size()));
-  out.missing_squares =
-      f_min_ratio * f_min_ratio * MissingForce(options.penalty_goal).value(forces);
   for (std::size_t k = 0; k < floors.size(); ++k) {
     out.floor[k] = floors[k] / out.f_min;
     if (out.floor[k] < options.floor_goal) out.missing += options.floor_goal - out.floor[k];

@@ -10,9 +10,22 @@
 #include "curveups/physics/contact_forces.hpp"
 #include "curveups/physics/touch_points.hpp"
 #include "curveups/physics/verdict.hpp"
-#include "curveups/refinement/repair_options.hpp"
 
 namespace curveups {
+
+// What a repair aims at and how far it goes in a step.
+struct RepairOptions {
+  double trust_radius = 0.2;  // mm that an unknown moves in a step at most, at first
+  // Weak points are lifted to this times f_min (what the mesh error may take is to spare), and
+  // points below `active` times f_min are rows of the step: they must not fall below f_min.
+  double goal = 1.5;
+  double active = 2.0;
+  // The same for the largest floors of the unilateral problem, each of which is one number.
+  double floor_goal = 1.2;
+  // Vertices stay within this times L of their places in the target, by coordinate.
+  double largest_displacement = 0.1;
+  int max_steps = 60;
+};
 
 // By Touching; NaN where it was not computed.
 using Floors = std::array<double, 2>;
@@ -26,9 +39,8 @@ struct Judgement {
   int weak = 0;            // points below f_min
   double least = 0;        // in units of f_min
   double missing = 0;  // sum of what points and the floor lack of their goals, in units of f_min
-  double missing_squares = 0;  // of what points lack of the penalty's goal, in units of the mean
-  Floors floor = no_floors;    // largest floors in units of f_min
-  double depth = 0;            // to which a membrane cuts into a body, mm, where it was looked at
+  Floors floor = no_floors;  // largest floors in units of f_min
+  double depth = 0;          // to which a membrane cuts into a body, mm, where it was looked at
 
   // As verification judges (verdict.hpp), what was not looked at left out.
   bool valid() const {

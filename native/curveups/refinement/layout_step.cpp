@@ -184,10 +184,6 @@ void StepProblem::add_vertex_bounds() {
 }
 
 void StepProblem::add_forces() {
-  if (weights_.tightness > 0) {
-    problem_.dense_curvature = weights_.tightness;
-    problem_.dense_penalty = 0;
-  }
   problem_.dense.resize(count_, static_cast<Eigen::Index>(forces_.size()));
   problem_.dense_value.resize(static_cast<Eigen::Index>(forces_.size()));
   for (std::size_t r = 0; r < forces_.size(); ++r) {

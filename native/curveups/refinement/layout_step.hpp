@@ -23,9 +23,8 @@ struct ForceRow {
 // What a step minimises and how far it may go: half the squared length in mm of all moves of poses
 // and insets is the unit.
 struct StepWeights {
-  double trust_radius;   // mm that no unknown may exceed
-  double target = 0;     // of half of E_target (Eq. 4, mm4)
-  double tightness = 0;  // of half the missing squares of forces; 0: forces are hard constraints
+  double trust_radius;  // mm that no unknown may exceed
+  double target = 0;    // of half of E_target (Eq. 4, mm4)
   double largest_displacement =
       0;  // mm, by coordinate: of vertices from their places in the target
 };

@@ -10,19 +10,42 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
-#include "curveups/refinement/draw_pins_out.hpp"
 #include "curveups/refinement/explanation.hpp"
 #include "curveups/refinement/force_rows.hpp"
-#include "curveups/refinement/merit_terms.hpp"
 
 namespace curveups {
 namespace {
 
-// Where tightness is a penalty: moving a tile by L / layout_scale costs one unit of Eq. 3: next to
-// nothing.
-constexpr double layout_scale = 0.1;
-// Where it is hard: what moving a vertex costs against moving a tile as far.
+// What moving a vertex costs against moving a tile as far.
 constexpr double vertex_cost = 100;
+
+// Where a membrane cuts into a body or all but touches it the pins around draw out: nearer to their
+// edges they hold it up better. Caps the insets of the tiles touched, and of those next to them,
+// below where they are. Returns whether there is any that can give way.
+bool cap_insets(const std::vector<Touch>& touches, const Iterate& place, Array6& caps) {
+  const PinBounds& bounds = place.geometry().pin_bounds;
+  const MeshTopology& topology = place.geometry().tiles.topology;
+  bool any = false;
+  auto cap = [&](int tile, const Touch& touch) {
+    for (int t = 0; t < 3; ++t) {
+      const int k = inset_index(touch.side, t);
+      const double q = std::min(place.state(tile, inset_unknown(touch.side, t)), caps(tile, k));
+      const double lower = bounds.lower(tile, k) + capped_room;
+      const double drawn = std::max(lower, q - 0.1 - 2 * (safe_clearance - touch.clearance));
+      if (!(drawn < q)) continue;
+      caps(tile, k) = drawn;
+      any = true;
+    }
+  };
+  for (const Touch& touch : touches) {
+    cap(touch.tile, touch);
+    for (int t = 0; t < 3; ++t) {
+      const int n = topology.neighbour(touch.tile, t);
+      if (n >= 0) cap(n, touch);
+    }
+  }
+  return any;
+}
 
 class Repair {
  public:
@@ -39,14 +62,12 @@ class Repair {
     CriticalPairs critical;
   };
 
-  bool penalty() const { return parameters_.tightness == "penalty"; }
   std::shared_ptr<Shape> make_shape(const TriangleMesh& mesh, const LayoutModel* found) const;
 
   Design design_here() const;
   void restore_start(RepairResult& result);
   Judgement judge_fresh();
   void search(RepairResult& result);
-  double merit(const Judgement& now) const;
   bool reached(const Judgement& now) const;
   StepWeights step_weights() const;
 
@@ -62,7 +83,7 @@ class Repair {
   RepairCallback callback_;
   Design design_;  // as given
   const Parameters& parameters_;
-  TargetDistance target_;
+  VertexPlaces target_;
   Array6 caps_;           // upper bounds of insets beside membranes that were too low
   Iterate given_, here_;  // of the design given, and now
   TrackedForces tracked_;
@@ -81,8 +102,8 @@ Repair::Repair(const Design& design, const RepairOptions& options, SolutionStore
       callback_(callback),
       design_(design),
       parameters_(design_.parameters),
-      target_(design.target ? design.target->V : design.mesh.V,
-              Eigen::VectorXd::Zero(design.mesh.V.rows())),
+      target_{design.target ? design.target->V : design.mesh.V,
+              Eigen::VectorXd::Zero(design.mesh.V.rows())},
       caps_(Array6::Constant(design.mesh.F.rows(), 6, std::numeric_limits<double>::infinity())),
       tracked_(design_.parameters, options, progress) {
   here_.shape = make_shape(design.mesh, nullptr);
@@ -92,17 +113,15 @@ Repair::Repair(const Design& design, const RepairOptions& options, SolutionStore
     throw InvalidInput("the design's T and q do not have a row for each tile",
                        "give arrays of one design");
   }
-  if (target_.places().rows() != design.mesh.V.rows()) {
+  if (target_.place.rows() != design.mesh.V.rows()) {
     throw InvalidInput("the design's target has other vertices than its mesh",
                        "give the target that the mesh was moved away from");
   }
   here_.state = state_of(here_.model(), fit_poses(tiles, design.T), design.q);
   given_ = here_;
-  Eigen::VectorXd area = Eigen::VectorXd::Zero(design.mesh.V.rows());
   for (int i = 0; i < count; ++i) {
-    for (int t = 0; t < 3; ++t) area(tiles.mesh.F(i, t)) += tiles.area(i) / 3;
+    for (int t = 0; t < 3; ++t) target_.area(tiles.mesh.F(i, t)) += tiles.area(i) / 3;
   }
-  target_ = TargetDistance(target_.places(), area);
 }
 
 // found: a model whose collisions are known; or null.
@@ -141,13 +160,6 @@ Judgement Repair::judge_fresh() {
   return now;
 }
 
-// What steps must lower: what forces lack, or Eq. 3 in units of L^4 and of the mean normal force.
-double Repair::merit(const Judgement& now) const {
-  if (!penalty()) return now.missing;
-  const double E_target = target_.value(here_.vertices()) / std::pow(parameters_.L, 4);
-  return E_target + parameters_.w_tight * now.missing_squares;
-}
-
 // A spoiled design is put onto its constraints first.
 void Repair::restore_start(RepairResult& result) {
   const LayoutState given = here_.state;
@@ -167,15 +179,7 @@ StepWeights Repair::step_weights() const {
   StepWeights out;
   out.trust_radius = trust_radius_;
   out.largest_displacement = options_.largest_displacement * parameters_.L;
-  const double area = parameters_.L * parameters_.L;
-  if (penalty()) {
-    // Eq. 3, in units that make a mm of the layout cost one half.
-    const double unit = area / (layout_scale * layout_scale);
-    out.target = 2 * unit / (area * area);
-    out.tightness = 2 * unit * parameters_.w_tight;
-  } else {
-    out.target = vertex_cost / area;
-  }
+  out.target = vertex_cost / (parameters_.L * parameters_.L);
   return out;
 }
 
@@ -215,8 +219,7 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   MovingVertices chosen;
   if (with_vertices) chosen = vertices_to_move(here_, tracked_, now, options_, target_);
   const MovingVertices* moving = chosen.count() > 0 ? &chosen : nullptr;
-  const double goal = penalty() ? options_.penalty_goal : options_.goal;
-  const std::vector<ForceRow> rows = force_rows(here_, tracked_, now, options_, goal, moving);
+  const std::vector<ForceRow> rows = force_rows(here_, tracked_, now, options_, moving);
   std::vector<int> tiles = tiles_that_matter(here_.model(), rows, 0.02);
   for (const VertexPatch& patch : chosen.patches) {
     for (int k : patch.changed) tiles.push_back(patch.tiles[k]);
@@ -227,7 +230,7 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
     last_step_ = least_layout_step(from.model(), from.state, rows, tiles, moving, step_weights());
     if (!move_to(last_step_, moving, from)) continue;
     const Judgement next = tracked_.judge();
-    if (!(merit(next) < merit(now) * (1 - 1e-3))) continue;
+    if (!(next.missing < now.missing * (1 - 1e-3))) continue;
     LayoutState move = here_.state - from.state;
     move.col(2) *= angle_lever(here_.model());
     double largest = move.cwiseAbs().maxCoeff();
@@ -266,21 +269,20 @@ bool Repair::draw_pins_out() {
 
 // Near enough to the goals for a fresh mesh to judge.
 bool Repair::reached(const Judgement& now) const {
-  return !penalty() && now.least >= options_.goal - 0.1 &&
-         !(now.least_floor() < options_.floor_goal - 0.05);
+  return now.least >= options_.goal - 0.1 && !(now.least_floor() < options_.floor_goal - 0.05);
 }
 
 // Steps until the goals are reached or nothing helps. Returns whether there was one.
 bool Repair::improve(RepairResult& result, Judgement& now) {
-  bool moved = false, slow = penalty();
+  bool moved = false, slow = false;
   trust_radius_ = options_.trust_radius;
   while (static_cast<int>(result.steps.size()) <= options_.max_steps && !reached(now)) {
-    const double before = merit(now);
+    const double before = now.missing;
     const bool with_vertices = slow && parameters_.move_vertices;
     if (take_step(result, now, with_vertices)) {
       moved = true;
       // Vertices join in where poses and pins alone get on slowly.
-      slow = penalty() || merit(now) > 0.8 * before;
+      slow = now.missing > 0.8 * before;
       tell(now);
     } else if (slow || !parameters_.move_vertices) {
       break;

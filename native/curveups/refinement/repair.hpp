@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Repair of weak contacts: the paper's refinement (Eq. 3, Algorithm 1) as one global sequence of
 // quadratic programs over flat poses, pins and actuated vertices, with exact derivatives:
-//   minimise E_target + w_tight E_tight   subject to the layout's constraints,
-// E_tight as hard constraints by default (w_tight infinite): least-squares normal forces at every
-// contact point, and the largest floor of the unilateral problem, at least f_min. Vertices move
+//   minimise E_target   subject to the layout's constraints and E_tight = 0,
+// (w_tight infinite): least-squares normal forces at every contact point, and the largest floor of
+// the unilateral problem, at least f_min. Vertices move
 // only where poses and pins do not do: E_target stays zero as long as it can. Among designs alike
 // in that the one nearest to where the step started is taken.
 //
@@ -21,7 +21,6 @@
 #include "curveups/design/design.hpp"
 #include "curveups/physics/solved_design.hpp"
 #include "curveups/refinement/explanation.hpp"
-#include "curveups/refinement/repair_options.hpp"
 
 namespace curveups {
 

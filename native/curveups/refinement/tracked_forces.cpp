@@ -74,13 +74,6 @@ Judgement TrackedForces::judge_fresh(const Iterate& place, SolvedDesign& fresh) 
       floors[k] = find_floor(fresh, where, at, serial).largest_floor;
     });
   }
-  // No part of this judgement, but the verdict on a valid design asks for it.
-  if (!weak) {
-    tasks.emplace_back([&] {
-      BalanceSystem at = make_balance_system(place.geometry(), parameters_);
-      find_unlimited(fresh, at, serial);
-    });
-  }
   parallel_tasks(tasks);
   Judgement now = judged();
   for (Touching where : touchings) {

@@ -47,6 +47,17 @@ TEST(Parameters, ListsOfTilesAreReadAsReportsNameThem) {
   EXPECT_EQ(p.held_tiles, "");
 }
 
+TEST(Parameters, RetiredOnesHaveNoEffect) {
+  Parameters p;
+  set_parameter(p, "w_tight", 7.0);
+  set_parameter(p, "tightness", std::string("penalty"));
+  set_parameter(p, "mend", std::string("ask"));
+  EXPECT_TRUE(p == Parameters());
+  EXPECT_TRUE(is_retired("w_c"));
+  EXPECT_FALSE(is_retired("w_a"));
+  EXPECT_EQ(find_parameter("w_tight"), nullptr);
+}
+
 TEST(Parameters, TextsAreReadAsValues) {
   Parameters p;
   set_parameter(p, "H_body", std::string("2.5"));

@@ -82,16 +82,16 @@ TEST(TileShapes, TilesOfAHingeMeetInTheBisectorPlane) {
   EXPECT_EQ(shapes.flat.rows(), 0);
   EXPECT_EQ(shapes.actuated_pins.rows(), 0);
   ASSERT_EQ(shapes.contacts.rows(), 1);
-  const Corners edge(shapes.contact_edges.row(0).data());  // its first two rows
+  const Vec3 start = mesh.V.row(mesh.F(shapes.contacts(0, 0), shapes.contact_sides(0, 0)));
   for (int s = 0; s < 2; ++s) {
     const int tile = shapes.contacts(0, s), t = shapes.contact_sides(0, s);
     const Corners c(shapes.actuated.row(tile).data());
     // The edge runs along y at x = 0; the bisector plane is x = 0, on which both back edges lie.
-    EXPECT_NEAR((c.row(s == 0 ? t : next3(t)) - edge.row(0)).norm(), 0, 1e-12);
+    EXPECT_NEAR((c.row(s == 0 ? t : next3(t)) - start.transpose()).norm(), 0, 1e-12);
     EXPECT_NEAR(c(3 + t, 0), 0, 1e-9);
     EXPECT_NEAR(c(3 + next3(t), 0), 0, 1e-9);
     // H / cos(fold / 2) below the edge.
-    EXPECT_NEAR(std::abs(c(3 + t, 2) - edge(0, 2)), Parameters().H_body / std::cos(fold / 2), 1e-9);
+    EXPECT_NEAR(std::abs(c(3 + t, 2) - start.z()), Parameters().H_body / std::cos(fold / 2), 1e-9);
   }
 }
 

@@ -30,7 +30,6 @@
 #include "curveups/fabrication/occ_solids.hpp"
 #include "curveups/fabrication/palette.hpp"
 #include "curveups/fabrication/print_files.hpp"
-#include "curveups/fabrication/solid_volume.hpp"
 #include "curveups/fabrication/step_file.hpp"
 #include "curveups/fabrication/step_text.hpp"
 #include "support/designs.hpp"
@@ -90,11 +89,12 @@ ReadAssembly read_assembly(const std::string& path) {
   return out;
 }
 
-gp_Pnt centre_of_mass(const TopoDS_Shape& shape) {
+GProp_GProps mass_of(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties);
-  return properties.CentreOfMass();
+  return properties;
 }
+gp_Pnt centre_of_mass(const TopoDS_Shape& shape) { return mass_of(shape).CentreOfMass(); }
 
 class StepFile : public ::testing::Test {
  protected:
@@ -118,7 +118,7 @@ class StepFile : public ::testing::Test {
       const TopoDS_Shape& shape = found->second.shape;
       ASSERT_EQ(shape.ShapeType(), TopAbs_SOLID);
       EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
-      EXPECT_NEAR(solid_volume(shape), volume(*body), 1e-9 * volume(*body));
+      EXPECT_NEAR(mass_of(shape).Mass(), volume(*body), 1e-9 * volume(*body));
       EXPECT_LT(centre_of_mass(shape).Distance(centre_of_mass(make_solid(*body))), 1e-7);
       Standard_Real r, g, b;
       found->second.colour.Values(r, g, b, Quantity_TOC_sRGB);
@@ -304,7 +304,7 @@ TEST_F(StepFile, IsOnePartOfAllSolidsWhereThatIsAskedFor) {
   std::size_t k = 0;
   for (TopExp_Explorer it(reader.OneShape(), TopAbs_SOLID); it.More(); it.Next(), ++k) {
     ASSERT_LT(k, bodies.size());
-    EXPECT_NEAR(solid_volume(it.Current()), volume(*bodies[k]), 1e-9 * volume(*bodies[k]));
+    EXPECT_NEAR(mass_of(it.Current()).Mass(), volume(*bodies[k]), 1e-9 * volume(*bodies[k]));
     std::string name = bodies[k]->name;  // blanks are left out by Entities
     name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
     EXPECT_EQ(entities.text(solids[k]).rfind("MANIFOLD_SOLID_BREP('" + name + "'", 0), 0u);

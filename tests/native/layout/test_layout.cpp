@@ -5,7 +5,6 @@
 #include "curveups/layout/arrange.hpp"
 #include "curveups/layout/initial_layout.hpp"
 #include "curveups/layout/layout.hpp"
-#include "curveups/layout/soft_layout.hpp"
 #include "support/meshes.hpp"
 
 namespace curveups {
@@ -150,67 +149,32 @@ TEST(Arrange, TurnsAPieceToItsSmallestRectangle) {
     EXPECT_GE(extent(angle).prod(), area * (1 - 1e-6));
 }
 
-TEST(SoftLayout, EveryIterateIsHandedOutAndTheEnergyFalls) {
+TEST(Layout, EveryIterateIsHandedOut) {
   const Parameters p;
   const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
-  std::vector<double> values;
-  const LayoutResult result = solve_soft_layout(
-      geometry, p, {}, 100, {}, [&](const FlatPoses& poses, const Array6& q, double e, double) {
-        EXPECT_TRUE(poses.allFinite() && q.allFinite());
-        values.push_back(e);
-        return true;
-      });
+  std::vector<double> energies, violations;
+  const LayoutResult result =
+      solve_layout(geometry, p, {}, LayoutEffort::full,
+                   [&](const FlatPoses& poses, const Array6& q, double energy, double violation) {
+                     EXPECT_TRUE(poses.allFinite() && q.allFinite());
+                     energies.push_back(energy);
+                     violations.push_back(violation);
+                     return true;
+                   });
   EXPECT_TRUE(result.solve.converged());
-  ASSERT_GT(values.size(), 3u);
-  for (std::size_t k = 1; k < values.size(); ++k) EXPECT_LE(values[k], values[k - 1]);
+  ASSERT_GE(static_cast<int>(energies.size()), result.solve.iterations);
   double sum = 0;
   for (const auto& [name, value] : result.energies) sum += value;
-  EXPECT_NEAR(values.back(), sum, 1e-6 * sum);
-  // Soft: near the hard optimum's energy, with a small violation.
-  const LayoutResult hard = solve_layout(geometry, p, {});
-  const ConstraintReport report =
-      check_constraints(geometry, flat_corners(geometry.tiles, result.poses), result.q, p);
-  EXPECT_LT(report.max_gap_violation_mm, 0.6);
-  double hard_sum = 0;
-  for (const auto& [name, value] : hard.energies) hard_sum += value;
-  EXPECT_LT(sum, hard_sum * 1.02);
-}
+  EXPECT_NEAR(energies.back(), sum, 1e-3 * sum);
+  EXPECT_GT(violations.front(), 0.1);
+  EXPECT_LT(violations.back(), 1e-3);
 
-TEST(SoftLayout, ProgressStopsItWithWhatItHas) {
-  const Parameters p;
-  const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
   int calls = 0;
-  double last = -1;
-  const LayoutResult result =
-      solve_soft_layout(geometry, p, {}, 100, [&](const std::string&, double fraction) {
-        EXPECT_GE(fraction, last);
-        last = fraction;
-        return ++calls < 4;
-      });
-  EXPECT_TRUE(result.solve.stopped());
-  EXPECT_EQ(calls, 4);
-  EXPECT_TRUE(result.T.allFinite());
-}
-
-TEST(SoftLayout, CanBeStoppedAndGoOnFromThere) {
-  const Parameters p;
-  const DesignGeometry geometry = make_geometry(test::dome(6), no_cuts, p);
-  int calls = 0;
-  const LayoutResult first = solve_soft_layout(
-      geometry, p, {}, 100, {},
-      [&](const FlatPoses&, const Array6&, double, double) { return ++calls < 3; });
-  EXPECT_TRUE(first.solve.stopped());
-  double start = 0;
-  const LayoutResult second =
-      solve_soft_layout(geometry, p, SoftLayoutStart{first.poses, first.q}, 100, {},
-                        [&](const FlatPoses&, const Array6&, double e, double) {
-                          if (start == 0) start = e;
-                          return true;
-                        });
-  EXPECT_TRUE(second.solve.converged());
-  double sum = 0;
-  for (const auto& [name, value] : first.energies) sum += value;
-  EXPECT_NEAR(start, sum, 1e-6 * sum);
+  const LayoutResult stopped =
+      solve_layout(geometry, p, {}, LayoutEffort::full,
+                   [&](const FlatPoses&, const Array6&, double, double) { return ++calls < 3; });
+  EXPECT_TRUE(stopped.solve.stopped());
+  EXPECT_EQ(calls, 3);
 }
 
 }  // namespace

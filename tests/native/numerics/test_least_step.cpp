@@ -52,22 +52,6 @@ TEST(LeastStep, SharesTheLoadWhereAnUnknownIsAtItsBound) {
   EXPECT_NEAR(step.upper_multiplier(0), 2.0, 1e-5);
 }
 
-TEST(LeastStep, WeighsQuadraticPenalties) {
-  // minimise 1/2 (z - 0.2)^2 + 1/2 k [1 - z]^2.
-  for (double k : {1e-2, 1.0, 1e3, 1e6}) {
-    LeastStepProblem p = make_problem(2, 3);
-    p.wanted = Eigen::Vector2d(0.2, -0.4);
-    p.dense = Eigen::Vector2d(1, 0);
-    p.dense_value = Eigen::VectorXd::Constant(1, -1);
-    p.dense_penalty = 0;
-    p.dense_curvature = k;
-    const LeastStep step = solve_least_step(p);
-    EXPECT_TRUE(step.solve.converged()) << k;
-    EXPECT_NEAR(step.z(0), (0.2 + k) / (1 + k), 1e-6) << k;
-    EXPECT_NEAR(step.z(1), -0.4, 1e-6) << k;
-  }
-}
-
 TEST(LeastStep, SaysByTheMultiplierWhatCannotBeMet) {
   // z1 >= 3 is asked of a box of 1: the row stays at its penalty; the row of the larger one, z2 <=
   // z1 - 1 holds.
@@ -89,7 +73,6 @@ TEST(LeastStep, MeetsTheOptimalityConditionsOfRandomProblems) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int round = 0; round < 8; ++round) {
-    const double stiffness = std::array<double, 8>{0, 0, 0, 0, 0.1, 10, 1e3, 1e5}[round];
     const int n = 60, rows = 90, dense = 6;
     LeastStepProblem p = make_problem(n, 0.3);
     p.sparse.resize(rows, n);
@@ -104,24 +87,15 @@ TEST(LeastStep, MeetsTheOptimalityConditionsOfRandomProblems) {
       for (int i = 0; i < n; ++i) p.dense(i, k) = uniform(generator);
       p.dense_value(k) = -0.2;
     }
-    p.dense_curvature = stiffness;
-    if (stiffness > 0) p.dense_penalty = 0;
     const LeastStep step = solve_least_step(p);
-    ASSERT_TRUE(step.solve.converged()) << stiffness;
+    ASSERT_TRUE(step.solve.converged()) << round;
     const Eigen::VectorXd c = p.sparse * step.z + p.sparse_value,
                           d = p.dense.transpose() * step.z + p.dense_value;
     for (int r = 0; r < rows; ++r) {
       EXPECT_GE(c(r), -1e-7);
       EXPECT_LT(step.sparse_multiplier(r) * c(r), 1e-6);
     }
-    for (int k = 0; k < dense; ++k) {
-      if (stiffness > 0) {
-        EXPECT_NEAR(step.dense_multiplier(k), stiffness * std::max(0.0, -d(k)),
-                    1e-6 * (1 + stiffness));
-      } else {
-        EXPECT_GE(d(k), -1e-7);
-      }
-    }
+    EXPECT_GE(d.minCoeff(), -1e-7);
     const Eigen::VectorXd stationary = step.z - p.sparse.transpose() * step.sparse_multiplier -
                                        p.dense * step.dense_multiplier - step.lower_multiplier +
                                        step.upper_multiplier;

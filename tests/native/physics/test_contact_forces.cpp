@@ -11,8 +11,6 @@
 namespace curveups {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Tiles in a row along x at distance 10, neighbours touching in a square of side 2 in between.
 std::vector<ContactPoint> row_of_tiles(int tiles) {
   std::vector<ContactPoint> points;
@@ -124,7 +122,7 @@ TEST(ContactForces, HeldTilesCarryWhatIsLeft) {
 
 TEST(Unilateral, FindsTheLargestFloorInClosedForm) {
   // 8 N through the middle: 2 N a point. Through y = 0.5: the lighter pair shares 8 (1 - 0.5) / 2.
-  for (double mu : {0.5, infinity}) {
+  for (double mu : {0.5, 5.0}) {
     const UnilateralResult centred = unilateral(on_two({8, 0, 0}, {0, 0, 0}), mu, 10);
     ASSERT_EQ(centred.solve.status, SolveStatus::converged);
     EXPECT_NEAR(centred.largest_floor, 2, 1e-4);
@@ -139,14 +137,14 @@ TEST(Unilateral, FindsTheLargestFloorInClosedForm) {
 
 TEST(Unilateral, SaysInfeasibleWhereItIs) {
   // Pulled apart.
-  for (double mu : {0.5, infinity}) {
+  for (double mu : {0.5, 5.0}) {
     const UnilateralResult apart = unilateral(on_two({-4, 0, 0}, {0, 0, 0}), mu);
     EXPECT_EQ(apart.solve.status, SolveStatus::infeasible);
     EXPECT_NEAR(apart.largest_floor, -1, 1e-3);
   }
   // Tipped over the edge of the only contact: the line of action passes at y = 1.2.
   const Wrenches tipped = on_two({8, 0, 0}, Vec3(0, 1.2, 0).cross(Vec3(8, 0, 0)));
-  EXPECT_EQ(unilateral(tipped, infinity).solve.status, SolveStatus::infeasible);
+  EXPECT_EQ(unilateral(tipped, 5).solve.status, SolveStatus::infeasible);
   EXPECT_LT(unilateral(tipped, 0.5).largest_floor, -1e-3);
   EXPECT_EQ(unilateral(on_two({8, 0, 0}, Vec3(0, 0.99, 0).cross(Vec3(8, 0, 0))), 0.5).solve.status,
             SolveStatus::converged);
@@ -159,7 +157,6 @@ TEST(Unilateral, FollowsTheFrictionCone) {
     const Wrenches loads = on_two(Vec3(8, 0, 0) + shear, {0, 0, 0});
     EXPECT_EQ(unilateral(loads, 0.502).solve.status, SolveStatus::converged) << angle;
     EXPECT_EQ(unilateral(loads, 0.498).solve.status, SolveStatus::infeasible) << angle;
-    EXPECT_EQ(unilateral(loads, infinity).solve.status, SolveStatus::converged);
   }
 }
 

@@ -129,7 +129,7 @@ TEST(Loads, GravityIsCarriedByHeldTilesOrByThePlane) {
   // One end of the dome carries it in another way than the other.
   EXPECT_NE(held.contact_forces.normal_min, light.contact_forces.normal_min);
   // What holds two neighbours holds them together as well: nothing is asked of their contact.
-  const std::array<int, 2> pair = light.contact_tiles[0];
+  const std::array<int, 2> pair = {light.contact_tiles(0, 0), light.contact_tiles(0, 1)};
   design.parameters.held_tiles = tile_name(pair[0]) + "," + tile_name(pair[1]);
   const VerificationReport both = verify_design(design, {}, {});
   EXPECT_TRUE(std::isnan(both.contact_normal_min(0)));

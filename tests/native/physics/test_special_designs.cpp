@@ -65,7 +65,7 @@ TEST(SpecialDesign, ACutTakesItsContactsAndMembraneAway) {
   for (int k = 0; k < 3; ++k) design.cuts.row(k) << slit[k][0], slit[k][1];
   const VerificationReport cut = verify_design(design, {}, {});
   expect_equilibrium(cut);
-  EXPECT_EQ(cut.contact_tiles.size() + 3, whole.contact_tiles.size());
+  EXPECT_EQ(cut.contact_tiles.rows() + 3, whole.contact_tiles.rows());
   EXPECT_LT(cut.physics.triangles, whole.physics.triangles);
   EXPECT_EQ(cut.unilateral.status, SolveStatus::converged);
 }

@@ -38,11 +38,6 @@ TEST(Verify, ADomeBalancesAndPushesEverywhere) {
   EXPECT_LT(r.contact_forces.imbalance, 1e-9);
   EXPECT_GT(r.contact_forces.normal_mean, 0);
   EXPECT_EQ(r.unilateral.status, SolveStatus::converged);
-  EXPECT_GE(r.unilateral.unlimited_largest_floor,
-            r.unilateral.largest_floor - 1e-3 * r.contact_forces.normal_mean);
-  // Least squares is one of the balanced sets: its least force can't beat the largest floor.
-  EXPECT_LE(r.contact_forces.normal_min,
-            r.unilateral.unlimited_largest_floor + 2e-3 * r.contact_forces.normal_mean);
   EXPECT_TRUE(r.valid);
   EXPECT_TRUE(r.reasons.empty());
 }
@@ -124,7 +119,7 @@ TEST(Verify, OneTileAndTwoTiles) {
     const VerificationReport r = verify_design(spread_design(part, 1.35, 1.2), {}, {});
     EXPECT_TRUE(r.physics.converged);
     EXPECT_EQ(r.unilateral.status, SolveStatus::converged);
-    EXPECT_EQ(r.contact_tiles.size(), static_cast<std::size_t>(count - 1));
+    EXPECT_EQ(r.contact_tiles.rows(), count - 1);
   }
 }
 
@@ -202,7 +197,6 @@ TEST(Verify, TilesWithDimplesAreJudgedAtTheirWalls) {
   design.parameters.held_tiles = "T00001";
   const VerificationReport slippery = verify_design(design, {}, {});
   ASSERT_EQ(slippery.unilateral.status, SolveStatus::infeasible);
-  ASSERT_EQ(slippery.unilateral.unlimited_status, SolveStatus::converged);
   EXPECT_TRUE(mentions(slippery, "dimples stop what slides after"));
 }
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines on a design's overlay along edges between tiles, wherever the tiles are drawn just now, and marks
-at contacts."""
+"""Lines on a design's overlay along edges between tiles, wherever the tiles are drawn just now."""
 
 from __future__ import annotations
 
@@ -15,7 +14,6 @@ from .nodes import fill
 COLOURS = {"cut": (0.0, 0.0, 0.0), "selected": (0.90, 0.62, 0.0), "hovered": (0.34, 0.71, 0.91),
            "suggested": (0.84, 0.37, 0.0)}
 _WIDTHS = {"cut": 5.0, "selected": 7.0, "hovered": 6.0, "suggested": 4.0}
-_WEAK = (0.80, 0.10, 0.45)
 
 
 class CutLines:
@@ -33,15 +31,13 @@ class CutLines:
         for part in (never, plain):
             self.node.addChild(part)
         self._lines = {kind: self._add_lines(COLOURS[kind], _WIDTHS[kind]) for kind in COLOURS}
-        self._weak = self._add_marks()
         overlay.node.addChild(self.node)
 
     def close(self) -> None:
         self._overlay.node.removeChild(self.node)
 
-    def draw(self, kinds: Mapping[str, Iterable[Sequence[int]]],
-             weak: Iterable[Sequence[int]]) -> None:
-        """kinds: pairs of vertices by kind of line. weak: pairs of tiles whose contact is marked."""
+    def draw(self, kinds: Mapping[str, Iterable[Sequence[int]]]) -> None:
+        """kinds: pairs of vertices by kind of line."""
         scene = self._overlay.scene
         if scene is None:
             return
@@ -55,9 +51,6 @@ class CutLines:
             lines.numVertices.setNum(0)
             fill(points.point, places)
             fill(lines.numVertices, np.full(len(places) // 2, 2, np.int32))
-        pairs = np.array([(int(a), int(b)) for a, b in weak], int).reshape(-1, 2)
-        found = [self._middles(corners, shift, pairs) for corners, shift in figures] if len(pairs) else []
-        fill(self._weak.point, np.concatenate(found) if found else np.zeros((0, 3)))
 
     def _know(self, F: np.ndarray) -> None:
         if F is self._F:
@@ -72,15 +65,6 @@ class CutLines:
         tile, k = np.array(sides).T
         return (np.stack([corners[tile, k], corners[tile, (k + 1) % 3]], axis=1) + shift).reshape(-1, 3)
 
-    def _middles(self, corners: np.ndarray, shift: np.ndarray, pairs: np.ndarray) -> np.ndarray:
-        """Between the edges that two tiles share."""
-        places = []
-        for i, j in pairs:
-            shared = set(self._F[i]).intersection(self._F[j])
-            ends = [corners[t, k] for t in (i, j) for k in range(3) if self._F[t][k] in shared]
-            places.append(np.mean(ends, axis=0) + shift)
-        return np.array(places)
-
     def _add_lines(self, colour: tuple, width: float) -> tuple[Any, Any]:
         part, style, points, lines = (coin.SoSeparator(), coin.SoDrawStyle(), coin.SoCoordinate3(),
                                       coin.SoLineSet())
@@ -93,14 +77,3 @@ class CutLines:
         points.point.setNum(0)
         lines.numVertices.setNum(0)
         return points, lines
-
-    def _add_marks(self) -> Any:
-        part, shade, points, marks = (coin.SoSeparator(), coin.SoBaseColor(), coin.SoCoordinate3(),
-                                      coin.SoMarkerSet())
-        shade.rgb = _WEAK
-        marks.markerIndex = coin.SoMarkerSet.TRIANGLE_FILLED_9_9
-        for node in (shade, points, marks):
-            part.addChild(node)
-        self.node.addChild(part)
-        points.point.setNum(0)
-        return points

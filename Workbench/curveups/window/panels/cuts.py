@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of Cuts: edges are picked in the view, each click a step of undo; a quick layout follows."""
+"""The panel of Cuts: edges are picked in the view, each click a step of undo; the layout follows."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from ..overlay.edge_tool import EdgeTool
 from ..overlay.picking import Pick
 from ..qt import QtCore, QtWidgets, load_ui, translate
 from ..run import LIVE, Task
+from .cut_layout import CutLayout
 from .following import Following
-from .soft_layout import SoftLayout
 
 _INTERVAL = 150  # ms between looks at whether the cuts have changed elsewhere, by undo above all
 
@@ -40,7 +40,7 @@ class CutsPanel(Following):
         self._preview: list[Edge] = []
         self._listed: Optional[tuple] = None
         self._search: Any = None
-        self._soft: Optional[SoftLayout] = None
+        self._layout: Optional[CutLayout] = None
         self._follow(design)
         self._lines = CutLines(self._overlay)
         self._tool: Optional[EdgeTool] = None
@@ -49,7 +49,7 @@ class CutsPanel(Following):
         form.suggest.clicked.connect(lambda *_: self._suggest())
         form.accept.clicked.connect(lambda *_: self._accept())
         form.stop.clicked.connect(lambda *_: LIVE.stop())
-        form.live.toggled.connect(lambda on: self._lay_out() if on else self._stop_soft())
+        form.live.toggled.connect(lambda on: self._lay_out() if on else self._stop_layout())
         form.cuts.itemSelectionChanged.connect(lambda: self._draw())
         form.suggested.itemSelectionChanged.connect(lambda: self._show_suggestion())
         form.suggested.setVisible(False)
@@ -103,7 +103,7 @@ class CutsPanel(Following):
 
     def _begin(self, project: Any) -> None:
         self._paths = CutPaths(project.latest("fairing").V, project.latest("target").F)
-        self._soft = SoftLayout(self.design, project)
+        self._layout = CutLayout(self.design, project)
         self._tool = EdgeTool(self.design, self._hover, self._click, self._begin_anew)
         self._look_at_cuts()
 
@@ -214,12 +214,12 @@ class CutsPanel(Following):
         for kind, edges in kinds.items():
             kinds[kind] = [edge for edge in edges if (min(edge), max(edge)) not in taken]
             taken.update((min(edge), max(edge)) for edge in edges)
-        self._lines.draw(kinds, self._soft.weak if self._soft is not None and self._soft.shown else ())
+        self._lines.draw(kinds)
 
     # Suggestions.
 
     def _suggest(self) -> None:
-        self._stop_soft()
+        self._stop_layout()
         with errors_shown(translate("CurveUps_Cuts", "Suggest")):
             twin = document.project_of(self.design).copy()
             request = CutRequest(edges=document.cuts_of(self.design))
@@ -268,37 +268,36 @@ class CutsPanel(Following):
         self._list_suggestions()
         self._set([*self._edges(), *added], translate("CurveUps_Cuts", "Accept suggested cuts"))
 
-    # The quick layout.
+    # The layout that follows.
 
     def _lay_out(self) -> None:
-        if self._soft is None or not self.form.live.isChecked() or not self._overlay_fits():
+        if self._layout is None or not self.form.live.isChecked() or not self._overlay_fits():
             return
         with errors_shown(translate("CurveUps_Cuts", "Lay out")):
-            self._soft.start(document.cuts_of(self.design), self._laid_out)
+            self._layout.start(document.cuts_of(self.design), self._laid_out)
 
     def _overlay_fits(self) -> bool:
         scene = self._overlay.scene
         return scene is not None and self._paths is not None and np.array_equal(scene.F, self._paths.F)
 
     def _laid_out(self) -> None:
-        """The quick layout stands: it is shown, not stored."""
-        if self._overlay.closed or self._soft is None:
+        """The layout stands: it is shown, not stored."""
+        if self._overlay.closed or self._layout is None:
             return
-        self._soft.show(self._overlay)
-        count = len(self._soft.weak)
+        self._layout.show(self._overlay)
         self.form.doing.setText(translate(
-            "CurveUps_Cuts", "Quick layout in {seconds:.1f} s; contacts that are likely to be weak (marked "
-            "by triangles): {count}. Solve makes the exact one.", seconds=self._soft.seconds, count=count))
+            "CurveUps_Cuts", "Layout in {seconds:.1f} s. Solve repairs and verifies it.",
+            seconds=self._layout.seconds))
         self._draw()
 
-    def _stop_soft(self) -> None:
+    def _stop_layout(self) -> None:
         if LIVE.runs_on(self.design):
             LIVE.cancel()
 
     # What is going on.
 
     def _say(self, text: str) -> None:
-        if self._soft is not None and self._soft.restarting:
+        if self._layout is not None and self._layout.restarting:
             return  # that it was cancelled for the next cut is no news
         self.form.line.setText(text)
         self.form.line.setVisible(bool(text))

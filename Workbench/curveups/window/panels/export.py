@@ -14,7 +14,6 @@ from ...base.errors import CurveUpsError
 from ...features import actions
 from ...features.document import settings_of
 from ...project.worker import Status
-from ...report.export_estimate import estimate
 from ...report.exports import Choice, choices, file_names, other_report
 from ..macro import call, named
 from ..notice import errors_shown, show_in, with_links
@@ -56,10 +55,8 @@ class ExportPanel:
         form.browse.clicked.connect(lambda *_: self._browse())
         form.write.clicked.connect(lambda *_: self.write())
         form.cancel.clicked.connect(lambda *_: LIVE.cancel())
-        form.files.itemChanged.connect(lambda *_: self._estimate())
-        form.deviation.valueChanged.connect(lambda *_: self._estimate())
-        form.reports.toggled.connect(lambda *_: self._estimate())
-        form.names.textChanged.connect(lambda *_: self._estimate())
+        form.files.itemChanged.connect(lambda *_: self._show_names())
+        form.names.textChanged.connect(lambda *_: self._show_names())
         form.insist.toggled.connect(lambda *_: self._show_running(LIVE.runs_on(design)))
         for label in (form.line, form.doubts):
             label.linkActivated.connect(_follow)
@@ -67,7 +64,7 @@ class ExportPanel:
         show_in(self._say)
         LIVE.observe(self._show_run)
         self._show_doubts()
-        self._estimate()
+        self._show_names()
         self._show_running(LIVE.runs_on(design))
 
     def getStandardButtons(self) -> int:
@@ -137,7 +134,7 @@ class ExportPanel:
 
     def _tick_files(self) -> None:
         for kind, ending in choices():
-            item = QtWidgets.QTreeWidgetItem([_bodies(kind), ending.upper(), ""])
+            item = QtWidgets.QTreeWidgetItem([_bodies(kind), ending.upper()])
             item.setData(0, QtCore.Qt.UserRole, f"{kind}.{ending}")
             item.setCheckState(0, QtCore.Qt.Checked if (kind, ending) in _FIRST else QtCore.Qt.Unchecked)
             self.form.files.addTopLevelItem(item)
@@ -165,21 +162,12 @@ class ExportPanel:
         self.form.doubts.setVisible(bool(found))
         self.form.insist.setVisible(bool(found))
 
-    def _estimate(self) -> None:
-        choice, tiles = self.choice(), int(self.design.TileCount)
-        for item in self._items():
-            kind, ending = item.data(0, QtCore.Qt.UserRole).split(".")
-            size, _ = estimate(tiles, self._parameters, Choice(((kind, ending),), deviation=choice.deviation,
-                                                               reports=False))
-            item.setText(2, _megabytes(size))
-        size, seconds = estimate(tiles, self._parameters, choice)
-        text = translate("CurveUpsExport", "about {size} in {seconds:.0f} s", size=_megabytes(size),
-                         seconds=max(1.0, seconds))
+    def _show_names(self) -> None:
         try:
-            names = list(file_names(self.design.Label, choice).values())
+            names = list(file_names(self.design.Label, self.choice()).values())
         except CurveUpsError as error:
             names = [str(error)]
-        self.form.estimate.setText(f"{text}\n{', '.join(names)}")
+        self.form.chosen.setText(", ".join(names))
 
     def _show_running(self, running: bool) -> None:
         form = self.form
@@ -223,7 +211,3 @@ def _bodies(kind: str) -> str:
             "anchors": translate("CurveUpsExport", "Anchors"),
             "print": translate("CurveUpsExport", "Whole print"),
             "actuated": translate("CurveUpsExport", "Tiles in shape")}.get(kind, kind)
-
-
-def _megabytes(size: float) -> str:
-    return f"{size / 1e6:.1f} MB" if size >= 5e4 else f"{size / 1e3:.0f} kB"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Values of a target for each tile that show, before anything is solved, where it is hard.
+// Values for each tile and contact: of a target, that show before anything is solved where it is
+// hard; of a layout, that need no membranes.
 #pragma once
 
 #include "curveups/design/design.hpp"
@@ -29,5 +30,15 @@ struct TargetFields {
 // no errors here.
 TargetFields target_fields(const TriangleMesh& mesh, const Edges& cuts,
                            const Parameters& parameters);
+
+struct DesignFields {
+  Edges contacts;       // N x 2 tiles
+  Eigen::VectorXd gap;  // N, mm: what Eq. 7 bounds, see contact_gaps
+  PerSide pin_area;     // M, mm2; negative where insets turn a pin over
+};
+
+// Throws InvalidInput where T or q have other sizes or are not finite, and what make_geometry
+// throws.
+DesignFields design_fields(const Design& design);
 
 }  // namespace curveups

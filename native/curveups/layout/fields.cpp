@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/layout/target_fields.hpp"
+#include "curveups/layout/fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/design/constraints.hpp"
 #include "curveups/geometry/conformal_map.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/layout/initial_layout.hpp"
@@ -78,7 +79,7 @@ TargetFields target_fields(const TriangleMesh& mesh, const Edges& cuts, const Pa
   const int count = tiles.tile_count();
   const auto contact_count = static_cast<Eigen::Index>(tiles.contacts.size());
   TargetFields out;
-  out.contacts.resize(contact_count, 2);
+  out.contacts = contact_tiles(tiles);
   out.fold.resize(contact_count);
   out.least_stretch.resize(count);
   out.most_stretch.setConstant(count, std::numeric_limits<double>::infinity());
@@ -87,7 +88,6 @@ TargetFields target_fields(const TriangleMesh& mesh, const Edges& cuts, const Pa
   }
   for (Eigen::Index k = 0; k < contact_count; ++k) {
     const Contact& contact = tiles.contacts[static_cast<std::size_t>(k)];
-    out.contacts.row(k) << contact.tile[0], contact.tile[1];
     out.fold[k] = degrees * tiles.fold(contact.tile[0], contact.side[0]);
     const double gap = widest_gap(tiles, p, contact);
     for (int i : contact.tile) {
@@ -106,6 +106,25 @@ TargetFields target_fields(const TriangleMesh& mesh, const Edges& cuts, const Pa
     }
   });
   out.stretch = start_stretch(tiles, out.least_stretch);
+  return out;
+}
+
+DesignFields design_fields(const Design& design) {
+  const auto count = static_cast<int>(design.mesh.F.rows());
+  require_row_per_tile(design.T, count, "T");
+  require_row_per_tile(design.q, count, "q");
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  const TileMesh& tiles = geometry.tiles;
+  const FlatPoses poses = fit_poses(tiles, design.T);
+  DesignFields out;
+  out.contacts = contact_tiles(tiles);
+  out.gap = contact_gaps(tiles, poses);
+  out.pin_area.resize(tiles.tile_count(), 2);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (Side side : {Side::front, Side::back}) {
+      out.pin_area(i, static_cast<int>(side)) = pin_area(tiles, i, side, design.q.row(i).data());
+    }
+  }
   return out;
 }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Checks of a remeshed target.
+// What tiles can be of a remeshed target, and what gives them room.
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/bodies/facing_pins.hpp"
 #include "curveups/design/target_checks.hpp"
 #include "curveups/design/tile_margins.hpp"
+#include "curveups/refinement/fairing.hpp"
+#include "curveups/refinement/pin_relief.hpp"
 
 namespace curveups::bindings {
 
-void bind_target_checks(py::module_& module) {
+void bind_targets(py::module_& module) {
   py::class_<TargetFinding>(
       module, "TargetFinding",
       "What can't work on a target, or may not: kind, message, remedy, tiles.")
@@ -73,6 +75,52 @@ void bind_target_checks(py::module_& module) {
       "Pairs of tiles without a common vertex of which a pin of one would run into the other. "
       "Raises "
       "InfeasibleDesign where tiles have no back face.");
+
+  py::class_<SmallPin>(module, "SmallPin", "A pin side whose bounds leave less than A_pin_min.")
+      .def_readonly("tile", &SmallPin::tile)
+      .def_property_readonly(
+          "side", [](const SmallPin& p) { return p.side == Side::front ? "front" : "back"; })
+      .def_readonly("area", &SmallPin::area, "mm2");
+  py::class_<PinRelief>(module, "PinRelief", "Vertices moved so that pins have room.")
+      .def_property_readonly("V", [](const PinRelief& r) { return r.mesh.V; })
+      .def_readonly("largest_move_mm", &PinRelief::largest_move)
+      .def_readonly("relieved", &PinRelief::relieved)
+      .def_readonly("remaining", &PinRelief::remaining);
+  module.def(
+      "relieve_pins",
+      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, const Parameters& parameters,
+         py::object progress) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+        return without_gil(std::move(progress), [&](const Progress& sink) {
+          return relieve_pins(mesh, edges, parameters, sink);
+        });
+      },
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
+      py::arg("progress") = py::none(),
+      "Moves vertices a little where folds leave pin sides less than A_pin_min.");
+
+  py::class_<FairedSurface>(module, "FairedSurface", "Vertices moved so that tiles are possible.")
+      .def_property_readonly("V", [](const FairedSurface& s) { return s.mesh.V; })
+      .def_readonly("move", &FairedSurface::move, "of each vertex, mm")
+      .def_readonly("fixed", &FairedSurface::fixed)
+      .def_readonly("remaining", &FairedSurface::remaining)
+      .def_readonly("overlapping", &FairedSurface::overlapping)
+      .def_readonly("steps", &FairedSurface::steps);
+  module.def(
+      "fair_surface",
+      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, const EdgesIn& kept,
+         double largest_move, const Parameters& parameters, py::object progress) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
+        const Edges lines = read_edges(kept, mesh.V.rows(), "kept");
+        return without_gil(std::move(progress), [&](const Progress& sink) {
+          return fair_surface(mesh, edges, lines, largest_move, parameters, sink);
+        });
+      },
+      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("kept"), py::arg("largest_move"),
+      py::arg("parameters"), py::arg("progress") = py::none(),
+      "Moves vertices until every tile has a back face and room for its pins.");
 }
 
 }  // namespace curveups::bindings
