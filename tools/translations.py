@@ -45,6 +45,9 @@ def texts_of_python(source: str) -> Iterator[Text]:
             values = [argument.value for argument in node.args[:2] if isinstance(argument, ast.Constant)]
             if marker in MARKERS and len(values) == 2:
                 yield str(values[0]), str(values[1])
+            elif marker == "Stage":
+                yield from (("CurveUpsSolve", word.value.value) for word in node.keywords
+                            if word.arg == "label" and isinstance(word.value, ast.Constant))
             elif marker == "Field":  # of the overlay: its name, and what is wrong beyond its limit
                 named = [word.value for word in node.keywords if word.arg == "problem"]
                 for value in (*node.args[:1], *named):
@@ -56,11 +59,7 @@ def texts_of_parameters() -> set[Text]:
     """Tooltips of parameters, which are in the native module."""
     sys.path.insert(0, str(ROOT / "Workbench"))
     from curveups.features import properties
-    from curveups.base.native import problem
 
-    if problem() is not None:
-        return {text for path in FOLDER.glob("CurveUps_*.ts") for text in translations(path)
-                if text[0] == PROPERTIES}
     return {(PROPERTIES, properties.tip_of(row)) for row in properties.rows()}
 
 

@@ -26,11 +26,11 @@ def test_targets_are_listed_one_a_line(curveups):
 
 
 def test_every_parameter_has_unit_default_range_and_meaning(curveups):
-    from curveups.base.native import native
+    from curveups.base.parameters import table
 
     ran = curveups("parameters")
     assert ran.status == 0
-    for row in native.parameter_table():
+    for row in table():
         line = next(x for x in ran.out.splitlines() if x.startswith(f"  {row.name} "))
         assert row.meaning in line
         if row.unit:

@@ -7,12 +7,12 @@ from xml.etree import ElementTree
 from running import ROOT
 
 from curveups.features.properties import property_name
-from curveups.base.native import native
+from curveups.base.parameters import table
 
 
 def test_the_preference_page_has_the_table_s_ranges_and_defaults():
     page = ElementTree.parse(ROOT / "resources" / "ui" / "preferences.ui")
-    rows = {property_name(row.name): row for row in native.parameter_table()}
+    rows = {property_name(row.name): row for row in table()}
     found = 0
     for widget in page.iter("widget"):
         values = {item.get("name"): (item[0].text or "") for item in widget.findall("property")}

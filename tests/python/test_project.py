@@ -11,6 +11,7 @@ from curveups.project import project as projects
 from curveups.project import saved_results
 from curveups.base.errors import CurveUpsError, Stopped
 from curveups.base.native import native
+from curveups.base.parameters import table
 from curveups.project.project import Project
 from curveups.stages import STAGES
 from curveups.stages.cut_request import CutRequest
@@ -142,7 +143,7 @@ def test_no_stage_reads_a_parameter_that_it_does_not_declare(project):
     base = made.parameters
     names = ("surface", "target", "cuts", "relief", "layout", "figures", "bodies", "suggestions")
     expected = {name: figures(name, base) for name in names}
-    for row in native.parameter_table():
+    for row in table():
         if row.name in ("verify", "L"):
             continue
         other = changed(native.Parameters(base), **{row.name: OTHER[row.type](row, base.get(row.name))})
@@ -161,7 +162,7 @@ def test_verification_reads_what_it_declares(project):
         return str(found.report())
 
     expected = blocks(made.parameters)
-    for row in native.parameter_table():
+    for row in table():
         if row.name in stage.parameters(made.parameters) or row.name == "L":
             continue
         value = OTHER[row.type](row, made.parameters.get(row.name))

@@ -87,8 +87,8 @@ def variants(xml):
                 yield f"{obj}-renamed-{name}", changed(renamed(text, name))
             if kind != "App::PropertyString":
                 continue
-            for k, value in enumerate(("", "{", "[]", "{}", "null", '{"parameters": 3}',
-                                       '{"design": [], "parameters": {"HBody": "x"}, "valid": 5}',
+            for k, value in enumerate(("", "{", "[]", "{}", "null", '{"records": 3}',
+                                       '{"records": {"design": {"key": {"L": 3}}}, "valid": 5}',
                                        stored_text(text, name)[:-20])):
                 if name not in ("CurveUpsVersion",):
                     yield f"{obj}-{name}-is-{k}", changed(with_text(text, name, value))
@@ -107,8 +107,8 @@ def tampered(dome_document, tmp_path_factory):
 
 
 @pytest.mark.parametrize("name, state", [
-    ("Design-Results-is-1", "out of date"), ("Design-Solved-is-1", "empty"),
-    ("Design-without-Solved", "empty"), ("Design-without-Layout", "current")])
+    ("Design-Results-is-1", "out of date"), ("Design-Keys-is-1", "empty"),
+    ("Design-without-Keys", "empty"), ("Design-without-Layout", "current")])
 def test_damaged_results_are_said(tampered, name, state):
     """They are no layout that is current, and Solve makes a sound design of them."""
     document = FreeCAD.openDocument(f"{tampered}/{name}.FCStd")

@@ -9,6 +9,7 @@ from typing import Any, Iterator, TextIO
 
 from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
 from ..base.native import native, translated
+from ..base.parameters import parameter, table
 from ..base.output import Folder, is_text, plain_name, require_folder_name, safe_name
 from ..base.profiles import ABOUT, profile_path
 from ..base.progress import Interrupt, Reporter
@@ -17,7 +18,7 @@ from ..features.document_file import write_document
 from ..project.project import Project, Results
 from ..report import check as check_report
 from ..report.files import Writing, write_check, write_obj, write_verification
-from ..stages import CHECKED, DESIGNED, PRINTED, sizes
+from ..stages import asked_by, sizes
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.stage import Job
 from ..stages.surface import find_source
@@ -55,7 +56,7 @@ def design(options: Any, session: Session) -> int:
     job = session.job
     if cuts.suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
-    goals = (*DESIGNED, *(() if options.no_solids else PRINTED))
+    goals = (*asked_by("solve"), *(() if options.no_solids else asked_by("print")))
     with Writing(options.output, job, write_document, session.interrupt.shielded) as writing:
         results = project.run(goals, job, watch=writing.watch, expect=writing.expect)
         stopped = writing.end(results)
@@ -70,7 +71,7 @@ def check(options: Any, session: Session) -> int:
     # Closed surfaces are looked at too, and told to be.
     project = _project(options, replace(cuts, suggested=1), session, not options.no_remesh)
     project.give("cut request", cuts)
-    results = project.run(CHECKED, session.job)
+    results = project.run(asked_by("check"), session.job)
     if options.output:
         with session.interrupt.shielded():
             write_check(results, options.output)
@@ -100,7 +101,7 @@ def targets(options: Any, session: Session) -> int:
 def parameters(options: Any, session: Session) -> int:
     """curveups parameters"""
     group = None
-    for row in native.parameter_table():
+    for row in table():
         if row.group != group:
             session.answer(f"{'' if group is None else chr(10)}{row.group}")
             group = row.group
@@ -117,8 +118,7 @@ def verify(options: Any, session: Session) -> int:
     parameters = project.parameters
     parameters.set("verify", True)
     project.parameters = parameters
-    goals = ("figures", "clearances", "verification", "recheck", "pieces")
-    results = project.run(goals, session.job, strict=True)
+    results = project.run(asked_by("verify"), session.job, strict=True)
     if options.output:
         with session.interrupt.shielded():
             write_verification(results, design, options.output)
@@ -131,20 +131,21 @@ def export(options: Any, session: Session) -> int:
     project = Project.of_design(_read_design(options.design), str(options.design))
     values, rebuilt = project.parameters, False
     for name, text in _settings(options.settings):
-        row = native.find_parameter(name)
+        known = native.parameter_name(name)
+        row = parameter(known) if known else None
         before = values.get(name) if row else None
         _set(values, name, text, f"--set {name}", session)
         if row is None:  # retired
             continue
-        if row.tier not in ("rebuild", "files"):
+        if row.effect not in ("rebuild", "files"):
             raise CurveUpsError(f"{name} can't change on export", f"--set {name}",
                                 "run 'curveups design' with it")
-        rebuilt |= row.tier == "rebuild" and values.get(name) != before
+        rebuilt |= row.effect == "rebuild" and values.get(name) != before
     project.parameters = values
     job = session.job
     note = "geometry changed since verification" if rebuilt else "an export does not verify"
     with Writing(options.output, job, write_document, session.interrupt.shielded) as writing:
-        results = project.run(("figures", *PRINTED), job, strict=True, note=note, watch=writing.watch,
+        results = project.run(asked_by("print"), job, strict=True, note=note, watch=writing.watch,
                               expect=writing.expect)
         stopped = writing.end(results)
     return _finish(results, options.output, session, stopped)

@@ -17,14 +17,14 @@ from ..base.errors import CurveUpsError
 from ..base.output import safe_name
 from ..project.project import Project, Results
 from ..report.exports import Choice, File, choices, report as write_report, write_export, write_step
-from ..stages import DESIGNED, sizes
+from ..stages import asked_by, sizes
 from ..stages.layout import Layout
 from ..stages.stage import Job
 from . import live, properties, rebuild, status
 from .document import state_of, take, take_bodies
+from .keys import read_keys
 
 Work = Callable[[Job], Results]
-VERIFIED = ("figures", "clearances", "verification", "recheck", "pieces")
 
 
 @dataclass(frozen=True)
@@ -54,10 +54,10 @@ def _repaired(design: Any) -> Project:
 
 
 RUNS = {
-    "check": Run("Check", ("feasibility", "sizes"), live.project_of),
-    "solve": Run("Solve", DESIGNED, live.project_of, anew=True),
-    "verify": Run("Verify", VERIFIED, live.design_project_of),
-    "repair": Run("Repair", ("design", *VERIFIED), _repaired),
+    "check": Run("Check", asked_by("check"), live.project_of),
+    "solve": Run("Solve", asked_by("solve"), live.project_of, anew=True),
+    "verify": Run("Verify", asked_by("verify"), live.design_project_of),
+    "repair": Run("Repair", ("design", *asked_by("verify")), _repaired),
     "build_solids": Run("Build Solids", rebuild.GOALS, live.design_project_of, strict=True),
 }
 _made: dict[tuple[str, str, str], Any] = {}  # by a thread, for the function that is called next
@@ -163,7 +163,7 @@ def _run(which: str, design: Any) -> Results:
         take_bodies(design, results)
     else:
         with transaction(design.Document, RUNS[which].title):
-            first = status.record(design, "Solved") == {}
+            first = "design" not in read_keys(design).records
             take(design, results)
             if first and which == "solve" and design.Target.Source is not None:
                 design.Target.Source.Visibility = False  # it would cover the layout

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
+from .keys import Keys, write_keys
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, PartProxy, add
 
 KINDS = {"Tiles": "tiles", "Support": "support", "Anchors": "anchors"}  # by slot
@@ -19,15 +19,19 @@ class BodiesProxy(PartProxy):
     def add_properties(self, obj: Any) -> None:
         super().add_properties(obj)
         add(obj, "App::PropertyString", "Kind", "Base", "Which of the design's bodies.", READ_ONLY)
-        add(obj, "App::PropertyString", "BuiltFrom", "Base", "The design and values this was built from.",
-            READ_ONLY | HIDDEN | OUTPUT)
+        add_keys(obj)
 
 
-def write_body(obj: Any, shape: Any, origin: dict[str, Any], placement: Any) -> None:
-    """origin: digest of the design and parameters by property."""
+def add_keys(obj: Any) -> None:
+    """Where a body says what it was built from."""
+    add(obj, "App::PropertyString", "Keys", "Base", "What this was built from.", READ_ONLY | HIDDEN | OUTPUT)
+
+
+def write_body(obj: Any, shape: Any, keys: Keys, placement: Any) -> None:
+    """keys: of what it was built from."""
     # In the shape: an object that is moved goes through all its solids once more.
     if not placement.isIdentity():
         shape.Placement = placement
     obj.Shape = shape
-    obj.BuiltFrom = json.dumps(origin)
+    write_keys(obj, keys)
     obj.purgeTouched()

@@ -14,6 +14,7 @@ from ..base.native import native, problem
 from ..project.project import Project
 from . import figures, live, properties, rebuild, status, target
 from .copies import own_parts
+from .keys import read_keys
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, is_old, show, write
 
 
@@ -42,11 +43,8 @@ class DesignProxy(Proxy):
         figures.add_figures(obj)
         hidden = READ_ONLY | HIDDEN | OUTPUT
         add(obj, "App::PropertyString", "Results", "Base", "Everything that was computed.", hidden)
-        add(obj, "App::PropertyString", "ResultsDigest", "Base", "Of Results, as they were written.", hidden)
-        add(obj, "App::PropertyString", "Solved", "Base", "What the layout was made from.", hidden)
-        add(obj, "App::PropertyString", "Judged", "Base", "The verdict and what it was made from.", hidden)
-        add(obj, "App::PropertyString", "Rebuilt", "Base", "What holds for values that are not judged yet.",
-            hidden)
+        add(obj, "App::PropertyString", "Keys", "Base", "What results were made from.", hidden)
+        add(obj, "App::PropertyString", "RebuiltKeys", "Base", "What solids were made from.", hidden)
         add(obj, "App::PropertyString", "CurveUpsVersion", "Base", "The version that made this object.",
             READ_ONLY)
         if not obj.CurveUpsVersion:
@@ -82,7 +80,7 @@ class DesignProxy(Proxy):
                 if part is not None and "Placement" in part.PropertiesList:
                     part.Placement = obj.Placement
                     part.purgeTouched()
-        elif name in _WATCHED or properties.tier_of(obj, name):
+        elif name in _WATCHED or properties.parameter_of(name):
             self.refresh(obj)
 
     def refresh(self, obj: Any) -> None:
@@ -124,10 +122,9 @@ class DesignProxy(Proxy):
         if obj.Target is not None:
             show(obj.Target)  # it has no proxy that would
         self.refresh(obj)
-        if obj.Results and not (status.are_intact(obj) and status.record(obj, "Solved")):
+        if obj.Results and not (status.are_intact(obj) and read_keys(obj).records):
             FreeCAD.Console.PrintError(f"{obj.Label}: {obj.Reasons[0]}\n")
 
 
 # A change of these is a change of state, whoever makes it.
-_WATCHED = (*SLOTS, "Verdict", "Reasons", "Status", "Results", "ResultsDigest", "Solved", "Judged",
-            "Rebuilt")
+_WATCHED = (*SLOTS, "Verdict", "Reasons", "Status", "Results", "Keys", "RebuiltKeys")

@@ -6,7 +6,7 @@ Lengths are in mm. Everything raises CurveUpsError, with the document as it was,
 
 from __future__ import annotations
 
-import json
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any, Callable, Mapping, Optional
@@ -16,16 +16,19 @@ import numpy as np
 from ..base.errors import CurveUpsError
 from ..base.native import translated
 from ..project import saved_results
+from ..project.keys import changes
 from ..project.project import Made, Results
-from ..stages.design import design_digest
+from ..stages import BY_NAME, VERDICT
 from ..stages.stage import Job
 from . import live, properties, rebuild, status, target
 from .bodies import KINDS, BodiesProxy
 from .cuts import CutsProxy, edges_of, write_cuts
 from .design import DesignProxy
 from .figures import write_figures
+from .keys import Keys, digest_of_edges, digest_of_text, read_keys, write_keys
 from .layout import LayoutProxy, write_layout
 from .proxy import SLOTS, design_of, designs, show, write
+from .target import is_target
 from .verification import VerificationProxy, write_verification
 
 __all__ = ["build_bodies", "design_of", "design_project_of", "designs", "new_design", "project_of",
@@ -74,9 +77,10 @@ def take(obj: Any, results: Results, timed: bool = True) -> None:
     caller's transaction; solids follow (build_bodies). `timed`: whether seconds are kept."""
     before = live.stored(obj)
     _complete(obj)
-    finished = before.latest("design")
-    made = {**before.given(), **before.made(), **_worth_keeping(results, finished)}
+    finished, keys = before.latest("design"), read_keys(obj)
     solved = "design" in results and (finished is None or "layout" in results)
+    made = {**before.given(), **before.made()}
+    made.update(_worth_keeping(results, made, solved))
     with translated(obj.Label):
         text = saved_results.to_text(made, _NOT_STORED, timed)
     if "target" in results:
@@ -86,7 +90,7 @@ def take(obj: Any, results: Results, timed: bool = True) -> None:
         _take_design(obj, results, solved)
     elif "target" in results:
         _write_mesh(obj.Target, results["target"].V, results["target"].F)
-    write(obj, "ResultsDigest", status.digest_of_text(text))
+    write_keys(obj, replace(_keys_with(obj, results, keys, solved), results=digest_of_text(text)))
     write(obj, "Results", text)
     obj.Proxy.project = obj.Proxy.standing = None
     obj.Proxy.refresh(obj)
@@ -159,47 +163,49 @@ def visibility(obj: Any, solids: bool) -> dict[str, bool]:
                                if (part := getattr(obj, slot)) is not None}}
 
 
-def _worth_keeping(results: Results, finished: Any) -> dict[str, Made]:
-    """A design that a run was given is the one that is stored already, with what it was made from."""
-    made = dict(results.made)
-    if finished is not None and "layout" not in made:
-        made.pop("design", None)
-    return {name: one for name, one in made.items() if one.result.lasting}
+def _worth_keeping(results: Results, before: Mapping[str, Made], solved: bool) -> dict[str, Made]:
+    """What a run made. What it was given keeps the key that it had; a design that it was given is the one
+    that is stored already."""
+    found = {}
+    for name, one in results.made.items():
+        known = before.get(name)
+        if one.result.lasting and (solved or name != "design" or known is None):
+            found[name] = one if one.key or known is None else replace(one, key=known.key)
+    return found
 
 
 def _take_design(obj: Any, results: Results, solved: bool) -> None:
-    design, values = results.design, properties.named(results.parameters)
+    design = results.design
     if solved:
-        source = results.get("source")
         cuts = results["division"].given if "division" in results else design.cuts
         places = results["target"] if "target" in results else design
         write_cuts(obj.Cuts, cuts, places.V)
-        write(obj, "Solved", json.dumps({
-            "design": design_digest(design),
-            "parameters": {name: value for name, value in values.items()
-                           if properties.tier_of(obj, name) == "layout"},
-            "cuts": status.digest_of_edges(obj.Cuts.Edges),
-            **({"source": {"stamp": obj.Target.Stamp, "object": obj.Target.Source is not None}}
-               if source is not None else {})}))
         write_layout(obj.Layout, results, design)
         _write_mesh(obj.Target, places.V, places.F)
-    if "verification" in results or solved:
-        found = results.get("verification")
-        write_verification(obj.Verification, found)
-        verdict = results.verdict
-        judging = ("figures", "clearances", "verification", "recheck", "pieces",
-                   *(_SOLIDS if "check" in results else ()))
-        read = {properties.property_name(name) for stage in judging if stage in results
-                for name in results.made[stage].key}
-        write(obj, "Judged", json.dumps({
-            "valid": verdict.valid, "reasons": list(verdict.reasons),
-            "parameters": {name: value for name, value in values.items()
-                           if name in read and properties.tier_of(obj, name) != "layout"}}))
+    if VERDICT in results or solved:
+        write_verification(obj.Verification, results.get(VERDICT))
     write_figures(obj, results)
 
 
-# Stages that have a say in the verdict where solids were checked.
-_SOLIDS = ("bodies", "solids", "check")
+def _keys_with(obj: Any, results: Results, before: Keys, solved: bool) -> Keys:
+    """What the document knows of its results' origins after a run. What had a say in the verdict and is not
+    current any more has none in the next."""
+    made = {name: replace(one.record, key=one.key or before.records.get(name, one.record).key)
+            for name, one in results.made.items()
+            if solved or name != "design" or name not in before.records}
+    keys = replace(before, records={**before.records, **made})
+    if VERDICT in results or solved:
+        values = results.parameters
+        kept = {name: one for name, one in keys.records.items()
+                if name in made or name not in BY_NAME or not BY_NAME[name].judges
+                or changes(name, keys.records, values, ("design",)) == ()}
+        verdict = results.verdict
+        keys = replace(keys, records=kept, valid=verdict.valid, reasons=tuple(verdict.reasons))
+    if solved or "design" not in before.records:
+        linked = is_target(obj.Target) and obj.Target.Source is not None
+        keys = replace(keys, stamp=getattr(obj.Target, "Stamp", ""), linked=linked,
+                       cuts=digest_of_edges(obj.Cuts.Edges))
+    return keys
 
 
 def _write_mesh(obj: Any, V: np.ndarray, F: np.ndarray) -> None:

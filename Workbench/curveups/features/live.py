@@ -7,6 +7,7 @@ from typing import Any, Optional, cast
 
 from ..base.errors import CurveUpsError
 from ..base.native import native
+from ..base.parameters import table
 from ..project import saved_results
 from ..project.project import Project
 from ..stages.design import FinishedDesign
@@ -21,7 +22,7 @@ def project_of(obj: Any) -> Project:
     """From target to verdict under the properties as they are: what Solve runs. Raises CurveUpsError
     where a property can't be used."""
     project = stored(obj)
-    project.parameters = _as_asked(project, settings_of(obj))
+    project.parameters = settings_of(obj)
     if _has_source(obj):
         given = project.given()
         source = given.get("source")
@@ -42,7 +43,7 @@ def design_project_of(obj: Any) -> Project:
     finished = stored(obj).latest("design")
     if finished is None:
         raise CurveUpsError("there is no layout yet" if are_intact(obj) else SPOILT, obj.Label, "run Solve")
-    parameters = properties.read_parameters(obj, _base(finished), ("rebuild", "verify", "files"))
+    parameters = properties.read_parameters(obj, _base(finished), of_layout=False)
     proxy = obj.Proxy
     if proxy.standing is None or proxy.standing.latest("design").content != finished.content:
         # Not the verification that came with it: that is known by what it was made from.
@@ -69,23 +70,13 @@ def made_with(obj: Any) -> Any:
     return native.Parameters() if finished is None else finished.design.parameters
 
 
-def _as_asked(project: Project, parameters: Any) -> Any:
-    """Where the mesh is taken as it is, the property L has the mesh's own length: for the target it counts
-    what was asked for, which it did not read."""
-    target = project.latest("target")
-    own = getattr(target, "own_length", None)
-    if own is not None and properties.same(parameters.get("L"), own):
-        parameters.set("L", float(project.made()["target"].key["L"]))
-    return parameters
-
-
 def _base(finished: Any) -> Any:
     """What is no property: as the design was made, but for stages, which commands choose."""
     if finished is None:
         return native.Parameters()
     found, defaults = native.Parameters(finished.design.parameters), native.Parameters()
-    for row in native.parameter_table():
-        if row.group == "Stages":
+    for row in table():
+        if row.level == "switch":
             found.set(row.name, defaults.get(row.name))
     return found
 

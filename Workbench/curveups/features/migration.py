@@ -1,24 +1,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Documents of the first version, brought into today's shape when they are opened.
+"""Documents of earlier versions, brought into today's shape when they are opened.
 
-They kept the layout as the text of design.json in a property of that name, called parameters as the
-command line does (H_body), and their bodies pointed at the design instead of the other way round.
+The first kept the layout as the text of design.json in a property of that name, called parameters as the
+command line does (H_body), and their bodies pointed at the design instead of the other way round. Those of
+0.1.0 stored the origins of their results as four texts: Solved, Judged, Rebuilt and BuiltFrom of each body.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from typing import Any, Callable, Iterator
+from dataclasses import replace
+from typing import Any, Callable, Iterable, Iterator
 
 import FreeCAD
 
 from ..base.errors import CurveUpsError
 from ..base.native import native, problem, translated
 from ..project.project import Project
-from . import document as documents, properties, target
-from .bodies import KINDS, BodiesProxy
-from .proxy import is_old, write
+from ..stages import VERDICT
+from . import document as documents, live, properties, rebuild, status, target
+from .bodies import KINDS, BodiesProxy, add_keys
+from .keys import Keys, read_keys, write_keys
+from .proxy import Proxy, is_old
 
 
 def migrate(document: Any) -> list[Any]:
@@ -31,6 +35,9 @@ def migrate(document: Any) -> list[Any]:
             if reason is not None:
                 raise reason
             with translated(obj.Label):
+                if "Solved" in obj.PropertiesList:
+                    _convert(obj)
+                    continue
                 design = native.read_design(obj.Layout)
         except CurveUpsError as error:
             FreeCAD.Console.PrintError(f"{obj.Label} is of an older version and stays as it is: {error}\n")
@@ -62,21 +69,55 @@ def _migrate(obj: Any, design: Any) -> None:
     documents.make_design(obj, parts)
     properties.write_parameters(obj, design.parameters)
     documents.take(obj, Project.of_design(design, obj.Label).run(("figures",)))
-    solved = properties.named(design.parameters)
-    kept = {name: value for name, value in solved.items()
-            if properties.tier_of(obj, name) in ("rebuild", "verify")}
-    write(obj, "Judged", json.dumps({"valid": verdict.get("valid"), "reasons": verdict.get("reasons", []),
-                                     "parameters": kept}))
+    keys = read_keys(obj)
+    judged = rebuild.expected(keys, design.parameters, (VERDICT,))
+    write_keys(obj, replace(keys, records={**keys.records, **judged}, valid=verdict.get("valid"),
+                            reasons=tuple(verdict.get("reasons", ()))))
     for name, value in old.items():
         if not properties.same(value, design.parameters.get(name)):
             properties.write_parameter(obj, name, value)
     if not touched:
-        values = properties.parameters_of(obj)
-        origin = {"design": json.loads(obj.Solved)["design"], "parameters": {
-            name: value for name, value in values.items() if properties.tier_of(obj, name) == "rebuild"}}
-        for body in bodies.values():
-            write(body, "BuiltFrom", json.dumps(origin))
+        _as_built(obj, bodies.values())
     _rename_expressions(obj, names, own)
+
+
+def _convert(obj: Any) -> None:
+    """Of a Design of 0.1.0, whose results carry their keys already."""
+    solved, judged = (_record(obj, name) for name in ("Solved", "Judged"))
+    bodies = [body for slot in KINDS if (body := getattr(obj, slot)) is not None]
+    built = all(_record(body, "BuiltFrom").get("design") == solved.get("design") for body in bodies)
+    Proxy.onDocumentRestored(obj.Proxy, obj)
+    for body in bodies:
+        add_keys(body)
+    if solved:
+        project = live.stored(obj)
+        records = {name: one.record for name, one in {**project.made(), **project.given()}.items()}
+        source = solved.get("source", {})
+        write_keys(obj, Keys(records, judged.get("valid"), tuple(judged.get("reasons", ())),
+                             source.get("stamp", ""), bool(source.get("object")), solved.get("cuts", ""),
+                             getattr(obj, "ResultsDigest", "")))
+        if built and status.status_of(obj).state != status.OUT_OF_DATE:
+            _as_built(obj, bodies)
+    for name in ("Solved", "Judged", "Rebuilt", "ResultsDigest"):
+        if name in obj.PropertiesList:
+            obj.removeProperty(name)
+    for body in bodies:
+        body.removeProperty("BuiltFrom")
+
+
+def _record(obj: Any, name: str) -> dict[str, Any]:
+    try:
+        found = json.loads(getattr(obj, name, "") or "{}")
+    except ValueError:
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def _as_built(obj: Any, bodies: Iterable[Any]) -> None:
+    """The solids are those of the design and values as they are."""
+    keys = rebuild.expected(read_keys(obj), properties.values_of(obj), ("bodies",))
+    for body in bodies:
+        write_keys(body, Keys(keys))
 
 
 def _value(obj: Any, row: Any) -> Any:

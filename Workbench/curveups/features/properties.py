@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import re
-from typing import Any, Collection, Iterator
+from functools import lru_cache
+from typing import Any, Iterator, Optional
 
 from ..base.errors import CurveUpsError
 from ..base.native import native, translated
+from ..base.parameters import Parameter, parameter, table
 
 # Two names belong to objects below a Design.
 _NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}
@@ -22,17 +24,12 @@ _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
                "MPa": "App::PropertyPressure", "g/cm3": "App::PropertyDensity"}
 UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
 
-# In order of work: the property editor sorts groups by name. With what has to follow a change.
-_TIERS = {"Target": "layout", "Tiles": "rebuild", "Layout": "layout", "Physics": "verify",
-          "Repair": "layout", "Bumps": "rebuild", "Support": "rebuild", "Anchors": "rebuild",
-          "Files": "files"}
-GROUPS = {name: f"{number} {name}" for number, name in enumerate(_TIERS, 1)}
+# In the order of work.
+_GROUPS = ("Target", "Tiles", "Layout", "Physics", "Repair", "Bumps", "Support", "Anchors", "Files")
 RESULT, FIGURES = "0 Result", "9 Figures"
-
 WHEN = {"rebuild": "Takes effect at once.", "verify": "Takes effect with Verify.",
         "layout": "Takes effect with Solve.",
         "files": "Takes effect with the next export."}
-TIERS = tuple(WHEN)
 
 
 def property_name(parameter: str) -> str:
@@ -40,24 +37,31 @@ def property_name(parameter: str) -> str:
     return _NAMES.get(parameter) or "".join(word[:1].upper() + word[1:] for word in parameter.split("_"))
 
 
-def rows() -> Iterator[Any]:
+def rows() -> Iterator[Parameter]:
     """Of the parameter table: those that a Design has as properties."""
-    return (row for row in native.parameter_table() if row.group in _TIERS)
+    return (row for row in table() if row.level != "switch")
 
 
-def tier_of(obj: Any, name: str) -> str:
-    """What has to follow a change of property `name`: rebuild, verify, layout or, of print files alone,
-    files; empty for one that is no parameter. Known without the native module."""
-    return _tier(obj, name) if name in obj.PropertiesList else ""
+def group_of(row: Parameter) -> str:
+    """The heading in the property editor, which sorts these by name."""
+    return f"{_GROUPS.index(row.group) + 1} {row.group}"
 
 
-def _tier(obj: Any, name: str) -> str:
-    return _TIERS.get(obj.getGroupOfProperty(name)[2:], "")
+def parameter_of(name: str) -> Optional[Parameter]:
+    """The row that a property is of; None for others."""
+    return _by_property().get(name)
 
 
-def parameters_of(obj: Any) -> dict[str, Any]:
-    """All parameters by their property's name, in the parameter's unit; without the native module."""
-    return {name: value_of(obj, name) for name in obj.PropertiesList if _tier(obj, name)}
+@lru_cache(maxsize=None)
+def _by_property() -> dict[str, Parameter]:
+    return {property_name(row.name): row for row in rows()}
+
+
+def values_of(obj: Any) -> dict[str, Any]:
+    """All parameters, in their units; those that are no property at their defaults. Without the native
+    module."""
+    return {row.name: value_of(obj, name) if (name := property_name(row.name)) in obj.PropertiesList
+            else row.default for row in table()}
 
 
 def add_parameters(obj: Any, parameters: Any) -> None:
@@ -70,7 +74,7 @@ def add_parameters(obj: Any, parameters: Any) -> None:
         kind = _TYPES.get(row.type) or _UNIT_TYPES.get(row.unit)
         if kind not in supported:
             kind = "App::PropertyFloat"
-        obj.addProperty(kind, name, GROUPS[row.group], tip_of(row))
+        obj.addProperty(kind, name, group_of(row), tip_of(row))
         if row.choices:
             setattr(obj, name, list(row.choices))
         _set(obj, row, parameters.get(row.name))
@@ -86,7 +90,7 @@ def hide_retired(obj: Any) -> None:
 def tip_of(row: Any) -> str:
     """What a document says of a parameter's property. Windows translate it whole, in the context
     App::Property as FreeCAD's property editor does."""
-    return f"{row.meaning}{_range(row)} {WHEN[_TIERS[row.group]]}"
+    return f"{row.meaning}{_range(row)} {WHEN[row.effect]}"
 
 
 def lacks_parameters(obj: Any) -> bool:
@@ -102,18 +106,18 @@ def write_parameters(obj: Any, parameters: Any) -> None:
 
 def write_parameter(obj: Any, name: str, value: Any) -> None:
     """Sets the property of one parameter, where that changes it."""
-    row = next(row for row in rows() if row.name == name)
+    row = parameter(name)
     if not same(value_of(obj, property_name(name)), value):
         _set(obj, row, value)
 
 
-def read_parameters(obj: Any, base: Any, tiers: Collection[str] = TIERS) -> Any:
-    """The parameters that the properties say, with `base` for what is no property or of another tier; a
-    property that is equal up to the digits which a document keeps leaves the parameter its bits. Raises
-    CurveUpsError."""
+def read_parameters(obj: Any, base: Any, of_layout: bool = True) -> Any:
+    """The parameters that the properties say, with `base` for what is no property and, without `of_layout`,
+    for what only a new layout can follow. A property that is equal up to the digits which a document keeps
+    leaves the parameter its bits. Raises CurveUpsError."""
     found = native.Parameters(base)
     for row in rows():
-        if _TIERS[row.group] not in tiers:
+        if not (of_layout or row.keeps_layout):
             continue
         name = property_name(row.name)
         value = value_of(obj, name)
@@ -134,11 +138,6 @@ def value_of(obj: Any, name: str) -> Any:
         unit = next(unit for unit, known in _UNIT_TYPES.items() if known == kind)
         return value.getValueAs(UNITS.get(unit, unit)).Value
     return value
-
-
-def named(parameters: Any) -> dict[str, Any]:
-    """Native parameters by their property's name."""
-    return {property_name(row.name): parameters.get(row.name) for row in rows()}
 
 
 def as_properties(obj: Any, text: str) -> str:

@@ -96,8 +96,8 @@ def type_of(obj: Any) -> str:
 
 
 def is_old(obj: Any) -> bool:
-    """Whether this is a Design of the first version."""
-    return "SolvedVerdict" in obj.PropertiesList and "Solved" not in obj.PropertiesList
+    """Whether this is a Design of an earlier version (migration.py)."""
+    return "SolvedVerdict" in obj.PropertiesList or "Solved" in obj.PropertiesList
 
 
 def designs(document: Any) -> list[Any]:

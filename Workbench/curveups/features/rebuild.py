@@ -3,40 +3,34 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any, Optional
 
 from ..base.errors import CurveUpsError
 from ..base.native import problem
+from ..project.keys import Record, key_of
 from ..project.project import Results
+from ..stages import BY_NAME, asked_by
+from ..stages.solids import BODIES
 from ..stages.stage import Job
 from . import live, properties, status
 from .bodies import KINDS, write_body
 from .figures import write_volumes
-from .proxy import write
+from .keys import Keys, read_keys, write_keys
 
-GOALS = ("figures", "bodies", "solids")
+GOALS = asked_by("build")
 
 
 def needed(obj: Any) -> bool:
     """Whether the solids are not those of the design and values as they are."""
-    solved = status.record(obj, "Solved")
-    if not solved:
-        return False
-    now = properties.parameters_of(obj)
-    for slot in KINDS:
-        body = getattr(obj, slot)
-        if body is not None:
-            built = status.record(body, "BuiltFrom")
-            if built.get("design") != solved.get("design") or status.changed_names(
-                    now, built.get("parameters", {})):
-                return True
-    return False
+    keys, values = read_keys(obj), properties.values_of(obj)
+    bodies = [body for slot in KINDS if (body := getattr(obj, slot)) is not None]
+    return "design" in keys.records and any(
+        status.body_changes(read_keys(body), keys, values) != [] for body in bodies)
 
 
 def failed(obj: Any) -> bool:
     """Whether it is known that no solids can be made of the design and values as they are."""
-    return bool(status.known_of_values(obj).get("failure"))
+    return bool(status.known_of_values(obj, read_keys(obj), properties.values_of(obj)).failure)
 
 
 def follow(obj: Any, job: Optional[Job] = None) -> None:
@@ -59,18 +53,14 @@ def take(obj: Any, results: Results) -> None:
         for reason in (*results["bodies"].reasons(), *results["solids"].reasons()):
             fail(obj, CurveUpsError(reason))
         return
-    values = properties.named(results.parameters)
-    read = {properties.property_name(name) for stage in ("bodies", "solids")
-            for name in results.made[stage].key}
-    origin = {"design": status.record(obj, "Solved").get("design", ""), "parameters": {
-        name: value for name, value in values.items()
-        if name in read and properties.tier_of(obj, name) == "rebuild"}}
+    keys = Keys({name: results.made[name].record for name in GOALS},
+                reasons=tuple(results["figures"].reasons()))
     for slot, kind in KINDS.items():
         body = getattr(obj, slot)
         if body is not None:
-            write_body(body, model.shape(kind), origin, obj.Placement)
+            write_body(body, model.shape(kind), keys, obj.Placement)
     write_volumes(obj, model.volumes, KINDS)
-    _record(obj, values, reasons=list(results["figures"].reasons()))
+    write_keys(obj, keys, "RebuiltKeys")
     obj.Proxy.refresh(obj)
     for warning in results["bodies"].warnings():
         FreeCAD.Console.PrintWarning(f"{obj.Label}: {warning['what']}\n")
@@ -78,12 +68,12 @@ def take(obj: Any, results: Results) -> None:
 
 def fail(obj: Any, error: CurveUpsError) -> None:
     """No solids can be made of the values as they are: the old ones stay, and the design says so."""
-    _record(obj, properties.parameters_of(obj), failure=str(error))
+    records = expected(read_keys(obj), properties.values_of(obj), (BODIES.name,))
+    write_keys(obj, Keys(records, failure=str(error)), "RebuiltKeys")
     obj.Proxy.refresh(obj)
 
 
-def _record(obj: Any, values: dict[str, Any], reasons: Any = (), failure: str = "") -> None:
-    kept = {name: value for name, value in values.items()
-            if properties.tier_of(obj, name) == "rebuild"}
-    write(obj, "Rebuilt", json.dumps({"design": status.record(obj, "Solved").get("design", ""),
-                                      "parameters": kept, "reasons": list(reasons), "failure": failure}))
+def expected(keys: Keys, values: Any, stages: tuple[str, ...]) -> dict[str, Record]:
+    """Records of what stages that read the design would make of it and of these values."""
+    return {name: Record(key_of(BY_NAME[name], keys.records, values)) for name in stages
+            if "design" in keys.records}

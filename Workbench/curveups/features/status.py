@@ -1,27 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether a Design and what is below it are what its properties say.
-
-Derived from records of what results were made from, each time anew: the records are texts in the
-document, so that this works, and a stale "valid" is noticed, without the native module too.
-"""
+"""Whether a Design and what is below it are what its properties say: a view of the project, through the keys
+that the document stores (keys.py). Works without the native module."""
 
 from __future__ import annotations
 
-import hashlib
-import json
 from dataclasses import dataclass
-from typing import Any, Mapping
+from typing import Any, Mapping, Optional
 
+from ..base.parameters import parameter
+from ..project.keys import Record, changes
+from ..stages import BY_NAME, label_of
 from . import layout as layouts, properties, verification as verifications
+from .keys import NONE, Keys, digest_of_edges, digest_of_text, read_keys
 from .target import is_target
 
 EMPTY, CURRENT, OUT_OF_DATE, INVALID, RUNNING = "empty", "current", "out of date", "invalid", "running"
-_OF_TARGET = ("L", "Scale", "Flip")
-# What the fields of records are; a record with another is damaged, and none.
-_KINDS: dict[str, Any] = {"parameters": dict, "reasons": list, "valid": (bool, type(None)), "design": str,
-                          "cuts": str, "source": dict, "failure": str}
 SPOILT = "the stored results are damaged or were changed by hand"
 VERDICTS = {True: "valid", False: "not valid", None: "not judged"}
+_CHANGED = Record(content="changed")  # what was given, and is not what it was
+_GIVEN = ("source", "cut request")
 
 
 @dataclass(frozen=True)
@@ -36,146 +33,148 @@ class Status:
 
 def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
     """`refused`: why the properties' values can't be used, where they can't."""
-    solved, judged = record(obj, "Solved"), record(obj, "Judged")
-    now, then = properties.parameters_of(obj), solved.get("parameters", {})
-    source = _source_changes(obj, solved)
-    target = source + _changed(now, {name: then[name] for name in _OF_TARGET if name in then},
-                               "the target was divided", "Solve")
-    cuts = []
-    if solved and _digest_of_cuts(obj) != solved.get("cuts", ""):
-        cuts = [_remedied("the cuts changed since the layout was solved", "Solve")]
-    lists = []
-    if not layouts.is_intact(obj.Layout):
-        lists.append(_remedied("the layout's lists were changed by hand", "Solve"))
-    if solved and not are_intact(obj):
-        lists.append(_remedied(SPOILT, "Solve"))
-    layout = source + cuts + lists + _changed(now, then, "the layout was solved", "Solve")
-    verification = _changed(now, judged.get("parameters", {}), "the design was judged", "Verify")
+    keys, values = read_keys(obj), properties.values_of(obj)
+    solved = "design" in keys.records
+    source, cuts = _source_changes(obj, keys), _cut_changes(obj, keys)
+    records = {**keys.records, **({"source": _CHANGED} if source else {}),
+               **({"cut request": _CHANGED} if cuts else {})}
+    target = source + _words(changes("target", records, values, _GIVEN), "the target was divided")
+    lists = [] if layouts.is_intact(obj.Layout) else ["the layout's lists were changed by hand"]
+    if solved and not are_intact(obj, keys):
+        lists.append(SPOILT)
+    layout = (source + cuts + _remedied(lists, "Solve") + _words(
+        _of_layout(changes("design", records, values, _GIVEN)), "the layout was solved"))
+    verification = verdict_changes(keys, values)
     if not verifications.is_intact(obj.Verification):
-        verification.append(_remedied("the verification's lists were changed by hand", "Verify"))
+        verification += _remedied(["the verification's lists were changed by hand"], "Verify")
     if not solved:
         lost = "what was said of the layout's making is damaged or gone" if getattr(
             obj, "Results", "") else "there is no layout yet"
         state, verdict, reasons = EMPTY, VERDICTS[None], [f"{lost}: Solve makes it"]
     else:
-        state, verdict, reasons = _judgement(obj, judged, layout, verification)
+        state, verdict, reasons = _judgement(obj, keys, values, layout, verification)
     if refused:
         state, verdict, reasons = INVALID, VERDICTS[False], [refused]
-    there = bool(solved)
     parts = {
-        "Target": _part(there or (is_target(obj.Target) and obj.Target.Mesh.CountFacets > 0), target),
-        "Cuts": _part(there or bool(_digest_of_cuts(obj)), cuts),
-        "Layout": _part(there, layout),
-        "Verification": _part(judged.get("valid") is not None, layout or verification),
-        **{slot: _body(getattr(obj, slot), now, solved) for slot in ("Tiles", "Support", "Anchors")}}
-    if parts["Verification"][0] == CURRENT and judged["valid"] is False:
-        parts["Verification"] = (INVALID, "; ".join(judged["reasons"]))
+        "Target": _part(solved or (is_target(obj.Target) and obj.Target.Mesh.CountFacets > 0), target),
+        "Cuts": _part(solved or bool(_edges(obj)), cuts),
+        "Layout": _part(solved, layout),
+        "Verification": _part(keys.valid is not None, layout or verification),
+        **{slot: _body(getattr(obj, slot), keys, values) for slot in ("Tiles", "Support", "Anchors")}}
+    if parts["Verification"][0] == CURRENT and keys.valid is False:
+        parts["Verification"] = (INVALID, "; ".join(keys.reasons))
     if running:
         state = RUNNING
     return Status(state, verdict, tuple(reasons), parts)
 
 
-def record(obj: Any, name: str) -> dict[str, Any]:
-    """One of the texts that say what was made from what; empty where nothing was made."""
-    try:
-        found = json.loads(getattr(obj, name, "") or "{}")
-    except ValueError:
-        return {}
-    if not isinstance(found, dict) or not all(
-            isinstance(value, _KINDS.get(name, object)) for name, value in found.items()):
-        return {}
-    return found if all(isinstance(line, str) for line in found.get("reasons", ())) else {}
-
-
-def are_intact(obj: Any) -> bool:
+def are_intact(obj: Any, keys: Optional[Keys] = None) -> bool:
     """Whether the text of the results is the one that was written."""
-    written = getattr(obj, "ResultsDigest", "")
+    written = (keys or read_keys(obj)).results
     return not written or written == digest_of_text(obj.Results)
 
 
-def digest_of_text(text: str) -> str:
-    """Tells texts apart."""
-    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
-
-
-def known_of_values(obj: Any) -> dict[str, Any]:
+def known_of_values(obj: Any, keys: Keys, values: Mapping[str, Any]) -> Keys:
     """What is known of the design at the geometry as it is: reasons, or the failure to build it."""
-    rebuilt = record(obj, "Rebuilt")
-    if rebuilt.get("design") != record(obj, "Solved").get("design") or changed_names(
-            properties.parameters_of(obj), rebuilt.get("parameters", {})):
-        return {}
-    return rebuilt
+    found = read_keys(obj, "RebuiltKeys")
+    return NONE if body_changes(found, keys, values) else found
 
 
-def changed_names(now: Mapping[str, Any], then: Mapping[str, Any]) -> list[str]:
-    """Parameters that are not what they were."""
-    return [name for name, value in then.items() if name not in now or not properties.same(now[name], value)]
+def body_changes(built: Keys, keys: Keys, values: Mapping[str, Any]) -> Optional[list[str]]:
+    """What has changed since bodies were built, as sentences; None where none were."""
+    if not built.records or "design" not in keys.records:
+        return None
+    records = {**built.records, "design": keys.records["design"]}
+    names: dict[str, None] = {}
+    for stage in built.records:
+        names.update(dict.fromkeys(changes(stage, records, values, ("design",)) or ()))
+    if "design" in names:
+        return _remedied(["the layout changed since this was built"], "BuildSolids")
+    rebuilt = tuple(name for name in names if not _is_result(name) and parameter(name).effect != "files")
+    return _words(rebuilt, "this was built", "BuildSolids")
 
 
-def _judgement(obj: Any, judged: Mapping[str, Any], layout: list[str],
+def verdict_changes(keys: Keys, values: Mapping[str, Any]) -> list[str]:
+    """What has changed since the design was judged, as sentences."""
+    names: dict[str, None] = {}
+    for stage in keys.records:
+        if stage in BY_NAME and BY_NAME[stage].judges:
+            found = changes(stage, keys.records, values, ("design",)) or ()
+            names.update((name, None) for name in found if not _is_result(name))
+    return _words(tuple(names), "the design was judged", "Verify")
+
+
+def _judgement(obj: Any, keys: Keys, values: Mapping[str, Any], layout: list[str],
                verification: list[str]) -> tuple[str, str, list[str]]:
-    known = known_of_values(obj)
-    if known.get("failure"):
-        return INVALID, VERDICTS[False], [known["failure"]]
-    broken = list(known.get("reasons", ())) if verification else []
+    known = known_of_values(obj, keys, values)
+    if known.failure:
+        return INVALID, VERDICTS[False], [known.failure]
+    broken = list(known.reasons) if verification else []
     if layout:
         return OUT_OF_DATE, OUT_OF_DATE, layout + broken
     if broken:
         return INVALID, VERDICTS[False], broken
-    if verification and judged.get("valid") is not None:
+    if verification and keys.valid is not None:
         return OUT_OF_DATE, OUT_OF_DATE, verification
-    valid = judged.get("valid")
-    reasons = list(judged.get("reasons", ()))
-    if valid is None and not reasons:
+    reasons = list(keys.reasons)
+    if keys.valid is None and not reasons:
         reasons = ["it was not verified: Verify judges it"]
-    return (INVALID if valid is False else CURRENT), VERDICTS[valid], reasons
+    return (INVALID if keys.valid is False else CURRENT), VERDICTS[keys.valid], reasons
 
 
-def _changed(now: Mapping[str, Any], then: Mapping[str, Any], since: str, command: str) -> list[str]:
-    names = changed_names(now, then)
-    return [_remedied(f"{', '.join(names)} changed since {since}", command)] if names else []
+def _of_layout(names: Optional[tuple[str, ...]]) -> Optional[tuple[str, ...]]:
+    return names and tuple(name for name in names if _is_result(name) or not parameter(name).keeps_layout)
 
 
-def _remedied(text: str, command: str) -> str:
-    return f"{text}: {command} brings it up to date"
+def _is_result(name: str) -> bool:
+    return name in BY_NAME or name in _GIVEN
 
 
-def _source_changes(obj: Any, solved: Mapping[str, Any]) -> list[str]:
-    if not solved:
+def _words(names: Optional[tuple[str, ...]], since: str, command: str = "Solve") -> list[str]:
+    """Of parameters, or else of results; what was given has sentences of its own."""
+    others = [name for name in names or () if name not in _GIVEN]
+    known = [properties.property_name(name) for name in others
+             if not _is_result(name) and parameter(name).level != "switch"]
+    known = known or [label_of(name) for name in others if name in BY_NAME]
+    return _remedied([f"{', '.join(known)} changed since {since}"], command) if known else []
+
+
+def _remedied(texts: list[str], command: str) -> list[str]:
+    return [f"{text}: {command} brings it up to date" for text in texts]
+
+
+def _source_changes(obj: Any, keys: Keys) -> list[str]:
+    if "design" not in keys.records and "target" not in keys.records:
         return []
     if obj.Target is None:
         return ["the target was deleted: choose another with Target"]
-    if not is_target(obj.Target) or "source" not in solved:
+    if not is_target(obj.Target) or "source" not in keys.records:
         return []
-    if solved["source"].get("object") and obj.Target.Source is None and not (
-            obj.Target.File or obj.Target.BuiltIn):
+    if keys.linked and obj.Target.Source is None and not (obj.Target.File or obj.Target.BuiltIn):
         return ["the object that gave the target was deleted: choose another with Target"]
-    if getattr(obj.Target, "Stamp", "") != solved["source"].get("stamp"):
+    if getattr(obj.Target, "Stamp", "") != keys.stamp:
         name = obj.Target.Source.Label if obj.Target.Source else obj.Target.File or obj.Target.BuiltIn
-        return [_remedied(f"the target's source {name} changed since the layout was solved", "Solve")]
+        return _remedied([f"the target's source {name} changed since the layout was solved"], "Solve")
     return []
 
 
-def _digest_of_cuts(obj: Any) -> str:
+def _cut_changes(obj: Any, keys: Keys) -> list[str]:
+    if "design" not in keys.records or _edges(obj) == keys.cuts:
+        return []
+    return _remedied(["the cuts changed since the layout was solved"], "Solve")
+
+
+def _edges(obj: Any) -> str:
     return digest_of_edges(obj.Cuts.Edges) if obj.Cuts is not None else ""
 
 
-def digest_of_edges(edges: Any) -> str:
-    """A short text for a flat list of vertex pairs; empty for none."""
-    return " ".join(str(int(v)) for v in edges)
-
-
-def _part(there: bool, changes: list[str]) -> tuple[str, str]:
+def _part(there: bool, changed: list[str]) -> tuple[str, str]:
     if not there:
         return EMPTY, ""
-    return (OUT_OF_DATE, "; ".join(changes)) if changes else (CURRENT, "")
+    return (OUT_OF_DATE, "; ".join(changed)) if changed else (CURRENT, "")
 
 
-def _body(body: Any, now: Mapping[str, Any], solved: Mapping[str, Any]) -> tuple[str, str]:
-    built = record(body, "BuiltFrom") if body is not None else {}
-    if not built:
-        return EMPTY, ""
-    if built.get("design") != solved.get("design"):
-        return OUT_OF_DATE, _remedied("the layout changed since this was built", "BuildSolids")
-    return _part(True, _changed(now, built.get("parameters", {}), "this was built",
-                                "BuildSolids"))
+def _body(body: Any, keys: Keys, values: Mapping[str, Any]) -> tuple[str, str]:
+    built = read_keys(body) if body is not None else NONE
+    changed = body_changes(built, keys, values)
+    return _part(changed is not None, changed or [])

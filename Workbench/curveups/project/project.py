@@ -10,19 +10,18 @@ from __future__ import annotations
 import threading
 import time
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence
 
 from ..base.errors import CurveUpsError, Stopped
 from ..base.native import native, translated
 from ..base.output import safe_name
-from ..stages import STAGES
+from ..stages import BY_NAME
 from ..stages.design import FinishedDesign
 from ..stages.stage import Inputs, Job, Picture, Result, Row, Stage, digest
+from .keys import Key, Record, Records, changes, differences, key_of, settled
 from .verdict import Verdict, judge
-
-_BY_NAME = {stage.name: stage for stage in STAGES}
-Key = Mapping[str, str]  # what a result was made from: parameters and upstream results by name
 
 
 @dataclass(frozen=True)
@@ -37,6 +36,11 @@ class Made:
     def content(self) -> str:
         """What later stages know it by."""
         return self.result.content or digest(*(f"{name}={value}" for name, value in sorted(self.key.items())))
+
+    @cached_property
+    def record(self) -> Record:
+        """What is known of it without itself."""
+        return Record(self.key, self.content, self.result.settles())
 
 
 @dataclass(frozen=True)
@@ -170,8 +174,7 @@ class Project:
         with self._reading:
             known = {**self._made, **self._given}
             parameters = self._parameters
-        changed: dict[str, None] = {}
-        return tuple(changed) if self._compare(name, known, parameters, changed) else None
+        return changes(name, _records(known), parameters, self._given)
 
     def run(self, goals: Sequence[str], job: Optional[Job] = None, strict: bool = False,
             note: str = "", watch: Optional[Callable[[str, Results], object]] = None,
@@ -206,46 +209,21 @@ class Project:
             values.set("repair", False)
         return values
 
-    def _compare(self, name: str, known: Mapping[str, Made], parameters: Any,
-                 changed: dict[str, None]) -> bool:
-        """Collects what differs; False where a result is missing."""
-        made = known.get(name)
-        if made is None:
-            return False
-        if name in self._given:
-            return True
-        stage = _BY_NAME[name]
-        if not all(self._compare(upstream, known, parameters, changed) for upstream in stage.reads):
-            return False
-        expected = _key(stage, known, parameters)
-        for part in expected:
-            if made.key.get(part) != expected[part]:
-                changed[part] = None
-        return True
+
+def _records(made: Mapping[str, Made]) -> Records:
+    return {name: one.record for name, one in made.items()}
 
 
-def _settled(names: Iterable[str], made: Mapping[str, Made], parameters: Any) -> Any:
+def _decided(names: Iterable[str], records: Records, parameters: Any) -> Any:
     """The parameters for what reads these results: the project's, but for those that they, and what
     they were made from, decide."""
-    values: dict[str, Any] = {}
-    pending = [name for name in names if name in made]
-    for name in pending:
-        values.update(made[name].result.settles())
-        if name in _BY_NAME:
-            pending += [other for other in _BY_NAME[name].reads if other in made and other not in pending]
+    values = settled(names, records)
     if not values:
         return parameters
     changed = native.Parameters(parameters)
     for name, value in values.items():
         changed.set(name, value)
     return changed
-
-
-def _key(stage: Stage, made: Mapping[str, Made], parameters: Any) -> dict[str, str]:
-    values = _settled(stage.reads, made, parameters)
-    key = {name: repr(values.get(name)) for name in stage.parameters(values)}
-    key.update({name: made[name].content for name in stage.reads})
-    return key
 
 
 class _Run:
@@ -258,24 +236,26 @@ class _Run:
         self.store, self.where, self.job, self.strict = store, where, job, strict
         self.note, self.expect = note, expect
         self.made: dict[str, Made] = dict(given)
+        self.records: dict[str, Record] = dict(_records(given))
         self.lasting: dict[str, Made] = {}  # results that may be asked for again
 
     def make(self, name: str) -> Made:
         if name in self.made:
             return self.made[name]
-        if name not in _BY_NAME:
+        if name not in BY_NAME:
             raise CurveUpsError(f"there is no {name} to start from", self.where, "give a target")
-        stage = _BY_NAME[name]
+        stage = BY_NAME[name]
         for upstream in stage.reads:
             self.make(upstream)
-        key = _key(stage, self.made, self.parameters)
+        key = key_of(stage, self.records, self.parameters)
         known = self.before.get(name)
-        made = known if known is not None and known.key == key else self._work(stage, key)
+        made = known if known is not None and not differences(known.record, key) else self._work(stage, key)
         self.made[name] = made
+        self.records[name] = made.record
         return made
 
     def _work(self, stage: Stage, key: Key) -> Made:
-        inputs = Inputs(_settled(stage.reads, self.made, self.parameters),
+        inputs = Inputs(_decided(stage.reads, self.records, self.parameters),
                         {name: self.made[name].result for name in stage.reads}, self.store, self.where)
         start = time.perf_counter()
         try:
@@ -303,6 +283,6 @@ class _Run:
     def results(self, more: Mapping[str, Made] = MappingProxyType({})) -> Results:
         """All there is, and `more`."""
         there = {**self.made, **more}
-        made = {name: there[name] for name in (*self.given, *_BY_NAME) if name in there}
+        made = {name: there[name] for name in (*self.given, *BY_NAME) if name in there}
         stopped = self.job.stopped or any(one.result.stopped for one in made.values())
-        return Results(self.name, _settled(made, made, self.parameters), made, self.note, stopped)
+        return Results(self.name, _decided(made, _records(made), self.parameters), made, self.note, stopped)

@@ -7,6 +7,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional
 
+from ..stages import BY_NAME, VERDICT
+
 
 @dataclass(frozen=True)
 class Verdict:
@@ -23,15 +25,15 @@ class Verdict:
 def judge(results: Mapping[str, Any], note: str = "") -> Verdict:
     """The verdict on the results of a run. note: why there is no verification."""
     reasons = [reason for result in results.values() for reason in result.reasons()]
-    verification = results.get("verification")
+    verification = results.get(VERDICT)
     if verification is not None and verification.reasons() and not verification.failure:
         reasons += [sentence for result in results.values() for sentence in result.advice()]
     if reasons:
         return Verdict(False, tuple(dict.fromkeys(reasons)))  # several results may give the same one
     if verification is not None and verification.valid:
         # What was asked for besides and is not known, as the work was stopped.
-        open_questions = [results[name].note for name in ("clearances", "recheck", "check")
-                          if name in results and results[name].note]
+        open_questions = [result.note for name, result in results.items()
+                          if name in BY_NAME and BY_NAME[name].judges and result.note]
         return Verdict(None, tuple(open_questions)) if open_questions else Verdict(True)
     note = verification.note if verification is not None else note
     return Verdict(None, (note,) if note else ())

@@ -14,7 +14,7 @@ from ..base.errors import CurveUpsError, Stopped
 from ..base.native import native, translated
 from ..base.output import Folder, safe_name
 from ..project.project import Made, Project, Results
-from ..stages import DESIGNED, PRINTED
+from ..stages import asked_by
 from ..stages.design import FinishedDesign
 from ..stages.stage import Job, Result
 from .files import write_reports
@@ -84,7 +84,7 @@ def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Fo
         raise CurveUpsError("no file is chosen", project.where, "choose a body and a format")
     names = file_names(project.name, choice)
     results = _printed(project, choice, job)
-    broken = [reason for stage in PRINTED for reason in results[stage].reasons()]
+    broken = [reason for stage in asked_by("print") for reason in results[stage].reasons()]
     if broken and not choice.insist:
         raise CurveUpsError(broken[0], project.where, "mend that, or insist on the files")
     place = Folder(folder)
@@ -112,7 +112,7 @@ def other_report(folder: Path, name: str) -> str:
 
 def report(project: Project, folder: Path, doubts: Iterable[str], job: Job) -> Path:
     """Writes report.html and report.json of all that is current; the page."""
-    results = project.run(_current(project, DESIGNED), job, note="the design was not verified")
+    results = project.run(_current(project, asked_by("solve")), job, note="the design was not verified")
     place = Folder(folder)
     write_reports(_with(results, tuple(doubts)), place)
     return place.path / "report.html"
@@ -138,10 +138,11 @@ def _printed(project: Project, choice: Choice, job: Job) -> Results:
         with translated("mesh_deviation"):
             parameters.set("mesh_deviation", choice.deviation)
     design = titled(finished.design, choice.doubts)
-    known = {name: made for name, made in project.made().items() if name not in (*PRINTED, "design")}
+    known = {name: made for name, made in project.made().items()
+             if name not in (*asked_by("print"), "design")}
     twin = Project(design.name, parameters, {"design": FinishedDesign(design, None, finished.unsettled)},
                    project.where, known)
-    goals = (*_current(twin, ("verification", "recheck", "pieces")), *PRINTED)
+    goals = (*_current(twin, asked_by("verify")), *asked_by("print"))
     results = twin.run(goals, job, strict=True, note="an export does not verify")
     if job.stopped:
         raise Stopped

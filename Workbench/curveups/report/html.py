@@ -9,7 +9,7 @@ from html import escape
 from typing import Any, Callable, Iterable, Iterator, Optional, Sequence
 
 from ..base.errors import tile_list, tile_name
-from ..base.native import native
+from ..base.parameters import table as parameter_table
 from ..project.project import Results
 from ..stages.solids import fits_bed, overhangs, read_printer
 from .changes import changes, worst_contacts
@@ -288,5 +288,5 @@ def _warnings(warnings: list[dict]) -> str:
 
 def _parameters(values: dict) -> str:
     return table([(row.group, row.name, values[row.name], row.unit, row.meaning)
-                  for row in native.parameter_table()],
+                  for row in parameter_table()],
                  ("Group", "Name", "Value", "Unit", "Meaning"))

@@ -10,9 +10,15 @@ STAGES = (surface.STAGE, target.STAGE, fairing.STAGE, division.STAGE, feasibilit
           verification.RECHECK, pieces.STAGE, anchoring.STAGE, solids.BODIES, solids.STAGE, solids.CHECK,
           trials.STAGE, suggestions.STAGE)
 
-# What is known of a target without a design; what prints are made of; all that is known of a design without
-# them, but for cuts that nobody asked for.
-CHECKED = (feasibility.STAGE.name, sizes.STAGE.name)
-PRINTED = (solids.BODIES.name, solids.STAGE.name, solids.CHECK.name)
-DESIGNED = tuple(stage.name for stage in STAGES
-                 if stage.name not in (suggestions.SEARCH.name, *CHECKED, *PRINTED))
+BY_NAME = {stage.name: stage for stage in STAGES}
+VERDICT = verification.STAGE.name  # there is no verdict without it
+
+
+def asked_by(*commands: str) -> tuple[str, ...]:
+    """Names of the stages that these commands ask for, in the order of the stages."""
+    return tuple(stage.name for stage in STAGES if set(commands) & set(stage.asked_by))
+
+
+def label_of(name: str) -> str:
+    """What users read for a stage."""
+    return BY_NAME[name].label if name in BY_NAME else name

@@ -56,4 +56,5 @@ def _run(inputs: Inputs, job: Job) -> Anchoring:
 
 
 STAGE = Stage("anchoring", (), frozenset({"layout", "support", "physics"}), _run,
-              on_stop=lambda stage, inputs: Anchoring())
+              on_stop=lambda stage, inputs: Anchoring(),
+              label="Anchors", asked_by=("solve",))

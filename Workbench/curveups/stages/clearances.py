@@ -44,4 +44,5 @@ def _run(inputs: Inputs, job: Job) -> Clearances:
 
 
 STAGE = Stage("clearances", ("design",), frozenset({"tiles", "bodies"}), _run,
-              on_stop=lambda stage, inputs: Clearances(note=f"stopped during {stage}"))
+              on_stop=lambda stage, inputs: Clearances(note=f"stopped during {stage}"),
+              label="Clearances", asked_by=("solve", "verify"), judges=True)

@@ -34,4 +34,5 @@ def _run(inputs: Inputs, job: Job) -> Cuts:
     return Cuts(edges)
 
 
-STAGE = Stage("cuts", ("target", "fairing", "cut request", "division"), frozenset({"tiles"}), _run)
+STAGE = Stage("cuts", ("target", "fairing", "cut request", "division"), frozenset({"tiles"}), _run,
+              label="Cuts", asked_by=("solve",), shown=True)

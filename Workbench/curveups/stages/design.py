@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Optional, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 from ..base.errors import tile_name
 from ..base.native import native
+from ..base.parameters import table
 from .stage import Inputs, Picture, Result, Stage, digest
 
 
@@ -29,6 +30,12 @@ class FinishedDesign(Result):
     def content(self) -> str:
         return design_digest(self.design)
 
+    def settles(self) -> Mapping[str, Any]:
+        """What only a new layout can follow."""
+        values = self.design.parameters
+        return {row.name: values.get(row.name) for row in table()
+                if not row.keeps_layout and row.level != "switch"}
+
     def pictures(self) -> Sequence[Picture]:
         data = {"design": self.design}
         return (Picture("Actuated", "The tiles in the target shape, front side light.", "actuated", data),
@@ -42,7 +49,8 @@ def _finish(inputs: Inputs) -> FinishedDesign:
 
 
 STAGE = Stage("design", ("layout", "repair"), frozenset(), lambda inputs, job: _finish(inputs),
-              on_stop=lambda stage, inputs: _finish(inputs))
+              on_stop=lambda stage, inputs: _finish(inputs),
+              label="Design", asked_by=("solve",), shown=True)
 
 
 @dataclass(frozen=True)
@@ -133,4 +141,5 @@ def _evaluate(inputs: Inputs) -> Figures:
 
 
 FIGURES = Stage("figures", ("design",), frozenset({"tiles", "layout"}),
-                lambda inputs, job: _evaluate(inputs), on_stop=lambda stage, inputs: _evaluate(inputs))
+                lambda inputs, job: _evaluate(inputs), on_stop=lambda stage, inputs: _evaluate(inputs),
+                label="Constraints", asked_by=("solve", "verify", "build", "print"), judges=True)

@@ -29,4 +29,5 @@ def _run(inputs: Inputs, job: Optional[Job] = None) -> Deviation:
 
 
 STAGE = Stage("deviation", ("target", "design"), frozenset(), _run,
-              on_stop=lambda stage, inputs: _run(inputs))
+              on_stop=lambda stage, inputs: _run(inputs),
+              label="Deviation", asked_by=("solve",))

@@ -120,4 +120,5 @@ def _parts(parameters: Any) -> frozenset[str]:
     return frozenset({"pieces", "tiles", "layout"} if parameters.get("pieces") == "auto" else {"pieces"})
 
 
-STAGE = Stage("division", ("target", "fairing", "cut request"), _parts, _run)
+STAGE = Stage("division", ("target", "fairing", "cut request"), _parts, _run,
+              label="Pieces", asked_by=("solve",))

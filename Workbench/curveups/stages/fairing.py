@@ -95,4 +95,5 @@ def _remaining(tiles: list[int], F: np.ndarray, parameters: Any) -> dict[str, An
             "kind": "mending", "remedy": remedy, "tiles": tiles}
 
 
-STAGE = Stage("fairing", ("target",), frozenset({"target", "tiles"}), _run)
+STAGE = Stage("fairing", ("target",), frozenset({"target", "tiles"}), _run,
+              label="Mending", asked_by=("solve",), shown=True)

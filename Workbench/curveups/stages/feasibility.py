@@ -215,4 +215,5 @@ def _run(inputs: Inputs, job: Job) -> Feasibility:
 
 
 STAGE = Stage("feasibility", ("target", "fairing", "division"),
-              frozenset({"target", "tiles", "layout", "repair"}), _run)
+              frozenset({"target", "tiles", "layout", "repair"}), _run,
+              label="Feasibility", asked_by=("check",), shown=True)

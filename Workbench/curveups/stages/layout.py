@@ -78,4 +78,5 @@ def _run(inputs: Inputs, job: Job) -> Layout:
 
 
 STAGE = Stage("layout", ("source", "target", "fairing", "cuts", "relief"), frozenset({"tiles", "layout"}),
-              _run)
+              _run,
+              label="Layout", asked_by=("solve",), shown=True)

@@ -83,7 +83,7 @@ def _run(inputs: Inputs, job: Job) -> Pieces:
 
 def _contacts(design: Any, piece: np.ndarray, number: int) -> int:
     """Edges between two of its tiles, but for those that are cut."""
-    cut = {tuple(sorted(pair)) for pair in design.cuts.tolist()}
+    cut = {(min(pair), max(pair)) for pair in design.cuts.tolist()}
     return len(interior_edges(design.F[piece == number]) - cut)
 
 
@@ -119,4 +119,5 @@ def _concerns(reason: str, tiles: np.ndarray) -> bool:
 
 
 STAGE = Stage("pieces", ("design", "figures", "verification"), frozenset({"pieces", "physics"}), _run,
-              on_stop=lambda stage, inputs: Pieces())
+              on_stop=lambda stage, inputs: Pieces(),
+              label="Pieces", asked_by=("solve", "verify"), judges=True)

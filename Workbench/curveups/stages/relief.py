@@ -73,4 +73,5 @@ def _other_thickness(wall: Optional[float], parameters: Any) -> Iterator[dict]:
                "kind": "wall", "remedy": f"set H_body={wall:.3g}", "tiles": []}
 
 
-STAGE = Stage("relief", ("target", "fairing", "cuts"), frozenset({"tiles", "repair"}), _run)
+STAGE = Stage("relief", ("target", "fairing", "cuts"), frozenset({"tiles", "repair"}), _run,
+              label="Feasibility smoothing", asked_by=("solve",), shown=True)

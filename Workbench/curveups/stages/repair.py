@@ -82,4 +82,5 @@ def _stopped(stage: str, inputs: Inputs) -> Repair:
 
 
 STAGE = Stage("repair", ("layout", "verification of the layout"),
-              frozenset({"tiles", "layout", "bodies", "physics", "repair"}), _run, _failed, _stopped)
+              frozenset({"tiles", "layout", "bodies", "physics", "repair"}), _run, _failed, _stopped,
+              label="Repair", asked_by=("solve",))

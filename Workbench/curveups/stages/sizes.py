@@ -12,6 +12,7 @@ from typing import Any, Callable, Collection, Iterator, Optional, Sequence, Type
 
 import numpy as np
 
+from ..base.parameters import parameter
 from ..base.errors import CurveUpsError, Stopped
 from ..base.native import native, translated
 from .cut_request import CutRequest
@@ -233,7 +234,7 @@ def _last(values: Sequence[_Value], good: Callable[[_Value], bool]) -> int:
 
 
 def value_range(name: str) -> tuple[float, float]:
-    row = next(row for row in native.parameter_table() if row.name == name)
+    row = parameter(name)
     return float(row.minimum), float(row.maximum)
 
 
@@ -344,4 +345,5 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
 
 
 STAGE = Stage("sizes", ("target", "cut request"),
-              frozenset({"target", "pieces", "tiles", "layout", "repair"}), _run)
+              frozenset({"target", "pieces", "tiles", "layout", "repair"}), _run,
+              label="Other sizes", asked_by=("check",))

@@ -100,9 +100,11 @@ def _lacks(model: Any) -> list[dict]:
 
 PARTS = frozenset({"tiles", "bodies", "support", "files"})
 BODIES = Stage("bodies", ("design",), PARTS, _make, on_stop=lambda stage, inputs: Bodies(),
-               on_failure=lambda error, inputs: Bodies(failure=advice_of(error)))
+               on_failure=lambda error, inputs: Bodies(failure=advice_of(error)),
+               label="Bodies", asked_by=("build", "print"), judges=True)
 STAGE = Stage("solids", ("bodies",), frozenset(), _build, on_stop=lambda stage, inputs: Solids(),
-              on_failure=lambda error, inputs: Solids(failure=advice_of(error)))
+              on_failure=lambda error, inputs: Solids(failure=advice_of(error)),
+              label="Solids", asked_by=("build", "print"), judges=True)
 
 
 @dataclass(frozen=True)
@@ -170,7 +172,8 @@ def _check(inputs: Inputs, job: Job) -> Check:
 _UNCHECKED = "stopped before all solids were checked"
 CHECK = Stage("check", ("solids", "figures", "clearances"), frozenset({"check", "tiles"}), _check,
               on_stop=lambda stage, inputs: Check(note=_UNCHECKED if inputs["solids"].model else ""),
-              expected=_if_sound)
+              expected=_if_sound,
+              label="Check of the solids", asked_by=("print",), judges=True)
 
 
 def _glue_warnings(glue: Mapping[str, Any]) -> Sequence[dict[str, Any]]:

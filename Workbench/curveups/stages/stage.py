@@ -17,7 +17,7 @@ from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from ..base.errors import CurveUpsError
-from ..base.native import native
+from ..base.parameters import table
 from ..base.progress import Progress
 
 
@@ -54,6 +54,7 @@ class Result(Value):
     answer for results that have nothing to say."""
 
     lasting: ClassVar[bool] = True  # can be saved; otherwise it is made anew
+    note = ""  # why it has no answer, of those that judge
 
     @property
     def content(self) -> str:
@@ -148,7 +149,11 @@ class Stage:
     function of the parameters that says so, where some decide whether others are read at all; `on_failure`:
     the result of a failure that must not cost what there is already; `on_stop`: of a stop (with the stage
     that was stopped) where work before it is worth its files; `expected`: the result, equal (==) to that of
-    `run` unless it finds a fault, where that is known without the work."""
+    `run` unless it finds a fault, where that is known without the work.
+
+    Its roles. `label`: what users read for it. `asked_by`: the commands that ask for it by name (check, cuts,
+    solve, verify, build, print); what it reads is made as well. `judges`: whether it has a say in the
+    verdict. `shown`: whether the picture of a design is drawn from it."""
 
     name: str
     reads: tuple[str, ...]
@@ -157,6 +162,10 @@ class Stage:
     on_failure: Optional[Callable[[CurveUpsError, Inputs], Result]] = None
     on_stop: Optional[Callable[[str, Inputs], Result]] = None
     expected: Optional[Callable[[Inputs], Result]] = None
+    label: str = ""
+    asked_by: tuple[str, ...] = ()
+    judges: bool = False
+    shown: bool = False
 
     def parameters(self, values: Any) -> tuple[str, ...]:
         """Names of the parameters that it reads where they have these values, from the one table."""
@@ -165,7 +174,7 @@ class Stage:
 
 @lru_cache(maxsize=None)
 def _parameters_of(parts: frozenset[str]) -> tuple[str, ...]:
-    return tuple(row.name for row in native.parameter_table() if parts & set(row.readers))
+    return tuple(row.name for row in table() if parts & row.readers)
 
 
 def moved_vertices(before: np.ndarray, after: np.ndarray, F: np.ndarray) -> list[dict[str, Any]]:

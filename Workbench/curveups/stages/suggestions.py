@@ -77,7 +77,8 @@ def _search_target(inputs: Inputs, job: Job) -> CutSearch:
 
 
 SEARCH = Stage("cut search", ("target", "fairing", "cut request", "cuts"), frozenset({"tiles", "layout"}),
-               _search_target)
+               _search_target,
+               label="Cuts", asked_by=("cuts",))
 
 
 def _figures(figures: Any) -> Optional[dict]:
@@ -175,7 +176,8 @@ def _stopped(stage: str, inputs: Inputs) -> Suggestions:
 
 
 READS = ("target", "fairing", "cut request", "layout", "repair", "design", "figures", "verification")
-STAGE = Stage("suggestions", READS, frozenset({"tiles", "layout"}), _run, _failed, _stopped)
+STAGE = Stage("suggestions", READS, frozenset({"tiles", "layout"}), _run, _failed, _stopped,
+              label="Suggestions", asked_by=("solve",))
 
 
 def _remedies(design: Any, inputs: Inputs, weak: Sequence[tuple[int, int]]) -> list[str]:

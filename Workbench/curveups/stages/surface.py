@@ -94,7 +94,8 @@ def _longest_side(V: np.ndarray, where: str) -> float:
     return side
 
 
-STAGE = Stage("surface", ("source",), frozenset({"target"}), _run)
+STAGE = Stage("surface", ("source",), frozenset({"target"}), _run,
+              label="Reading the surface", asked_by=("solve",))
 
 
 def find_source(target: str, **options: Any) -> Source:

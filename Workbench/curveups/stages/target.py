@@ -10,6 +10,7 @@ import numpy as np
 
 from ..base.errors import CurveUpsError
 from ..base.native import native
+from ..base.parameters import parameter
 from .cut_request import interior_edges, mesh_edges
 from .findings import faces_place, settle
 from .stage import Inputs, Job, Result, Row, Stage, digest
@@ -149,12 +150,13 @@ def _with_mending(error: CurveUpsError, V: np.ndarray, F: np.ndarray, L: float, 
     return CurveUpsError(error.what, error.where, remedy, error.status)
 
 
-STAGE = Stage("target", ("source", "surface"), frozenset({"target"}), _run)
+STAGE = Stage("target", ("source", "surface"), frozenset({"target"}), _run,
+              label="Target", asked_by=("solve",), shown=True)
 
 
 def _own_length(V: np.ndarray, F: np.ndarray, where: str) -> float:
     length = float(native.mean_edge_length(V, F))
-    row = next(row for row in native.parameter_table() if row.name == "L")
+    row = parameter("L")
     if not row.minimum <= length <= row.maximum:
         raise CurveUpsError(
             f"the mesh's mean edge length is {length:.4g} mm", where,

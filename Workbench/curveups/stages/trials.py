@@ -96,4 +96,5 @@ def _valid(inputs: Inputs, edges: np.ndarray, sizes: Sizes, job: Job) -> bool:
 
 STAGE = Stage("trials", ("target", "cuts", "verification"),
               frozenset({"target", "tiles", "layout", "bodies", "physics", "repair"}), _run,
-              lambda error, inputs: OtherSizes(), lambda stage, inputs: OtherSizes(was_stopped=True))
+              lambda error, inputs: OtherSizes(), lambda stage, inputs: OtherSizes(was_stopped=True),
+              label="Other sizes", asked_by=("solve",))

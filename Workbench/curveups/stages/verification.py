@@ -157,8 +157,10 @@ def _stopped(stage: str, inputs: Inputs) -> Verification:
 PARTS = frozenset({"tiles", "bodies", "physics"})
 OF_LAYOUT = Stage("verification of the layout", ("layout",), PARTS, _verify_layout,
                   lambda error, inputs: LayoutVerification(_failed(error, inputs)),
-                  lambda stage, inputs: LayoutVerification(_stopped(stage, inputs)))
-STAGE = Stage("verification", ("design",), PARTS, _verify_design, _failed, _stopped)
+                  lambda stage, inputs: LayoutVerification(_stopped(stage, inputs)),
+                  label="Verification of the layout", asked_by=("solve",), shown=True)
+STAGE = Stage("verification", ("design",), PARTS, _verify_design, _failed, _stopped,
+              label="Verification", asked_by=("solve", "verify"), judges=True, shown=True)
 
 
 @dataclass(frozen=True)
@@ -196,4 +198,5 @@ def _recheck_failed(error: CurveUpsError, inputs: Inputs) -> Recheck:
 
 
 RECHECK = Stage("recheck", ("design", "verification"), PARTS | {"recheck"}, _recheck, _recheck_failed,
-                lambda stage, inputs: Recheck(note=f"stopped during {stage}"))
+                lambda stage, inputs: Recheck(note=f"stopped during {stage}"),
+                label="Verification on a finer mesh", asked_by=("solve", "verify"), judges=True)

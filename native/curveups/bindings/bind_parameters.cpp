@@ -11,17 +11,31 @@ py::object value_of(const Parameters& parameters, const ParameterInfo& info) {
   return std::visit([&](auto member) { return py::cast(parameters.*member); }, info.member);
 }
 
-py::object default_value(const ParameterInfo& info) {
-  static const Parameters defaults;
-  return value_of(defaults, info);
-}
-
 std::vector<std::string> readers(const ParameterInfo& info) {
   std::vector<std::string> names;
   for (std::size_t part = 0; part < reader::names.size(); ++part) {
     if (info.readers & (1u << part)) names.emplace_back(reader::names[part]);
   }
   return names;
+}
+
+py::dict row_of(const ParameterInfo& info) {
+  static const Parameters defaults;
+  constexpr const char* types[] = {"number", "integer", "switch", "choice"};
+  py::dict row;
+  row["name"] = std::string(info.name);
+  row["unit"] = std::string(info.unit);
+  row["group"] = std::string(info.group);
+  row["meaning"] = std::string(info.meaning);
+  row["readers"] = readers(info);
+  row["type"] = std::string(info.text.empty() ? types[info.member.index()] : info.text);
+  row["default"] = value_of(defaults, info);
+  row["minimum"] = info.minimum;
+  row["maximum"] = info.maximum;
+  row["choices"] = std::vector<std::string>(info.choices.begin(), info.choices.end());
+  row["basic"] = (info.traits & trait::basic) != 0;
+  row["keeps_layout"] = (info.traits & trait::keeps_layout) != 0;
+  return row;
 }
 
 // With the nearest known name, whatever its case, where one is like it.
@@ -42,35 +56,25 @@ std::vector<std::string> readers(const ParameterInfo& info) {
 }  // namespace
 
 void bind_parameters(py::module_& module) {
-  py::class_<ParameterInfo>(module, "ParameterInfo", "A row of the parameter table.")
-      .def_property_readonly("name", [](const ParameterInfo& i) { return std::string(i.name); })
-      .def_property_readonly("unit", [](const ParameterInfo& i) { return std::string(i.unit); })
-      .def_property_readonly("group", [](const ParameterInfo& i) { return std::string(i.group); })
-      .def_property_readonly("meaning",
-                             [](const ParameterInfo& i) { return std::string(i.meaning); })
-      .def_property_readonly(
-          "tier", [](const ParameterInfo& i) { return std::string(tier(i)); },
-          "What follows a change: layout, rebuild, verify or files.")
-      .def_property_readonly("readers", &readers, "Parts of the engine that read it.")
-      .def_property_readonly(
-          "type",
-          [](const ParameterInfo& i) {
-            constexpr const char* names[] = {"number", "integer", "switch", "choice"};
-            return std::string(i.text.empty() ? names[i.member.index()] : i.text);
-          })
-      .def_property_readonly("default", &default_value)
-      .def_readonly("minimum", &ParameterInfo::minimum)
-      .def_readonly("maximum", &ParameterInfo::maximum)
-      .def_property_readonly("choices", [](const ParameterInfo& i) {
-        return std::vector<std::string>(i.choices.begin(), i.choices.end());
-      });
-  module.def("parameter_table", &parameter_table, py::return_value_policy::reference,
-             "Every parameter, in the order in which they are shown.");
+  module.def(
+      "parameter_table",
+      [] {
+        py::list rows;
+        for (const ParameterInfo& info : parameter_table()) rows.append(row_of(info));
+        return rows;
+      },
+      "Every parameter, in the order in which they are shown: what the build writes as "
+      "base/parameters.json (see base/parameters.py).");
 
   module.def("retired_parameters", &retired_parameters,
              "Names of parameters that earlier versions had: setting one has no effect.");
-  module.def("find_parameter", &find_parameter, py::return_value_policy::reference, py::arg("name"),
-             "The row of a parameter by its name or an alias; None for an unknown name.");
+  module.def(
+      "parameter_name",
+      [](const std::string& name) -> std::optional<std::string> {
+        const ParameterInfo* info = find_parameter(name);
+        return info ? std::optional(std::string(info->name)) : std::nullopt;
+      },
+      py::arg("name"), "A parameter's name by that or by an alias; None for an unknown one.");
 
   py::class_<Parameters>(module, "Parameters", "The parameters of a design, at their defaults.")
       .def(py::init<>())

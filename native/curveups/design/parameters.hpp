@@ -120,11 +120,20 @@ inline constexpr std::array<std::string_view, 11> names = {
     "repair", "recheck", "files",  "check",  "pieces"};
 }  // namespace reader
 
+// What a row says of its parameter besides; the stages' switches have none.
+namespace trait {
+enum Trait : unsigned {
+  basic = 1,        // shown first; the others on request
+  keeps_layout = 2  // a change is followed without a new layout
+};
+}  // namespace trait
+
 struct ParameterInfo {
   std::string_view name;
   std::string_view unit;     // "mm", "mm2", "" for pure numbers
   std::string_view group;    // heading in the property editor
   std::string_view meaning;  // one sentence, the tooltip
+  unsigned traits;           // trait::Trait flags
   unsigned readers;          // reader::Part flags
   std::variant<double Parameters::*, int Parameters::*, bool Parameters::*,
                std::string Parameters::*>
@@ -141,10 +150,6 @@ struct ParameterInfo {
 const std::vector<ParameterInfo>& parameter_table();
 // Null for an unknown name.
 const ParameterInfo* find_parameter(std::string_view name);
-
-// What a user does after a change: "layout" (lay out anew), "rebuild" (solids follow at once, the
-// layout stays), "verify" or "files" (write them again). By the parameter's group.
-std::string_view tier(const ParameterInfo& info);
 
 using ParameterValue = std::variant<double, bool, std::string>;
 

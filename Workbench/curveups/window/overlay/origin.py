@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any, Optional
 
 from ...features.status import OUT_OF_DATE
+from ...stages import BY_NAME
 from ..qt import translate
 from ..units import in_user_units, text_of
 from .fields import Field
@@ -15,11 +16,8 @@ from .scene import Scene
 class State:
     """What a scene is made from: equal for projects that are drawn alike."""
 
-    STAGES = ("target", "feasibility", "fairing", "relief", "cuts", "layout", "design",
-              "verification of the layout", "verification")
-
     def __init__(self, project: Any, of_target: bool):
-        self._made = [project.latest(name) for name in self.STAGES]
+        self._made = [project.latest(name) for name, stage in BY_NAME.items() if stage.shown]
         self._values = project.parameters.to_dict(), project.out_of_date("feasibility"), of_target
 
     def same(self, other: Optional["State"]) -> bool:

@@ -14,7 +14,7 @@ from ...features.actions import transaction
 from ...project.project import Results
 from ...project.worker import Status
 from ...report import check as words
-from ...stages import CHECKED
+from ...stages import asked_by
 from ...stages.sizes import Recommendation
 from .. import runs
 from ..macro import call, named
@@ -99,12 +99,12 @@ class CheckPanel(Following):
             project = document.project_of(self.design)
         except CurveUpsError:
             return False
-        return all(project.out_of_date(name) == () for name in CHECKED)
+        return all(project.out_of_date(name) == () for name in asked_by("check"))
 
     def _fill(self) -> None:
         form, current = self.form, self._is_current()
         if current:
-            self._found = document.project_of(self.design).run(CHECKED)  # nothing is made anew
+            self._found = document.project_of(self.design).run(asked_by("check"))  # nothing is made anew
         found = self._found
         form.sizes.setEnabled(current)
         for part in (form.sizes, form.margins, form.obstacles, form.note):

@@ -16,6 +16,7 @@ from ...base import profiles
 from ...base.errors import CurveUpsError
 from ...features import properties
 from ...project.worker import Status
+from ...stages import label_of
 from ...stages.sizes import AUTOMATIC
 from .. import runs
 from ..macro import call, named
@@ -29,29 +30,6 @@ from .curves import Curves
 from .edits import Edits
 from .parameter_rows import ParameterRows
 
-# What users read for the stages that take time; others are shown by their own name.
-_STAGES = {
-    "surface": QT_TRANSLATE_NOOP("CurveUpsSolve", "Reading the surface"),
-    "target": QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"),
-    "fairing": QT_TRANSLATE_NOOP("CurveUpsSolve", "Mending"),
-    "division": QT_TRANSLATE_NOOP("CurveUpsSolve", "Pieces"),
-    "cuts": QT_TRANSLATE_NOOP("CurveUpsSolve", "Cuts"),
-    "relief": QT_TRANSLATE_NOOP("CurveUpsSolve", "Feasibility smoothing"),
-    "layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Layout"),
-    "verification of the layout": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification of the layout"),
-    "repair": QT_TRANSLATE_NOOP("CurveUpsSolve", "Repair"),
-    "design": QT_TRANSLATE_NOOP("CurveUpsSolve", "Design"),
-    "figures": QT_TRANSLATE_NOOP("CurveUpsSolve", "Constraints"),
-    "deviation": QT_TRANSLATE_NOOP("CurveUpsSolve", "Deviation"),
-    "clearances": QT_TRANSLATE_NOOP("CurveUpsSolve", "Clearances"),
-    "verification": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification"),
-    "recheck": QT_TRANSLATE_NOOP("CurveUpsSolve", "Verification on a finer mesh"),
-    "bodies": QT_TRANSLATE_NOOP("CurveUpsSolve", "Bodies"),
-    "solids": QT_TRANSLATE_NOOP("CurveUpsSolve", "Solids"),
-    "check": QT_TRANSLATE_NOOP("CurveUpsSolve", "Check of the solids"),
-    "trials": QT_TRANSLATE_NOOP("CurveUpsSolve", "Other sizes"),
-    "suggestions": QT_TRANSLATE_NOOP("CurveUpsSolve", "Suggestions"),
-}
 _GROUPS = {
     "Target": QT_TRANSLATE_NOOP("CurveUpsSolve", "Target"),
     "Tiles": QT_TRANSLATE_NOOP("CurveUpsSolve", "Tiles"),
@@ -194,7 +172,7 @@ class SolvePanel:
         form = self.form
         self._groups: dict[str, list[str]] = {}
         for name in self.design.PropertiesList:
-            if properties.tier_of(self.design, name):
+            if properties.parameter_of(name):
                 group = self.design.getGroupOfProperty(name)
                 self._groups.setdefault(group, []).append(name)
         for group in sorted(self._groups):
@@ -247,7 +225,8 @@ class SolvePanel:
 
     def turn_to(self, name: str) -> None:
         """Turns to a group of parameters; one that there is not is no harm."""
-        number = self.form.group.findData(properties.GROUPS.get(name, ""))
+        number = next((k for k in range(self.form.group.count())
+                       if self.form.group.itemData(k).endswith(f" {name}")), -1)
         if number >= 0:
             self.form.group.setCurrentIndex(number)
 
@@ -333,7 +312,7 @@ class SolvePanel:
             return
         if stage not in self._began:
             self._began[stage] = now
-            shown = translate("CurveUpsSolve", _STAGES[stage]) if stage in _STAGES else stage
+            shown = translate("CurveUpsSolve", label_of(stage))
             last = QtWidgets.QTreeWidgetItem([f"{RUNNING} {shown}", ""])
             last.setData(0, QtCore.Qt.UserRole, stage)
             last.setTextAlignment(1, QtCore.Qt.AlignRight)

@@ -14,7 +14,8 @@ import FreeCADGui
 
 from ...base.errors import CurveUpsError
 from ...base.native import problem
-from ...features import live, properties, rebuild, status
+from ...features import live, properties, rebuild
+from ...features.keys import read_keys
 from ...features.proxy import designs
 from ...project.worker import Outcome, Worker
 from ..qt import QtCore, translate
@@ -126,7 +127,8 @@ def _wanted(design: Any) -> bool:
 
 
 def _values(design: Any) -> dict[str, Any]:
-    return {"design": status.record(design, "Solved").get("design"), **properties.parameters_of(design)}
+    made = read_keys(design).records.get("design")
+    return {"design": made and made.content, **properties.values_of(design)}
 
 
 FOLLOWER: Optional[Follower] = None

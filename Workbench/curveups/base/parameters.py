@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parameter table as data. The native module's build writes it from the one table in
+native/curveups/design/parameters.cpp, so that documents know their parameters without the module."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from .errors import CurveUpsError
+
+_FILE = Path(__file__).with_name("parameters.json")
+_SOLIDS, _PHYSICS = {"tiles", "bodies", "support"}, {"physics", "recheck"}
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A row. type: "number", "integer", "switch", "choice", or what a text without choices holds. readers:
+    the parts of the engine that read it. minimum and maximum: of numbers, the closed range. basic: whether it
+    is shown first. keeps_layout: whether a change is followed without a new layout."""
+
+    name: str
+    unit: str
+    group: str
+    meaning: str
+    readers: frozenset[str]
+    type: str
+    default: Any
+    minimum: float
+    maximum: float
+    choices: tuple[str, ...]
+    basic: bool
+    keeps_layout: bool
+
+    @property
+    def level(self) -> str:
+        """basic, advanced, or switch: whether a stage runs, which commands of a window decide."""
+        return "switch" if self.group == "Stages" else "basic" if self.basic else "advanced"
+
+    @property
+    def effect(self) -> str:
+        """What follows a change: layout (a new one), rebuild (solids, at once), verify, or files (the next
+        that are written)."""
+        if not self.keeps_layout:
+            return "layout"
+        return "rebuild" if self.readers & _SOLIDS else "verify" if self.readers & _PHYSICS else "files"
+
+
+@lru_cache(maxsize=None)
+def table() -> tuple[Parameter, ...]:
+    """Every parameter, in the order in which they are shown. Raises CurveUpsError where nothing is built."""
+    try:
+        rows = json.loads(_FILE.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise CurveUpsError("the parameter table is missing", str(_FILE), "run tools/setup") from error
+    for row in rows:
+        row.update(readers=frozenset(row["readers"]), choices=tuple(row["choices"]))
+    return tuple(Parameter(**row) for row in rows)
+
+
+def parameter(name: str) -> Parameter:
+    """The row of one parameter. Raises KeyError for an unknown name."""
+    return _by_name()[name]
+
+
+@lru_cache(maxsize=None)
+def _by_name() -> dict[str, Parameter]:
+    return {row.name: row for row in table()}

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a document keeps of its results' origins, as texts in properties: they compare, and a stale "valid" is
+noticed, without the native module too."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import json
+from dataclasses import dataclass, field
+from typing import Any, Mapping, Optional
+
+from ..project.keys import Record
+from .proxy import write
+
+
+@dataclass(frozen=True)
+class Keys:
+    """records: of results by their stage. valid and reasons: the verdict of the run that ended with them.
+    stamp, linked and cuts: the source, whether it is an object, and the cuts that were asked for. results: a
+    digest of the results' text. failure: why no solids can be made."""
+
+    records: Mapping[str, Record] = field(default_factory=dict)
+    valid: Optional[bool] = None
+    reasons: tuple[str, ...] = ()
+    stamp: str = ""
+    linked: bool = False
+    cuts: str = ""
+    results: str = ""
+    failure: str = ""
+
+
+NONE = Keys()
+_KINDS = {one.name: type(getattr(NONE, one.name)) for one in dataclasses.fields(Keys) if one.name != "valid"}
+
+
+def write_keys(obj: Any, keys: Keys, name: str = "Keys") -> None:
+    """Into a property of an object."""
+    write(obj, name, json.dumps(dataclasses.asdict(keys), sort_keys=True))
+
+
+def read_keys(obj: Any, name: str = "Keys") -> Keys:
+    """NONE where there are none, and where the text is not what `write_keys` writes."""
+    try:
+        data = json.loads(getattr(obj, name, "") or "{}")
+        records = {stage: Record(**one) for stage, one in data.pop("records", {}).items()}
+        found = Keys(records, **{key: tuple(value) if isinstance(value, list) else value
+                                 for key, value in data.items()})
+        return found if _sound(found) else NONE
+    except (ValueError, TypeError, AttributeError):
+        return NONE
+
+
+def digest_of_text(text: str) -> str:
+    """Tells texts apart."""
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+
+
+def digest_of_edges(edges: Any) -> str:
+    """A short text for a flat list of vertex pairs; empty for none."""
+    return " ".join(str(int(v)) for v in edges)
+
+
+def _sound(keys: Keys) -> bool:
+    return (keys.valid in (True, False, None)
+            and all(isinstance(getattr(keys, name), kind) for name, kind in _KINDS.items())
+            and all(isinstance(line, str) for line in keys.reasons)
+            and all(isinstance(one.content, str) and isinstance(one.settles, dict)
+                    and isinstance(one.key, dict) and all(isinstance(part, str) for part in one.key.values())
+                    for one in keys.records.values()))

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One authority: after any change a document says of each object what the project says."""
+
+import FreeCAD
+import pytest
+from curveups.base.native import problem
+from curveups.base.parameters import table
+from curveups.features import document as documents, live, properties, rebuild
+from curveups.stages import BY_NAME
+
+pytestmark = pytest.mark.freecad
+
+PARTS = ("Target", "Layout", "Verification", "Tiles")
+TEXTS = {"tiles": "T00002", "faces": "Face1", "opening": "largest", "pieces": "2"}
+
+
+def another(row, value):
+    """A value of a parameter that is not the one it has."""
+    if row.choices:
+        return next(choice for choice in row.choices if choice != value)
+    if row.type == "switch":
+        return not value
+    if row.type in TEXTS:
+        return TEXTS[row.type]
+    step = 1 if row.type == "integer" else 0.01 * (row.maximum - row.minimum)
+    return value + step if value + step <= row.maximum else value - step
+
+
+def said(path):
+    """By parameter: the objects of a solved document that are out of date after a change of it."""
+    design = FreeCAD.openDocument(path).Design
+    found = {}
+    for row in properties.rows():
+        before = properties.value_of(design, properties.property_name(row.name))
+        write(design, row, another(row, before))
+        found[row.name] = {part for part in PARTS if getattr(design, part).Status == "out of date"}
+        write(design, row, before)
+    assert not any(getattr(design, part).Status == "out of date" for part in PARTS)
+    return found, problem() is None
+
+
+def write(design, row, value):
+    name = properties.property_name(row.name)
+    unit = properties.UNITS.get(row.unit, row.unit)
+    plain = not hasattr(getattr(design, name), "getValueAs")
+    setattr(design, name, value if plain else f"{value!r} {unit}")
+
+
+def asked(path):
+    """The same by the project."""
+    design = FreeCAD.openDocument(path).Design
+    found = {}
+    for row in table():
+        if row.level == "switch":
+            continue
+        parameters = live.settings_of(design)
+        parameters.set(row.name, another(row, parameters.get(row.name)))
+        from_target, standing = live.project_of(design).copy(), live.design_project_of(design).copy()
+        for project in (from_target, standing):
+            try:
+                project.parameters = parameters
+            except documents.CurveUpsError:  # values that contradict one another are refused as a whole
+                break
+        else:
+            layout = [name for name in from_target.out_of_date("design")
+                      if name in BY_NAME or not by_name(name).keeps_layout]
+            # The command line made solids and checked them, which no document keeps.
+            judging = [name for name, stage in BY_NAME.items() if stage.judges and (
+                standing.out_of_date(name) or standing.out_of_date(name) is None
+                and row.keeps_layout and row.name in stage.parameters(parameters))]
+            found[row.name] = {part for part, stale in (
+                ("Target", from_target.out_of_date("target")), ("Layout", layout),
+                ("Verification", layout or judging), ("Tiles", row.effect == "rebuild")) if stale}
+    return found
+
+
+def by_name(name):
+    return next(row for row in table() if row.name == name)
+
+
+def test_every_parameter(dome_document, elsewhere):
+    path = str(dome_document)
+    expected, (found, with_solver) = asked(path), said(path)
+    assert with_solver and len(expected) > 50
+    for name, parts in expected.items():
+        assert found[name] == parts, name
+    for home, window in (("no native", False), ("workbench", True)):
+        (again, with_solver), _ = elsewhere(said, path, home=home, window=window)
+        assert with_solver == (home == "workbench") and again == found
+
+
+def test_a_change_of_what_reads_the_target_alone(dome_document):
+    """Such a change left the Target current once."""
+    design = FreeCAD.openDocument(str(dome_document)).Design
+    for name, value in (("CreaseAngle", 30), ("Fit", "70 mm"), ("Mend", "on")):
+        before = getattr(design, name)
+        setattr(design, name, value)
+        assert design.Target.Status == "out of date" and name in design.Target.Reason
+        assert design.Status == "out of date" and name in design.Reasons[0]
+        setattr(design, name, before)
+        assert design.Target.Status == design.Status == "current"
+
+
+def test_solids_follow_where_there_is_no_window(dome_document):
+    design = FreeCAD.openDocument(str(dome_document)).Design
+    assert not rebuild.needed(design)
+    design.HBody = "2.5 mm"
+    assert rebuild.needed(design)
+    design.Document.recompute()
+    assert not rebuild.needed(design) and design.Tiles.Status == "current"
+    assert design.Verification.Status == "out of date"
