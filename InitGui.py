@@ -26,19 +26,21 @@ class CurveUpsWorkbench(FreeCADGui.Workbench):
 
     def Initialize(self):
         """Called when the workbench is first activated."""
-        from curveups.window import commands
-        from curveups.window.qt import QT_TRANSLATE_NOOP, RESOURCES
+        from curveups.window import commands, guide
+        from curveups.window.qt import RESOURCES
 
-        names = list(commands.register())
-        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "CurveUps"), names)
-        self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&CurveUps"), names)
+        commands.register()
+        guide.install()
+        self.appendToolbar("CurveUps", commands.steps())
+        for titles, names in commands.menus():
+            self.appendMenu(titles, names)
         FreeCADGui.addPreferencePage(str(RESOURCES / "ui" / "preferences.ui"), "CurveUps")
 
     def ContextMenu(self, recipient):
-        """recipient: "view" or "tree"."""
+        """recipient: "View" or "Tree"."""
         from curveups.window import commands
 
-        names = commands.for_context(recipient)
+        names = commands.for_view() if recipient == "View" else []
         if names:
             self.appendContextMenu("CurveUps", names)
 

@@ -460,16 +460,8 @@
       <translation>Ganzer Druck</translation>
     </message>
     <message>
-      <source>another task panel is open</source>
-      <translation>ein anderer Aufgabenbereich ist offen</translation>
-    </message>
-    <message>
       <source>choose one</source>
       <translation>einen auswählen</translation>
-    </message>
-    <message>
-      <source>close it first</source>
-      <translation>ihn zuerst schließen</translation>
     </message>
     <message>
       <source>files in {folder}: {count}</source>
@@ -623,7 +615,7 @@
     </message>
     <message>
       <source>Revert all edits</source>
-      <translation>Alle Änderungen zurücknehmen</translation>
+      <translation>Alles zurücknehmen</translation>
     </message>
     <message>
       <source>Set the defaults of all parameters that a profile sets</source>
@@ -666,24 +658,12 @@
       <translation>Prüfung auf feinerem Netz</translation>
     </message>
     <message>
-      <source>another task panel is open</source>
-      <translation>ein anderer Aufgabenbereich ist offen</translation>
-    </message>
-    <message>
-      <source>close it first</source>
-      <translation>ihn zuerst schließen</translation>
-    </message>
-    <message>
       <source>empty</source>
       <translation>leer</translation>
     </message>
     <message>
       <source>invalid</source>
       <translation>ungültig</translation>
-    </message>
-    <message>
-      <source>leave the edit mode of another object first</source>
-      <translation>zuerst den Bearbeitungsmodus des anderen Objekts verlassen</translation>
     </message>
     <message>
       <source>not judged</source>
@@ -704,10 +684,6 @@
     <message>
       <source>stopping</source>
       <translation>wird angehalten</translation>
-    </message>
-    <message>
-      <source>the panel can't be opened</source>
-      <translation>der Aufgabenbereich lässt sich nicht öffnen</translation>
     </message>
     <message>
       <source>valid</source>
@@ -785,7 +761,7 @@
     </message>
     <message>
       <source>Use {name} = {value}</source>
-      <translation>{name} = {value} übernehmen</translation>
+      <translation>{name} = {value} setzen</translation>
     </message>
     <message>
       <source>Worst</source>
@@ -977,6 +953,25 @@
     <message>
       <source>tiles with pins below APinMin</source>
       <translation>Kacheln mit Zapfen unter APinMin</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Guide</name>
+    <message>
+      <source>Back</source>
+      <translation>Zurück</translation>
+    </message>
+    <message>
+      <source>From a surface to print files; F1 opens it at the command under the mouse or at the panel that is open</source>
+      <translation>Von der Fläche zu den Druckdateien; F1 öffnet es beim Befehl unter der Maus oder beim offenen Fenster</translation>
+    </message>
+    <message>
+      <source>Guide</source>
+      <translation>Anleitung</translation>
+    </message>
+    <message>
+      <source>Guide to CurveUps</source>
+      <translation>Anleitung zu CurveUps</translation>
     </message>
   </context>
   <context>
@@ -1364,8 +1359,8 @@
       <translation>Namen</translation>
     </message>
     <message>
-      <source>With report.html and report.json</source>
-      <translation>Mit report.html und report.json</translation>
+      <source>With the report</source>
+      <translation>Mit Bericht</translation>
     </message>
     <message>
       <source>Write the files although the design should not be printed. The files and the report say so</source>
@@ -1482,8 +1477,8 @@
       <translation>Entscheiden, ob die jetzige Abwicklung mit den jetzigen Membranen gültig ist</translation>
     </message>
     <message>
-      <source>Draw the layout while it is solved</source>
-      <translation>Abwicklung während des Lösens zeichnen</translation>
+      <source>Draw while solving</source>
+      <translation>Beim Lösen zeichnen</translation>
     </message>
     <message>
       <source>End now and keep the best so far</source>
@@ -1515,7 +1510,7 @@
     </message>
     <message>
       <source>Revert All Edits</source>
-      <translation>Alle Änderungen zurücknehmen</translation>
+      <translation>Alles zurücknehmen</translation>
     </message>
     <message>
       <source>Set the parameters that suit a kind of printer (one step of undo)</source>
@@ -1557,8 +1552,16 @@
       <translation>&amp;CurveUps</translation>
     </message>
     <message>
-      <source>CurveUps</source>
-      <translation>CurveUps</translation>
+      <source>Design</source>
+      <translation>Entwurf</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translation>Hilfe</translation>
+    </message>
+    <message>
+      <source>Show</source>
+      <translation>Zeigen</translation>
     </message>
   </context>
   <context>

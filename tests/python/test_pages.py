@@ -10,7 +10,7 @@ import pytest
 from running import ROOT, environment
 
 PAGES = sorted(page for page in (ROOT / "resources" / "docs").glob("*.md") if page.stem not in (
-    "architecture", "bibliography", "glossary", "guide", "performance", "results"))
+    "architecture", "bibliography", "conventions", "glossary", "guide", "performance", "results"))
 
 
 def example(page):

@@ -4,7 +4,7 @@
 import FreeCAD
 import FreeCADGui
 from curveups.window.commands.new_design import make_design
-from curveups.window.panels import solve
+from curveups.window.panels import panel as panels
 from curveups.window.run import LIVE
 from robot import QtGui, fill, settle, tidy
 
@@ -41,8 +41,8 @@ def opened(path):
 
 
 def panel():
-    """The panel of a design that is open."""
-    return solve._open
+    """The panel that is open."""
+    return panels.current()
 
 
 def enter(form, name, text):

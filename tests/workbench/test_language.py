@@ -8,7 +8,8 @@ from curveups.features import document as designs
 from curveups.features.document import new_design
 from curveups.window.commands.command import no_design
 from curveups.window.overlays import overlay_of
-from curveups.window.panels.solve import open_panel
+from curveups.window.panels.panel import show
+from curveups.window.panels.solve import SolvePanel
 from robot import QtCore, QtGui, settle
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -23,7 +24,7 @@ def test_german(tmp_path):
     assert "Kacheln" in action.toolTip(), action.toolTip()
     action = FreeCADGui.Command.get("CurveUps_NewDesign").getAction()[0]
     assert action.text() == "Neuer Entwurf", action.text()
-    form = open_panel(new_design(FreeCAD.newDocument(), "disc")).form
+    form = show(SolvePanel, new_design(FreeCAD.newDocument(), "disc")).form
     assert form.stop.text() == "Anhalten" and form.solve.text() == "Lösen", form.stop.text()
     assert form.stages.headerItem().text(0) == "Schritt", form.stages.headerItem().text(0)
     # Parameters, in the panel and as the property editor looks them up; legends.

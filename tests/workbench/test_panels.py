@@ -13,7 +13,8 @@ import robot
 from curveups.features import document as designs
 from curveups.window.overlay import legend
 from curveups.window.overlays import overlay_of
-from curveups.window.panels.solve import open_panel
+from curveups.window.panels.panel import show
+from curveups.window.panels.solve import SolvePanel
 from robot import (click, display, fill, in_dialog, picture, QtCore, QtGui, settle, tidy, until,
                    widget, window)
 from steps import in_units, LIVE, opened
@@ -74,7 +75,7 @@ def test_another_unit_schema_is_seen_at_once(dome_document, pictures):
         return [rows.item(row, 1).text() for row in range(min(3, rows.rowCount()))]
 
     document, design = opened(dome_document)
-    panel = open_panel(design)
+    panel = show(SolvePanel, design)
     panel.turn_to("Tiles")
     field = panel.form.findChild(QtGui.QWidget, "HBody")
     assert field.text() == "3.00 mm", field.text()
@@ -105,7 +106,7 @@ def test_all_edits_since_the_panel_opened_are_taken_back_at_once(dome_document, 
     design.setExpression("BumpHeight", "0.1 mm + 0.15 mm")
     document.recompute()
     bound = list(design.ExpressionEngine)
-    panel = open_panel(design)
+    panel = show(SolvePanel, design)
     panel.turn_to("Tiles")
     settle(800)
     fill(panel.form.findChild(QtGui.QWidget, "HPin"), "0.8 mm")
@@ -161,7 +162,7 @@ def quit_in_mid_run(pictures, left):
     setattr(os, "_exit", ended.append)  # it is FreeCAD itself that ends here
     FreeCADGui.activateWorkbench("CurveUpsWorkbench")
     design = designs.new_design(FreeCAD.newDocument("Made"), "hyperboloid")
-    open_panel(design).run("solve")
+    show(SolvePanel, design).run("solve")
     until(lambda: LIVE._drawn >= 1, 120, "a picture of the run")
     assert LIVE.busy
 

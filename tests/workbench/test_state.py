@@ -317,6 +317,22 @@ def test_cuts(document):
     assert design.CutCount == 1 and design.Cuts.Status == "current" and design.Verdict == "valid"
 
 
+def test_a_sheet_that_sets_a_parameter_reads_figures_with_their_units(dome_document):
+    document = FreeCAD.openDocument(str(dome_document))
+    design, found = document.Design, document.Verification
+    assert found.MinNormalForce.getValueAs("N").Value > 0 and found.TileCount == design.TileCount
+    for name, unit in (("MinNormalForce", "N"), ("FlatArea", "cm^2"), ("MaxDeviation", "mm"),
+                       ("TileVolume", "cm^3")):
+        value = getattr(found, name).getValueAs(unit).Value
+        assert abs(value - getattr(design, name)) <= 1e-9 * abs(value), (name, value)
+    sheet = document.addObject("Spreadsheet::Sheet", "Sheet")
+    sheet.set("A1", "=Verification.MinNormalForce > 1 mN ? 2.5 mm : 3.5 mm")
+    design.setExpression("HBody", "Sheet.A1")
+    document.recompute()
+    assert design.HBody.Value == 2.5 and "Invalid" not in (*design.State, *sheet.State)
+    assert design.CreaseAngle.getValueAs("deg").Value == 180
+
+
 def test_figures_are_read_by_sheets_and_placement_moves_everything(dome_document):
     document, design = opened(dome_document)
     sheet = document.addObject("Spreadsheet::Sheet", "Sheet")

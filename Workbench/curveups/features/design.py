@@ -40,7 +40,7 @@ class DesignProxy(Proxy):
         add(obj, "App::PropertyStringList", "Reasons", result, "Why.", READ_ONLY | OUTPUT)
         add(obj, "App::PropertyString", "Status", result,
             "empty, current, out of date, invalid or running.", READ_ONLY | OUTPUT)
-        figures.add_figures(obj)
+        figures.add_figures(obj, with_units=False)
         hidden = READ_ONLY | HIDDEN | OUTPUT
         add(obj, "App::PropertyString", "Results", "Base", "Everything that was computed.", hidden)
         add(obj, "App::PropertyString", "Keys", "Base", "What results were made from.", hidden)

@@ -7,39 +7,47 @@ from typing import Any, Mapping
 
 from ..project.project import Results
 from . import properties
-from .proxy import OUTPUT, READ_ONLY, add, write
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, add, write
 
-# Property, type, unit or meaning, path in report.json.
+# Property, type, unit, meaning, path in report.json.
 FIGURES = (
-    ("TileCount", "App::PropertyInteger", "Tiles.", ("tiles",)),
-    ("ContactCount", "App::PropertyInteger", "Contacts between tiles.", ("contacts",)),
-    ("CutCount", "App::PropertyInteger", "Edges that are cut.", ("cuts",)),
-    ("AreaRatio", "App::PropertyFloat", "Flat area over actuated area.", ("area", "ratio")),
-    ("FlatArea", "App::PropertyFloat", "Flat area, cm2.", ("area", "flat_cm2")),
-    ("ActuatedArea", "App::PropertyFloat", "Actuated area, cm2.", ("area", "actuated_cm2")),
-    ("LargestViolation", "App::PropertyFloat", "Largest violation of a gap, mm.",
+    ("TileCount", "App::PropertyInteger", "", "Tiles", ("tiles",)),
+    ("ContactCount", "App::PropertyInteger", "", "Contacts between tiles", ("contacts",)),
+    ("CutCount", "App::PropertyInteger", "", "Edges that are cut", ("cuts",)),
+    ("AreaRatio", "App::PropertyFloat", "", "Flat area over actuated area", ("area", "ratio")),
+    ("FlatArea", "App::PropertyArea", "cm2", "Flat area", ("area", "flat_cm2")),
+    ("ActuatedArea", "App::PropertyArea", "cm2", "Actuated area", ("area", "actuated_cm2")),
+    ("LargestViolation", "App::PropertyDistance", "mm", "Largest violation of a gap",
      ("constraints", "max_gap_violation_mm")),
-    ("SmallPins", "App::PropertyInteger", "Sides of pins below APinMin.",
+    ("SmallPins", "App::PropertyInteger", "", "Sides of pins below APinMin",
      ("constraints", "pin_sides_below_area")),
-    ("MinNormalForce", "App::PropertyFloat", "Least normal force at a contact point, N.",
+    ("MinNormalForce", "App::PropertyForce", "N", "Least normal force at a contact point",
      ("contact_forces", "normal_min")),
-    ("MeanNormalForce", "App::PropertyFloat", "Mean normal force at contact points, N.",
+    ("MeanNormalForce", "App::PropertyForce", "N", "Mean normal force at contact points",
      ("contact_forces", "normal_mean")),
-    ("MaxFriction", "App::PropertyFloat", "Largest friction over normal force.",
+    ("MaxFriction", "App::PropertyFloat", "", "Largest friction over normal force",
      ("contact_forces", "friction_ratio_max")),
-    ("MeanDeviation", "App::PropertyFloat", "Mean distance from the target, mm.", ("deviation", "mean_mm")),
-    ("MaxDeviation", "App::PropertyFloat", "Largest distance from the target, mm.", ("deviation", "max_mm")),
+    ("MeanDeviation", "App::PropertyDistance", "mm", "Mean distance from the target",
+     ("deviation", "mean_mm")),
+    ("MaxDeviation", "App::PropertyDistance", "mm", "Largest distance from the target",
+     ("deviation", "max_mm")),
+    ("TileVolume", "App::PropertyVolume", "cm3", "Volume of the tiles", ()),
+    ("SupportVolume", "App::PropertyVolume", "cm3", "Volume of the support", ()),
+    ("AnchorVolume", "App::PropertyVolume", "cm3", "Volume of the anchors", ()),
 )
-VOLUMES = {"Tiles": "TileVolume", "Support": "SupportVolume", "Anchors": "AnchorVolume"}  # by slot
+_UNITS = {name: unit for name, _, unit, *_ in FIGURES}
+_VOLUMES = {"Tiles": "TileVolume", "Support": "SupportVolume", "Anchors": "AnchorVolume"}  # by slot
 
 
-def add_figures(obj: Any) -> None:
-    """The properties that a Design lacks."""
-    for name, kind, tip, _ in FIGURES:
-        add(obj, kind, name, properties.FIGURES, tip, READ_ONLY | OUTPUT)
-    for slot, name in VOLUMES.items():
-        add(obj, "App::PropertyFloat", name, properties.FIGURES, f"Volume of the {slot.lower()}, cm3.",
-            READ_ONLY | OUTPUT)
+def add_figures(obj: Any, with_units: bool) -> None:
+    """The properties that a Design or, with units, a Verification lacks. A sheet that sets a parameter reads
+    those of the Verification, which depends on nothing; those of the Design are hidden, for scripts."""
+    status = READ_ONLY | OUTPUT | (0 if with_units else HIDDEN)
+    for name, kind, unit, meaning, _ in FIGURES:
+        if with_units or not unit:
+            add(obj, kind, name, properties.FIGURES, f"{meaning}.", status)
+        else:
+            add(obj, "App::PropertyFloat", name, properties.FIGURES, f"{meaning}, {unit}.", status)
 
 
 def write_figures(obj: Any, results: Results) -> None:
@@ -47,15 +55,23 @@ def write_figures(obj: Any, results: Results) -> None:
     report: dict[str, Any] = {}
     for result in results.values():
         report.update(result.report())
-    for name, _, _, path in FIGURES:
+    for name, _, _, _, path in FIGURES:
         value: Any = report
         for key in path:
             value = value.get(key) if isinstance(value, Mapping) else None
         if isinstance(value, (int, float)):
-            write(obj, name, value)
+            _write(obj, name, value)
 
 
 def write_volumes(obj: Any, volumes: Mapping[str, float], kinds: Mapping[str, str]) -> None:
     """volumes: mm3 by kind; kinds: by slot."""
     for slot, kind in kinds.items():
-        write(obj, VOLUMES[slot], volumes[kind] / 1000)
+        _write(obj, _VOLUMES[slot], volumes[kind] / 1000)
+
+
+def _write(obj: Any, name: str, value: Any) -> None:
+    import FreeCAD
+
+    write(obj, name, value)
+    unit = _UNITS[name].replace("2", "^2").replace("3", "^3")
+    write(obj.Verification, name, FreeCAD.Units.Quantity(f"{value!r} {unit}") if unit else value)

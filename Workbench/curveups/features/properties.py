@@ -21,7 +21,7 @@ _TYPES = {"integer": "App::PropertyInteger", "switch": "App::PropertyBool",
 # Types whose editor shows the unit. Where a FreeCAD lacks one (density before 0.21) the number is
 # plain and its tooltip names the unit.
 _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
-               "MPa": "App::PropertyPressure", "g/cm3": "App::PropertyDensity"}
+               "deg": "App::PropertyAngle", "MPa": "App::PropertyPressure", "g/cm3": "App::PropertyDensity"}
 UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
 
 # In the order of work.

@@ -8,6 +8,7 @@ from typing import Any, Optional
 import numpy as np
 
 from ..stages.stage import digest
+from .figures import add_figures
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, PartProxy, add, refresh
 
 # Property, array of the verification, type, tooltip.
@@ -37,6 +38,7 @@ class VerificationProxy(PartProxy):
         super().add_properties(obj)
         for name, _, kind, tip in _LISTS:
             add(obj, kind, name, "Verification", tip, READ_ONLY | OUTPUT)
+        add_figures(obj, with_units=True)
         add(obj, "App::PropertyIntegerList", "WeakContacts", "Verification",
             "Pairs of tiles whose contact is below the least force, counted from 0.", READ_ONLY | OUTPUT)
         add(obj, "App::PropertyString", "Digest", "Verification", "Of the lists, as they were made.",

@@ -15,11 +15,15 @@ import FreeCAD
 import FreeCADGui
 
 from ..base.errors import CurveUpsError, Stopped
-from .qt import QtCore, QtWidgets, translate
+from .guide import SCHEME, link_to, show_guide
+from .qt import QtCore, QtGui, QtWidgets, translate
 from .selection import select_tiles
 from .units import in_user_units
 
 _TILE = re.compile(r"\bT\d{5,}\b")
+# Commands that messages name, as the guide does.
+_TOPICS = ("Solve", "Verify", "Repair", "Build Solids", "New Design", "Change Target", "Examples",
+           "Solver Status", "Restore Objects")
 _panel: Optional[Callable[[str], None]] = None  # shows a line of rich text
 
 
@@ -63,9 +67,23 @@ def show_in(panel: Optional[Callable[[str], None]]) -> None:
 
 
 def with_links(line: str) -> str:
-    """Rich text in the user's units, in which names of tiles can be clicked."""
+    """Rich text in the user's units, in which names of tiles and of commands can be clicked."""
     text = escape(in_user_units(line), quote=False)
+    topics = {translate(f"CurveUps_{topic.replace(' ', '')}", topic): topic for topic in _TOPICS}
+    topics |= {topic: topic for topic in _TOPICS}
+    text = re.sub(rf"\b({'|'.join(map(re.escape, topics))})\b",
+                  lambda match: link_to(topics[match[0]], match[0]), text)
     return _TILE.sub(lambda match: f'<a href="{match[0]}">{match[0]}</a>', text)
+
+
+def follow_link(link: str) -> None:
+    """Selects the tiles that a link names, or opens its file, or the guide at its topic."""
+    if link.startswith(SCHEME):
+        show_guide(link[len(SCHEME):])
+    elif link.startswith("file:"):
+        QtGui.QDesktopServices.openUrl(QtCore.QUrl(link))
+    else:
+        select_tiles(link)
 
 
 class Notice(QtWidgets.QFrame):
@@ -98,7 +116,7 @@ class Notice(QtWidgets.QFrame):
         label.setWordWrap(True)
         label.setTextFormat(QtCore.Qt.RichText)
         label.setTextInteractionFlags(QtCore.Qt.TextBrowserInteraction)
-        label.linkActivated.connect(lambda link: select_tiles(link))
+        label.linkActivated.connect(lambda link: follow_link(link))
         close = QtWidgets.QToolButton()
         close.setText("×")
         close.setToolTip(translate("CurveUps", "Close"))

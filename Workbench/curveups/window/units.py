@@ -22,6 +22,8 @@ def user_unit(unit: str, size: float) -> tuple[float, str]:
     one = FreeCAD.Units.Quantity(f"1 {unit}")
     quantity = FreeCAD.Units.Quantity((size or 1.0) * one.Value, one.Unit)
     _, per_unit, name = quantity.getUserPreferred()
+    if "*" in name:  # the schema has no unit for it: inches know no force
+        return 1.0, unit
     return one.Value / per_unit, name
 
 

@@ -1,34 +1,52 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lists the commands, one file each, in the order of the toolbar."""
+"""Lists the commands, one file each, as toolbar and menu show them."""
 
 from __future__ import annotations
 
 import importlib
 from typing import Any
 
-_FILES = ("new_design", "target", "check", "cuts", "solve", "verify", "repair", "build_solids",
-          "show_flat", "show_actuated", "show_solids", "overlay", "worst_contacts", "export", "report",
-          "examples", "restore_objects", "solver_status")
-# What a right click on a design, or beside it, is likely to want.
-_CONTEXT = ("solve", "verify", "check", "cuts", "show_flat", "show_actuated", "show_solids", "export",
-            "report")
+from ..qt import QT_TRANSLATE_NOOP, translate
+
+# The way from a surface to print files: the toolbar, and the head of the menu.
+_STEPS = ("new_design", "check", "solve", "cuts", "overlay", "export")
+# What follows in the menu: menus below it by their names, and what stands there by itself.
+_MENUS = (
+    (QT_TRANSLATE_NOOP("Workbench", "Design"), ("target", "verify", "repair", "build_solids", "report")),
+    (QT_TRANSLATE_NOOP("Workbench", "Show"), ("show_flat", "show_actuated", "show_solids", "worst_contacts")),
+    ("", ("examples",)),
+    (QT_TRANSLATE_NOOP("Workbench", "Help"), ("guide", "solver_status", "restore_objects")))
+MENU = QT_TRANSLATE_NOOP("Workbench", "&CurveUps")
 
 
-def register() -> tuple[str, ...]:
-    """Makes all commands known to FreeCAD; their names in the order of the toolbar."""
+def steps() -> list[str]:
+    """Names of the commands of the toolbar."""
+    return [_command(file).name for file in _STEPS]
+
+
+def menus() -> list[tuple[list[str], list[str]]]:
+    """Titles on the way to a menu, and names of what stands there."""
+    found = [([MENU], [*steps(), "Separator"])]
+    for title, files in _MENUS:
+        found.append(([MENU, translate("Workbench", title)] if title else [MENU],
+                      [_command(file).name for file in files]))
+    return found
+
+
+def register() -> None:
+    """Makes all commands known to FreeCAD."""
     import FreeCADGui
 
-    found = [_command(file) for file in _FILES]
-    for command in found:
+    for file in (*_STEPS, *(file for _, files in _MENUS for file in files)):
+        command = _command(file)
         for one in (*command.menu(), command):
             FreeCADGui.addCommand(one.name, one)
-    return tuple(command.name for command in found)
 
 
-def for_context(recipient: str) -> list[str]:
-    """Names for the context menu of the tree or the view ("tree", "view") as things stand: what can't
-    run is left out."""
-    found = [_command(file) for file in _CONTEXT]
+def for_view() -> list[str]:
+    """Names for the context menu of the 3D view as things stand: what can't run is left out. In the tree
+    objects have menus of their own."""
+    found = [_command(file) for file in (*_STEPS[1:], "show_flat", "show_actuated")]
     return [command.name for command in found if not command.reason()]
 
 

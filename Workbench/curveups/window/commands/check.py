@@ -3,18 +3,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import FreeCADGui
-
 from .. import runs
 from ..panels.check import CheckPanel
-from ..qt import QT_TRANSLATE_NOOP, translate
+from ..qt import QT_TRANSLATE_NOOP
 from ..selection import chosen_design
-from .command import DesignCommand
+from .command import PanelCommand
 
 
-class Check(DesignCommand):
+class Check(PanelCommand):
     """CurveUps_Check"""
 
     name = "CurveUps_Check"
@@ -23,15 +19,10 @@ class Check(DesignCommand):
                                 "Find out which parts of the target can become tiles, and which sizes "
                                 "work, before you solve")
     shortcut = "C, K"
+    panel = CheckPanel
 
     def reason(self) -> str:
-        found = super().reason() or runs.reason("check", chosen_design())
-        if not found and FreeCADGui.Control.activeDialog():
-            found = translate("CurveUps", "Another task panel is open: close it first")
-        return found
-
-    def work(self, design: Any) -> None:
-        FreeCADGui.Control.showDialog(CheckPanel(design))
+        return super().reason() or runs.reason("check", chosen_design())
 
 
 COMMAND = Check()

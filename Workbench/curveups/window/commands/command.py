@@ -8,7 +8,9 @@ from typing import Any, Optional, Sequence
 
 import FreeCADGui
 
+from ..guide import link_to
 from ..notice import errors_shown
+from ..panels.panel import Panel, obstacle, show
 from ..qt import translate
 from ..selection import chosen_design, no_design
 
@@ -36,7 +38,7 @@ class Command(ABC):
         return []
 
     def GetResources(self) -> dict[str, Any]:
-        return {"Pixmap": self.name, "MenuText": self.text, "ToolTip": self.tooltip,
+        return {"Pixmap": self.name, "MenuText": self.text, "ToolTip": self.tooltip, "WhatsThis": self.name,
                 "Accel": self.shortcut, "CmdType": "AlterDoc"}
 
     def IsActive(self) -> bool:
@@ -66,6 +68,9 @@ class Command(ABC):
             action.setToolTip(f"<b>{translate(one.name, one.text)}</b><br>{tip}"
                               + (f"<br><i>{reason}</i>" if reason else ""))
             action.setStatusTip(reason or tip)
+            guide = link_to(self.text, translate("CurveUps_Guide", "Guide"))
+            action.setWhatsThis(f"{action.toolTip()}<p>{guide}</p>")
+            action.setProperty("CurveUpsTopic", self.text)
 
 
 class DesignCommand(Command):
@@ -80,3 +85,15 @@ class DesignCommand(Command):
     @abstractmethod
     def work(self, design: Any) -> None:
         """The work on a Design object."""
+
+
+class PanelCommand(DesignCommand):
+    """One that opens a panel."""
+
+    panel: type[Panel]
+
+    def reason(self) -> str:
+        return super().reason() or obstacle()
+
+    def work(self, design: Any) -> None:
+        show(self.panel, design)

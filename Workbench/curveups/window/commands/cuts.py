@@ -3,37 +3,29 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import FreeCADGui
-
 from ...base.native import problem
 from ..panels.cuts import CutsPanel
 from ..qt import QT_TRANSLATE_NOOP, translate
 from ..run import LIVE
-from .command import DesignCommand
+from .command import PanelCommand
 
 
-class Cuts(DesignCommand):
+class Cuts(PanelCommand):
     """CurveUps_Cuts"""
 
     name = "CurveUps_Cuts"
     text = QT_TRANSLATE_NOOP("CurveUps_Cuts", "Cuts")
     tooltip = QT_TRANSLATE_NOOP(
         "CurveUps_Cuts", "Pick edges along which tiles are disconnected, or ask for suggestions")
+    panel = CutsPanel
 
     def reason(self) -> str:
         found = super().reason()
         if not found and problem() is not None:
             found = str(problem())
-        if not found and FreeCADGui.Control.activeDialog():
-            found = translate("CurveUps", "Another task panel is open: close it first")
         if not found and LIVE.busy:
             found = translate("CurveUps", "CurveUps is at work: stop or cancel that first")
         return found
-
-    def work(self, design: Any) -> None:
-        FreeCADGui.Control.showDialog(CutsPanel(design))
 
 
 COMMAND = Cuts()

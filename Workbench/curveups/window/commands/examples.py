@@ -10,7 +10,8 @@ import FreeCADGui
 from ...base.native import native, problem
 from ..macro import new_document
 from ..notice import errors_shown
-from ..panels.solve import open_panel
+from ..panels.panel import show
+from ..panels.solve import SolvePanel
 from ..qt import QT_TRANSLATE_NOOP, translate
 from ..run import LIVE
 from .command import Command
@@ -69,7 +70,7 @@ class _Example(Command):
         design = make_design(document, repr(self._target))
         FreeCADGui.getDocument(document.Name).ActiveView.viewIsometric()
         with errors_shown(self.text):
-            open_panel(design).run("solve")
+            show(SolvePanel, design).run("solve")
 
 
 def _reason() -> str:

@@ -3,16 +3,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from ..panels.export import open_panel
+from ..panels.export import ExportPanel
 from ..qt import QT_TRANSLATE_NOOP
 from ..runs import reason
 from ..selection import chosen_design
-from .command import DesignCommand
+from .command import PanelCommand
 
 
-class Export(DesignCommand):
+class Export(PanelCommand):
     """CurveUps_Export"""
 
     name = "CurveUps_Export"
@@ -21,12 +19,10 @@ class Export(DesignCommand):
                                 "Write 3MF, STEP and STL files of the bodies, and the report for the print "
                                 "shop")
     shortcut = "C, E"
+    panel = ExportPanel
 
     def reason(self) -> str:
         return super().reason() or reason("export", chosen_design())
-
-    def work(self, design: Any) -> None:
-        open_panel(design)
 
 
 COMMAND = Export()

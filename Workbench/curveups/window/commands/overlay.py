@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from ..panels.overlay import OverlayPanel
 from ..qt import QT_TRANSLATE_NOOP
-from .showing import PanelCommand
+from ..selection import chosen_design
+from .command import PanelCommand
+from .showing import missing
 
 
 class OverlayCommand(PanelCommand):
@@ -17,9 +17,10 @@ class OverlayCommand(PanelCommand):
     text = QT_TRANSLATE_NOOP("CurveUps_Overlay", "Overlay")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Overlay",
                                 "Choose the value that colours the tiles, fold them, and read their values")
+    panel = OverlayPanel
 
-    def panel(self, design: Any) -> Any:
-        return OverlayPanel(design)
+    def reason(self) -> str:
+        return super().reason() or missing(chosen_design(), layout=False)
 
 
 COMMAND = OverlayCommand()

@@ -5,20 +5,22 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..panels.solve import open_panel
+from ..panels.panel import show
+from ..panels.solve import SolvePanel
 from ..runs import reason
 from ..selection import chosen_design
-from .command import DesignCommand
+from .command import PanelCommand
 
 
-class RunCommand(DesignCommand):
+class RunCommand(PanelCommand):
     """A command that opens the design's panel and starts a run."""
 
     which = ""
+    panel = SolvePanel
 
     def reason(self) -> str:
         design = chosen_design()
         return super().reason() or reason(self.which, design)
 
     def work(self, design: Any) -> None:
-        open_panel(design).run(self.which)
+        show(SolvePanel, design).run(self.which)

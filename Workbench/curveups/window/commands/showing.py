@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from typing import Any
 
 import FreeCADGui
@@ -42,20 +41,3 @@ def missing(design: Any, layout: bool) -> str:
     if layout and scene.flat is None:
         return translate("CurveUps", "There is no layout yet: run Solve")
     return ""
-
-
-class PanelCommand(DesignCommand):
-    """Opens a panel beside the view."""
-
-    def reason(self) -> str:
-        found = super().reason() or missing(chosen_design(), False)
-        if not found and FreeCADGui.Control.activeDialog():
-            found = translate("CurveUps", "Another task panel is open: close it first")
-        return found
-
-    def work(self, design: Any) -> None:
-        FreeCADGui.Control.showDialog(self.panel(design))
-
-    @abstractmethod
-    def panel(self, design: Any) -> Any:
-        """FreeCAD's task dialog for a design."""

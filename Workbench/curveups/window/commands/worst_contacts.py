@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from ..panels.worst_contacts import WorstContactsPanel
 from ..qt import QT_TRANSLATE_NOOP
-from .showing import PanelCommand
+from ..selection import chosen_design
+from .command import PanelCommand
+from .showing import missing
 
 
 class WorstContacts(PanelCommand):
@@ -17,9 +17,10 @@ class WorstContacts(PanelCommand):
     text = QT_TRANSLATE_NOOP("CurveUps_WorstContacts", "Worst Contacts")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_WorstContacts",
                                 "List contacts and tiles, the worst first. Click one to go there")
+    panel = WorstContactsPanel
 
-    def panel(self, design: Any) -> Any:
-        return WorstContactsPanel(design)
+    def reason(self) -> str:
+        return super().reason() or missing(chosen_design(), layout=False)
 
 
 COMMAND = WorstContacts()

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from textwrap import wrap
 from typing import Any, Callable, Mapping, Optional, Sequence
 
+import FreeCADGui
 import numpy as np
 from pivy import coin
 
@@ -90,7 +91,7 @@ class Legend:
         self._only_drawn.whichChild.enableNotify(True)
 
     def _fit(self, data: Any, action: Any) -> None:
-        """A unit is a pixel of whatever is drawn on; the bar stands at the left, half-way up."""
+        """A unit is a pixel of a usual screen; the bar stands at the left, half-way up."""
         if not action.getTypeId().isDerivedFrom(coin.SoGLRenderAction.getClassTypeId()):
             return
         region = coin.SoViewportRegionElement.get(action.getState())
@@ -98,11 +99,12 @@ class Legend:
         if (width, height) == self._size or not height:
             return
         self._size = (width, height)
+        width, height = width / scale(), height / scale()
         camera, place = self._camera, self._place
         for field in (camera.position, camera.height, camera.aspectRatio, place.translation):
             field.enableNotify(False)
         camera.position = (width / 2, height / 2, 5)
-        camera.height, camera.aspectRatio = float(height), width / height
+        camera.height, camera.aspectRatio = height, width / height
         place.translation = (self.left, bottom(height), 0)
         for field in (camera.position, camera.height, camera.aspectRatio, place.translation):
             field.enableNotify(True)
@@ -133,7 +135,7 @@ class Legend:
         corners = [(-_MARGIN, low), (wide, low), (wide, top), (-_MARGIN, top)]
         self._body.addChild(_polygon(corners, paper, 0.2))
         font = coin.SoFont()
-        font.size = _SIZE
+        font.size = _SIZE * scale()
         self._body.addChild(font)
         self._write(content.title_line, (-8, title), ink)
         if self.heading:
@@ -186,6 +188,12 @@ def arrange(legends: Mapping[str, Legend]) -> None:
     for name, one in legends.items():
         one.put(left, name[:_MOST] if len(legends) > 1 else "")
         left += one.width + _MARGIN
+
+
+def scale() -> float:
+    """Pixels of the view to one of a usual screen: more on fine ones."""
+    screen = FreeCADGui.getMainWindow().windowHandle().screen()
+    return max(1.0, screen.devicePixelRatio() * screen.logicalDotsPerInchY() / 96)
 
 
 def bottom(height: float) -> float:
@@ -297,5 +305,5 @@ class Dragging(QtCore.QObject):
     def _position(self, event: Any) -> tuple[float, float]:
         """In px of the view from the bar's lower left corner."""
         place = event.position() if hasattr(event, "position") else event.pos()
-        ratio, height = self._widget.devicePixelRatioF(), self._widget.height()
+        ratio, height = self._widget.devicePixelRatioF() / scale(), self._widget.height()
         return (ratio * place.x() - self._legend.left, ratio * (height - place.y()) - bottom(ratio * height))

@@ -147,6 +147,7 @@ class Overlay:
             # A run ends with results, or with a state that is no longer "running".
             if name == "Results" or name == "Status" and self.object.Status != "running":
                 self._iterating = False
+            self._tell()
             self.refresh()
 
     def refresh(self) -> None:

@@ -18,12 +18,11 @@ from ...stages import asked_by
 from ...stages.sizes import Recommendation
 from .. import runs
 from ..macro import call, named
-from ..notice import errors_shown, show_in, show_line, with_links
-from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, load_ui, translate
+from ..notice import errors_shown, show_line, with_links
+from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE, Task
-from ..selection import select_tiles
 from ..units import in_user_units, row_in_user_units
-from .following import Following
+from .panel import Panel
 
 _MOST = 300  # rows
 # The field of the overlay that shows a row of the margins, by how the row begins.
@@ -31,23 +30,22 @@ _FIELDS = {"fold": "Fold margin", "back face": "Fold margin", "pin room": "Pin r
            "room of the": "Membrane room", "stretch": "Conformal stretch"}
 
 
-class CheckPanel(Following):
-    """FreeCAD's task dialog. While it is open the overlay shows the target instead of a layout. What was
+class CheckPanel(Panel):
+    """While it is open the overlay shows the target instead of a layout. What was
     checked under other values stands there as out of date until it is checked again."""
 
+    TOPIC = "Check"
+
     def __init__(self, design: Any):
-        self.design = design
+        super().__init__(design, "check", translate("CurveUps_Check", "Check of {name}", name=design.Label))
         self._found: Optional[Results] = None
         self._drawn: Any = None
-        self.form = form = load_ui("check")
-        form.setWindowTitle(translate("CurveUps_Check", "Check of {name}", name=design.Label))
+        form = self.form
         form.margins.setHeaderLabels([translate("CurveUps_Check", text) for text in _HEAD])
         form.obstacles.setHeaderLabels([translate("CurveUps_Check", "Tile"),
                                         translate("CurveUps_Check", "Obstacles")])
         for tree in (form.margins, form.obstacles):
             tree.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        self._say("")
-        self._follow(design)
         form.check.clicked.connect(lambda *_: self.check())
         form.cancel.clicked.connect(lambda *_: LIVE.cancel())
         form.use_length.clicked.connect(lambda *_: self._use("L"))
@@ -57,27 +55,18 @@ class CheckPanel(Following):
         form.choose.clicked.connect(lambda *_: self._choose())
         form.margins.itemSelectionChanged.connect(lambda: self._show_margin())
         form.obstacles.itemSelectionChanged.connect(lambda: self._go())
-        for label in (form.line, form.verdict):
-            label.linkActivated.connect(lambda link: select_tiles(link))
-        show_in(self._say)
-        LIVE.observe(self._show_run)
+        self._follow()
         self._overlay.show_target(True)
         self._show_running(False)
         if not self._is_current():
             self.check()
 
-    def getStandardButtons(self) -> int:
-        close = QtWidgets.QDialogButtonBox.Close
-        return int(getattr(close, "value", close))  # an enumeration's member in PySide6
-
-    def reject(self) -> bool:
-        show_in(None)
-        LIVE.forget(self._show_run)
+    def close(self) -> None:
+        super().close()
         if not self._overlay.closed:
             if LIVE.runs_on(self.design):
                 LIVE.cancel()
             self._overlay.show_target(False)
-        return super().reject()
 
     def check(self) -> None:
         """Starts the run, on the worker."""
@@ -202,10 +191,6 @@ class CheckPanel(Following):
         choose_sizes(self.design, ("L", "H_body"), self.check)
 
     # What is going on.
-
-    def _say(self, text: str) -> None:
-        self.form.line.setText(text)
-        self.form.line.setVisible(bool(text))
 
     def _show_running(self, mine: bool) -> None:
         form = self.form

@@ -14,8 +14,9 @@ _ENERGY, _VIOLATION, _WEAK = "#0072B2", "#D55E00", "#009E73"
 _DARK = {"#0072B2": "#56B4E9"}
 
 
-class Curves(QtWidgets.QWidget):
-    """Each curve has its own logarithmic scale: its shape tells, and its last value is written beside it."""
+class Curves(QtWidgets.QLabel):
+    """Each curve has its own logarithmic scale: its shape tells, and its last value is written beside it.
+    A label: what is behind and the colour of its text are those of the theme, a style sheet's too."""
 
     def __init__(self, parent: Any = None):
         super().__init__(parent)
@@ -33,11 +34,12 @@ class Curves(QtWidgets.QWidget):
     def paintEvent(self, event: Any) -> None:
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        palette = self.palette()
-        painter.fillRect(self.rect(), palette.base())
-        painter.setPen(palette.mid().color())
+        ink = self.palette().color(self.foregroundRole())
+        dark = ink.lightness() > 128  # light on a dark ground
+        faint = QtGui.QColor(ink)
+        faint.setAlpha(110)
+        painter.setPen(faint)
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
-        dark = palette.base().color().lightness() < 128
         line_height = painter.fontMetrics().height()
         plot = QtCore.QRectF(self.rect()).adjusted(8, 8 + line_height * len(self._curves), -8, -8)
         for number, (name, colour, values) in enumerate(self._curves):
@@ -48,8 +50,8 @@ class Curves(QtWidgets.QWidget):
             if path is not None:
                 painter.drawPath(path)
         if not self._curves:
-            painter.setPen(palette.mid().color())
-            painter.drawText(self.rect(), QtCore.Qt.AlignCenter,
+            painter.setPen(faint)
+            painter.drawText(self.rect(), QtCore.Qt.AlignCenter | QtCore.Qt.TextWordWrap,
                              translate("CurveUpsCurves", "Energy and violation appear here"))
         painter.end()
 

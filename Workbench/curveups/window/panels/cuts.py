@@ -16,32 +16,32 @@ from ...project.worker import Status
 from ...stages.cut_request import CutRequest
 from ..cut_paths import CutPaths, Edge, groups
 from ..macro import call, named
-from ..notice import errors_shown, show_in
+from ..notice import errors_shown
 from ..overlay.cut_lines import CutLines
 from ..overlay.edge_tool import EdgeTool
 from ..overlay.picking import Pick
-from ..qt import QtCore, QtWidgets, load_ui, translate
+from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from .cut_layout import CutLayout
-from .following import Following
+from .panel import Panel
 
 _INTERVAL = 150  # ms between looks at whether the cuts have changed elsewhere, by undo above all
 
 
-class CutsPanel(Following):
-    """FreeCAD's task dialog."""
+class CutsPanel(Panel):
+    """A click is a step of undo."""
+
+    TOPIC = "Cuts"
 
     def __init__(self, design: Any):
-        self.design = design
-        self.form = form = load_ui("cuts")
-        form.setWindowTitle(translate("CurveUps_Cuts", "Cuts of {name}", name=design.Label))
+        super().__init__(design, "cuts", translate("CurveUps_Cuts", "Cuts of {name}", name=design.Label))
+        form = self.form
         self._paths: Optional[CutPaths] = None
         self._tip: Optional[int] = None      # vertex that the next click goes on from
         self._preview: list[Edge] = []
         self._listed: Optional[tuple] = None
         self._search: Any = None
         self._layout: Optional[CutLayout] = None
-        self._follow(design)
         self._lines = CutLines(self._overlay)
         self._tool: Optional[EdgeTool] = None
         form.anew.clicked.connect(lambda *_: self._begin_anew())
@@ -53,22 +53,17 @@ class CutsPanel(Following):
         form.cuts.itemSelectionChanged.connect(lambda: self._draw())
         form.suggested.itemSelectionChanged.connect(lambda: self._show_suggestion())
         form.suggested.setVisible(False)
-        form.line.setVisible(False)
-        show_in(self._say)
-        LIVE.observe(self._show_run)
+        self._follow()
         self._timer = QtCore.QTimer(form)
         self._timer.timeout.connect(lambda: self._look_at_cuts())
         with errors_shown(translate("CurveUps_Cuts", "Cuts")):
             self._prepare()
         self._timer.start(_INTERVAL)
 
-    def getStandardButtons(self) -> int:
-        return int(QtWidgets.QDialogButtonBox.Close)
-
-    def reject(self) -> bool:
-        self._timer.stop()
-        show_in(None)
-        LIVE.forget(self._show_run)
+    def close(self) -> None:
+        super().close()
+        if self.form is not None:
+            self._timer.stop()
         if LIVE.runs_on(self.design):
             LIVE.cancel()
         if self._tool is not None:
@@ -76,12 +71,10 @@ class CutsPanel(Following):
         if not self._overlay.closed:
             self._lines.close()
             self._overlay.show_design()
-        return super().reject()
 
     def show(self) -> None:
         """The overlay has changed: lines go along."""
-        if getattr(self, "_lines", None) is not None:
-            self._draw()
+        self._draw()
 
     # The target whose edges are picked.
 
@@ -170,7 +163,7 @@ class CutsPanel(Following):
         """Follows undo, redo and scripts."""
         try:
             edges, schema = tuple(self._edges()), FreeCAD.Units.getSchema()
-        except ReferenceError:  # the design is gone: Following closes the panel
+        except ReferenceError:  # the design is gone: Panel closes itself
             return
         if self._paths is None:
             return
@@ -205,7 +198,7 @@ class CutsPanel(Following):
                   translate("CurveUps_Cuts", "Remove cuts"))
 
     def _draw(self) -> None:
-        if getattr(self, "_lines", None) is None or self._paths is None or self._overlay.closed:
+        if self._paths is None or self._overlay.closed:
             return
         kinds = {"hovered": self._preview, "selected": self._selected(),
                  "suggested": [edge for cut in self._chosen() for edge in cut.edges.tolist()],
@@ -299,8 +292,7 @@ class CutsPanel(Following):
     def _say(self, text: str) -> None:
         if self._layout is not None and self._layout.restarting:
             return  # that it was cancelled for the next cut is no news
-        self.form.line.setText(text)
-        self.form.line.setVisible(bool(text))
+        super()._say(text)
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
         mine = goes_on and LIVE.runs_on(self.design)

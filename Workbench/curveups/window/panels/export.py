@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
 
 from ...base.errors import CurveUpsError
 from ...features import actions
@@ -16,35 +15,28 @@ from ...features.document import settings_of
 from ...project.worker import Status
 from ...report.exports import Choice, choices, file_names, other_report
 from ..macro import call, named
-from ..notice import errors_shown, show_in, with_links
-from ..qt import QtCore, QtGui, QtWidgets, load_ui, translate
+from ..notice import errors_shown, with_links
+from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
-from ..selection import select_tiles
 from . import preferences
+from .panel import Panel
 
 # What is ticked at first: what print shops ask for.
 _FIRST = (("print", "3mf"), ("print", "step"), ("tiles", "stl"), ("support", "stl"), ("anchors", "stl"))
 
 
-def open_panel(design: Any) -> "ExportPanel":
-    """Raises CurveUpsError where another panel is open."""
-    if FreeCADGui.Control.activeDialog():
-        raise CurveUpsError(translate("CurveUpsExport", "another task panel is open"), "",
-                            translate("CurveUpsExport", "close it first"))
-    panel = ExportPanel(design)
-    FreeCADGui.Control.showDialog(panel)
-    return panel
+class ExportPanel(Panel):
+    """It changes nothing of the document. What is being written is written to its end."""
 
-
-class ExportPanel:
-    """FreeCAD's task dialog; it changes nothing of the document."""
+    TOPIC = "Export Print Files"
 
     def __init__(self, design: Any):
-        self.design, self._parameters = design, settings_of(design)
-        self._document = design.Document.Name
+        super().__init__(design, "export", translate("CurveUpsExport", "Export {name}", name=design.Label))
+        self._parameters = settings_of(design)
         self._written_to = "", Choice(())
-        self.form = form = load_ui("export")
-        form.setWindowTitle(translate("CurveUpsExport", "Export {name}", name=design.Label))
+        form = self.form
+        form.files.header().setStretchLastSection(False)
+        form.files.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         form.files.header().setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
         self._tick_files()
         form.deviation.setProperty("unit", "mm")
@@ -58,29 +50,9 @@ class ExportPanel:
         form.files.itemChanged.connect(lambda *_: self._show_names())
         form.names.textChanged.connect(lambda *_: self._show_names())
         form.insist.toggled.connect(lambda *_: self._show_running(LIVE.runs_on(design)))
-        for label in (form.line, form.doubts):
-            label.linkActivated.connect(_follow)
-        self._say("")
-        show_in(self._say)
-        LIVE.observe(self._show_run)
-        self._show_doubts()
         self._show_names()
         self._show_running(LIVE.runs_on(design))
-
-    def getStandardButtons(self) -> int:
-        return int(QtWidgets.QDialogButtonBox.Close)
-
-    def isAllowedAlterDocument(self) -> bool:
-        """Nothing here holds the document."""
-        return True
-
-    isAllowedAlterView = isAllowedAlterSelection = isAllowedAlterDocument
-
-    def reject(self) -> bool:
-        """Close. What is being written is written to its end."""
-        LIVE.forget(self._show_run)
-        show_in(None)
-        return True
+        self._follow()
 
     def choice(self) -> Choice:
         """What is ticked and typed."""
@@ -150,13 +122,8 @@ class ExportPanel:
         if folder:
             self.form.folder.setText(str(folder))
 
-    def _say(self, text: str) -> None:
-        if self.form is None:
-            return
-        self.form.line.setText(text)
-        self.form.line.setVisible(bool(text))
-
-    def _show_doubts(self) -> None:
+    def show(self) -> None:
+        """What speaks against printing the design as it is."""
         found = actions.doubts(self.design)
         self.form.doubts.setText("<br>".join(f"<b>{with_links(text)}</b>" for text in found))
         self.form.doubts.setVisible(bool(found))
@@ -177,14 +144,9 @@ class ExportPanel:
         form.files.setEnabled(not running)
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
-        if self.form is None or self._document not in FreeCAD.listDocuments():
-            self.reject()  # FreeCAD closed it without asking
-            return
         self._show_running(goes_on and LIVE.runs_on(self.design))
         self.form.progress.setMaximum(0 if goes_on and status.fraction < 0 else 1000)
         self.form.progress.setValue(int(1000 * max(status.fraction, 0.0)) if goes_on else 0)
-        if not goes_on:
-            self._show_doubts()
 
 
 def _links(folder: Path, names: list[str]) -> list[str]:
@@ -195,14 +157,6 @@ def _links(folder: Path, names: list[str]) -> list[str]:
     found += [(folder / name, translate("CurveUpsExport", "open {name} in the slicer", name=name))
               for name in names if name.endswith(".3mf")]
     return [f'<a href="{escape(path.absolute().as_uri())}">{escape(text)}</a>' for path, text in found]
-
-
-def _follow(link: str) -> None:
-    """A link of a message: a file, or tiles."""
-    if link.startswith("file:"):
-        QtGui.QDesktopServices.openUrl(QtCore.QUrl(link))
-    else:
-        select_tiles(link)
 
 
 def _bodies(kind: str) -> str:

@@ -9,9 +9,9 @@ from ...base.errors import tile_name
 from ..overlay import colours
 from ..overlay.overlay import AUTOMATIC
 from ..overlay.scene import NO_FIELD
-from ..qt import QT_TRANSLATE_NOOP, QtWidgets, load_ui, translate
+from ..qt import QT_TRANSLATE_NOOP, QtWidgets, translate
 from ..units import user_unit
-from .following import Following
+from .panel import Panel
 
 # Shown by names that stand elsewhere.
 _MARKED = (QT_TRANSLATE_NOOP("CurveUps_ColourMaps", "Automatic"),
@@ -21,13 +21,16 @@ _STEPS = 200  # of the slider
 _MOST_TILES = 50
 
 
-class OverlayPanel(Following):
-    """FreeCAD's task dialog. What is chosen here is kept by the view provider at once, and followed where
+class OverlayPanel(Panel):
+    """What is chosen here is kept by the view provider at once, and followed where
     it is chosen elsewhere."""
 
+    TOPIC = "Overlay"
+
     def __init__(self, design: Any):
-        self.form = form = load_ui("overlay")
-        form.setWindowTitle(translate("CurveUps_Overlay", "Overlay of {name}", name=design.Label))
+        super().__init__(design, "overlay",
+                         translate("CurveUps_Overlay", "Overlay of {name}", name=design.Label))
+        form = self.form
         self._view = design.ViewObject
         self._filling = False
         for name in (AUTOMATIC, *colours.NAMES):
@@ -36,7 +39,7 @@ class OverlayPanel(Following):
         form.values.setHeaderLabels([translate("CurveUps_Overlay", "Tile"),
                                      translate("CurveUps_Overlay", "Value")])
         form.values.header().setSectionResizeMode(0, QtWidgets.QHeaderView.ResizeToContents)
-        self._follow(design)
+        self._follow()
         form.field.currentIndexChanged.connect(lambda *_: self._set("Field", form.field.currentData()))
         form.map.currentIndexChanged.connect(lambda *_: self._set("ColourMap", form.map.currentData()))
         for box, name in ((form.pins, "Pins"), (form.membranes, "Membranes"), (form.both, "Both")):
@@ -108,6 +111,3 @@ class OverlayPanel(Following):
         if not self._filling:
             self._overlay.folding = None
             self._overlay.set_morph(step / _STEPS)
-
-    def getStandardButtons(self) -> int:
-        return int(QtWidgets.QDialogButtonBox.Close)

@@ -4,6 +4,7 @@ fields with expressions and the user's units. Edits reach the document when the 
 
 from __future__ import annotations
 
+from contextlib import suppress
 from types import MappingProxyType
 from typing import Any, Callable, Mapping
 
@@ -16,7 +17,8 @@ from ..qt import QtCore, QtWidgets, translate
 from ..units import in_user_units
 
 PAUSE = 400  # ms without typing after which an edit counts
-_NARROW = 90  # pixels of a field that shares its row
+
+_NARROW = 80  # pixels of a field
 
 Changed = Callable[[], object]
 
@@ -31,6 +33,7 @@ class ParameterRows:
         self._page = QtWidgets.QWidget()
         form = QtWidgets.QFormLayout(self._page)
         form.setContentsMargins(0, 0, 0, 0)
+        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         self._pending: dict[str, Any] = {}
         self._fields: dict[str, Any] = {}
         self._labels: dict[str, Any] = {}
@@ -42,6 +45,8 @@ class ParameterRows:
         for name in names:
             field = self._make(name)
             field.setObjectName(name)
+            # FreeCAD's fields ask for the width of their largest number, more than its dock has.
+            field.setMinimumWidth(_NARROW)
             label = self._labels[name] = QtWidgets.QLabel(_spaced(name))
             form.addRow(label, _in_row(field, beside[name]()) if name in beside else field)
             self._fields[name] = field
@@ -82,15 +87,19 @@ class ParameterRows:
     def close(self) -> None:
         """No edit comes any more, and the fields are gone. They are deleted together with what
         PySide knows of them: it would take a later field at the address of one for the deleted one."""
-        self._timer.stop()
-        if self._show_units in unit_observers:
-            unit_observers.remove(self._show_units)
-        self._pending = {}
+        self.stop()
         self._bindings.clear()
         self._fields.clear()
         self._labels.clear()
         self._page.setParent(None)
         self._page.deleteLater()
+
+    def stop(self) -> None:
+        """No edit comes any more; the fields may be gone."""
+        self._timer.stop()
+        if self._show_units in unit_observers:
+            unit_observers.remove(self._show_units)
+        self._pending = {}
 
     def _show_units(self) -> None:
         """The user's unit schema is another: fields write their numbers anew."""
@@ -144,9 +153,10 @@ class ParameterRows:
         value = getattr(self._object, name)
         if hasattr(value, "Unit"):
             field.setProperty("unit", value.getUserPreferred()[2])
-        binding = FreeCADGui.ExpressionBinding(field)
-        binding.bind(self._object, name)
-        self._bindings.append(binding)  # lives as long as the field
+        with suppress(TypeError):  # FreeCAD 0.20 takes no expression in a field of whole numbers
+            binding = FreeCADGui.ExpressionBinding(field)
+            binding.bind(self._object, name)
+            self._bindings.append(binding)  # lives as long as the field
         which = _value_of(field)
         field.valueChanged.connect(lambda *_: self._edit_number(name, which))
         return field
@@ -161,9 +171,6 @@ def _in_row(field: Any, other: Any) -> Any:
     row = QtWidgets.QHBoxLayout()
     row.addWidget(field, 1)
     row.addWidget(other)
-    # FreeCAD's fields ask for the width of their largest number: with a button the panel would be wider
-    # than the dock that FreeCAD gives it.
-    field.setMinimumWidth(_NARROW)
     return row
 
 

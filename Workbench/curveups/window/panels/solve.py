@@ -10,24 +10,22 @@ from html import escape
 from typing import Any, Callable, Optional
 
 import FreeCAD
-import FreeCADGui
 
 from ...base import profiles
-from ...base.errors import CurveUpsError
 from ...features import properties
 from ...project.worker import Status
 from ...stages import label_of
 from ...stages.sizes import AUTOMATIC
 from .. import runs
 from ..macro import call, named
-from ..notice import errors_shown, show_in, with_links
-from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, load_ui, translate
+from ..notice import errors_shown, with_links
+from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE
-from ..selection import select_tiles
 from . import preferences
 from .check import choose_sizes
 from .curves import Curves
 from .edits import Edits
+from .panel import Panel
 from .parameter_rows import ParameterRows
 
 _GROUPS = {
@@ -52,93 +50,35 @@ _STATES = (
     QT_TRANSLATE_NOOP("CurveUpsSolve", "running"))
 DONE, RUNNING, WAITING = "✓", "▶", "·"
 
-_open: Optional["SolvePanel"] = None
 
+class SolvePanel(Panel):
+    """Each pause in editing parameters ends a step of undo."""
 
-def open_panel(design: Any) -> "SolvePanel":
-    """Shows the panel of a design, by way of FreeCAD's edit mode. Raises CurveUpsError where another
-    panel is open."""
-    if _open is not None and _open.design == design:
-        return _open
-    if FreeCADGui.Control.activeDialog():
-        raise CurveUpsError(translate("CurveUpsSolve", "another task panel is open"), "",
-                            translate("CurveUpsSolve", "close it first"))
-    FreeCADGui.getDocument(design.Document.Name).setEdit(design.Name)
-    if _open is None:
-        raise CurveUpsError(translate("CurveUpsSolve", "the panel can't be opened"), design.Label,
-                            translate("CurveUpsSolve", "leave the edit mode of another object first"))
-    return _open
-
-
-def enter(design: Any) -> bool:
-    """For the view provider's setEdit. Ends the transaction that a double click opens: edits have their
-    own."""
-    global _open
-    if FreeCADGui.Control.activeDialog():
-        return False
-    design.Document.commitTransaction()
-    _open = SolvePanel(design)
-    FreeCADGui.Control.showDialog(_open)
-    return True
-
-
-def leave() -> None:
-    """For the view provider's unsetEdit."""
-    if _open is not None:
-        _open.close()
-        FreeCADGui.Control.closeDialog()
-
-
-class SolvePanel:
-    """FreeCAD's task dialog. Each pause in editing parameters ends a step of undo."""
+    TOPIC = "Solve"
 
     def __init__(self, design: Any):
-        self.design = design
-        self.form = load_ui("solve")
-        self.form.setWindowTitle(f"CurveUps: {design.Label}")
+        super().__init__(design, "solve", f"CurveUps: {design.Label}")
         self.curves = Curves()
         place = QtWidgets.QVBoxLayout(self.form.curves_place)
         place.setContentsMargins(0, 0, 0, 0)
         place.addWidget(self.curves)
         self._rows: Optional[ParameterRows] = None
-        self._follower: Optional[_Follower] = None
         self._began: dict[str, float] = {}
         self._prepare_buttons()
         self._prepare_parameters()
-        show_in(self._say)
-        LIVE.observe(self._show_run)
-        self._follower = _Follower(self)
-        FreeCAD.addDocumentObserver(self._follower)
-        self._show_verdict()
         self._show_running(LIVE.runs_on(design))
-
-    def getStandardButtons(self) -> int:
-        close = QtWidgets.QDialogButtonBox.Close
-        return int(getattr(close, "value", close))  # an enumeration's member in PySide6
-
-    def isAllowedAlterDocument(self) -> bool:
-        """Commands stay active: views and exports do no harm to edits."""
-        return True
-
-    isAllowedAlterView = isAllowedAlterSelection = isAllowedAlterDocument
-
-    def reject(self) -> bool:
-        """Close, and the escape key. A run goes on."""
-        FreeCADGui.getDocument(self.design.Document.Name).resetEdit()
-        return True
+        self._follow()
 
     def close(self) -> None:
-        """Ends edits; the panel's widgets may be gone at any time after."""
-        global _open
-        if self._rows and self.form is not None:
-            self._rows.flush()
-            self._rows.close()
-        LIVE.forget(self._show_run)
-        if self._follower is not None:
-            FreeCAD.removeDocumentObserver(self._follower)
-            self._follower = None
-        show_in(None)
-        _open = None
+        """Ends edits. A run goes on."""
+        if self._rows:
+            if self.form is None:
+                self._rows.stop()
+            else:
+                if not self._overlay.closed:
+                    self._rows.flush()
+                self._rows.close()
+        super().close()
 
     def run(self, which: str) -> None:
         """Starts a run: "solve", "verify", "repair", "build_solids"."""
@@ -158,10 +98,9 @@ class SolvePanel:
         form.cancel.clicked.connect(lambda: LIVE.cancel())
         form.live.setChecked(preferences.draws_live())
         form.live.toggled.connect(lambda value: preferences.set_draws_live(bool(value)))
-        form.line.linkActivated.connect(lambda link: select_tiles(link))
-        form.verdict.linkActivated.connect(lambda link: select_tiles(link))
         header = form.stages.header()
         header.setStretchLastSection(False)
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         header.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
         form.stages.setFixedHeight(8 * form.stages.fontMetrics().height())
 
@@ -204,7 +143,7 @@ class SolvePanel:
             self.design.Document.recompute()
         if self._rows:
             self._rows.refresh()
-        self._show_verdict()
+        self.show()
 
     def _automatic(self, name: str) -> Any:
         """The button beside a size that looks for the largest that can be made."""
@@ -236,7 +175,7 @@ class SolvePanel:
             self._rows.close()
         names = self._groups.get(self.form.group.currentData(), [])
         beside = {properties.property_name(name): partial(self._automatic, name) for name in AUTOMATIC}
-        self._rows = ParameterRows(self.form.rows, self.design, names, self._edited, beside)
+        self._rows = ParameterRows(self.form.rows, self.design, names, self.show, beside)
 
     def _revert(self) -> None:
         if self._rows:
@@ -245,19 +184,10 @@ class SolvePanel:
             self._edits.revert(translate("CurveUpsSolve", "Revert all edits"))
         if self._rows:
             self._rows.refresh()
-        self._show_verdict()
+        self.show()
 
-    def _edited(self) -> None:
-        self._show_verdict()
-
-    def _say(self, text: str) -> None:
-        """A line of rich text at the top."""
-        if self.form is None:
-            return
-        self.form.line.setText(text)
-        self.form.line.setVisible(bool(text))
-
-    def _show_verdict(self) -> None:
+    def show(self) -> None:
+        """The verdict: it changes when solids follow, by undo, and by scripts."""
         state = self.design.Status
         head = translate("CurveUpsSolve", self.design.Verdict if state == "current" else state)
         lines = "<br>".join(with_links(text) for text in self.design.Reasons[:6])
@@ -280,9 +210,6 @@ class SolvePanel:
             form.doing.setText("")
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
-        if self.form is None:  # FreeCAD closed it without asking
-            self.close()
-            return
         if goes_on and not LIVE.runs_on(self.design):
             return
         self._show_stage(status, goes_on)
@@ -298,7 +225,7 @@ class SolvePanel:
         if self.design.Document.Name in FreeCAD.listDocuments():
             if self._rows:
                 self._rows.refresh()
-            self._show_verdict()
+            self.show()
 
     def _show_stage(self, status: Status, goes_on: bool) -> None:
         """A line for each stage that has begun."""
@@ -320,15 +247,3 @@ class SolvePanel:
             tree.scrollToItem(last)
         if last is not None and last.data(0, QtCore.Qt.UserRole) == stage:
             last.setText(1, f"{now - self._began[stage]:.1f} s")
-
-
-class _Follower:
-    """FreeCAD's document observer: the verdict changes when solids follow, by undo, and by scripts."""
-
-    def __init__(self, panel: SolvePanel):
-        self._panel = panel
-
-    def slotChangedObject(self, obj: Any, name: str) -> None:
-        panel = self._panel
-        if name in ("Status", "Verdict", "Reasons") and panel.form is not None and obj is panel.design:
-            panel._show_verdict()

@@ -9,19 +9,22 @@ import FreeCAD
 
 from ...base.errors import tile_name
 from ..overlay.fields import MEMBRANE, Field
-from ..qt import QtWidgets, load_ui, translate
+from ..qt import QtWidgets, translate
 from ..units import text_of
-from .following import Following
+from .panel import Panel
 
 _MOST = 300  # rows
 
 
-class WorstContactsPanel(Following):
-    """FreeCAD's task dialog. A click on a row selects its tiles and turns the camera to them."""
+class WorstContactsPanel(Panel):
+    """A click on a row selects its tiles and turns the camera to them."""
+
+    TOPIC = "Worst Contacts"
 
     def __init__(self, design: Any):
-        self.form = form = load_ui("worst_contacts")
-        form.setWindowTitle(translate("CurveUps_WorstContacts", "Worst of {name}", name=design.Label))
+        super().__init__(design, "worst_contacts",
+                         translate("CurveUps_WorstContacts", "Worst of {name}", name=design.Label))
+        form = self.form
         self._filling, self._shown = False, None  # type: bool, Any
         form.rows.setColumnCount(3)
         form.rows.setHorizontalHeaderLabels([translate("CurveUps_WorstContacts", "Tiles"),
@@ -29,7 +32,7 @@ class WorstContactsPanel(Following):
                                              translate("CurveUps_WorstContacts", "Problem")])
         form.rows.verticalHeader().setVisible(False)
         form.rows.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        self._follow(design)
+        self._follow()
         form.field.currentIndexChanged.connect(lambda *_: self._set_field())
         form.rows.itemSelectionChanged.connect(lambda: self._go())
 
@@ -91,6 +94,3 @@ class WorstContactsPanel(Following):
         tiles = [tile for row in sorted(chosen) for tile in self._tiles[row]]
         self._overlay.select_tiles(tiles)
         self._overlay.look_at(tiles)
-
-    def getStandardButtons(self) -> int:
-        return int(QtWidgets.QDialogButtonBox.Close)

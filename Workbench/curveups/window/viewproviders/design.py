@@ -7,7 +7,6 @@ from typing import Any
 
 from ...features.proxy import SLOTS
 from ..overlay.view import OverlayView
-from ..panels import solve
 from .view import View
 
 
@@ -26,17 +25,10 @@ class DesignView(OverlayView, View):
         View.updateData(self, obj, name)
         OverlayView.updateData(self, obj, name)
 
-    def doubleClicked(self, view: Any) -> bool:
-        """Opens the panel, by way of edit mode."""
-        view.Document.setEdit(view.Object.Name)
-        return True
-
     def setEdit(self, view: Any, mode: int = 0) -> bool:
-        return solve.enter(view.Object)
-
-    def unsetEdit(self, view: Any, mode: int = 0) -> bool:
-        solve.leave()
-        return True
+        """Opens the panel; FreeCAD has no need of an edit mode."""
+        self.doubleClicked(view)
+        return False
 
     def claimChildren(self) -> list:
         return [part for slot in SLOTS if (part := getattr(self.object, slot, None)) is not None]

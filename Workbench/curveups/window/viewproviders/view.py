@@ -11,7 +11,8 @@ import FreeCADGui
 from ...features.proxy import design_of
 from .. import commands
 from ..notice import errors_shown
-from ..panels.solve import open_panel
+from ..panels.panel import show
+from ..panels.solve import SolvePanel
 from .icons import icon
 
 
@@ -31,7 +32,7 @@ class View:
         design = design_of(self.object)
         if design is not None:
             with errors_shown(""):
-                open_panel(design).turn_to(self.GROUP)
+                show(SolvePanel, design).turn_to(self.GROUP)
         return design is not None
 
     def setupContextMenu(self, view: Any, menu: Any) -> None:

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Base of all panels: one is open at a time, and the next takes its place. A panel follows its design's
+overlay and goes with the design."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Any, Optional
+
+import FreeCADGui
+
+from ...base.errors import CurveUpsError
+from ...project.worker import Status
+from ..notice import follow_link, show_in
+from ..overlays import overlay_of
+from ..qt import QtCore, QtWidgets, load_ui, translate
+from ..run import LIVE
+
+_current: Optional["Panel"] = None
+
+
+def current() -> Optional["Panel"]:
+    """The panel that is open, if one of ours is."""
+    return _current if _current is not None and _current.form is not None else None
+
+
+def obstacle() -> str:
+    """Why no panel of ours can be opened: a task panel of another workbench is open. Empty where one can."""
+    if FreeCADGui.Control.activeDialog() and current() is None:
+        return translate("CurveUps", "Another task panel is open: close it first")
+    return ""
+
+
+def show(kind: Any, design: Any) -> Any:
+    """Opens the panel of this kind (its class) for a design in the place of ours that is open; the open one
+    where it is that already. Raises CurveUpsError where a task panel of another workbench is open."""
+    global _current
+    if current() is not None and type(_current) is kind and _current.place == _place(design):
+        return _current
+    if obstacle():
+        raise CurveUpsError(obstacle())
+    if _current is not None:
+        _current.reject()
+    _current = kind(design)
+    FreeCADGui.Control.showDialog(_current)
+    return _current
+
+
+def _place(design: Any) -> tuple[str, str]:
+    return design.Document.Name, design.Name
+
+
+class Panel(ABC):
+    """FreeCAD's task dialog for a design: `form` is its widget, and None once FreeCAD has closed it without
+    asking. Where the form has a `line`, messages come there and the panel is told how runs go."""
+
+    form: Any
+    TOPIC = ""  # of the guide: the command that opens it
+
+    def __init__(self, design: Any, ui: str, title: str):
+        """ui: the file in resources/ui."""
+        self.design, self.place = design, _place(design)
+        self.form = load_ui(ui)
+        if QtWidgets.QApplication.instance().styleSheet():  # dark themes give buttons much empty room
+            self.form.setStyleSheet("QPushButton { padding-left: 3px; padding-right: 3px; }")
+        self.form.setWindowTitle(title)
+        self.form.setProperty("CurveUpsTopic", self.TOPIC)
+        self._overlay = overlay_of(design)
+        self._line: Any = getattr(self.form, "line", None)
+        for name in ("line", "verdict", "doubts"):
+            if hasattr(self.form, name):
+                getattr(self.form, name).linkActivated.connect(lambda link: follow_link(link))
+        # Once for many changes: a legend that is dragged changes with every move of the mouse.
+        self._later = QtCore.QTimer(self.form)
+        self._later.setSingleShot(True)
+        self._later.timeout.connect(lambda: self.show())
+
+    def _follow(self) -> None:
+        """To be called once the form is ready."""
+        self._overlay.observers.append(self._changed)
+        if self._line is not None:
+            self._say("")
+            show_in(self._say)
+            LIVE.observe(self._run_changed)
+        self.show()
+
+    @abstractmethod
+    def show(self) -> None:
+        """Takes over what has changed of the design or the overlay."""
+
+    def _show_run(self, status: Status, goes_on: bool) -> None:
+        """How the run of the window stands, whatever design it is for."""
+
+    def _say(self, text: str) -> None:
+        """A line of rich text at the top."""
+        if self.form is not None:
+            self._line.setText(text)
+            self._line.setVisible(bool(text))
+
+    def _run_changed(self, status: Status, goes_on: bool) -> None:
+        if self.form is None:
+            self.close()
+        else:
+            self._show_run(status, goes_on)
+
+    def _changed(self) -> None:
+        try:
+            if self._overlay.closed:
+                self.reject()  # at once: FreeCAD may be ending
+            else:
+                self._later.start(0)
+        except RuntimeError:  # the form went with its window
+            self.close()
+
+    def close(self) -> None:
+        """Lets go of all that calls the panel; its widgets may be gone at any time after."""
+        global _current
+        if self._changed in self._overlay.observers:
+            self._overlay.observers.remove(self._changed)
+        if self._line is not None:
+            LIVE.forget(self._run_changed)
+            show_in(None)
+        if _current is self:
+            _current = None
+
+    def reject(self) -> bool:
+        """The close button, the escape key, and the next panel."""
+        asked = self.form is not None
+        self.close()
+        if asked:
+            FreeCADGui.Control.closeDialog()
+        return True
+
+    def getStandardButtons(self) -> int:
+        close = QtWidgets.QDialogButtonBox.Close
+        return int(getattr(close, "value", close))  # an enumeration's member in PySide6
+
+    def isAllowedAlterDocument(self) -> bool:
+        """Nothing here holds the document: commands stay active."""
+        return True
+
+    isAllowedAlterView = isAllowedAlterSelection = isAllowedAlterDocument

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""In a window: the toolbar's six steps and the menus, panels that follow one another and fit FreeCAD's dock,
+and the guide: as mouse and keys reach them in a fresh profile."""
+
+import re
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from curveups.window.notice import with_links
+from curveups.window.overlays import overlay_of
+from curveups.window.panels import panel as panels
+from curveups.window.run import LIVE
+from PySide import QtGui
+from robot import action, choose, click, close_panel, display, keys, menu_bar, picture, press, settle
+from robot import until, widget, window
+from running import ROOT
+
+pytestmark = pytest.mark.freecad(window=True)
+
+STEPS = ("NewDesign", "Check", "Solve", "Cuts", "Overlay", "Export")
+PANELS = (("Check", "CheckPanel"), ("Cuts", "CutsPanel"), ("Overlay", "OverlayPanel"),
+          ("WorstContacts", "WorstContactsPanel"), ("Export", "ExportPanel"))
+
+
+def begin():
+    FreeCADGui.activateWorkbench("CurveUpsWorkbench")
+    window.move(0, 0)
+    window.resize(1440, 900)
+    settle(300)
+
+
+def opened(path):
+    begin()
+    document = FreeCAD.openDocument(str(path))
+    settle(500)
+    return document.Design
+
+
+def shown(kind):
+    until(lambda: type(panels.current()).__name__ == kind and panels.current().form.isVisible(), 10, kind)
+    until(lambda: not LIVE.busy, 60, "the run")
+    settle(300)
+
+
+def guide():
+    """The paragraph that the guide is open at, and shows."""
+    page = widget("page")
+    settle(300)
+    assert page.viewport().rect().contains(page.cursorRect().center())
+    text = page.textCursor().block().text()
+    page.window().close()
+    settle(100)
+    return text
+
+
+def entries(menu):
+    for one in menu.actions():
+        below = one.menu()
+        if below is not None:
+            yield from entries(below)
+        elif not one.isSeparator():
+            yield one.objectName() or one.text()
+
+
+def test_the_toolbar_has_the_six_steps_and_the_menu_has_everything(pictures):
+    begin()
+    bar = next(one for one in window.findChildren(QtGui.QToolBar) if one.windowTitle() == "CurveUps")
+    actions = [one for one in bar.actions() if not one.isSeparator()]
+    assert [one.objectName() for one in actions] == [f"CurveUps_{name}" for name in STEPS]
+    top = next(one for one in window.menuBar().actions() if one.text() == "&CurveUps")
+    menu = top.menu()
+    found = list(entries(menu))
+    known = {name for name in FreeCADGui.listCommands() if name.startswith("CurveUps_")}
+    assert not {name for name in known - set(found) if "Example" not in name}, found
+    assert any("half" in name.lower() for name in found), found
+    # Told apart at 24 pixels by brightness alone.
+    images = [one.icon().pixmap(24, 24).toImage() for one in actions]
+    grey = [[QtGui.qGray(image.pixel(x, y)) if QtGui.qAlpha(image.pixel(x, y)) > 99 else 240
+             for x in range(24) for y in range(24)] for image in images]
+    for k, first in enumerate(grey):
+        for second in grey[:k]:
+            assert sum(abs(a - b) > 40 for a, b in zip(first, second)) > 140
+    picture("start")
+
+
+def test_a_panel_takes_the_place_of_the_one_before(dome_document, pictures):
+    design = opened(dome_document)
+    for command, kind in (*PANELS, PANELS[0]):
+        press(f"CurveUps_{command}")
+        shown(kind)
+    # A double click on the design does so, too; the check's picture goes with its panel.
+    assert overlay_of(design).shows_target
+    design.ViewObject.doubleClicked()
+    shown("SolvePanel")
+    assert not overlay_of(design).shows_target
+    # One of another workbench is in the way until it is closed.
+    close_panel()
+
+    class Other:
+        form = QtGui.QLabel("of another workbench")
+
+    FreeCADGui.Control.showDialog(Other())
+    settle(300)
+    for command in STEPS[1:]:
+        assert not FreeCADGui.Command.get(f"CurveUps_{command}").isActive(), command
+    assert "Another task panel" in action("CurveUps_Check").statusTip()
+    FreeCADGui.Control.closeDialog()
+    settle(300)
+    press("CurveUps_Overlay")
+    shown("OverlayPanel")
+
+
+def fits(name, room):
+    form = panels.current().form
+    picture(name)
+    assert form.minimumSizeHint().width() <= room, (name, form.minimumSizeHint().width())
+    for part in vars(form).values():
+        if isinstance(part, QtGui.QAbstractButton) and part.isVisible():
+            assert part.sizeHint().width() <= part.width(), (name, part.text())
+
+
+@pytest.mark.parametrize("language", ["English", "German"])
+@pytest.mark.parametrize("theme", ["", "Dark-blue.qss"])
+def test_every_panel_fits_the_dock_that_a_fresh_profile_has(language, theme, dome_document, pictures):
+    FreeCADGui.setLocale(language)
+    if theme:
+        with open(f"{FreeCAD.getResourceDir()}/Gui/Stylesheets/{theme}", encoding="utf-8") as file:
+            QtGui.QApplication.instance().setStyleSheet(file.read())
+    try:
+        design = opened(dome_document)
+        dock = next(one for one in window.findChildren(QtGui.QDockWidget)
+                    if one.isVisible() and one.objectName() in ("Combo View", "Tasks", "Model"))
+        assert dock.width() < 300, dock.width()
+        room = dock.width() - 46  # beside the frame of a panel and a scroll bar
+        for command, kind in PANELS:
+            FreeCADGui.runCommand(f"CurveUps_{command}")
+            shown(kind)
+            fits(f"{language}{theme}-{command}", room)
+        design.ViewObject.doubleClicked()
+        shown("SolvePanel")
+        box = panels.current().form.group
+        for number in range(box.count()):
+            box.setCurrentIndex(number)
+            settle(100)
+            fits(f"{language}{theme}-Solve-{number}", room)
+    finally:
+        FreeCADGui.setLocale("English")
+
+
+def test_the_guide_opens_from_the_menu_by_F1_and_by_links(dome_document, pictures):
+    opened(dome_document)
+    choose(lambda: menu_bar("CurveUps"), "Help", "Guide")
+    assert guide() == "User guide"
+    # F1 over a button and in a panel.
+    button = next(one for one in window.findChildren(QtGui.QToolButton)
+                  if one.isVisible() and one.defaultAction() == action("CurveUps_Cuts"))
+    middle = button.mapToGlobal(button.rect().center())
+    display("mousemove", middle.x(), middle.y())
+    keys("F1")
+    assert guide().startswith("Closed and deep surfaces need cuts")
+    press("CurveUps_Export")
+    shown("ExportPanel")
+    click(panels.current().form.names)
+    keys("F1")
+    assert guide().startswith("Export Print Files")
+    # What's This of a command, and a message that names one, have links.
+    assert "guide:Solve" in action("CurveUps_Solve").whatsThis()
+    QtGui.QApplication.sendEvent(window, QtGui.QWhatsThisClickedEvent("guide:Restore Objects"))
+    assert "Restore Objects" in guide()
+    assert with_links("there is no layout yet: Solve makes it").count('"guide:Solve"') == 1
+    panels.current().form.line.linkActivated.emit("guide:Solver Status")
+    assert guide().startswith("Solver Status shows")
+
+
+def test_the_guide_says_something_of_every_command():
+    said = (ROOT / "resources" / "docs" / "guide.md").read_text(encoding="utf-8")
+    for file in (ROOT / "Workbench" / "curveups" / "window" / "commands").glob("*.py"):
+        for text in re.findall(r'text = QT_TRANSLATE_NOOP\("\w+", "([^"]+)"\)', file.read_text("utf-8")):
+            assert f"**{text}**" in said, text
