@@ -28,7 +28,7 @@ def test_targets_are_listed_one_a_line(curveups):
 def test_every_parameter_has_unit_default_range_and_meaning(curveups):
     from curveups.base.parameters import table
 
-    ran = curveups("parameters")
+    ran = curveups("parameters", "--all")
     assert ran.status == 0
     for row in table():
         line = next(x for x in ran.out.splitlines() if x.startswith(f"  {row.name} "))
@@ -37,6 +37,15 @@ def test_every_parameter_has_unit_default_range_and_meaning(curveups):
             assert f" {row.unit} " in line
         if row.type == "number":
             assert f"{row.minimum:g} to {row.maximum:g}" in line
+
+
+def test_basic_parameters_are_listed_first(curveups):
+    from curveups.base.parameters import table
+
+    ran = curveups("parameters")
+    listed = {line.split()[0] for line in ran.out.splitlines() if line.startswith("  ")}
+    assert listed == {row.name for row in table() if row.basic} and 15 < len(listed) <= 25
+    assert "--all" in ran.out
 
 
 def test_only_what_is_like_a_name_is_taken_for_it():

@@ -59,8 +59,9 @@ def make_parser() -> argparse.ArgumentParser:
     _target_arguments(remesh)
 
     _command(commands, "targets", "list the built-in targets", quiet=False)
-    _command(commands, "parameters", "list the parameters: name, unit, default, range, meaning",
-             quiet=False)
+    listed = _command(commands, "parameters", "list the parameters: name, unit, default, range, meaning",
+                      quiet=False)
+    listed.add_argument("--all", action="store_true", help="list the advanced ones and switches, too")
 
     verify = _command(commands, "verify", "verify a design file by the exact physical model")
     verify.add_argument("design", type=Path, metavar="DESIGN.json")

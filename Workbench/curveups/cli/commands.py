@@ -101,11 +101,13 @@ def targets(options: Any, session: Session) -> int:
 def parameters(options: Any, session: Session) -> int:
     """curveups parameters"""
     group = None
-    for row in table():
+    for row in (row for row in table() if row.basic or options.all):
         if row.group != group:
             session.answer(f"{'' if group is None else chr(10)}{row.group}")
             group = row.group
         session.answer(f"  {row.name:<22}{_default(row):<22}{_range(row):<29}{row.meaning}")
+    if not options.all:
+        session.answer("\n'curveups parameters --all' lists the others, too")
     return VALID
 
 
