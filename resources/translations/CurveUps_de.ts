@@ -570,6 +570,10 @@
       <translation>Entwurf bearbeiten</translation>
     </message>
     <message>
+      <source>Feasibility</source>
+      <translation>Machbarkeit</translation>
+    </message>
+    <message>
       <source>Feasibility smoothing</source>
       <translation>Glättung für die Machbarkeit</translation>
     </message>

@@ -8,16 +8,17 @@ import pytest
 
 class AtOnce:
     def __init__(self, config: pytest.Config) -> None:
-        self._terminal = config.pluginmanager.getplugin("terminalreporter")
+        self._config = config
 
     @pytest.hookimpl(trylast=True)
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         if report.failed:
-            self._terminal.ensure_newline()
-            self._terminal.section(report.nodeid, "_")
-            self._terminal.line(report.longreprtext)
+            terminal = self._config.pluginmanager.getplugin("terminalreporter")  # not there at first
+            terminal.ensure_newline()
+            terminal.section(report.nodeid, "_")
+            terminal.line(report.longreprtext)
             for title, text in report.sections:
-                self._terminal.line(f"{title}:\n{text[-3000:]}")
+                terminal.line(f"{title}:\n{text[-3000:]}")
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -41,7 +41,8 @@ class Reveal:
         view = active_view(design.Document.Name)
         if not self._first or view is None or self._fitted not in (None, aim(view)):
             return
-        _cameras.setdefault((design.Document.Name, design.Name), view.getCamera())
+        if self._fitted is None:  # an earlier document may have had the same name
+            _cameras[design.Document.Name, design.Name] = view.getCamera()
         view.fitAll()
         self._fitted = aim(view)
 
