@@ -70,8 +70,8 @@ void bind_parameters(py::module_& module) {
              "Names of parameters that earlier versions had: setting one has no effect.");
   module.def(
       "parameter_name",
-      [](const std::string& name) -> std::optional<std::string> {
-        const ParameterInfo* info = find_parameter(name);
+      [](const py::str& name) -> std::optional<std::string> {
+        const ParameterInfo* info = find_parameter(name.cast<std::string>());
         return info ? std::optional(std::string(info->name)) : std::nullopt;
       },
       py::arg("name"), "A parameter's name by that or by an alias; None for an unknown one.");
