@@ -133,16 +133,15 @@ def export(options: Any, session: Session) -> int:
     project = Project.of_design(_read_design(options.design), str(options.design))
     values, rebuilt = project.parameters, False
     for name, text in _settings(options.settings):
-        known = native.parameter_name(name)
-        row = parameter(known) if known else None
-        before = values.get(name) if row else None
+        before = native.Parameters(values)
         _set(values, name, text, f"--set {name}", session)
-        if row is None:  # retired
+        if name in native.retired_parameters():
             continue
+        row = parameter(native.parameter_name(name))
         if row.effect not in ("rebuild", "files"):
             raise CurveUpsError(f"{name} can't change on export", f"--set {name}",
                                 "run 'curveups design' with it")
-        rebuilt |= row.effect == "rebuild" and values.get(name) != before
+        rebuilt |= row.effect == "rebuild" and values.get(name) != before.get(name)
     project.parameters = values
     job = session.job
     note = "geometry changed since verification" if rebuilt else "an export does not verify"

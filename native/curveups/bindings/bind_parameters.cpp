@@ -70,11 +70,11 @@ void bind_parameters(py::module_& module) {
              "Names of parameters that earlier versions had: setting one has no effect.");
   module.def(
       "parameter_name",
-      [](const py::str& name) -> std::optional<std::string> {
-        const ParameterInfo* info = find_parameter(name.cast<std::string>());
-        return info ? std::optional(std::string(info->name)) : std::nullopt;
+      [](const std::string& name) {
+        if (const ParameterInfo* info = find_parameter(name)) return std::string(info->name);
+        refuse_unknown(name);
       },
-      py::arg("name"), "A parameter's name by that or by an alias; None for an unknown one.");
+      py::arg("name"), "A parameter's name by that or by an alias; raises InvalidInput.");
 
   py::class_<Parameters>(module, "Parameters", "The parameters of a design, at their defaults.")
       .def(py::init<>())
