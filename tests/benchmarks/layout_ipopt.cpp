@@ -222,8 +222,7 @@ class LayoutProblem : public Ipopt::TNLP {
 
 double energy_of(const LayoutModel& model, const LayoutState& state) {
   double sum = 0;
-  for (const auto& [name, value] : energies_by_name(make_energies(model), state))
-    sum += value;
+  for (const auto& [name, value] : energies_by_name(make_energies(model), state)) sum += value;
   return sum;
 }
 

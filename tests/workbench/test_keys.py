@@ -62,7 +62,7 @@ def asked(path):
             except documents.CurveUpsError:  # values that contradict one another are refused as a whole
                 break
         else:
-            layout = [name for name in from_target.out_of_date("design")
+            layout = [name for name in from_target.out_of_date("design") or ()
                       if name in BY_NAME or not by_name(name).keeps_layout]
             # The command line made solids and checked them, which no document keeps.
             judging = [name for name, stage in BY_NAME.items() if stage.judges and (

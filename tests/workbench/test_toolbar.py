@@ -9,12 +9,12 @@ import FreeCADGui
 import pytest
 from curveups.window.notice import with_links
 from curveups.window.overlays import overlay_of
-from curveups.window.panels import panel as panels
 from curveups.window.run import LIVE
 from PySide import QtGui
 from robot import action, choose, click, close_panel, display, keys, menu_bar, picture, press, settle
 from robot import until, widget, window
 from running import ROOT
+from steps import panel
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -38,7 +38,7 @@ def opened(path):
 
 
 def shown(kind):
-    until(lambda: type(panels.current()).__name__ == kind and panels.current().form.isVisible(), 10, kind)
+    until(lambda: type(panel()).__name__ == kind and panel().form.isVisible(), 10, kind)
     until(lambda: not LIVE.busy, 60, "the run")
     settle(300)
 
@@ -112,7 +112,7 @@ def test_a_panel_takes_the_place_of_the_one_before(dome_document, pictures):
 
 
 def fits(name, room):
-    form = panels.current().form
+    form = panel().form
     picture(name)
     assert form.minimumSizeHint().width() <= room, (name, form.minimumSizeHint().width())
     for part in vars(form).values():
@@ -139,7 +139,7 @@ def test_every_panel_fits_the_dock_that_a_fresh_profile_has(language, theme, dom
             fits(f"{language}{theme}-{command}", room)
         design.ViewObject.doubleClicked()
         shown("SolvePanel")
-        box = panels.current().form.group
+        box = panel().form.group
         for number in range(box.count()):
             box.setCurrentIndex(number)
             settle(100)
@@ -161,7 +161,7 @@ def test_the_guide_opens_from_the_menu_by_F1_and_by_links(dome_document, picture
     assert guide().startswith("Closed and deep surfaces need cuts")
     press("CurveUps_Export")
     shown("ExportPanel")
-    click(panels.current().form.names)
+    click(panel().form.names)
     keys("F1")
     assert guide().startswith("Export Print Files")
     # What's This of a command, and a message that names one, have links.
@@ -169,7 +169,7 @@ def test_the_guide_opens_from_the_menu_by_F1_and_by_links(dome_document, picture
     QtGui.QApplication.sendEvent(window, QtGui.QWhatsThisClickedEvent("guide:Restore Objects"))
     assert "Restore Objects" in guide()
     assert with_links("there is no layout yet: Solve makes it").count('"guide:Solve"') == 1
-    panels.current().form.line.linkActivated.emit("guide:Solver Status")
+    panel().form.line.linkActivated.emit("guide:Solver Status")
     assert guide().startswith("Solver Status shows")
 
 
