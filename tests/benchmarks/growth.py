@@ -75,7 +75,7 @@ def _measure(tiles: int, files: bool) -> dict[str, Any]:
     from curveups.base import machine
     from curveups.base.native import native
     from curveups.project.project import Project
-    from curveups.stages import DESIGNED, PRINTED, STAGES
+    from curveups.stages import asked_by
     from curveups.stages.cut_request import CutRequest
     from curveups.stages.stage import Job
     from curveups.stages.surface import find_source
@@ -96,13 +96,13 @@ def _measure(tiles: int, files: bool) -> dict[str, Any]:
         return made
 
     # Suggested cuts are no part of a design that needs none.
-    goals = [stage.name for stage in STAGES if stage.name in DESIGNED and stage.name != "suggestions"]
+    goals = [name for name in asked_by("solve") if name != "suggestions"]
     job = Job()
     for goal in goals:
         results = clocked(goal, lambda: project.run((goal,), job))
     memory = machine.peak_memory_mb()
     if files:
-        for goal in PRINTED:
+        for goal in asked_by("print"):
             results = clocked(goal, lambda: project.run((*goals, goal), job))
         with tempfile.TemporaryDirectory(prefix="curveups-growth-") as folder:
             for ending, kinds in native.print_formats():

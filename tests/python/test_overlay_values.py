@@ -145,7 +145,7 @@ def test_deviation_is_the_largest_on_each_tile():
     V = np.array([[0.0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]])
     F = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
     lifted = V + [[0, 0, 0.5], [0, 0, 0], [0, 0, 0], [0, 0, -2]]
-    found = deviation_field(lifted, F, V, F)
+    found = deviation_field(lifted, F, "Target", V, F)
     assert found.values == pytest.approx([0.5, 2])
     with pytest.raises(native.InvalidInput, match="names vertex"):
         native.distances(V, V, F + 2)
@@ -155,6 +155,6 @@ def test_deviation_is_the_largest_on_each_tile():
 
 def test_a_field_that_can_not_be_had_has_no_values():
     V, F = np.zeros((3, 3)), np.array([[0, 1, 2]], np.int32)
-    one = deviation_field(V, F, V, np.empty((0, 3), np.int32))
+    one = deviation_field(V, F, "Target", V, np.empty((0, 3), np.int32))
     assert one.values.shape == (1,) and np.isnan(one.values).all()
     assert not len(one.problems) and not len(one.order) and one.automatic_range() == (0, 1)

@@ -18,6 +18,7 @@ import check_rooms  # noqa: E402
 import growth  # noqa: E402
 from curveups.project import project  # noqa: E402
 from curveups.base.native import native  # noqa: E402
+from curveups.stages import BY_NAME  # noqa: E402
 
 
 @pytest.mark.parametrize("path, text, said", [
@@ -89,8 +90,8 @@ def test_the_stage_of_the_contributors_page(designed, monkeypatch):
     spec = importlib.util.spec_from_loader("curveups.stages.weight", loader=None)
     module = importlib.util.module_from_spec(spec)
     monkeypatch.setitem(sys.modules, spec.name, module)
-    exec(re.search(r"```python\n(.*?)```", page, re.S)[1], module.__dict__)
-    monkeypatch.setitem(project._BY_NAME, module.STAGE.name, module.STAGE)
+    exec(re.findall(r"```python\n(.*?)```", page, re.S)[-1], module.__dict__)
+    monkeypatch.setitem(BY_NAME, module.STAGE.name, module.STAGE)
 
     of = project.Project.of_design(native.read_design(json.dumps(designed.json("design.json"))))
     grams = of.run(("weight",))["weight"].grams

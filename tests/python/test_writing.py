@@ -14,10 +14,10 @@ from curveups.report.files import Writing
 from curveups.base.native import native
 from curveups.project.project import Project
 from curveups.report.html import build_html
-from curveups.stages import PRINTED, solids
+from curveups.stages import asked_by, solids
 from curveups.stages.stage import Job
 
-GOALS = ("figures", *PRINTED)
+GOALS = asked_by("print")
 
 
 @pytest.fixture

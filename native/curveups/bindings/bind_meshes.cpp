@@ -4,6 +4,7 @@
 #include "curveups/geometry/builtin_targets.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/closest_points.hpp"
+#include "curveups/geometry/conformal_map.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/divide_surface.hpp"
 #include "curveups/geometry/edge_paths.hpp"
@@ -80,6 +81,14 @@ void bind_meshes(py::module_& module) {
       },
       py::arg("V"), py::arg("F"), py::arg("points"),
       "Vertices of the shortest edge path through those nearest to the points.");
+  module.def(
+      "conformal_map",
+      [](const PointsIn& V, const TrianglesIn& F) {
+        const TriangleMesh mesh = read_mesh(V, F);
+        const py::gil_scoped_release release;
+        return conformal_map(mesh);
+      },
+      py::arg("V"), py::arg("F"), "Flat positions of the vertices (spectral conformal map).");
   module.def(
       "triangulate_polygon",
       [](const PointsIn& points) { return triangulate_polygon(read_points(points, "points")); },
