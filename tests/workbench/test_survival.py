@@ -13,6 +13,7 @@ from curveups.features import document as documents
 pytestmark = pytest.mark.freecad
 
 OLD = Path(__file__).parent / "data" / "first-version.FCStd"
+RELEASED = Path(__file__).parent / "data" / "version-0.1.0.FCStd"
 PARTS = ("Target", "Cuts", "Layout", "Verification", "Tiles", "Support", "Anchors")
 
 
@@ -147,3 +148,31 @@ def test_the_first_version_without_the_native_module(elsewhere, tmp_path):
     assert "older version" in said and "Traceback" not in said, said
     document, design = opened(tmp_path / "kept.FCStd")
     assert design.HBody.Value == 3 and design.Tiles == document.Tiles and design.TileCount == 24
+
+
+def window_of_0_1_0(path):
+    """Classes of the views that a window attaches, and whether the overlay has a scene."""
+    from curveups.window.overlays import overlay_of
+    from robot import settle, until
+
+    document, design = opened(path)
+    until(lambda: overlay_of(design).scene is not None, 20, "a picture")
+    settle(2000)
+    return {part: type(getattr(design, part).ViewObject.Proxy).__name__ for part in PARTS}
+
+
+def test_a_document_of_0_1_0(elsewhere):
+    """It stored the origins of its results as four texts, and its views under other names."""
+    document, design = opened(RELEASED)
+    document.recompute()
+    assert (design.Verdict, design.Status) == ("valid", "current"), list(design.Reasons)
+    assert not {"Solved", "Judged", "Rebuilt", "ResultsDigest"} & set(design.PropertiesList)
+    before = design.CreaseAngle
+    design.CreaseAngle = 20
+    assert design.Verdict == design.Target.Status == "out of date"
+    design.CreaseAngle = before
+    FreeCAD.closeDocument(document.Name)
+    check_whole(RELEASED)
+    views, _ = elsewhere(window_of_0_1_0, str(RELEASED), window=True)
+    assert views == {"Cuts": "CutsView", "Layout": "LayoutView", "Verification": "VerificationView",
+                     **dict.fromkeys(("Target", "Tiles", "Support", "Anchors"), views["Tiles"])}
