@@ -55,7 +55,7 @@ def judge(target: str, cuts: int, setting: str) -> dict[str, Any]:
         said.update(check=found.feasible, tiles=len(found.F),
                     obstacles=sorted({one.obstacle for one in found.blocked}))
         results = project.run(("verification", "recheck", "clearances"), job)
-        said.update(design=results.verdict.valid, why="; ".join(map(str, results.verdict.reasons[:1])))
+        said.update(design=results.verdict.valid, why="; ".join(results.verdict.reasons[:1]))
     except CurveUpsError as error:  # refused, by both where check is
         said["why"] = error.what
     if job.stopped:

@@ -105,11 +105,10 @@ def _measure(tiles: int, files: bool) -> dict[str, Any]:
         for goal in asked_by("print"):
             results = clocked(goal, lambda: project.run((*goals, goal), job))
         with tempfile.TemporaryDirectory(prefix="curveups-growth-") as folder:
-            for one in native.print_formats():
-                for kind in one.kinds:
+            for ending, kinds in native.print_formats():
+                for kind in kinds:
                     file = Path(folder, kind)
-                    clocked(one.ending,
-                            lambda: results["solids"].model.write(one.ending, kind, str(file), job))
+                    clocked(ending, lambda: results["solids"].model.write(ending, kind, str(file), job))
                     file.unlink()
     results = project.run(("figures", "verification"), job)
     return {"tiles": results["figures"].tiles, "valid": results["verification"].valid,

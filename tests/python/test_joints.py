@@ -164,8 +164,8 @@ def test_remedies_by_what_is_possible():
     def remedy(hole, area):
         Model.joints = ([(0, 1)], [(2, 3)], 2, hole, area)
         said, = not_joined(joints_of(Model, parameters), parameters)
-        assert str(said) == "1 of 2 edges between pieces have no room for stitching holes: T00003-T00004"
-        return said.remedy()
+        assert said["what"] == "1 of 2 edges between pieces have no room for stitching holes: T00003-T00004"
+        return said["remedy"]
 
     assert remedy(0.0, 0.0) == "raise L or lower H_body"
     assert "A_pin_floor to 2.34," in remedy(0.0, 2.349) and "joint_hole" not in remedy(0.0, 2.349)

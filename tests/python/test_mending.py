@@ -186,7 +186,7 @@ def test_where_membranes_cut_other_sizes_are_tried(run, monkeypatch):
 
     tried = []
 
-    def valid(inputs, sizes, job):
+    def valid(inputs, edges, sizes, job):
         tried.append(sizes)
         return len(tried) == 3
 
@@ -196,8 +196,7 @@ def test_where_membranes_cut_other_sizes_are_tried(run, monkeypatch):
     assert not trials.STAGE.run(inputs, Job()).advice() and not tried
     parameters.set("mend", "on")
     said, = trials.STAGE.run(inputs, Job()).advice()
-    assert tried == [(("H_pin", 1.2),), (("H_pin", 1.5),), (("H_body", 1.5),)]
-    assert "H_body=1.5, with" in str(said)
+    assert tried == [(("H_pin", 1.2),), (("H_pin", 1.5),), (("H_body", 1.5),)] and "H_body=1.5, with" in said
 
 
 def test_what_is_tried_is_the_design_that_it_becomes():
@@ -208,12 +207,9 @@ def test_what_is_tried_is_the_design_that_it_becomes():
     source = Source("made", stamp="made", read=lambda deflection, choice: Read(V, F))
     made = Project("made", parameters, {"source": source, "cut request": CutRequest()}, "made")
     results = made.run(("verification",))
-    inputs = Inputs(parameters, {}, elsewhere=made.elsewhere)
-    heard = []
-    job = Job(listen=lambda *iterate: heard.append(iterate))
-    assert trials._valid(inputs, (("H_pin", 1.0),), job) == results["verification"].valid
-    assert trials._valid(inputs, (("H_pin", 0.2),), job) is False
-    assert made.parameters.get("H_pin") == 1.0 and made.out_of_date("verification") == ()
-    assert not heard  # whoever watches the design sees no other
+    inputs = Inputs(parameters, {"target": made.run(("target",))["target"]})
+    none = np.zeros((0, 2), np.int32)
+    assert trials._valid(inputs, none, (("H_pin", 1.0),), Job()) == results["verification"].valid
+    assert trials._valid(inputs, none, (("H_pin", 0.2),), Job()) is False
     with pytest.raises(Stopped):
-        trials._valid(inputs, (("H_pin", 1.0),), Job(lambda what, fraction: False))
+        trials._valid(inputs, none, (("H_pin", 1.0),), Job(lambda what, fraction: False))

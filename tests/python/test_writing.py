@@ -4,7 +4,6 @@
 import json
 import time
 import zipfile
-from types import SimpleNamespace
 
 import pytest
 
@@ -90,14 +89,11 @@ def run(project, folder, job):
 def test_print_files_come_while_solids_are_checked(project, monkeypatch, tmp_path):
     out, found = tmp_path / "out", {}
 
-    solid = SimpleNamespace(kind="unsound.solid", tiles=[], figures={"body": "T00001", "why": "open"})
-    unsound = SimpleNamespace(kind="unsound", tiles=[0], figures={"solids": [solid]})
-
     def judge(job):
         waits_for(out / "small-cap-print.3mf")
         found["meanwhile"] = {path.name for path in out.iterdir() if not path.name.startswith(".")}
         waits_for(out / "small-cap-anchors.stl")
-        return [("T00001", "open")], [unsound]
+        return [("T00001", "open")], ["solids are not sound: T00001: open"]
 
     judged_by(monkeypatch, judge)
     assert run(project, out, Job()) is False

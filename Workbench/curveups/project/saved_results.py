@@ -14,8 +14,7 @@ import numpy as np
 
 from ..base.errors import CurveUpsError
 from ..base.native import native, translated
-from ..base.value import Value
-from ..stages.stage import digest
+from ..stages.stage import Value, digest
 from .project import Made
 
 FORMAT, VERSION = "curveups-results", 1

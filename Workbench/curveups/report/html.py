@@ -9,7 +9,6 @@ from html import escape
 from typing import Any, Callable, Iterable, Iterator, Optional, Sequence
 
 from ..base.errors import tile_list, tile_name
-from ..base.native import native
 from ..base.parameters import table as parameter_table
 from ..project.project import Results
 from ..stages.solids import fits_bed, overhangs, read_printer
@@ -148,9 +147,9 @@ def picture(png: bytes, caption: str) -> str:
 def _quote(report: dict, parameters: Any) -> str:
     block, get, name = report["print"], parameters.get, report["name"]
     x, y, z = block["bbox_mm"]
-    support = native.support_kind(parameters)
-    own = 0.0 if support.soluble else block["support_volume_cm3"]  # of the tiles' own material
-    rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"] + own
+    bridged = get("support") == "breakaway"  # of the tiles' own material: nothing dissolves
+    bridges = block["support_volume_cm3"] if bridged else 0.0
+    rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"] + bridges
     printer = read_printer(get("printer"))
     bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
     moduli = {get("shear_modulus_front"), get("shear_modulus_back")}
@@ -168,9 +167,9 @@ def _quote(report: dict, parameters: Any) -> str:
         ("Rigid material", f"{rigid:.1f} cm³, {rigid * get('density'):.0f} g at "
                            f"{get('density'):g} g/cm³ (tiles {block['tile_volume_cm3']:.1f} cm³, anchors "
                            f"{block['anchor_volume_cm3']:.1f} cm³"
-                           + (f", {support.bodies} {own:.1f} cm³)" if own else ")")),
-        ("Support material", f"{block['support_volume_cm3'] - own:.1f} cm³"
-         + (" (soluble)" if support.soluble else "")
+                           + (f", bridges {bridges:.1f} cm³)" if bridged else ")")),
+        ("Support material", f"{block['support_volume_cm3'] - bridges:.1f} cm³"
+         + (" (soluble)" if get("support") == "soluble" else "")
          + ("; the slicer's supports under tiles that reach out come on top"
             if overhangs(block["overhang_mm"], parameters, printer) else "")),
         ("Smallest feature", f"{block['smallest_feature_mm']:.3g} mm; the printer makes "
@@ -197,7 +196,8 @@ def _assembly(report: dict, parameters: Any) -> str:
     second = "back" if first == "front" else "front"
     on_bed = "back" if get("orientation") == "front-up" else "front"
     level = f"the slab lies level with the pins ({glue[f'{second}_support_mm2']:.0f} mm²)"
-    away = native.support_kind(parameters).removal.format(second=second)
+    away = {"soluble": "dissolve the slab and let the tiles dry",
+            "breakaway": f"break the bridges from the {second}", "none": ""}[get("support")]
     before = ""
     if overhangs(block["overhang_mm"], parameters, read_printer(get("printer"))):
         level = "the slicer's supports lie level with the pins"

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 from typing import Any, Optional, Sequence
 
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding, all_of, failed
 from ..base.native import native, translated
-from .stage import Inputs, Job, Result, Stage
+from .stage import Inputs, Job, Result, Stage, advice_of
 
 
 @dataclass(frozen=True)
@@ -20,8 +19,8 @@ class Clearances(Result):
 
     flat_mm: Optional[float] = None        # least distance of two tiles; infinite with one tile
     overlap_mm3: Optional[float] = None    # largest volume that two share when actuated
-    broken: tuple[Finding, ...] = ()       # reasons
-    note: Optional[Finding] = None         # why this is not known
+    broken: tuple[str, ...] = ()           # reasons
+    note: str = ""                         # why this is not known
 
     def report(self) -> dict[str, Any]:
         if self.flat_mm is None:
@@ -29,7 +28,7 @@ class Clearances(Result):
         return {"clearances": {"min_flat_mm": self.flat_mm if math.isfinite(self.flat_mm) else None,
                                "max_overlap_actuated_mm3": self.overlap_mm3}}
 
-    def reasons(self) -> Sequence[Finding]:
+    def reasons(self) -> Sequence[str]:
         return self.broken
 
 
@@ -40,10 +39,10 @@ def _run(inputs: Inputs, job: Job) -> Clearances:
             flat, overlap, reasons = native.measure_clearances(design, job)
     except CurveUpsError as error:
         # Tiles that can't be made are no input that can't be read: the verdict says it.
-        return Clearances(broken=(failed("unprintable", error),))
-    return Clearances(flat, overlap, all_of(reasons))
+        return Clearances(broken=(f"the print can't be made: {advice_of(error)}",))
+    return Clearances(flat, overlap, tuple(reasons))
 
 
 STAGE = Stage("clearances", ("design",), frozenset({"tiles", "bodies"}), _run,
-              on_stop=lambda stage, inputs: Clearances(note=Finding.about("stopped", stage=stage)),
+              on_stop=lambda stage, inputs: Clearances(note=f"stopped during {stage}"),
               label="Clearances", asked_by=("solve", "verify"), judges=True)

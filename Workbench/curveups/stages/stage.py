@@ -17,10 +17,8 @@ from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding
 from ..base.parameters import table
 from ..base.progress import Progress
-from ..base.value import Value
 
 
 @dataclass(frozen=True)
@@ -42,11 +40,21 @@ class Picture:
     data: Mapping[str, Any] = field(default_factory=dict)
 
 
+class Value:
+    """Base of what results consist of: frozen dataclasses, known by their name to whoever saves them."""
+
+    known: ClassVar[dict[str, type]] = {}
+
+    def __init_subclass__(cls) -> None:
+        Value.known[cls.__name__] = cls
+
+
 class Result(Value):
     """Base of all results: frozen dataclasses of numbers, texts, arrays and designs. Every method has an
     answer for results that have nothing to say."""
 
     lasting: ClassVar[bool] = True  # can be saved; otherwise it is made anew
+    note = ""  # why it has no answer, of those that judge
 
     @property
     def content(self) -> str:
@@ -67,16 +75,16 @@ class Result(Value):
         """Its blocks of report.json."""
         return {}
 
-    def reasons(self) -> Sequence[Finding]:
+    def reasons(self) -> Sequence[str]:
         """Why the design is not valid, as far as this knows."""
         return ()
 
-    def advice(self) -> Sequence[Finding]:
+    def advice(self) -> Sequence[str]:
         """What is to be said besides where the design does not hold."""
         return ()
 
-    def warnings(self) -> Sequence[Finding]:
-        """What may go wrong with a design that is valid."""
+    def warnings(self) -> Sequence[dict]:
+        """Entries for the report's warnings: what, kind, tiles."""
         return ()
 
     def pictures(self) -> Sequence[Picture]:
@@ -130,8 +138,6 @@ class Inputs:
     results: Mapping[str, Result]
     store: Any = None  # native SolutionStore: what is solved of a design, for the next who needs it
     where: str = ""    # names the target or file in messages
-    # What a copy of the project makes: with these values of parameters, of these stages (project.Results).
-    elsewhere: Optional[Callable[[Mapping[str, Any], Sequence[str], Job], Mapping[str, Any]]] = None
 
     def __getitem__(self, name: str) -> Any:
         return self.results[name]
@@ -196,3 +202,8 @@ def digest(*parts: Any) -> str:
             found.update(str(part).encode())
         found.update(b"\0")
     return found.hexdigest()
+
+
+def advice_of(error: CurveUpsError) -> str:
+    """An error inside of another sentence."""
+    return error.what + (f" ({error.remedy})" if error.remedy else "")
