@@ -145,7 +145,7 @@ class Inputs:
 
 @dataclass(frozen=True)
 class Stage:
-    """`reads`: upstream stages; `parts`: whose parameters it reads (native `ParameterInfo.readers`), or a
+    """`reads`: upstream stages; `parts`: whose parameters it reads (base/parameters.py), or a
     function of the parameters that says so, where some decide whether others are read at all; `on_failure`:
     the result of a failure that must not cost what there is already; `on_stop`: of a stop (with the stage
     that was stopped) where work before it is worth its files; `expected`: the result, equal (==) to that of
