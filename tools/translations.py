@@ -34,6 +34,7 @@ def texts() -> set[Text]:
     for path in (ROOT / "resources" / "ui").glob("*.ui"):
         found.update(texts_of_form(path.read_text(encoding="utf-8")))
     found.update(texts_of_parameters())
+    found.update(texts_of_findings())
     return found
 
 
@@ -61,6 +62,14 @@ def texts_of_parameters() -> set[Text]:
     from curveups.features import properties
 
     return {(PROPERTIES, properties.tip_of(row)) for row in properties.rows()}
+
+
+def texts_of_findings() -> set[Text]:
+    """What is said for or against a design."""
+    sys.path.insert(0, str(ROOT / "Workbench"))
+    from curveups.base import sentences
+
+    return {(sentences.CONTEXT, text) for text in sentences.texts()}
 
 
 def texts_of_form(source: str) -> Iterator[Text]:

@@ -960,6 +960,861 @@
     </message>
   </context>
   <context>
+    <name>CurveUps_Findings</name>
+    <message>
+      <source> and {count} more</source>
+      <translation> und {count} weitere</translation>
+    </message>
+    <message>
+      <source> or </source>
+      <translation> oder </translation>
+    </message>
+    <message>
+      <source>; dimples stop what slides after {play:.3g} mm at most</source>
+      <translation>; Mulden halten nach höchstens {play:.3g} mm auf, was gleitet</translation>
+    </message>
+    <message>
+      <source>; hold more tiles, or others (held_tiles)</source>
+      <translation>; mehr oder andere Kacheln halten (held_tiles)</translation>
+    </message>
+    <message>
+      <source>H_body={H_body:g} with H_pin={H_pin:g}</source>
+      <translation>H_body={H_body:g} mit H_pin={H_pin:g}</translation>
+    </message>
+    <message>
+      <source>a cut near the tiles named gives gaps room</source>
+      <translation>ein Schnitt nahe den genannten Kacheln gibt Spalten Platz</translation>
+    </message>
+    <message>
+      <source>a cut of {length:.0f} mm {why:; }</source>
+      <translation>ein Schnitt von {length:.0f} mm: {why:; }</translation>
+    </message>
+    <message>
+      <source>a cut of {length:.0f} mm {why:; } (predicted: flat area {area_before:.2f} to {area_after:.2f} times the actuated, slack membrane at {slack_before} to {slack_after} places, energy per contact {energy_before:.2f} to {energy_after:.2f})</source>
+      <translation>ein Schnitt von {length:.0f} mm: {why:; } (vorhergesagt: flache Fläche {area_before:.2f} auf {area_after:.2f} mal die in Form, schlaffe Membran an {slack_before} auf {slack_after} Stellen, Energie je Kontakt {energy_before:.2f} auf {energy_after:.2f})</translation>
+    </message>
+    <message>
+      <source>a larger L, thinner tiles (H_body) or a smaller A_pin_min give pins room</source>
+      <translation>ein größeres L, dünnere Kacheln (H_body) oder ein kleineres A_pin_min geben Zapfen Platz</translation>
+    </message>
+    <message>
+      <source>actuated tiles overlap by {value:.3g} mm3 ({at})</source>
+      <translation>Kacheln in Form überlappen um {value:.3g} mm3 ({at})</translation>
+    </message>
+    <message>
+      <source>an export does not verify</source>
+      <translation>Ein Export prüft nicht</translation>
+    </message>
+    <message>
+      <source>another tau, or a smoother target near the tiles named, changes the membranes' pull there</source>
+      <translation>ein anderes tau oder eine glattere Zielfläche nahe den genannten Kacheln ändert dort den Zug der Membranen</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translation>hinten</translation>
+    </message>
+    <message>
+      <source>back pin</source>
+      <translation>hinterer Zapfen</translation>
+    </message>
+    <message>
+      <source>body</source>
+      <translation>Körper</translation>
+    </message>
+    <message>
+      <source>bump</source>
+      <translation>Noppe</translation>
+    </message>
+    <message>
+      <source>bumps are {height:g} mm high, less than the {least:g} mm that a {printer} resolves</source>
+      <translation>Noppen sind {height:g} mm hoch, weniger als die {least:g} mm, die ein {printer} auflöst</translation>
+    </message>
+    <message>
+      <source>bumps stand into the gap between flat tiles, as walls are not recessed for their height: {left:.3g} of {asked:.3g} mm (d_gap_min) are left</source>
+      <translation>Noppen ragen in den Spalt zwischen flachen Kacheln, da Wände für ihre Höhe nicht zurückstehen: {left:.3g} von {asked:.3g} mm (d_gap_min) bleiben</translation>
+    </message>
+    <message>
+      <source>bumps would touch the neighbour in the flat layout</source>
+      <translation>Noppen würden in der Abwicklung den Nachbarn berühren</translation>
+    </message>
+    <message>
+      <source>check the file and its format</source>
+      <translation>Datei und Format überprüfen</translation>
+    </message>
+    <message>
+      <source>check the unit of the file (scale), or choose a larger L</source>
+      <translation>die Einheit der Datei überprüfen (scale) oder ein größeres L wählen</translation>
+    </message>
+    <message>
+      <source>compute the layout with joint=holes, so that pins make room</source>
+      <translation>das Layout mit joint=holes berechnen, damit Zapfen Platz machen</translation>
+    </message>
+    <message>
+      <source>contact {contact} has {share:.2f} of f_min: {why}</source>
+      <translation>Kontakt {contact} hat {share:.2f} von f_min: {why}</translation>
+    </message>
+    <message>
+      <source>contact {contact} keeps pushing forces within friction at bumps' tips at {share:.2f} of f_min: {why}</source>
+      <translation>Kontakt {contact} hält drückende Kräfte mit Reibung an Noppenspitzen bei {share:.2f} von f_min: {why}</translation>
+    </message>
+    <message>
+      <source>contact {contact} keeps pushing forces within friction at {share:.2f} of f_min: {why}</source>
+      <translation>Kontakt {contact} hält drückende Kräfte mit Reibung bei {share:.2f} von f_min: {why}</translation>
+    </message>
+    <message>
+      <source>contacts can't hold {held:8}: a hinge or nothing at all carries them</source>
+      <translation>Kontakte können {held:8} nicht halten: nur ein Scharnier oder gar nichts trägt sie</translation>
+    </message>
+    <message>
+      <source>coordinates reach {largest:.4g} mm, where files lose digits</source>
+      <translation>Koordinaten reichen bis {largest:.4g} mm, wo Dateien Stellen verlieren</translation>
+    </message>
+    <message>
+      <source>cut it as suggested</source>
+      <translation>es schneiden wie vorgeschlagen</translation>
+    </message>
+    <message>
+      <source>cut the band through, or model it with two sides</source>
+      <translation>das Band durchschneiden oder mit zwei Seiten modellieren</translation>
+    </message>
+    <message>
+      <source>cuts could not be looked for: {error}</source>
+      <translation>Schnitte konnten nicht gesucht werden: {error}</translation>
+    </message>
+    <message>
+      <source>dimples are {clearance:g} mm wider than bumps, less than the {least:g} mm that a {printer} resolves</source>
+      <translation>Mulden sind {clearance:g} mm weiter als Noppen, weniger als die {least:g} mm, die ein {printer} auflöst</translation>
+    </message>
+    <message>
+      <source>f_min is the estimated error of the membrane mesh, which is more than f_min_ratio asks for: lower mesh_size</source>
+      <translation>f_min ist der geschätzte Fehler des Membrannetzes, und der ist größer, als f_min_ratio verlangt: mesh_size verkleinern</translation>
+    </message>
+    <message>
+      <source>faces turned over</source>
+      <translation>gewendete Flächen</translation>
+    </message>
+    <message>
+      <source>fill the gap or widen it</source>
+      <translation>die Lücke füllen oder verbreitern</translation>
+    </message>
+    <message>
+      <source>flat tiles are {violation:.3g} mm nearer than d_gap_min</source>
+      <translation>Flache Kacheln sind um {violation:.3g} mm näher als d_gap_min</translation>
+    </message>
+    <message>
+      <source>flat tiles are {violation:.3g} mm nearer than d_gap_min ({pairs:6})</source>
+      <translation>Flache Kacheln sind um {violation:.3g} mm näher als d_gap_min ({pairs:6})</translation>
+    </message>
+    <message>
+      <source>front</source>
+      <translation>vorn</translation>
+    </message>
+    <message>
+      <source>front pin</source>
+      <translation>vorderer Zapfen</translation>
+    </message>
+    <message>
+      <source>gap</source>
+      <translation>Spalt</translation>
+    </message>
+    <message>
+      <source>geometry changed since verification</source>
+      <translation>Die Geometrie hat sich seit dem Prüfen geändert</translation>
+    </message>
+    <message>
+      <source>height of the pins</source>
+      <translation>Höhe der Zapfen</translation>
+    </message>
+    <message>
+      <source>held by the {obstacle} of {at}</source>
+      <translation>festgehalten von {obstacle} an {at}</translation>
+    </message>
+    <message>
+      <source>inset at its limit</source>
+      <translation>Zapfenkante an ihrer Grenze</translation>
+    </message>
+    <message>
+      <source>into the saddle at {tile}, which the flat map scales by {scale:.2g} of the mean</source>
+      <translation>in den Sattel bei {tile}, den die flache Karte mit {scale:.2g} des Mittels skaliert</translation>
+    </message>
+    <message>
+      <source>invalid</source>
+      <translation>ungültig</translation>
+    </message>
+    <message>
+      <source>is it in metres or inches? set scale (1000 or 25.4), or choose a smaller L</source>
+      <translation>Ist sie in Metern oder Zoll? scale setzen (1000 oder 25.4) oder ein kleineres L wählen</translation>
+    </message>
+    <message>
+      <source>it runs through {other}, another part of the target, and no plane parts them</source>
+      <translation>sie geht durch {other}, einen anderen Teil der Zielfläche, und keine Ebene trennt sie</translation>
+    </message>
+    <message>
+      <source>its hollows would break into another face</source>
+      <translation>ihre Mulden brächen in eine andere Fläche durch</translation>
+    </message>
+    <message>
+      <source>its piece has no flat map: closed surfaces and handles have to be cut open first</source>
+      <translation>ihr Stück lässt sich nicht flach auslegen: geschlossene Flächen und Henkel müssen zuerst aufgeschnitten werden</translation>
+    </message>
+    <message>
+      <source>its {side} membrane would cut into it at a sharp corner or fold: pins rise {room:.2f} mm over it, {least:.2g} are wanted</source>
+      <translation>ihre Membran ({side}) schnitte an einer scharfen Ecke oder Falte in sie: Zapfen stehen {room:.2f} mm über ihr, {least:.2g} sind verlangt</translation>
+    </message>
+    <message>
+      <source>its {side} pin has room for {area:.3g} mm2, less than A_pin_floor ({least:g})</source>
+      <translation>ihr Zapfen ({side}) hat Platz für {area:.3g} mm2, weniger als A_pin_floor ({least:g})</translation>
+    </message>
+    <message>
+      <source>joins the hole at {tile} to another boundary</source>
+      <translation>verbindet das Loch bei {tile} mit einem anderen Rand</translation>
+    </message>
+    <message>
+      <source>joint hole</source>
+      <translation>Nähloch</translation>
+    </message>
+    <message>
+      <source>joint=holes, but no two pieces have a border in common: there is nothing to join</source>
+      <translation>joint=holes, aber keine zwei Stücke haben einen gemeinsamen Rand: nichts ist zu verbinden</translation>
+    </message>
+    <message>
+      <source>let it be cut open (--auto-cuts 1) or divided (pieces=auto), give --cuts, or remove a part of it</source>
+      <translation>sie aufschneiden (--auto-cuts 1) oder teilen lassen (pieces=auto), --cuts angeben oder einen Teil entfernen</translation>
+    </message>
+    <message>
+      <source>let the slicer put supports there, on the bed alone</source>
+      <translation>den Slicer dort Stützen setzen lassen, nur auf dem Bett</translation>
+    </message>
+    <message>
+      <source>let the slicer put supports there, on the bed alone; with orientation=front-up they come off once a membrane holds the tiles</source>
+      <translation>den Slicer dort Stützen setzen lassen, nur auf dem Bett; mit orientation=front-up gehen sie ab, sobald eine Membran die Kacheln hält</translation>
+    </message>
+    <message>
+      <source>let the target be remeshed</source>
+      <translation>die Zielfläche neu vernetzen lassen</translation>
+    </message>
+    <message>
+      <source>lower H_body or smooth the target there</source>
+      <translation>H_body verringern oder die Zielfläche dort glätten</translation>
+    </message>
+    <message>
+      <source>lower H_body, or keep parts of the target farther from one another</source>
+      <translation>H_body verringern oder Teile der Zielfläche weiter von einander entfernen</translation>
+    </message>
+    <message>
+      <source>lower H_body, p_min or A_pin_min, raise L or smooth the target there</source>
+      <translation>H_body, p_min oder A_pin_min verringern, L erhöhen oder die Zielfläche dort glätten</translation>
+    </message>
+    <message>
+      <source>lower H_body, raise L or smooth the target there</source>
+      <translation>H_body verringern, L erhöhen oder die Zielfläche dort glätten</translation>
+    </message>
+    <message>
+      <source>lower H_body, raise L, or set joint to none</source>
+      <translation>H_body verringern, L erhöhen oder joint auf none setzen</translation>
+    </message>
+    <message>
+      <source>lower joint_hole to {hole:.3g} or H_body, raise L, or set joint to none</source>
+      <translation>joint_hole auf {hole:.3g} oder H_body verringern, L erhöhen oder joint auf none setzen</translation>
+    </message>
+    <message>
+      <source>make the normals consistent</source>
+      <translation>die Normalen einheitlich ausrichten</translation>
+    </message>
+    <message>
+      <source>membranes stretched to tau = {value:g} instead of {set:g} would be taut at all weak contacts</source>
+      <translation>Membranen, die auf tau = {value:g} statt {set:g} gedehnt werden, wären an allen schwachen Kontakten straff</translation>
+    </message>
+    <message>
+      <source>mending left these tiles with too little room for pins or under membranes</source>
+      <translation>Das Ausbessern ließ diesen Kacheln zu wenig Platz für Zapfen oder unter Membranen</translation>
+    </message>
+    <message>
+      <source>more than 1 % of the membranes is stretched by {elongation:.3g} % or more, beyond elongation_at_break ({limit:.3g} %): they tear; lower tau</source>
+      <translation>Mehr als 1 % der Membranen ist um {elongation:.3g} % oder mehr gedehnt, über elongation_at_break ({limit:.3g} %) hinaus: sie reißen; tau verringern</translation>
+    </message>
+    <message>
+      <source>move the surface to the origin, or check its unit (scale)</source>
+      <translation>die Fläche zum Ursprung verschieben oder ihre Einheit überprüfen (scale)</translation>
+    </message>
+    <message>
+      <source>no L that was tried does with H_body = {H_body:g} mm</source>
+      <translation>Mit H_body = {H_body:g} mm genügt kein ausprobiertes L</translation>
+    </message>
+    <message>
+      <source>no back face: its folds are too sharp for tiles of this thickness</source>
+      <translation>keine Rückseite: ihre Falten sind zu scharf für Kacheln dieser Dicke</translation>
+    </message>
+    <message>
+      <source>no cut was found that is worth it</source>
+      <translation>kein Schnitt fand sich, der sich lohnt</translation>
+    </message>
+    <message>
+      <source>no division into up to {most} pieces has as little stretch as membranes bear; the best has {count}</source>
+      <translation>Keine Teilung in bis zu {most} Stücke hat so wenig Verzerrung, wie Membranen aushalten; die beste hat {count}</translation>
+    </message>
+    <message>
+      <source>no other H_pin or H_body does, of {tried} that were tried</source>
+      <translation>kein anderes H_pin oder H_body genügt, von {tried} ausprobierten</translation>
+    </message>
+    <message>
+      <source>no small change of layout, pins or vertices lifts it</source>
+      <translation>keine kleine Änderung von Layout, Zapfen oder Ecken hebt ihn</translation>
+    </message>
+    <message>
+      <source>no volume</source>
+      <translation>kein Volumen</translation>
+    </message>
+    <message>
+      <source>none of {tried} other sizes that were tried does</source>
+      <translation>keine von {tried} anderen ausprobierten Größen genügt</translation>
+    </message>
+    <message>
+      <source>notch of the bridge</source>
+      <translation>Kerbe der Brücke</translation>
+    </message>
+    <message>
+      <source>nothing carries the piece of {tile}: held_tiles names none of its tiles</source>
+      <translation>Nichts trägt das Stück von {tile}: held_tiles nennt keine seiner Kacheln</translation>
+    </message>
+    <message>
+      <source>nothing carries the piece of {tile}: it does not reach the ground, where the lowest piece rests</source>
+      <translation>Nichts trägt das Stück von {tile}: es reicht nicht bis zum Boden, auf dem das tiefste Stück ruht</translation>
+    </message>
+    <message>
+      <source>nothing is in the way of any tile</source>
+      <translation>Keiner Kachel steht etwas im Weg</translation>
+    </message>
+    <message>
+      <source>of {tried} other sizes that were tried, {sizes: or } does</source>
+      <translation>von {tried} anderen ausprobierten Größen genügt {sizes: or }</translation>
+    </message>
+    <message>
+      <source>on a membrane mesh of half the size: {reason}</source>
+      <translation>Auf einem halb so groben Membrannetz: {reason}</translation>
+    </message>
+    <message>
+      <source>open</source>
+      <translation>offen</translation>
+    </message>
+    <message>
+      <source>opens what is closed or has handles</source>
+      <translation>öffnet, was geschlossen ist oder Henkel hat</translation>
+    </message>
+    <message>
+      <source>out of date</source>
+      <translation>veraltet</translation>
+    </message>
+    <message>
+      <source>p_max gives way on {count} edges of pins, where folds ask for less than pins that face one another leave: from {before:.3g} to {after:.3g} mm at the {side} of {tile}</source>
+      <translation>p_max gibt an {count} Zapfenkanten nach, wo Falten weniger verlangen, als gegenüberliegende Zapfen lassen: von {before:.3g} auf {after:.3g} mm an {tile} ({side})</translation>
+    </message>
+    <message>
+      <source>p_min gave way to {least:.3g} mm at {at:6}, below what a {printer} makes ({makes:g} mm): raise p_floor</source>
+      <translation>p_min gab bis auf {least:.3g} mm nach an {at:6}, weniger, als ein {printer} macht ({makes:g} mm): p_floor erhöhen</translation>
+    </message>
+    <message>
+      <source>p_min gives way on {count} edges of pins, where folds leave their pins no room: from {before:.3g} to {after:.3g} mm at the {side} of {tile}</source>
+      <translation>p_min gibt an {count} Zapfenkanten nach, wo Falten ihren Zapfen keinen Platz lassen: von {before:.3g} auf {after:.3g} mm an {tile} ({side})</translation>
+    </message>
+    <message>
+      <source>parts of the surface touch in single vertices (vertices {vertices:#5})</source>
+      <translation>Teile der Fläche berühren sich in einzelnen Ecken (Ecken {vertices:#5})</translation>
+    </message>
+    <message>
+      <source>parts that it has already and cuts that are given count as well</source>
+      <translation>Teile, die sie schon hat, und gegebene Schnitte zählen mit</translation>
+    </message>
+    <message>
+      <source>piece {piece} by itself: a contact point of {contact} has {least:.3g} N, less than f_min = {f_min:.3g} N of this piece</source>
+      <translation>Stück {piece} für sich: ein Kontaktpunkt von {contact} hat {least:.3g} N, weniger als f_min = {f_min:.3g} N dieses Stücks</translation>
+    </message>
+    <message>
+      <source>pin area</source>
+      <translation>Zapfenfläche</translation>
+    </message>
+    <message>
+      <source>pin insets leave their bounds by {violation:.3g} mm</source>
+      <translation>Zapfen verlassen ihre Grenzen um {violation:.3g} mm</translation>
+    </message>
+    <message>
+      <source>pin keep-out</source>
+      <translation>Sperrbereich der Zapfen</translation>
+    </message>
+    <message>
+      <source>pins of at least A_pin_floor ({A_pin_floor:.3g} mm2) leave no room for stitching holes of {joint_hole:.3g} mm</source>
+      <translation>Zapfen von mindestens A_pin_floor ({A_pin_floor:.3g} mm2) lassen keinen Platz für Nählöcher von {joint_hole:.3g} mm</translation>
+    </message>
+    <message>
+      <source>pushing forces at bumps' tips within friction {mu:.3g} leave a least normal force of {least:.3g} N, less than f_min = {f_min:.3g} N, first at {contacts:8}{more}</source>
+      <translation>Drückende Kräfte an den Noppenspitzen mit der Reibung {mu:.3g} lassen eine kleinste Normalkraft von {least:.3g} N, weniger als f_min = {f_min:.3g} N, zuerst an {contacts:8}{more}</translation>
+    </message>
+    <message>
+      <source>pushing forces within friction {mu:.3g} leave a least normal force of {least:.3g} N, less than f_min = {f_min:.3g} N, first at {contacts:8}{more}</source>
+      <translation>Drückende Kräfte mit der Reibung {mu:.3g} lassen eine kleinste Normalkraft von {least:.3g} N, weniger als f_min = {f_min:.3g} N, zuerst an {contacts:8}{more}</translation>
+    </message>
+    <message>
+      <source>raise L or lower H_body</source>
+      <translation>L erhöhen oder H_body verringern</translation>
+    </message>
+    <message>
+      <source>raise d_gap_min, or set support to breakaway</source>
+      <translation>d_gap_min erhöhen oder support auf breakaway setzen</translation>
+    </message>
+    <message>
+      <source>raise dimple_clearance, or set bumps to none</source>
+      <translation>dimple_clearance erhöhen oder bumps auf none setzen</translation>
+    </message>
+    <message>
+      <source>raise support_drop</source>
+      <translation>support_drop erhöhen</translation>
+    </message>
+    <message>
+      <source>remove inner walls and doubled faces</source>
+      <translation>innere Wände und doppelte Dreiecke entfernen</translation>
+    </message>
+    <message>
+      <source>remove the doubles</source>
+      <translation>die doppelten entfernen</translation>
+    </message>
+    <message>
+      <source>remove them, or remesh</source>
+      <translation>sie entfernen oder neu vernetzen</translation>
+    </message>
+    <message>
+      <source>repair can't begin: {error}</source>
+      <translation>Die Reparatur kann nicht beginnen: {error}</translation>
+    </message>
+    <message>
+      <source>repair ended early: {said}</source>
+      <translation>Die Reparatur endete früh: {said}</translation>
+    </message>
+    <message>
+      <source>repair the file</source>
+      <translation>die Datei reparieren</translation>
+    </message>
+    <message>
+      <source>repair the surface: tiles can't pass through one another</source>
+      <translation>die Fläche reparieren: Kacheln können nicht durch einander gehen</translation>
+    </message>
+    <message>
+      <source>separate the parts</source>
+      <translation>die Teile trennen</translation>
+    </message>
+    <message>
+      <source>set H_body={wall:.3g}</source>
+      <translation>H_body={wall:.3g} setzen</translation>
+    </message>
+    <message>
+      <source>set bumps to none, or raise bump_height</source>
+      <translation>bumps auf none setzen oder bump_height erhöhen</translation>
+    </message>
+    <message>
+      <source>set mend=on ({actions})</source>
+      <translation>mend=on setzen ({actions})</translation>
+    </message>
+    <message>
+      <source>set mend_border=on, as some are at the border; or set mend_max above {most:g}, or another L or H_body</source>
+      <translation>mend_border=on setzen, da einige am Rand liegen; oder mend_max über {most:g} setzen, oder ein anderes L oder H_body</translation>
+    </message>
+    <message>
+      <source>set mend_max above {most:g}, or another L or H_body</source>
+      <translation>mend_max über {most:g} setzen, oder ein anderes L oder H_body</translation>
+    </message>
+    <message>
+      <source>set pieces to a number, or raise L</source>
+      <translation>pieces auf eine Zahl setzen oder L erhöhen</translation>
+    </message>
+    <message>
+      <source>set pieces to auto or to 2 or more, or joint to none</source>
+      <translation>pieces auf auto oder auf 2 oder mehr setzen, oder joint auf none</translation>
+    </message>
+    <message>
+      <source>set support to breakaway</source>
+      <translation>support auf breakaway setzen</translation>
+    </message>
+    <message>
+      <source>set {options: or }, so that pins can make room; or raise L or lower H_body</source>
+      <translation>{options: or } setzen, damit Zapfen Platz machen können; oder L erhöhen oder H_body verringern</translation>
+    </message>
+    <message>
+      <source>so does mend=on, which moves vertices by up to {moved:.2g} mm</source>
+      <translation>ebenso mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt</translation>
+    </message>
+    <message>
+      <source>solids are not sound: {solids:; }</source>
+      <translation>Volumenkörper sind fehlerhaft: {solids:; }</translation>
+    </message>
+    <message>
+      <source>solids are not sound: {solids:; } and {more} more</source>
+      <translation>Volumenkörper sind fehlerhaft: {solids:; } und {more} weitere</translation>
+    </message>
+    <message>
+      <source>solids can't be built: {error}</source>
+      <translation>Volumenkörper lassen sich nicht bauen: {error}</translation>
+    </message>
+    <message>
+      <source>solids meet in the flat layout ({at})</source>
+      <translation>Körper treffen sich in der Abwicklung ({at})</translation>
+    </message>
+    <message>
+      <source>stopped before all solids were checked</source>
+      <translation>Angehalten, bevor alle Volumenkörper geprüft waren</translation>
+    </message>
+    <message>
+      <source>stopped during {stage}</source>
+      <translation>Angehalten während {stage}</translation>
+    </message>
+    <message>
+      <source>stroke of the engraving</source>
+      <translation>Strich der Gravur</translation>
+    </message>
+    <message>
+      <source>suggested: {what_to_do}</source>
+      <translation>Vorschlag: {what_to_do}</translation>
+    </message>
+    <message>
+      <source>the boundary touches itself in single vertices (vertices {vertices:#5})</source>
+      <translation>Der Rand berührt sich selbst in einzelnen Ecken (Ecken {vertices:#5})</translation>
+    </message>
+    <message>
+      <source>the design could not be verified: {error}</source>
+      <translation>Der Entwurf konnte nicht geprüft werden: {error}</translation>
+    </message>
+    <message>
+      <source>the design is {state}: {reasons:; }</source>
+      <translation>Der Entwurf ist {state}: {reasons:; }</translation>
+    </message>
+    <message>
+      <source>the design was not verified</source>
+      <translation>Der Entwurf wurde nicht geprüft</translation>
+    </message>
+    <message>
+      <source>the flat map scales it by {stretch:.2f}; it can do with {low:.2f} to {high:.2f}: cuts would even that out</source>
+      <translation>die flache Karte skaliert sie mit {stretch:.2f}; {low:.2f} bis {high:.2f} gingen: Schnitte glichen das aus</translation>
+    </message>
+    <message>
+      <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear, more than glue_strength ({limit:.3g} MPa): raise A_pin_min or lower tau</source>
+      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g} MPa Schub, mehr als glue_strength ({limit:.3g} MPa): A_pin_min erhöhen oder tau verringern</translation>
+    </message>
+    <message>
+      <source>the label of piece {piece} has no room: not the whole name</source>
+      <translation>Die Beschriftung von Stück {piece} hat keinen Platz: nicht den ganzen Namen</translation>
+    </message>
+    <message>
+      <source>the label of piece {piece} says only '{said}': not the whole name</source>
+      <translation>Die Beschriftung von Stück {piece} sagt nur „{said}“: nicht den ganzen Namen</translation>
+    </message>
+    <message>
+      <source>the layout did not converge in {iterations} iterations</source>
+      <translation>Das Layout konvergierte nicht in {iterations} Iterationen</translation>
+    </message>
+    <message>
+      <source>the layout did not converge in {iterations} iterations; all constraints hold</source>
+      <translation>Das Layout konvergierte nicht in {iterations} Iterationen; alle Nebenbedingungen gelten</translation>
+    </message>
+    <message>
+      <source>the layout is badly stretched: its flat map scales tiles {spread:.3g} times differently, and the membrane is slack at {slack} places</source>
+      <translation>Das Layout ist stark verzerrt: seine flache Karte skaliert Kacheln {spread:.3g}-fach verschieden, und die Membran ist an {slack} Stellen schlaff</translation>
+    </message>
+    <message>
+      <source>the membranes do not press the tiles together</source>
+      <translation>Die Membranen drücken die Kacheln nicht aneinander</translation>
+    </message>
+    <message>
+      <source>the membranes' equilibrium was not reached (residual {residual:.3g})</source>
+      <translation>Das Gleichgewicht der Membranen wurde nicht erreicht (Residuum {residual:.3g})</translation>
+    </message>
+    <message>
+      <source>the part is drawn {wall:.3g} mm thick, tiles are {H_body:g} mm thick</source>
+      <translation>Das Teil ist {wall:.3g} mm dick gezeichnet, Kacheln sind {H_body:g} mm dick</translation>
+    </message>
+    <message>
+      <source>the print ({x:.0f} x {y:.0f} x {z:.0f} mm) is larger than the bed of a {printer}</source>
+      <translation>Der Druck ({x:.0f} x {y:.0f} x {z:.0f} mm) ist größer als das Bett eines {printer}</translation>
+    </message>
+    <message>
+      <source>the print can't be made: {error}</source>
+      <translation>Der Druck lässt sich nicht machen: {error}</translation>
+    </message>
+    <message>
+      <source>the slab is level with the {side} pins, which are glued first: glue takes it, too</source>
+      <translation>Die Platte liegt auf der Höhe der Zapfen ({side}), die zuerst geklebt werden: auch sie nimmt Kleber an</translation>
+    </message>
+    <message>
+      <source>the slab's walls between tiles are as thin as {clearance:.3g} mm; a {printer} makes {least:g} mm</source>
+      <translation>Die Wände der Platte zwischen Kacheln sind nur {clearance:.3g} mm dünn; ein {printer} macht {least:g} mm</translation>
+    </message>
+    <message>
+      <source>the soluble slab is a second material; a {printer} prints one</source>
+      <translation>Die lösliche Platte ist ein zweites Material; ein {printer} druckt eines</translation>
+    </message>
+    <message>
+      <source>the surface has no faces</source>
+      <translation>Die Fläche hat keine Dreiecke</translation>
+    </message>
+    <message>
+      <source>the surface has {count} components, which are laid out side by side</source>
+      <translation>Die Fläche hat {count} Teile, die neben einander ausgelegt werden</translation>
+    </message>
+    <message>
+      <source>the surface is closed: it can't lie flat in one piece</source>
+      <translation>Die Fläche ist geschlossen: sie kann nicht in einem Stück flach liegen</translation>
+    </message>
+    <message>
+      <source>the surface is {size:.4g} mm large, smaller than one tile of L = {L:.4g} mm</source>
+      <translation>Die Fläche ist {size:.4g} mm groß, kleiner als eine Kachel von L = {L:.4g} mm</translation>
+    </message>
+    <message>
+      <source>the surface needs about {tiles_needed:.4g} tiles of L = {L:.4g} mm</source>
+      <translation>Die Fläche braucht etwa {tiles_needed:.4g} Kacheln von L = {L:.4g} mm</translation>
+    </message>
+    <message>
+      <source>the surplus membrane pulls with {pull:.3g} N at an anchor, whose glue then carries {shear:.3g} MPa of shear, more than glue_strength ({limit:g} MPa): raise anchor_radius or lower anchor_spacing</source>
+      <translation>Die überstehende Membran zieht mit {pull:.3g} N an einem Anker, dessen Kleber dann {shear:.3g} MPa Schub trägt, mehr als glue_strength ({limit:g} MPa): anchor_radius erhöhen oder anchor_spacing verringern</translation>
+    </message>
+    <message>
+      <source>the target is in {count} pieces, {asked} are asked for</source>
+      <translation>Die Zielfläche besteht aus {count} Stücken, {asked} sind verlangt</translation>
+    </message>
+    <message>
+      <source>the tiles touch along their front edge only</source>
+      <translation>die Kacheln berühren sich nur an der vorderen Kante</translation>
+    </message>
+    <message>
+      <source>the {side} membrane is slack beside {beside:8}</source>
+      <translation>Die Membran ({side}) ist schlaff neben {beside:8}</translation>
+    </message>
+    <message>
+      <source>the {side} membrane touches the body of {tile} (clearance {clearance:.3g} mm)</source>
+      <translation>Die Membran ({side}) berührt den Körper von {tile} (Abstand {clearance:.3g} mm)</translation>
+    </message>
+    <message>
+      <source>the {side} membrane would cut {depth:.3g} mm into the body of {tile}: raise H_pin or lower insets there</source>
+      <translation>Die Membran ({side}) schnitte {depth:.3g} mm in den Körper von {tile}: H_pin erhöhen oder die Zapfen dort weniger zurücksetzen</translation>
+    </message>
+    <message>
+      <source>the {side} pin has {area_mm2:.3g} mm2, less than A_pin_min</source>
+      <translation>Der Zapfen ({side}) hat {area_mm2:.3g} mm2, weniger als A_pin_min</translation>
+    </message>
+    <message>
+      <source>through the weak contact {contact}</source>
+      <translation>durch den schwachen Kontakt {contact}</translation>
+    </message>
+    <message>
+      <source>tiles come as near as {clearance:.3g} mm; a {printer} needs {least:g} mm</source>
+      <translation>Kacheln kommen sich bis auf {clearance:.3g} mm nah; ein {printer} braucht {least:g} mm</translation>
+    </message>
+    <message>
+      <source>tiles of H_body = {value:g} mm instead of {set:g} give the pins named a quarter more than A_pin_min</source>
+      <translation>Kacheln mit H_body = {value:g} mm statt {set:g} geben den genannten Zapfen ein Viertel mehr als A_pin_min</translation>
+    </message>
+    <message>
+      <source>tiles of L = {value:g} mm instead of {set:.3g} do so too</source>
+      <translation>Kacheln mit L = {value:g} mm statt {set:.3g} tun das auch</translation>
+    </message>
+    <message>
+      <source>tiles of L = {value:g} mm instead of {set:.3g} give the pins named a quarter more than A_pin_min</source>
+      <translation>Kacheln mit L = {value:g} mm statt {set:.3g} geben den genannten Zapfen ein Viertel mehr als A_pin_min</translation>
+    </message>
+    <message>
+      <source>tiles reach out level by up to {reach:.2g} mm beyond the pin they stand on, {H_pin:g} mm above the bed; a {printer} prints {most:g} mm without supports</source>
+      <translation>Kacheln reichen waagrecht bis zu {reach:.2g} mm über den Zapfen hinaus, auf dem sie stehen, {H_pin:g} mm über dem Bett; ein {printer} druckt {most:g} mm ohne Stützen</translation>
+    </message>
+    <message>
+      <source>to the tip at {tile}, which the flat map scales by {scale:.2g} of the mean</source>
+      <translation>zur Spitze bei {tile}, die die flache Karte mit {scale:.2g} des Mittels skaliert</translation>
+    </message>
+    <message>
+      <source>too small for three bumps</source>
+      <translation>zu klein für drei Noppen</translation>
+    </message>
+    <message>
+      <source>verification was off</source>
+      <translation>Das Prüfen war abgeschaltet</translation>
+    </message>
+    <message>
+      <source>volume</source>
+      <translation>Volumen</translation>
+    </message>
+    <message>
+      <source>wall beside the joint hole</source>
+      <translation>Wand neben dem Nähloch</translation>
+    </message>
+    <message>
+      <source>walls stand back by {set:g} mm for what prints grow; a {printer} grows walls by {grows:g} mm: raise wall_growth</source>
+      <translation>Wände stehen um {set:g} mm zurück für das, was Drucke wachsen; ein {printer} lässt Wände um {grows:g} mm wachsen: wall_growth erhöhen</translation>
+    </message>
+    <message>
+      <source>whether pushing forces at bumps' tips within friction {mu:.3g} balance the tiles could not be shown{more}</source>
+      <translation>Ob drückende Kräfte an den Noppenspitzen mit der Reibung {mu:.3g} die Kacheln im Gleichgewicht halten, ließ sich nicht zeigen{more}</translation>
+    </message>
+    <message>
+      <source>whether pushing forces within friction {mu:.3g} balance the tiles could not be shown{more}</source>
+      <translation>Ob drückende Kräfte mit der Reibung {mu:.3g} die Kacheln im Gleichgewicht halten, ließ sich nicht zeigen{more}</translation>
+    </message>
+    <message>
+      <source>with H_body = {H_body:g} mm, L from {low:g} to {high:g} mm does</source>
+      <translation>Mit H_body = {H_body:g} mm genügt L von {low:g} bis {high:g} mm</translation>
+    </message>
+    <message>
+      <source>with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin = {H_pin:g} mm does</source>
+      <translation>Mit L = {L:.4g} mm und H_body = {H_body:g} mm genügt H_pin = {H_pin:g} mm</translation>
+    </message>
+    <message>
+      <source>with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin down to {H_pin:g} mm does</source>
+      <translation>Mit L = {L:.4g} mm und H_body = {H_body:g} mm genügt H_pin bis hinab zu {H_pin:g} mm</translation>
+    </message>
+    <message>
+      <source>with L = {L:.4g} mm and H_body = {H_body:g} mm, no H_pin that was tried does</source>
+      <translation>Mit L = {L:.4g} mm und H_body = {H_body:g} mm genügt kein ausprobiertes H_pin</translation>
+    </message>
+    <message>
+      <source>with L = {L:.4g} mm, H_body = {H_body:g} mm and H_pin = {H_pin:g} mm together do</source>
+      <translation>Mit L = {L:.4g} mm genügen H_body = {H_body:g} mm und H_pin = {H_pin:g} mm zusammen</translation>
+    </message>
+    <message>
+      <source>with L = {L:.4g} mm, H_body up to {H_body:g} mm and more does</source>
+      <translation>Mit L = {L:.4g} mm genügt H_body bis {H_body:g} mm und mehr</translation>
+    </message>
+    <message>
+      <source>with L = {L:.4g} mm, H_body up to {H_body:g} mm does</source>
+      <translation>Mit L = {L:.4g} mm genügt H_body bis {H_body:g} mm</translation>
+    </message>
+    <message>
+      <source>with L = {L:.4g} mm, no H_body does</source>
+      <translation>Mit L = {L:.4g} mm genügt kein H_body</translation>
+    </message>
+    <message>
+      <source>with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance the tiles: {pull:.3g} N of pull would be needed, first at {contacts:8}{more}</source>
+      <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte an den Noppenspitzen die Kacheln im Gleichgewicht: {pull:.3g} N Zug wären nötig, zuerst an {contacts:8}{more}</translation>
+    </message>
+    <message>
+      <source>with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: {pull:.3g} N of pull would be needed, first at {contacts:8}{more}</source>
+      <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte die Kacheln im Gleichgewicht: {pull:.3g} N Zug wären nötig, zuerst an {contacts:8}{more}</translation>
+    </message>
+    <message>
+      <source>with mend=on, which moves vertices by up to {moved:.2g} mm, these sizes do</source>
+      <translation>Mit mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt, genügen diese Größen</translation>
+    </message>
+    <message>
+      <source>{closed} of {edges} edges between pieces have no room for stitching holes: {pairs}</source>
+      <translation>{closed} von {edges} Kanten zwischen Stücken haben keinen Platz für Nählöcher: {pairs}</translation>
+    </message>
+    <message>
+      <source>{count} anchors are not held by the support</source>
+      <translation>{count} Anker hält der Stützkörper nicht</translation>
+    </message>
+    <message>
+      <source>{count} bodies have features smaller than a {printer} makes; {body}: {place}, {size:.3g} mm</source>
+      <translation>{count} Körper haben kleinere Stellen, als ein {printer} macht; {body}: {place}, {size:.3g} mm</translation>
+    </message>
+    <message>
+      <source>{count} contacts are only a hinge: nothing but the front edge touches</source>
+      <translation>{count} Kontakte sind nur ein Scharnier: nichts als die vordere Kante berührt sich</translation>
+    </message>
+    <message>
+      <source>{count} contacts are only a hinge: truncation leaves no interface</source>
+      <translation>{count} Kontakte sind nur ein Scharnier: die Kappung lässt keine Berührfläche</translation>
+    </message>
+    <message>
+      <source>{count} faces are there twice</source>
+      <translation>{count} Dreiecke sind doppelt vorhanden</translation>
+    </message>
+    <message>
+      <source>{count} faces are turned against their neighbours</source>
+      <translation>{count} Dreiecke sind gegen ihre Nachbarn gewendet</translation>
+    </message>
+    <message>
+      <source>{count} faces have no area</source>
+      <translation>{count} Dreiecke haben keinen Flächeninhalt</translation>
+    </message>
+    <message>
+      <source>{count} faces lie where front meets back: the surface has one side</source>
+      <translation>{count} Dreiecke liegen dort, wo vorn auf hinten trifft: die Fläche hat nur eine Seite</translation>
+    </message>
+    <message>
+      <source>{count} faces meet at edges of more than two faces</source>
+      <translation>{count} Dreiecke treffen sich an Kanten von mehr als zwei Dreiecken</translation>
+    </message>
+    <message>
+      <source>{count} faces name vertices that do not exist</source>
+      <translation>{count} Dreiecke nennen Ecken, die es nicht gibt</translation>
+    </message>
+    <message>
+      <source>{count} faces run through others of the same surface</source>
+      <translation>{count} Dreiecke gehen durch andere derselben Fläche</translation>
+    </message>
+    <message>
+      <source>{count} interfaces carry no bumps: {why}</source>
+      <translation>{count} Berührflächen tragen keine Noppen: {why}</translation>
+    </message>
+    <message>
+      <source>{count} of {of} tiles can't be made ({at:6})</source>
+      <translation>{count} von {of} Kacheln lassen sich nicht machen ({at:6})</translation>
+    </message>
+    <message>
+      <source>{count} pairs of tiles overlap in the target and no plane separates them without losing a contact</source>
+      <translation>{count} Paare von Kacheln überlappen in der Zielfläche, und keine Ebene trennt sie, ohne dass ein Kontakt verloren geht</translation>
+    </message>
+    <message>
+      <source>{count} pairs of tiles overlap when actuated and no plane parts them ({pairs:6})</source>
+      <translation>{count} Paare von Kacheln überlappen in Form, und keine Ebene trennt sie ({pairs:6})</translation>
+    </message>
+    <message>
+      <source>{count} pairs of tiles without a common corner would overlap when actuated; interfaces were shortened to part them: {pairs:6}</source>
+      <translation>{count} Paare von Kacheln ohne gemeinsame Ecke überlappten in Form; Berührflächen wurden gekürzt, um sie zu trennen: {pairs:6}</translation>
+    </message>
+    <message>
+      <source>{count} pin sides are smaller than A_pin_floor ({at:6})</source>
+      <translation>{count} Zapfenenden sind kleiner als A_pin_floor ({at:6})</translation>
+    </message>
+    <message>
+      <source>{count} pin sides can't reach A_pin_min ({A_pin_min:.3g} mm2); the smallest has {least:.3g} mm2</source>
+      <translation>{count} Zapfenenden erreichen A_pin_min nicht ({A_pin_min:.3g} mm2); das kleinste hat {least:.3g} mm2</translation>
+    </message>
+    <message>
+      <source>{count} tiles are far smaller or larger than L ({L:.3g} mm)</source>
+      <translation>{count} Kacheln sind weit kleiner oder größer als L ({L:.3g} mm)</translation>
+    </message>
+    <message>
+      <source>{count} tiles are likely to fail ({at:6})</source>
+      <translation>{count} Kacheln halten wohl nicht ({at:6})</translation>
+    </message>
+    <message>
+      <source>{count} tiles are not held by the support</source>
+      <translation>{count} Kacheln hält der Stützkörper nicht</translation>
+    </message>
+    <message>
+      <source>{count} tiles lie at folds sharper than a tile of thickness {H_body:.3g} mm can have: their back faces vanish</source>
+      <translation>{count} Kacheln liegen an Falten, die schärfer sind, als eine Kachel der Dicke {H_body:.3g} mm sie haben kann: ihre Rückseiten verschwinden</translation>
+    </message>
+    <message>
+      <source>{count} vertices are not finite (vertices {vertices:#5})</source>
+      <translation>{count} Ecken sind nicht endlich (Ecken {vertices:#5})</translation>
+    </message>
+    <message>
+      <source>{name} to {value:g}</source>
+      <translation>{name} auf {value:g}</translation>
+    </message>
+    <message>
+      <source>{other}, another part of the target, faces it so near that pins between them would meet</source>
+      <translation>{other}, ein anderer Teil der Zielfläche, liegt ihr so nah gegenüber, dass Zapfen dazwischen sich träfen</translation>
+    </message>
+    <message>
+      <source>{points} contact points push too weakly or pull ({pulling} pull): less than f_min = {f_min:.3g} N at {contacts:8}; the weakest has {least:.3g} N at {weakest}</source>
+      <translation>{points} Kontaktpunkte drücken zu schwach oder ziehen ({pulling} ziehen): weniger als f_min = {f_min:.3g} N an {contacts:8}; der schwächste hat {least:.3g} N an {weakest}</translation>
+    </message>
+    <message>
+      <source>{points} contact points push too weakly: less than f_min = {f_min:.3g} N at {contacts:8}; the weakest has {least:.3g} N at {weakest}</source>
+      <translation>{points} Kontaktpunkte drücken zu schwach: weniger als f_min = {f_min:.3g} N an {contacts:8}; der schwächste hat {least:.3g} N an {weakest}</translation>
+    </message>
+    <message>
+      <source>{sizes: }, with which it is valid: that was tried</source>
+      <translation>{sizes: }, womit er gültig ist: das wurde ausprobiert</translation>
+    </message>
+  </context>
+  <context>
     <name>CurveUps_Guide</name>
     <message>
       <source>Back</source>

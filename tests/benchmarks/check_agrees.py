@@ -55,7 +55,7 @@ def judge(target: str, cuts: int, setting: str) -> dict[str, Any]:
         said.update(check=found.feasible, tiles=len(found.F),
                     obstacles=sorted({one.obstacle for one in found.blocked}))
         results = project.run(("verification", "recheck", "clearances"), job)
-        said.update(design=results.verdict.valid, why="; ".join(results.verdict.reasons[:1]))
+        said.update(design=results.verdict.valid, why="; ".join(map(str, results.verdict.reasons[:1])))
     except CurveUpsError as error:  # refused, by both where check is
         said["why"] = error.what
     if job.stopped:
@@ -85,7 +85,7 @@ def main() -> None:
     options = arguments.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     file = options.folder / "verdicts.jsonl"
-    rows = [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
+    rows = [json.loads(line) for line in file.read_text("utf-8").splitlines()] if file.exists() else []
     if not options.table:
         done = {(row["target"], row["setting"]) for row in rows}
         with file.open("a", encoding="utf-8") as out:

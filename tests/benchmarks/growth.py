@@ -105,10 +105,11 @@ def _measure(tiles: int, files: bool) -> dict[str, Any]:
         for goal in asked_by("print"):
             results = clocked(goal, lambda: project.run((*goals, goal), job))
         with tempfile.TemporaryDirectory(prefix="curveups-growth-") as folder:
-            for ending, kinds in native.print_formats():
-                for kind in kinds:
+            for one in native.print_formats():
+                for kind in one.kinds:
                     file = Path(folder, kind)
-                    clocked(ending, lambda: results["solids"].model.write(ending, kind, str(file), job))
+                    clocked(one.ending,
+                            lambda: results["solids"].model.write(one.ending, kind, str(file), job))
                     file.unlink()
     results = project.run(("figures", "verification"), job)
     return {"tiles": results["figures"].tiles, "valid": results["verification"].valid,

@@ -162,7 +162,7 @@ def measure(scale: float) -> dict[str, float]:
         home, figures = freecad_home(Path(place) / "home", True), Path(place) / "figures.json"
         run_in_window(WORK, home, place, timeout=900, scale=scale, path=Path(place) / "large.FCStd",
                       figures=figures)
-        return json.loads(figures.read_text())
+        return json.loads(figures.read_text("utf-8"))
 
 
 def missed(found: dict[str, float]) -> list[str]:

@@ -124,7 +124,7 @@ def main() -> None:
         found = Path(place) / "results.json"
         home = freecad_home(Path(place) / "home", True)
         run_in_window(WORK, home, place, results_file=found)
-        results = json.loads(found.read_text())
+        results = json.loads(found.read_text("utf-8"))
     for row in results:
         print(f"{row['tiles']:6d} tiles: "
               + ", ".join(f"{name} {value:.1f}" for name, value in row.items() if name != "tiles"))

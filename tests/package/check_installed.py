@@ -43,7 +43,7 @@ def main():
         done = subprocess.run(["curveups", "design", "half-sphere", "-o", out, "--set", "L=15"], cwd=place,
                               stdin=subprocess.DEVNULL, capture_output=True, text=True)
         assert done.returncode == 0, done.stderr
-        report = json.loads((out / "report.json").read_text())
+        report = json.loads((out / "report.json").read_text("utf-8"))
         assert report["valid"] and not list(Path("/usr/lib/curveups").rglob("*.tmp"))
         (Path(place) / "numpy.py").unlink()
         home = freecad_home(Path(place) / "home", with_workbench=False)

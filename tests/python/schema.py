@@ -115,7 +115,7 @@ def check_design(design):
 
 def read_run(folder):
     """design.json and report.json of a finished run, both checked."""
-    design, report = (json.loads((folder / f"{name}.json").read_text()) for name in ("design", "report"))
+    design, report = (json.loads((folder / f"{name}.json").read_bytes()) for name in ("design", "report"))
     check_design(design)
     check_report(report)
     return design, report

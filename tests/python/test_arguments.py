@@ -104,7 +104,7 @@ def test_several_settings_at_once(curveups, cap, tmp_path, settings):
         folder = tmp_path / str(number)
         ran = curveups("design", *words, "-o", folder, "--no-remesh", "--no-solids", "--set", "verify=off")
         assert ran.status == 0, ran.err
-        values = json.loads((folder / "design.json").read_text())["parameters"]
+        values = json.loads((folder / "design.json").read_text("utf-8"))["parameters"]
         assert values["tau"] == 2.9 and values["d_gap_min"] == 0.7 and values["verify"] is False
 
 
@@ -127,4 +127,4 @@ def test_a_config_with_a_byte_order_mark(curveups, cap, tmp_path):
     config.write_text('{"tau": 2.9, "verify": "off"}', encoding="utf-8-sig")
     ran = curveups("design", cap, "-o", tmp_path / "out", "--no-remesh", "--no-solids", "--config", config)
     assert ran.status == 0, ran.err
-    assert json.loads((tmp_path / "out" / "design.json").read_text())["parameters"]["tau"] == 2.9
+    assert json.loads((tmp_path / "out" / "design.json").read_text("utf-8"))["parameters"]["tau"] == 2.9

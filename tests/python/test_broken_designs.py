@@ -98,7 +98,7 @@ def test_verify_says_not_valid_of_pins_out_of_bounds(curveups, designed, tmp_pat
     (tmp_path / "loose.json").write_text(json.dumps(design))
     ran = curveups("verify", tmp_path / "loose.json", "-o", tmp_path / "out")
     assert ran.status == 1, ran.err
-    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    report = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))
     assert report["valid"] is False
     assert any("insets leave their bounds" in reason for reason in report["reasons"])
     assert "physics" in report

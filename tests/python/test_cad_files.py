@@ -45,7 +45,7 @@ part.makeSphere(40).common(part.makeBox(60, 60, 60)).Faces[0].exportStep({str(pa
 """
     subprocess.run([freecad_session.python(), "-c", script], env=environment(), check=True,
                    capture_output=True)
-    text = path.read_text()
+    text = path.read_text("utf-8")
     assert "'FreeCAD Model'" in text
     return text.replace("'FreeCAD Model'", "'of #98765'").replace("DATA;", "DATA; /* #4711 */").splitlines()
 
@@ -77,11 +77,11 @@ def test_no_deletion_of_a_line_loses_a_face(open_box, tmp_path, ending):
 
 
 def test_a_face_that_is_gone_is_missed(open_box, tmp_path):
-    text = (open_box / "box.step").read_text()
+    text = (open_box / "box.step").read_text("utf-8")
     (tmp_path / "box.step").write_text(re.sub(r"#\d+ = ADVANCED_FACE.*\n", "", text, count=1))
     with pytest.raises(CurveUpsError, match="damaged"):
         cad_files.read_cad(tmp_path / "box.step", 0.1)
-    text = (open_box / "box.iges").read_text()
+    text = (open_box / "box.iges").read_text("utf-8")
     (tmp_path / "box.iges").write_text(text.replace(text.splitlines()[10] + "\n", ""))
     with pytest.raises(CurveUpsError, match="lines of it are missing"):
         cad_files.read_cad(tmp_path / "box.iges", 0.1)
@@ -89,7 +89,7 @@ def test_a_face_that_is_gone_is_missed(open_box, tmp_path):
 
 def test_a_face_that_lost_an_edge_is_missed(open_box, tmp_path):
     """FreeCAD's triangles go on to where the edge's neighbours would meet, or anywhere."""
-    lines = (open_box / "box.step").read_text().splitlines()
+    lines = (open_box / "box.step").read_text("utf-8").splitlines()
     edges = [k for k, line in enumerate(lines) if "ORIENTED_EDGE(" in line]
     for place in edges[::7]:
         (tmp_path / "box.step").write_text("\n".join(lines[:place] + lines[place + 1:]))
@@ -133,7 +133,7 @@ def test_a_reader_that_does_not_return_is_ended(open_box, sleeper):
 
 
 def test_damaged_file_on_the_command_line(curveups, open_box, tmp_path):
-    text = (open_box / "box.step").read_text()
+    text = (open_box / "box.step").read_text("utf-8")
     (tmp_path / "box.step").write_text(re.sub(r"#\d+ = ADVANCED_FACE.*\n", "", text, count=1))
     ran = curveups("design", tmp_path / "box.step", "-o", tmp_path / "out")
     assert ran.status == 2 and len(ran.error_lines) == 1 and "box.step" in ran.error_lines[0]

@@ -52,7 +52,7 @@ def project(V, F, **values):
 def test_a_sound_target(curveups, cap, tmp_path):
     ran = curveups("check", cap, "--no-remesh", "-o", tmp_path / "out")
     assert ran.status == 0, ran.err
-    found = json.loads((tmp_path / "out" / "check.json").read_text())
+    found = json.loads((tmp_path / "out" / "check.json").read_text("utf-8"))
     assert found["format"] == "curveups-check" and found["version"] == 1
     assert found["feasible"] is True and found["blocked"] == []
     assert [tile["tile"] for tile in found["tiles"]] == list(range(24))
@@ -73,7 +73,7 @@ def test_a_tip_is_named_and_a_higher_pin_clears_it(curveups, tmp_path):
     path.write_text(obj(*cone(0.9)))
     ran = curveups("check", path, "-o", tmp_path)
     assert ran.status == 1, ran.err
-    found = json.loads((tmp_path / "check.json").read_text())
+    found = json.loads((tmp_path / "check.json").read_text("utf-8"))
     assert not found["feasible"] and {one["obstacle"] for one in found["blocked"]} == {"membrane"}
     assert not any(one["certain"] for one in found["blocked"])
     remeshed = project(*cone(0.9)).run(("target",))["target"]
@@ -162,7 +162,7 @@ def test_thinner_tiles_with_lower_pins_do_where_neither_does_alone(curveups, tmp
     assert not project(*both, H_body=H_body).run(("feasibility",))["feasibility"].feasible
     ran = curveups("check", path, "-o", tmp_path / "check")
     assert ran.status == 1 and f"H_body = {H_body:g} mm and H_pin = {H_pin:g} mm together do" in ran.out
-    told = json.loads((tmp_path / "check" / "check.json").read_text())
+    told = json.loads((tmp_path / "check" / "check.json").read_text("utf-8"))
     assert told["recommended"]["together"] == {"H_body": H_body, "H_pin": H_pin} and told["pins_meeting"]
     advised = f"H_body={H_body:g} with H_pin={H_pin:g}"
     ran = curveups("design", path, "-o", tmp_path / "as-set", "--no-solids")

@@ -60,7 +60,7 @@ def test_built_in_without_freecad(curveups, tmp_path):
     ran = curveups("design", "disc", "-o", tmp_path / "o", "--no-solids", "--set", "L=12",
                    CURVEUPS_FREECAD_LIB="/nowhere")
     assert ran.status == 0, ran.err
-    report = json.loads((tmp_path / "o" / "report.json").read_text())
+    report = json.loads((tmp_path / "o" / "report.json").read_text("utf-8"))
     assert abs(report["target"]["mean_edge_mm"] / 12 - 1) <= 0.03
     assert report["target"]["edge_cv"] <= 0.12
 
@@ -103,7 +103,7 @@ def test_small_targets(curveups, tmp_path, name, text, tiles):
     (tmp_path / name).write_text(text)
     ran = curveups("design", tmp_path / name, "-o", tmp_path / "out", "--no-remesh")
     assert ran.status == 0, ran.err
-    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    report = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))
     assert report["tiles"] == tiles
     assert report["constraints"]["overlaps"] == 0
     assert report["solids"]["invalid"] == 0
@@ -118,8 +118,8 @@ def test_horns(curveups, tmp_path, sectors, rings, lies_flat):
     ran = curveups("design", tmp_path / "horn.obj", "-o", tmp_path / "out", "--no-remesh",
                    "--no-solids", "--set", "verify=off")
     assert ran.status == (0 if lies_flat else 1), ran.err
-    design = json.loads((tmp_path / "out" / "design.json").read_text())
-    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    design = json.loads((tmp_path / "out" / "design.json").read_text("utf-8"))
+    report = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))
     check_design(design)
     check_report(report)
     assert report["valid"] is (None if lies_flat else False)
@@ -153,7 +153,7 @@ def test_prints_that_cannot_be_made_leave_the_design(curveups, cap, tmp_path):
     ran = curveups("design", cap, "-o", out, "--no-remesh", "--set", "support=breakaway",
                    "--set", "bridge_thickness=0.9", "--set", "bridge_notch=0.4")
     assert ran.status == 1, ran.err
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text("utf-8"))
     check_report(report)
     assert report["valid"] is False and report["status"] == "complete"
     assert ["too thin for breakaway bridges" in reason for reason in report["reasons"]] == [True]
@@ -172,7 +172,7 @@ def test_scale_and_flip(curveups, tmp_path):
     ran = curveups("design", tmp_path / "m.obj", "-o", tmp_path / "o", "--no-remesh", "--no-solids",
                    "--set", "scale=1000", "--set", "flip=on")
     assert ran.status == 0, ran.err
-    design = json.loads((tmp_path / "o" / "design.json").read_text())
+    design = json.loads((tmp_path / "o" / "design.json").read_text("utf-8"))
     V, F = np.array(design["V"]), np.array(design["F"])
     assert np.allclose(np.linalg.norm(V, axis=1), 40, atol=1e-9)
     a, b, c = V[F[:, 0]], V[F[:, 1]], V[F[:, 2]]
@@ -188,8 +188,8 @@ def test_cuts_by_edges_and_by_polyline(curveups, cap, tmp_path):
         ran = curveups("design", cap, "-o", tmp_path / name, "--no-remesh", "--no-solids",
                        "--cuts", tmp_path / f"{name}.json")
         assert ran.status == 0, ran.err
-        design = json.loads((tmp_path / name / "design.json").read_text())
-        report = json.loads((tmp_path / name / "report.json").read_text())
+        design = json.loads((tmp_path / name / "design.json").read_text("utf-8"))
+        report = json.loads((tmp_path / name / "report.json").read_text("utf-8"))
         assert design["cuts"] == [[0, 1], [1, 7]]
         assert report["cuts"] == 2 and report["contacts"] == 24 * 3 // 2 - 12 // 2 - 2
 
@@ -199,11 +199,11 @@ def test_config_and_set(curveups, cap, tmp_path):
     ran = curveups("design", cap, "-o", tmp_path / "o", "--no-remesh", "--no-solids", "--config",
                    tmp_path / "c.json", "--set", "H_body=2", "--set", "verify=off")
     assert ran.status == 0, ran.err
-    parameters = json.loads((tmp_path / "o" / "design.json").read_text())["parameters"]
+    parameters = json.loads((tmp_path / "o" / "design.json").read_text("utf-8"))["parameters"]
     assert (parameters["H_body"], parameters["d_gap_min"]) == (2, 0.7)
     assert parameters["anchors"] is False
     assert parameters["verify"] is False and parameters["repair"] is False
-    report = json.loads((tmp_path / "o" / "report.json").read_text())
+    report = json.loads((tmp_path / "o" / "report.json").read_text("utf-8"))
     assert report["valid"] is None and report["reasons"] == ["verification was off"]
     assert "physics" not in report
 
@@ -217,8 +217,8 @@ def test_materials_are_configurations(curveups, cap, tmp_path):
         ran = curveups("design", cap, "-o", tmp_path / material.stem, "--no-remesh", "--no-solids",
                        "--config", material, "--config", other, "--set", "verify=off")
         assert ran.status == 0, ran.err
-        used = json.loads((tmp_path / material.stem / "design.json").read_text())["parameters"]
-        given = json.loads(material.read_text())
+        used = json.loads((tmp_path / material.stem / "design.json").read_text("utf-8"))["parameters"]
+        given = json.loads(material.read_text("utf-8"))
         assert given.pop("about")
         assert {name: used[name] for name in given} == given and used["H_body"] == 2.5
 
@@ -227,11 +227,11 @@ def test_remesh_writes_the_numbers_that_cuts_refer_to(curveups, tmp_path):
     ran = curveups("remesh", "half-sphere", "-o", tmp_path, "--set", "L=12")
     assert ran.status == 0, ran.err
     assert [p.name for p in tmp_path.iterdir()] == ["half-sphere-remeshed.obj"]
-    lines = (tmp_path / "half-sphere-remeshed.obj").read_text().splitlines()
+    lines = (tmp_path / "half-sphere-remeshed.obj").read_text("utf-8").splitlines()
     V = np.array([[float(x) for x in line.split()[1:]] for line in lines if line.startswith("v ")])
     assert np.abs(np.linalg.norm(V, axis=1) - 48).max() <= 0.005 * 12
     ran = curveups("design", "half-sphere", "-o", tmp_path / "d", "--no-solids", "--set", "L=12")
-    design = json.loads((tmp_path / "d" / "design.json").read_text())
+    design = json.loads((tmp_path / "d" / "design.json").read_text("utf-8"))
     assert design["V"] == V.tolist()
 
 
@@ -245,7 +245,7 @@ def test_verify_and_export_from_a_design_file(curveups, printed, tmp_path):
     assert (tmp_path / "same" / stl).read_bytes() == (printed.folder / stl).read_bytes()
     ran = curveups("verify", design, "-o", tmp_path / "verified")
     assert ran.status == 0, ran.err
-    verified = json.loads((tmp_path / "verified" / "report.json").read_text())
+    verified = json.loads((tmp_path / "verified" / "report.json").read_text("utf-8"))
     for block in ("physics", "contact_forces", "unilateral"):  # at the bumps' tips too
         assert verified[block] == printed.json("report.json")[block]
     assert verified["unilateral"]["feasible_at_bump_tips"] is True

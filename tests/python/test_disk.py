@@ -74,7 +74,7 @@ def test_full_disk(curveups, exported, small_disk, ending):
     """The disk has room for what is written before this file, and for half of it."""
     pages, before = 0, []
     report = exported / "report.json"
-    sizes = {**json.loads(report.read_text())["print"]["files"], report.name: report.stat().st_size}
+    sizes = {**json.loads(report.read_text("utf-8"))["print"]["files"], report.name: report.stat().st_size}
     for name in sizes:
         if name.endswith(ending):
             pages += sizes[name] // 2 // 4096

@@ -10,7 +10,7 @@ UNJUDGED = "geometry changed since verification"
 
 
 def read(folder):
-    return tuple(json.loads((folder / f"{name}.json").read_text()) for name in ("design", "report"))
+    return tuple(json.loads((folder / f"{name}.json").read_text("utf-8")) for name in ("design", "report"))
 
 
 @pytest.fixture(scope="module")

@@ -2,12 +2,19 @@
 """The preference page against the one table."""
 
 import re
+import zipfile
 from xml.etree import ElementTree
+
+import pytest
 
 from running import ROOT
 
 from curveups.features.properties import property_name
+from curveups.base.native import native
 from curveups.base.parameters import table
+from curveups.project.project import Project
+from curveups.stages.cut_request import CutRequest
+from curveups.stages.surface import find_source
 
 
 def test_the_preference_page_has_the_table_s_ranges_and_defaults():
@@ -24,3 +31,31 @@ def test_the_preference_page_has_the_table_s_ranges_and_defaults():
         assert re.fullmatch(row.unit, values["unit"])
         found += 1
     assert found == 3
+
+
+@pytest.fixture(scope="module")
+def laid_out():
+    parameters = native.Parameters()
+    parameters.set("L", 20)
+    source = find_source("disc")
+    project = Project(source.name, parameters, {"source": source, "cut request": CutRequest()})
+    return project.run(("layout",))["layout"].design
+
+
+KINDS = next(row.choices for row in native.parameter_table() if row.name == "support")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_support_kind_is_one_value_that_bodies_and_files_read(laid_out, tmp_path, kind):
+    values = native.Parameters(laid_out.parameters)
+    values.set("support", kind)
+    found = native.support_kind(values)
+    assert bool(found.removal) == bool(found.bodies) == bool(found.material) == (kind != "none")
+    assert found.soluble == ("soluble" in found.material)
+    model = native.make_print_model(laid_out.with_parameters(values))
+    assert (model.volumes["support"] > 0) == bool(found.bodies)
+    assert all(set(one.wanted) <= set(one.kinds) for one in native.print_formats())
+    model.write("3mf", "print", str(tmp_path / "print.3mf"))
+    with zipfile.ZipFile(tmp_path / "print.3mf") as archive:
+        text = archive.read("3D/3dmodel.model").decode()
+    assert found.material in text

@@ -51,7 +51,8 @@ def test_hangs():
 
 
 def test_each_is_reported_by_name(tmp_path):
-    (tmp_path / "conftest.py").write_text((ROOT / "tests" / "workbench" / "conftest.py").read_text().replace(
+    ours = (ROOT / "tests" / "workbench" / "conftest.py").read_text("utf-8")
+    (tmp_path / "conftest.py").write_text(ours.replace(
         "Path(__file__).resolve().parents[1]", f"Path({str(ROOT / 'tests')!r})"))
     (tmp_path / "test_made.py").write_text(TESTS)
     done = subprocess.run([sys.executable, "-m", "pytest", "-v", "-p", "no:cacheprovider", "-p", "no:xdist",

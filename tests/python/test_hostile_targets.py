@@ -234,7 +234,7 @@ def test_file_where_the_folder_should_be(curveups, tmp_path, cap):
     for place in (tmp_path / "out", tmp_path / "out" / "deeper"):
         ran = curveups("design", cap, "-o", place, "--no-solids")
         assert ran.status == 2 and len(ran.err.splitlines()) == 1
-    assert (tmp_path / "out").read_text() == "mine"
+    assert (tmp_path / "out").read_text("utf-8") == "mine"
 
 
 @pytest.mark.parametrize("text, word", [

@@ -44,13 +44,13 @@ def borders(design):
 
 def exported(curveups, folder, out, joint, status=0):
     """The report on the same layout with or without holes: what nobody but an editor of files asks for."""
-    design = json.loads((folder / "design.json").read_text())
+    design = json.loads((folder / "design.json").read_text("utf-8"))
     design["parameters"]["joint"] = joint
     out.mkdir(exist_ok=True)
     (out / "edited.json").write_text(json.dumps(design))
     ran = curveups("export", out / "edited.json", "-o", out)
     assert ran.status == status, ran.err
-    return json.loads((out / "report.json").read_text())
+    return json.loads((out / "report.json").read_text("utf-8"))
 
 
 def test_every_edge_between_the_pieces_has_two_holes(sewn):
@@ -62,9 +62,9 @@ def test_every_edge_between_the_pieces_has_two_holes(sewn):
     assert not [one for one in report["warnings"] if one["kind"] == "joint"]
     assert report["constraints"]["max_pin_bound_violation_mm"] < 1e-6
     assert report["solids"]["invalid"] == 0
-    tiles = (sewn / "ball-tiles.step").read_text()
+    tiles = (sewn / "ball-tiles.step").read_text("utf-8")
     assert tiles.count("CYLINDRICAL_SURFACE") == 2 * len(edges)
-    assert (sewn / "ball-actuated.step").read_text().count("CYLINDRICAL_SURFACE") == 2 * len(edges)
+    assert (sewn / "ball-actuated.step").read_text("utf-8").count("CYLINDRICAL_SURFACE") == 2 * len(edges)
 
 
 def test_the_volume_lacks_the_holes(sewn, curveups, tmp_path):
@@ -74,7 +74,7 @@ def test_the_volume_lacks_the_holes(sewn, curveups, tmp_path):
     less = report["joints"]["holes"] * math.pi * 0.25 * 2 / 1000  # cm3
     assert report["solids"]["volume_cm3"] == pytest.approx(whole["solids"]["volume_cm3"] - less, rel=1e-12)
     assert report["print"]["support_volume_cm3"] == whole["print"]["support_volume_cm3"]
-    assert "CYLINDRICAL_SURFACE" not in (tmp_path / "ball-tiles.step").read_text()
+    assert "CYLINDRICAL_SURFACE" not in (tmp_path / "ball-tiles.step").read_text("utf-8")
 
 
 def test_the_stl_is_closed_and_has_the_holes(sewn):
@@ -95,7 +95,7 @@ def test_the_stl_is_closed_and_has_the_holes(sewn):
 def test_one_piece_has_nothing_to_join(curveups, cap, tmp_path):
     ran = curveups("design", cap, "-o", tmp_path, "--set", "joint=holes", "verify=off")
     assert ran.status == 0, ran.err
-    report = json.loads((tmp_path / "report.json").read_text())
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     said, = (one for one in report["warnings"] if one["kind"] == "joint")
     assert "nothing to join" in said["what"] and "set pieces" in said["remedy"]
     assert report["joints"]["edges"] == report["joints"]["holes"] == 0
@@ -114,7 +114,7 @@ def test_holes_that_find_no_room_are_refused(curveups, ball_file, tmp_path):
     hole = float(line.split("lower joint_hole to ")[1].split()[0])
     assert 1 < hole < 3
     assert run("advised", f"joint_hole={hole:g}").status == 0
-    report = json.loads((tmp_path / "advised" / "report.json").read_text())
+    report = json.loads((tmp_path / "advised" / "report.json").read_text("utf-8"))
     assert report["joints"]["without"] == []
 
 
@@ -164,8 +164,8 @@ def test_remedies_by_what_is_possible():
     def remedy(hole, area):
         Model.joints = ([(0, 1)], [(2, 3)], 2, hole, area)
         said, = not_joined(joints_of(Model, parameters), parameters)
-        assert said["what"] == "1 of 2 edges between pieces have no room for stitching holes: T00003-T00004"
-        return said["remedy"]
+        assert str(said) == "1 of 2 edges between pieces have no room for stitching holes: T00003-T00004"
+        return said.remedy()
 
     assert remedy(0.0, 0.0) == "raise L or lower H_body"
     assert "A_pin_floor to 2.34," in remedy(0.0, 2.349) and "joint_hole" not in remedy(0.0, 2.349)

@@ -59,7 +59,7 @@ def test_a_membrane_that_is_slack_all_over_is_drawn(image):
 
 
 def test_the_page_shows_both_membranes_where_they_were_computed(designed):
-    design = native.read_design((designed.folder / "design.json").read_text())
+    design = native.read_design((designed.folder / "design.json").read_text("utf-8"))
     results = Project.of_design(design).run(("figures", "verification"))
     found = results["verification"]
     page = html.build_html(results, {**build_report(results, [], False, {}, {}), "warnings": []})

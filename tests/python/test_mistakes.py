@@ -18,6 +18,7 @@ from curveups.report import files
 from curveups.targets import cad_files
 from curveups.cli import main
 from curveups.base.errors import NOT_WRITTEN, CurveUpsError
+from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.base.output import Folder, safe_name
 from curveups.project.project import Project
@@ -56,9 +57,9 @@ def test_a_designs_name_is_no_path(curveups, designed, tmp_path):
         path.write_text("mine")
     # A program of its own: FreeCAD, which writes the document, would change this one's locale.
     assert curveups("export", tmp_path / "design.json", "-o", out).status == 0
-    assert all(path.read_text() == "mine" for path in mine)
+    assert all(path.read_text("utf-8") == "mine" for path in mine)
     assert (out / "x-turtle-tiles.step").stat().st_size > 1000
-    assert json.loads((out / "design.json").read_text())["name"] == "../x/turtle"  # titles have it as it is
+    assert json.loads((out / "design.json").read_bytes())["name"] == "../x/turtle"  # titles have it as it is
     assert sorted(p.name for p in tmp_path.iterdir()) == ["design.json", "out", "turtle.FCStd"]
 
 
@@ -74,7 +75,7 @@ def test_cleaning_up_touches_nothing_else(tmp_path):
     for name in ("a.step", "x/a.step", "../a.step", ""):
         with pytest.raises(CurveUpsError):
             folder.write(name, fail)
-    assert [(p.name, p.read_text()) for p in tmp_path.iterdir()] == [("a.step", "mine")]
+    assert [(p.name, p.read_text("utf-8")) for p in tmp_path.iterdir()] == [("a.step", "mine")]
     assert safe_name("../../etc/passwd") == "etc-passwd" and safe_name("...") == "target"
     assert len(safe_name("x" * 300)) < 200
 
@@ -224,11 +225,11 @@ def test_a_verification_that_breaks_down_keeps_the_layout(project_of_cap, monkey
     monkeypatch.setattr(verification, "native", Replaced(verify_design=raising(error)))
     results = project_of_cap().run(GOALS)
     assert results.verdict.valid is False and not results.stopped
-    assert any("could not be verified" in r and "memory" in r for r in results.verdict.reasons)
+    assert any("could not be verified" in r and "memory" in r for r in map(str, results.verdict.reasons))
     with files.Writing(tmp_path / "out", Job(), write_document) as writing:
         writing.end(results)
-    assert json.loads((tmp_path / "out" / "report.json").read_text())["valid"] is False
-    assert native.read_design((tmp_path / "out" / "design.json").read_text()).name == "cap"
+    assert json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))["valid"] is False
+    assert native.read_design((tmp_path / "out" / "design.json").read_text("utf-8")).name == "cap"
 
 
 def test_a_failure_where_a_verdict_was_asked_for_is_an_error(project_of_cap, monkeypatch):
@@ -243,7 +244,7 @@ def test_a_recheck_that_breaks_down_is_no_pass(project_of_cap, monkeypatch):
     monkeypatch.setattr(verification, "native", Replaced(verify_design=broken))
     results = project_of_cap(recheck=True, repair=False).run(GOALS)
     assert results.verdict.valid is False and not results["recheck"].ran
-    assert len(results.verdict.reasons) == 1 and "no memory" in results.verdict.reasons[0]
+    assert len(results.verdict.reasons) == 1 and "no memory" in str(results.verdict.reasons[0])
 
 
 @pytest.mark.parametrize("error, stopped", [(native.SolverFailure("no memory"), False),
@@ -255,7 +256,7 @@ def test_looking_for_cuts_that_breaks_down_is_a_warning(project_of_cap, monkeypa
     monkeypatch.setattr(suggestions, "native", Replaced(layout_figures=fail))
     results = project_of_cap().run(GOALS)
     assert results.stopped is stopped and results["verification"].judged
-    assert [w["kind"] for w in results.warnings() if w["kind"] == "cuts"] == ([] if stopped else ["cuts"])
+    assert [w.group for w in results.warnings() if w.group == "cuts"] == ([] if stopped else ["cuts"])
 
 
 def test_cancelling_verification_is_a_stop(project_of_cap, monkeypatch):
@@ -263,29 +264,33 @@ def test_cancelling_verification_is_a_stop(project_of_cap, monkeypatch):
         verify_design=raising(native.Cancelled("stopped"))))
     results = project_of_cap().run(GOALS)
     assert results.stopped and results.verdict.valid is None
-    assert results.verdict.reasons == ("stopped during verification",)
+    assert [str(one) for one in results.verdict.reasons] == ["stopped during verification"]
 
 
-def judged(broken=(), unsettled="the layout did not converge in 7 iterations", reasons=()):
+UNSETTLED = Finding.about("unsettled", iterations=7)
+
+
+def judged(broken=(), unsettled=UNSETTLED, reasons=()):
     """The verdict on constraints and solids as given, of a design whose forces hold; and the warnings."""
     figures = Figures(1, 0, {}, (), (), (), tuple(broken), unsettled)
     results = {"figures": figures, "verification": verification.Verification(valid=True),
                "check": Check(broken=tuple(reasons))}
-    return judge(results), [w["what"] for w in figures.warnings()]
+    return judge(results), [str(w) for w in figures.warnings()]
 
 
 def test_a_layout_that_did_not_settle_counts_only_with_a_violation():
     verdict, warned = judged()
     assert verdict.valid is True and ["did not converge" in what for what in warned] == [True]
-    verdict, warned = judged(broken=["flat tiles are nearer than d_gap_min"])
-    assert verdict.valid is False and any("did not converge" in reason for reason in verdict.reasons)
+    verdict, warned = judged(broken=[Finding.about("gap.somewhere", violation=0.1)])
+    assert verdict.valid is False and any("did not converge" in str(reason) for reason in verdict.reasons)
     assert warned == []
-    assert judged(unsettled="") == (Verdict(True), [])
+    assert judged(unsettled=None) == (Verdict(True), [])
 
 
 def test_a_reason_of_any_result_makes_a_design_not_valid():
-    verdict, _ = judged(unsettled="", reasons=["solids meet in the flat layout"])
-    assert verdict == Verdict(False, ("solids meet in the flat layout",))
+    reason = Finding.about("bodies_meet", [3, 4], value=0.0, at=(3, 4))
+    verdict, _ = judged(unsettled=None, reasons=[reason])
+    assert verdict == Verdict(False, (reason,))
 
 
 def bound(what="p_min", tile=4, start=0.6, end=0.35):
@@ -295,21 +300,21 @@ def bound(what="p_min", tile=4, start=0.6, end=0.35):
 def test_bounds_that_gave_way_are_told_and_a_printer_that_cannot_make_them_is_a_reason():
     """Those of one kind in one warning, by the one that went farthest; and all of them in report.json."""
     given = (bound(), bound(tile=7, end=0.45), bound("p_max", 2, 0.4, 0.7))
-    figures = Figures(1, 0, {}, (), (), (), (), "", relaxed=given)
+    figures = Figures(1, 0, {}, (), (), (), (), None, relaxed=given)
     assert figures.report()["relaxed"] == list(given)
-    said = [entry for entry in figures.warnings() if entry["kind"] == "relaxed"]
+    said = [entry for entry in map(Finding.entry, figures.warnings()) if entry["kind"] == "relaxed"]
     assert [entry["tiles"] for entry in said] == [[2], [4, 7]]
     assert "from 0.6 to 0.35 mm at the back of T00005" in said[1]["what"] and "2 edges" in said[1]["what"]
     fdm, polyjet = (solids.too_thin(given, solids.read_printer(name)) for name in ("fdm", "polyjet"))
-    assert polyjet == () and len(fdm) == 1 and "T00005" in fdm[0] and "T00008" not in fdm[0]
+    assert polyjet == () and len(fdm) == 1 and "T00005" in str(fdm[0]) and fdm[0].tiles == (4,)
 
 
 def test_interfaces_that_were_shortened_and_gaps_that_bumps_narrow_are_told():
-    figures = Figures(1, 0, {}, (), (), (), (), "", shortened=((3, 90),), flat_gap=(0.45, 0.6))
-    told = {entry["kind"]: entry for entry in figures.warnings()}
+    figures = Figures(1, 0, {}, (), (), (), (), None, shortened=((3, 90),), flat_gap=(0.45, 0.6))
+    told = {found.group: found.entry() for found in figures.warnings()}
     assert told["shortened"]["tiles"] == [3, 90] and "T00004-T00091" in told["shortened"]["what"]
     assert "0.45 of 0.6 mm" in told["flat_gap"]["what"]
-    assert Figures(1, 0, {}, (), (), (), (), "", flat_gap=(0.6, 0.6)).warnings() == []
+    assert Figures(1, 0, {}, (), (), (), (), None, flat_gap=(0.6, 0.6)).warnings() == []
 
 
 def test_what_the_surplus_membrane_asks_of_anchors():
@@ -326,7 +331,7 @@ def test_what_the_surplus_membrane_asks_of_anchors():
     values.set("anchor_radius", 1.0)
     values.set("thickness_back", 2.0)
     said = anchoring.STAGE.run(inputs, Job()).warnings()
-    assert len(said) == 1 and "raise anchor_radius" in said[0]["what"]
+    assert len(said) == 1 and "raise anchor_radius" in str(said[0])
     values.set("anchors", False)
     assert anchoring.STAGE.run(inputs, Job()).report() == {}
 
@@ -358,7 +363,7 @@ def test_a_report_is_built_once_and_lists_the_page(project_of_cap, monkeypatch, 
     monkeypatch.setattr(files, "build_report", lambda *a: calls.append(1) or build(*a))
     folder = Folder(tmp_path / "out")
     files.write_reports(results, folder)
-    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    report = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))
     assert len(calls) == 1
     assert report["print"]["files"] == {
         "report.html": os.path.getsize(tmp_path / "out" / "report.html")}

@@ -46,7 +46,7 @@ def test_a_kind_that_is_switched_off_goes(curveups, used):
     assert ran.status == 0, ran.err
     gone = {"small-cap-anchors.step", "small-cap-anchors.stl"}
     assert names(used) == before - gone
-    listed = json.loads((used / "report.json").read_text())["print"]["files"]
+    listed = json.loads((used / "report.json").read_text("utf-8"))["print"]["files"]
     assert set(listed) == before - gone - OWN - {"report.json"}
 
 
@@ -89,7 +89,7 @@ def test_killed_in_the_middle_of_writing(cap, used):
     process.stderr.close()
     left = names(used)
     assert not left & {"report.json", "report.html"}
-    assert (used / "design.json").read_text() != "of the earlier run"
+    assert (used / "design.json").read_text("utf-8") != "of the earlier run"
     whole = {name for name in left if not name.startswith(".")}
     assert "small-cap.FCStd" not in whole and whole - OWN <= {"design.json", "small-cap-print.3mf",
                                                               "small-cap-tiles.step"}
@@ -135,7 +135,7 @@ def test_signals_while_writing_keep_the_reports(printed, tmp_path, number):
     said += process.stderr.read()
     assert process.wait(timeout=60) == 3, said
     assert BARE <= names(out) and "Traceback" not in said
-    assert json.loads((out / "report.json").read_text())["status"] == "stopped"
+    assert json.loads((out / "report.json").read_text("utf-8"))["status"] == "stopped"
     assert files.REPORTS[0] == "report.json"
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from curveups.targets.cad_files import Read
 from curveups.base.errors import CurveUpsError
+from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.project.project import Project
 from curveups.stages import pieces as pieces_stage
@@ -123,9 +124,9 @@ def test_designs_reopen_with_their_pieces(curveups, shapes_folder, ball, tmp_pat
     ran = curveups("design", shapes_folder / "ball.obj", "-o", tmp_path / "out", "--no-solids", "--set",
                    "pieces=2", "verify=off", "--cuts", tmp_path / "cuts.json")
     assert ran.status == 0, ran.err
-    again = json.loads((tmp_path / "out" / "design.json").read_text())
+    again = json.loads((tmp_path / "out" / "design.json").read_text("utf-8"))
     assert again["cuts"] == design["cuts"]
-    assert json.loads((ball / "design.json").read_text())["parameters"]["pieces"] == "auto"
+    assert json.loads((ball / "design.json").read_text("utf-8"))["parameters"]["pieces"] == "auto"
 
 
 def test_what_lies_flat_stays_in_one_piece():
@@ -176,7 +177,7 @@ def test_a_piece_is_judged_by_its_own_mean_force():
 
     class Sound:
         def reasons(self):
-            return ("T00003 is too near to T00004",)
+            return (Finding.about("gap", [2, 3], violation=0.1, pairs=((2, 3),)),)
 
     def judged(**values):
         for name, value in values.items():
@@ -187,11 +188,21 @@ def test_a_piece_is_judged_by_its_own_mean_force():
     made = judged()
     assert made.reasons() == () and [one.valid for one in made.pieces] == [True, False]
     made = judged(pieces="2")
-    assert len(made.reasons()) == 1 and "piece 1 by itself" in made.reasons()[0]
-    assert "T00001-T00002" in made.reasons()[0]
+    assert len(made.reasons()) == 1 and "piece 1 by itself" in str(made.reasons()[0])
+    assert "T00001-T00002" in str(made.reasons()[0]) and made.reasons()[0].tiles == (0, 1)
     first, second = made.report()["pieces"]
     assert first["valid"] is False and first["f_min"] == pytest.approx(1.0)
-    assert second["reasons"] == ["T00003 is too near to T00004"] and second["contacts"] == 1
+    assert second["contacts"] == 1
+    assert second["reasons"] == ["flat tiles are 0.1 mm nearer than d_gap_min (T00003-T00004)"]
+
+
+def test_a_piece_is_not_valid_where_a_sentence_names_only_tiles_of_others():
+    """Sentences are cut short after some tiles: what a reason is about does not depend on that."""
+    pairs = tuple((tile, tile + 1) for tile in range(0, 40, 2))
+    reason = Finding.about("weak_points", np.ravel(pairs), points=20, f_min=0.1, contacts=pairs, least=0.0,
+                           weakest=((0, 1),))
+    assert "T00039" not in str(reason) and "and 12 more" in str(reason)
+    assert reason.concerns([38]) and not reason.concerns([40]) and Finding("no_pressure").concerns([40])
 
 
 @pytest.mark.parametrize("value", ["0", "25", "two", "-1", "1.5", "02", "auto,2"])

@@ -118,7 +118,7 @@ def test_walls_beside_dimples_are_measured(exported):
 
 
 def test_the_profile_for_fdm_weighs_pla():
-    assert json.loads(profile_path("fdm").read_text())["density"] == 1.24
+    assert json.loads(profile_path("fdm").read_text("utf-8"))["density"] == 1.24
 
 
 def test_a_slab_that_glue_would_take_is_warned_of(exported):
@@ -166,7 +166,7 @@ def test_bridges_are_small_files(exported):
 def test_profiles_and_defaults_suit_their_printers(profile):
     """By no bound that gives way, no gap and no wall is a print asked for more than its printer makes."""
     values = native.Parameters()
-    for name, value in json.loads(profile_path(profile).read_text()).items() if profile else ():
+    for name, value in json.loads(profile_path(profile).read_text("utf-8")).items() if profile else ():
         if name != "about":
             values.set(name, value)
     printer = read_printer(values.get("printer"))

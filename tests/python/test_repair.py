@@ -44,8 +44,8 @@ def patch(tmp_path_factory):
 def run(curveups, target, folder, *settings, status=0):
     done = curveups("design", target, "-o", folder, "--no-remesh", "--no-solids", *settings)
     assert done.status == status, done.err
-    report = json.loads((folder / "report.json").read_text())
-    design = json.loads((folder / "design.json").read_text())
+    report = json.loads((folder / "report.json").read_text("utf-8"))
+    design = json.loads((folder / "design.json").read_text("utf-8"))
     check_report(report)
     check_design(design)
     return report, design

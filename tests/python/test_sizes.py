@@ -71,9 +71,9 @@ def test_auto_on_the_command_line(curveups, cap, tmp_path):
     ran = curveups("design", cap, "-o", tmp_path, "--set", "L=auto", "H_body=auto", "fidelity=0.8",
                    "verify=off", "--no-solids")
     assert ran.status == 0, ran.err
-    values = json.loads((tmp_path / "design.json").read_text())["parameters"]
+    values = json.loads((tmp_path / "design.json").read_text("utf-8"))["parameters"]
     assert f"L = {values['L']:g} mm is chosen" in ran.err
-    report = json.loads((tmp_path / "report.json").read_text())
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     assert report["target"]["sagitta_mm"] <= 0.8
     assert curveups("design", cap, "-o", tmp_path / "b", "--no-remesh", "--set", "L=auto").status == 2
     assert curveups("design", cap, "-o", tmp_path / "b", "--set", "tau=auto").status == 2

@@ -35,7 +35,7 @@ def crashed_at_its_end(done, folder):
     code = folder / "a.gcode"
     if done.returncode != -signal.SIGSEGV or not code.exists():
         return False
-    text = code.read_text()
+    text = code.read_text("utf-8")
     return "PrusaSlicer 2.9.2" in text[:200] and text.rstrip().endswith("; prusaslicer_config = end")
 
 
@@ -81,7 +81,7 @@ def test_every_body_is_sound(print_files):
     ends = [[float(z) for z in re.findall(rf"^{end}_z = (\S+)", said, re.MULTILINE)]
             for end in ("min", "max")]
     heights = {round(top - bottom, 2) for bottom, top in zip(*ends)}
-    breakaway = "breakaway" in (print_files / "design.json").read_text()
+    breakaway = "breakaway" in (print_files / "design.json").read_text("utf-8")
     assert heights == ({5.0, 0.8} if breakaway else {5.0, 4.7})
 
 
@@ -89,7 +89,7 @@ def test_it_can_be_sliced(print_files):
     code = print_files / "a.gcode"
     slicer(print_files, "--export-gcode", "--support-material", *IN_PLACE, "--output", code,
            "small-cap-print.3mf")
-    heights = [float(z) for z in re.findall(r"^G1 Z([0-9.]+)", code.read_text(), re.MULTILINE)]
+    heights = [float(z) for z in re.findall(r"^G1 Z([0-9.]+)", code.read_text("utf-8"), re.MULTILINE)]
     assert 4.5 < max(heights) < 12  # the print is 5 mm high; the nozzle is lifted between parts
 
 
@@ -126,7 +126,7 @@ def test_the_profile_for_fdm_is_sliced_whole(fdm_print):
     folder, report = fdm_print
     code = folder / "a.gcode"
     slicer(folder, "--export-gcode", *FDM, *IN_PLACE, "--output", code, "all.stl")
-    loops, volume = loops_and_volume(code.read_text(), 2.2)
+    loops, volume = loops_and_volume(code.read_text("utf-8"), 2.2)
     block = report["print"]
     with zipfile.ZipFile(folder / "half-sphere-print.3mf") as archive:
         bridges = archive.read("3D/3dmodel.model").decode().count('name="Support ')
@@ -142,7 +142,7 @@ def test_supports_for_the_profile_lie_on_the_side_that_is_glued_second(fdm_print
     code = folder / "supported.gcode"
     slicer(folder, "--export-gcode", *FDM, "--support-material", "--support-material-buildplate-only",
            *IN_PLACE, "--output", code, "all.stl")
-    heights = {z for kind, z, _, _ in extrusions(code.read_text()) if kind.startswith("Support")}
+    heights = {z for kind, z, _, _ in extrusions(code.read_text("utf-8")) if kind.startswith("Support")}
     assert heights and max(heights) < 0.6 + 1e-6  # H_pin
     assert report["print"]["glue"]["first"] == "front"
     page = html.unescape((folder / "report.html").read_text(encoding="utf-8"))

@@ -33,11 +33,11 @@ def check_whole(path):
     """A file that was cut short does not pass."""
     assert not path.name.startswith("."), path
     if path.suffix == ".json":
-        json.loads(path.read_text())
+        json.loads(path.read_text("utf-8"))
     elif path.suffix == ".html":
         assert path.read_text(encoding="utf-8").rstrip().endswith("</html>")
     elif path.suffix == ".step":
-        assert path.read_text().rstrip().endswith("END-ISO-10303-21;")
+        assert path.read_text("utf-8").rstrip().endswith("END-ISO-10303-21;")
     elif path.suffix == ".stl":
         data = path.read_bytes()
         assert len(data) == 84 + 50 * struct.unpack_from("<I", data, 80)[0]
@@ -50,7 +50,7 @@ def check_stopped(folder, status, said):
     """What was written is whole and the report knows it; returns the names of the files."""
     assert status == 3, said
     assert "Traceback" not in said and said.splitlines()[-1].startswith("stopped"), said
-    report = json.loads((folder / "report.json").read_text())
+    report = json.loads((folder / "report.json").read_text("utf-8"))
     check_report(report)
     assert report["status"] == "stopped"
     names = {path.name for path in folder.iterdir()}
@@ -67,7 +67,7 @@ def check_stopped(folder, status, said):
         page = (folder / "report.html").read_text(encoding="utf-8")
         assert all(name in page for name in files)
     assert all((folder / name).stat().st_size == size for name, size in files.items())
-    check_design(json.loads((folder / "design.json").read_text()))
+    check_design(json.loads((folder / "design.json").read_text("utf-8")))
     return names
 
 
@@ -84,7 +84,7 @@ def test_stopping_before_the_files(tmp_path, word):
     status, said = interrupted(word, "design", tmp_path / "dome.obj", "-o", out, "--no-remesh")
     assert check_stopped(out, status, said) == {"design.json", "report.json", "report.html"}
     # Whatever was found valid before, nobody has looked at all solids.
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text("utf-8"))
     assert ("print" in report) != any("solids" in text for text in report.get("not_covered", ()))
 
 
@@ -102,7 +102,7 @@ def test_stopping_the_checks_keeps_the_files_that_are_there(tmp_path):
     status, said = interrupted("checking solids", "design", tmp_path / "dome.obj", "-o", out, "--no-remesh")
     check_stopped(out, status, said)
     assert not (out / "dome.FCStd").exists()
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text("utf-8"))
     assert ("print" in report) != any("solids" in text for text in report.get("not_covered", ()))
 
 
@@ -132,7 +132,7 @@ def test_stopping_verify(laid_out, tmp_path):
     out = tmp_path / "out"
     status, said = interrupted("meshing membranes", "verify", laid_out, "-o", out)
     assert status == 3, said
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text("utf-8"))
     assert report["status"] == "stopped" and report["valid"] is None
     assert report["reasons"] == ["stopped during verification"]
 

@@ -23,8 +23,8 @@ def shapes_folder(tmp_path_factory):
 def run(curveups, shapes_folder, out, name, *more, status=0):
     ran = curveups("design", shapes_folder / f"{name}.obj", "-o", out, *more)
     assert ran.status == status, ran.err
-    design = json.loads((out / "design.json").read_text())
-    report = json.loads((out / "report.json").read_text())
+    design = json.loads((out / "design.json").read_text("utf-8"))
+    report = json.loads((out / "report.json").read_text("utf-8"))
     check_design(design)
     check_report(report)
     return ran, design, report
@@ -132,7 +132,7 @@ def test_a_design_that_fails_verification_says_what_may_help(curveups, shapes_fo
     suggested = [reason for reason in report["reasons"] if reason.startswith("suggested: ")]
     assert len(suggested) >= applied.count(False)
     assert sum("a cut of " in reason for reason in suggested) == applied.count(False)
-    edges = json.loads((tmp_path / "sphere-cuts.json").read_text())["edges"]
+    edges = json.loads((tmp_path / "sphere-cuts.json").read_text("utf-8"))["edges"]
     assert len(edges) == sum(len(cut["edges"]) for cut in report["suggested_cuts"])
 
 

@@ -119,7 +119,7 @@ def test_a_part_in_little_memory_is_not_blamed(tmp_path, kilobytes):
 def test_the_pages_pictures_need_no_sound_surroundings(tmp_path, name):
     status, said = run(tmp_path, "", *DESIGN, **{name: "/dev/null/nowhere"})
     assert status == 0 and "matplotlib" not in said.lower(), said
-    assert "<img" in (tmp_path / "out" / "report.html").read_text()
+    assert "<img" in (tmp_path / "out" / "report.html").read_text("utf-8")
 
 
 def test_a_page_without_pictures_is_better_than_none(tmp_path):
@@ -128,11 +128,12 @@ def test_a_page_without_pictures_is_better_than_none(tmp_path):
         "raise OSError('no folder that may be written to')\n")
     broken = os.pathsep.join((str(tmp_path), environment()["PYTHONPATH"]))
     status, said = run(tmp_path, "", *DESIGN, PYTHONPATH=broken)
-    page = (tmp_path / "out" / "report.html").read_text()
+    page = (tmp_path / "out" / "report.html").read_text("utf-8")
     assert status == 0, said
     assert "<img" not in page and "no folder that may be written to" in page and "<h2>Figures" in page
     status, said = run(tmp_path, "", "check", "disc", "-o", "out", PYTHONPATH=broken)
-    assert status in (0, 1) and "could not be drawn" in (tmp_path / "out" / "check.html").read_text(), said
+    page = (tmp_path / "out" / "check.html").read_text("utf-8")
+    assert status in (0, 1) and "could not be drawn" in page, said
 
 
 IMPATIENT = """

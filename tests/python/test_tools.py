@@ -75,7 +75,7 @@ def test_results_renew_their_models_and_keep_the_others(designed, tmp_path):
     page = tmp_path / "results.md"
     page.write_text(bench_results.RESULTS.read_text(encoding="utf-8"), encoding="utf-8")
     before = page.read_text(encoding="utf-8").splitlines()
-    report = json.loads((designed.folder / "report.json").read_text())
+    report = json.loads((designed.folder / "report.json").read_text("utf-8"))
     row = {**report, "name": "disc", "paper_seconds": None, "seconds_to_valid": 1.5, "seconds_files": None}
     bench_results.renew([row, {**row, "name": "another"}], page)
     after = page.read_text(encoding="utf-8").splitlines()

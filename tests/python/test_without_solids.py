@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.project.project import Project
 from curveups.stages.clearances import Clearances
@@ -21,7 +22,8 @@ def test_tiles_that_meet_as_printed_are_named(designed):
     results = Project.of_design(native.read_design(json.dumps(design))).run(("clearances",))
     assert results["clearances"].flat_mm == 0
     assert results.verdict.valid is False
-    assert any("meet in the flat layout (T00001, T0" in reason for reason in results.verdict.reasons)
+    assert any("meet in the flat layout (T00001, T0" in str(reason) and reason.tiles[0] == 0
+               for reason in results.verdict.reasons)
 
 
 def test_what_a_verdict_does_not_cover_is_said(designed, printed):
@@ -39,14 +41,18 @@ def test_what_a_verdict_does_not_cover_is_said(designed, printed):
 def test_a_recheck_that_breaks_down_is_no_pass():
     sound = {"verification": Verification(valid=True), "clearances": Clearances(0.5, 0.0)}
     assert judge(sound).valid is True
-    broken = judge({**sound, "recheck": Recheck(failure="the design could not be verified: no end")})
-    assert broken.valid is False and "half the size" in broken.reasons[0]
-    stopped = judge({**sound, "recheck": Recheck(note="stopped during recheck")})
-    assert stopped.valid is None and stopped.reasons == ("stopped during recheck",)
-    unknown = judge({**sound, "clearances": replace(sound["clearances"], note="stopped during clearances")})
+    failure = Finding.about("verification_failed", error="no end")
+    broken = judge({**sound, "recheck": Recheck(failure=failure)})
+    assert broken.valid is False
+    assert "half the size: the design could not be verified: no end" in str(broken.reasons[0])
+    note = Finding.about("stopped", stage="recheck")
+    stopped = judge({**sound, "recheck": Recheck(note=note)})
+    assert stopped.valid is None and [str(one) for one in stopped.reasons] == ["stopped during recheck"]
+    unknown = judge({**sound, "clearances": replace(sound["clearances"], note=note)})
     assert unknown.valid is None
 
 
 def test_a_reason_that_several_results_give_is_said_once():
-    twice = Clearances(broken=("the print can't be made: too thin",))
-    assert judge({"a": twice, "b": twice}).reasons == ("the print can't be made: too thin",)
+    reason = Finding.about("unprintable", error="too thin")
+    twice = Clearances(broken=(reason,))
+    assert judge({"a": twice, "b": twice}).reasons == (reason,)

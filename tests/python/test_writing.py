@@ -4,6 +4,7 @@
 import json
 import time
 import zipfile
+from types import SimpleNamespace
 
 import pytest
 
@@ -22,7 +23,7 @@ GOALS = asked_by("print")
 
 @pytest.fixture
 def project(printed):
-    return Project.of_design(native.read_design((printed.folder / "design.json").read_text()))
+    return Project.of_design(native.read_design((printed.folder / "design.json").read_text("utf-8")))
 
 
 class CheckedBy:
@@ -89,17 +90,20 @@ def run(project, folder, job):
 def test_print_files_come_while_solids_are_checked(project, monkeypatch, tmp_path):
     out, found = tmp_path / "out", {}
 
+    solid = SimpleNamespace(kind="unsound.solid", tiles=[], figures={"body": "T00001", "why": "open"})
+    unsound = SimpleNamespace(kind="unsound", tiles=[0], figures={"solids": [solid]})
+
     def judge(job):
         waits_for(out / "small-cap-print.3mf")
         found["meanwhile"] = {path.name for path in out.iterdir() if not path.name.startswith(".")}
         waits_for(out / "small-cap-anchors.stl")
-        return [("T00001", "open")], ["solids are not sound: T00001: open"]
+        return [("T00001", "open")], [unsound]
 
     judged_by(monkeypatch, judge)
     assert run(project, out, Job()) is False
     first = found["meanwhile"]
     assert "design.json" in first and not first & {"report.json", "report.html", "small-cap.FCStd"}
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text("utf-8"))
     assert report["reasons"] == ["solids are not sound: T00001: open"] and report["valid"] is False
     assert set(report["print"]["files"]) == {path.name for path in out.iterdir()} - {"report.json"}
 
@@ -125,7 +129,7 @@ def test_document_and_page_are_made_while_solids_are_checked_and_wait(project, m
     for path in out.iterdir():
         if path.name != "report.json":
             assert path.read_bytes() == (plain / path.name).read_bytes(), path.name
-    one, other = (json.loads((folder / "report.json").read_text()) for folder in (out, plain))
+    one, other = (json.loads((folder / "report.json").read_text("utf-8")) for folder in (out, plain))
     for report in (one, other):
         del report["stages"], report["peak_memory_mb"]
     assert one == other
@@ -161,7 +165,7 @@ def test_a_stop_during_the_checks_leaves_no_document(project, monkeypatch, tmp_p
     names = {path.name for path in out.iterdir()}
     assert "small-cap-print.3mf" in names and "small-cap.FCStd" not in names
     assert not [name for name in names if name.startswith(".")] and len(documents) == 1
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text("utf-8"))
     assert report["status"] == "stopped" and "not_covered" in report and len(pages) == 2
 
 

@@ -53,5 +53,5 @@ def run_in_window(work, home, folder, timeout=300, **names):
     ran = subprocess.run(command(script, window=True), env=environment_in(home), stdin=subprocess.DEVNULL,
                          capture_output=True, text=True, timeout=timeout)
     if ran.returncode != 0:
-        raise AssertionError((log.read_text() if log.exists() else "") + ran.stderr[-2000:])
+        raise AssertionError((log.read_text("utf-8") if log.exists() else "") + ran.stderr[-2000:])
     return ran.stdout + ran.stderr

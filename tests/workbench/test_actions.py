@@ -54,11 +54,11 @@ def test_from_a_part_to_files(made, tmp_path):
     assert set(files) == expected == set(os.listdir(folder)), set(files) ^ expected
     page = actions.report(design, folder + "-report")
     assert "Valid" in open(page, encoding="utf-8").read()
-    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    report = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))
     assert report["valid"] is True and report["name"] == "My-Cap" and report["contact_forces"]
-    full = json.loads((tmp_path / "out-report" / "report.json").read_text())
+    full = json.loads((tmp_path / "out-report" / "report.json").read_text("utf-8"))
     assert full["valid"] is True and full["deviation"]["mean_mm"] < 0.5 and full["layout"]["converged"]
-    step = (tmp_path / "out" / "My-Cap_print.step").read_text()
+    step = (tmp_path / "out" / "My-Cap_print.step").read_text("utf-8")
     assert "'T00001'" in step and "COLOUR_RGB" in step and "NOT VALID" not in step
     # Another design's files in the same folder: report.json is the latest, and each keeps its own.
     own = {name: (tmp_path / "out" / name).read_bytes() for name in expected}
@@ -67,7 +67,7 @@ def test_from_a_part_to_files(made, tmp_path):
     design.Label = "Another"
     assert other_report(tmp_path / "out", "Another") == "My-Cap"
     files = actions.export(design, folder, [("print", "3mf")])
-    assert json.loads((tmp_path / "out" / "report.json").read_text())["name"] == "Another"
+    assert json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))["name"] == "Another"
     assert "Another-report.json" in files and all(
         (tmp_path / "out" / name).read_bytes() == own[name] for name in expected
         if name not in ("report.json", "report.html"))
@@ -107,11 +107,11 @@ def test_what_should_not_be_printed_is_refused_or_says_so(made, tmp_path):
     actions.export(design, folder, insist=True, files=(("print", "step"), ("tiles", "stl"), ("print", "3mf")))
     step_export.export([design.Tiles], folder + "/by-freecad.step")
     out = tmp_path / "out"
-    report = json.loads((out / "report.json").read_text())
+    report = json.loads((out / "report.json").read_text("utf-8"))
     assert report["valid"] is False and "Tau" in report["reasons"][0]
     assert "Not valid" in (out / "report.html").read_text(encoding="utf-8")
     for name in ("half-sphere-print.step", "by-freecad.step"):
-        step = (out / name).read_text()
+        step = (out / name).read_text("utf-8")
         assert "PRODUCT('NOT VALID half-sphere" in step and "'T00001'" in step and "COLOUR_RGB" in step
     assert b"NOT VALID" in (out / "half-sphere-tiles.stl").read_bytes()[:80]
 

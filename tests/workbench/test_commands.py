@@ -10,6 +10,7 @@ import Mesh
 import Part
 import pytest
 from curveups.base.errors import CurveUpsError
+from curveups.base.findings import Finding
 from curveups.features import document as designs
 from curveups.project.worker import WORKER
 from curveups.window import qt
@@ -280,7 +281,8 @@ def test_errors_are_one_line_with_tiles_to_click(pictures):
     at_rest()
     panel().reject()
     settle(200)
-    show_error(CurveUpsError("2 back faces vanish", "Design, T00012, T00044", "make HBody less"), "Solve")
+    found = Finding.about("said", (11, 43), said="2 back faces vanish")
+    show_error(CurveUpsError(str(found), "Design, T00012, T00044", "make HBody less", finding=found), "Solve")
     settle(700)
     notice = widget("CurveUpsNotice")
     assert 'href="T00012"' in notice.findChild(QtGui.QLabel, "text").text()

@@ -32,12 +32,12 @@ def test_the_report_of_another_design_is_not_replaced_without_asking(tmp_path, p
         keys(key)
 
     in_dialog(lambda: click(write), lambda: answer("Escape"))
-    assert not LIVE.busy and (folder / "report.json").read_text() == theirs
+    assert not LIVE.busy and (folder / "report.json").read_text("utf-8") == theirs
     assert [path.name for path in folder.iterdir()] == ["report.json"]
     in_dialog(lambda: click(write), lambda: answer("alt+y"))
     until(lambda: "open the report" in line.text(), 120, "the files")
-    assert json.loads((folder / "report.json").read_text())["name"] == "half-sphere"
-    assert (folder / "half-sphere-report.json").read_text() == (folder / "report.json").read_text()
+    assert json.loads((folder / "report.json").read_text("utf-8"))["name"] == "half-sphere"
+    assert (folder / "half-sphere-report.json").read_bytes() == (folder / "report.json").read_bytes()
     # What comes next is a click away: folder, report, slicer. Its own report is replaced without a word.
     opened = []
     monkeypatch.setattr(qt.QtGui.QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))

@@ -187,4 +187,4 @@ def test_FreeCAD_can_be_quit_in_mid_run(elsewhere, tmp_path):
     """By itself, to its very end, with no thread left in the solver."""
     left = tmp_path / "left"
     elsewhere(quit_in_mid_run, tmp_path / "pictures", left, window=True, ends=True)
-    assert left.read_text() == "[0] False False"
+    assert left.read_text("utf-8") == "[0] False False"

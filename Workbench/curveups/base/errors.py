@@ -3,16 +3,20 @@
 
 from __future__ import annotations
 
-from typing import Iterable
+from typing import Any, Iterable
 
 VALID, NOT_VALID, BAD_INPUT, STOPPED, NOT_WRITTEN = range(5)
 
 
 class CurveUpsError(Exception):
-    """What is wrong, where, and what to do about it: one line, `WHAT (WHERE): REMEDY`."""
+    """What is wrong, where, and what to do about it: one line, `WHAT (WHERE): REMEDY`. `tiles`: that it
+    names; `finding`: the value that it was made of (findings.py), where there is one."""
 
-    def __init__(self, what: str, where: str = "", remedy: str = "", status: int = BAD_INPUT):
+    def __init__(self, what: str, where: str = "", remedy: str = "", status: int = BAD_INPUT,
+                 tiles: Iterable[int] = (), finding: Any = None):
         self.what, self.where, self.remedy, self.status = what, where, remedy, status
+        self.finding = finding
+        self.tiles = tuple(tiles) if finding is None else finding.tiles
         super().__init__(str(self))
 
     def __str__(self) -> str:

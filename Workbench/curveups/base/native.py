@@ -87,7 +87,7 @@ def translated(where: str = "") -> Iterator[None]:
         raise Stopped from None
     except native.Error as error:
         place = ", ".join(part for part in (where, tile_list(error.tiles)) if part)
-        raise CurveUpsError(str(error), place, error.remedy) from error
+        raise CurveUpsError(str(error), place, error.remedy, tiles=error.tiles) from error
     except MemoryError:
         raise CurveUpsError("there is not enough memory", where,
                             "use larger tiles (--set L=...) or a smaller target") from None

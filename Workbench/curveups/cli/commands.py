@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Iterator, TextIO
 
 from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
+from ..base.findings import Finding
 from ..base.native import native, translated
 from ..base.parameters import parameter, table
 from ..base.output import Folder, is_text, plain_name, require_folder_name, safe_name
@@ -144,7 +145,7 @@ def export(options: Any, session: Session) -> int:
         rebuilt |= row.effect == "rebuild" and values.get(name) != before.get(name)
     project.parameters = values
     job = session.job
-    note = "geometry changed since verification" if rebuilt else "an export does not verify"
+    note = Finding("unverified.changed" if rebuilt else "unverified.export")
     with Writing(options.output, job, write_document, session.interrupt.shielded) as writing:
         results = project.run(asked_by("print"), job, strict=True, note=note, watch=writing.watch,
                               expect=writing.expect)

@@ -14,6 +14,7 @@ from typing import Any, Callable, Collection, Iterator, Optional, Sequence
 
 from ..base import profiles
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding
 from ..base.output import safe_name
 from ..project.project import Project, Results
 from ..report.exports import Choice, File, choices, report as write_report, write_export, write_step
@@ -21,7 +22,7 @@ from ..stages import asked_by, sizes
 from ..stages.layout import Layout
 from ..stages.stage import Job
 from . import live, properties, rebuild, status
-from .document import state_of, take, take_bodies
+from .document import reasons_of, state_of, take, take_bodies
 from .keys import read_keys
 
 Work = Callable[[Job], Results]
@@ -209,10 +210,14 @@ def report_work(design: Any, folder: str) -> Callable[[Job], str]:
     return lambda job: str(write_report(project, Path(folder), found, job))
 
 
-def doubts(design: Any) -> tuple[str, ...]:
+def doubts(design: Any) -> tuple[Finding, ...]:
     """Why the design should not be printed as it is; none for one that nobody has judged."""
-    state, reason = state_of(design)
-    return (f"the design is {state}: {reason}",) if state in (status.OUT_OF_DATE, status.INVALID) else ()
+    state, _ = state_of(design)
+    if state not in (status.OUT_OF_DATE, status.INVALID):
+        return ()
+    reasons = reasons_of(design)
+    return (Finding.about("doubt", (tile for reason in reasons for tile in reason.tiles), state=state,
+                          reasons=reasons),)
 
 
 def file_name(design: Any) -> str:

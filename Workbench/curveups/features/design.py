@@ -91,7 +91,7 @@ class DesignProxy(Proxy):
         try:
             found = status.status_of(obj, self.refused(obj), self.running)
             write(obj, "Verdict", found.verdict)
-            write(obj, "Reasons", [properties.as_properties(obj, line) for line in found.reasons])
+            write(obj, "Reasons", [properties.as_properties(obj, str(reason)) for reason in found.reasons])
             write(obj, "Status", found.state)
             for slot, (state, reason) in found.parts.items():
                 part = getattr(obj, slot)

@@ -14,6 +14,7 @@ from typing import Any, Callable, Mapping, Optional
 import numpy as np
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding
 from ..base.native import translated
 from ..project import saved_results
 from ..project.keys import changes
@@ -130,7 +131,12 @@ def state_of(obj: Any, part: str = "") -> tuple[str, str]:
     """State (empty, current, out of date, invalid, running) and reason of a Design, or of what is below
     it by the name of its slot."""
     found = status.status_of(obj, obj.Proxy.refused(obj), obj.Proxy.running)
-    return found.parts[part] if part else (found.state, "; ".join(found.reasons))
+    return found.parts[part] if part else (found.state, "; ".join(map(str, found.reasons)))
+
+
+def reasons_of(obj: Any) -> tuple[Finding, ...]:
+    """Why a Design is not valid, or not what its properties say."""
+    return status.status_of(obj, obj.Proxy.refused(obj), obj.Proxy.running).reasons
 
 
 def set_running(obj: Any, running: bool) -> None:

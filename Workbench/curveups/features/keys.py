@@ -10,6 +10,7 @@ import json
 from dataclasses import dataclass, field
 from typing import Any, Mapping, Optional
 
+from ..base.findings import Finding
 from ..project.keys import Record
 from .proxy import write
 
@@ -22,7 +23,7 @@ class Keys:
 
     records: Mapping[str, Record] = field(default_factory=dict)
     valid: Optional[bool] = None
-    reasons: tuple[str, ...] = ()
+    reasons: tuple[Finding, ...] = ()
     stamp: str = ""
     linked: bool = False
     cuts: str = ""
@@ -36,7 +37,10 @@ _KINDS = {one.name: type(getattr(NONE, one.name)) for one in dataclasses.fields(
 
 def write_keys(obj: Any, keys: Keys, name: str = "Keys") -> None:
     """Into a property of an object."""
-    write(obj, name, json.dumps(dataclasses.asdict(keys), sort_keys=True))
+    data = {one.name: getattr(keys, one.name) for one in dataclasses.fields(keys)}
+    data.update(records={stage: dataclasses.asdict(one) for stage, one in keys.records.items()},
+                reasons=[one.data for one in keys.reasons])
+    write(obj, name, json.dumps(data, sort_keys=True))
 
 
 def read_keys(obj: Any, name: str = "Keys") -> Keys:
@@ -44,10 +48,10 @@ def read_keys(obj: Any, name: str = "Keys") -> Keys:
     try:
         data = json.loads(getattr(obj, name, "") or "{}")
         records = {stage: Record(**one) for stage, one in data.pop("records", {}).items()}
-        found = Keys(records, **{key: tuple(value) if isinstance(value, list) else value
-                                 for key, value in data.items()})
+        reasons = tuple(map(Finding.read, data.pop("reasons", ())))
+        found = Keys(records, reasons=reasons, **data)
         return found if _sound(found) else NONE
-    except (ValueError, TypeError, AttributeError):
+    except (LookupError, ValueError, TypeError, AttributeError):
         return NONE
 
 
@@ -64,7 +68,6 @@ def digest_of_edges(edges: Any) -> str:
 def _sound(keys: Keys) -> bool:
     return (keys.valid in (True, False, None)
             and all(isinstance(getattr(keys, name), kind) for name, kind in _KINDS.items())
-            and all(isinstance(line, str) for line in keys.reasons)
             and all(isinstance(one.content, str) and isinstance(one.settles, dict)
                     and isinstance(one.key, dict) and all(isinstance(part, str) for part in one.key.values())
                     for one in keys.records.values()))

@@ -16,6 +16,7 @@ from typing import Any, Callable, Iterable, Iterator
 import FreeCAD
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding
 from ..base.native import native, problem, translated
 from ..project.project import Project
 from ..stages import VERDICT
@@ -72,7 +73,7 @@ def _migrate(obj: Any, design: Any) -> None:
     keys = read_keys(obj)
     judged = rebuild.expected(keys, design.parameters, (VERDICT,))
     write_keys(obj, replace(keys, records={**keys.records, **judged}, valid=verdict.get("valid"),
-                            reasons=tuple(verdict.get("reasons", ()))))
+                            reasons=tuple(map(Finding.read, verdict.get("reasons", ())))))
     for name, value in old.items():
         if not properties.same(value, design.parameters.get(name)):
             properties.write_parameter(obj, name, value)
@@ -93,7 +94,8 @@ def _convert(obj: Any) -> None:
         project = live.stored(obj)
         records = {name: one.record for name, one in {**project.made(), **project.given()}.items()}
         source = solved.get("source", {})
-        write_keys(obj, Keys(records, judged.get("valid"), tuple(judged.get("reasons", ())),
+        reasons = tuple(map(Finding.read, judged.get("reasons", ())))
+        write_keys(obj, Keys(records, judged.get("valid"), reasons,
                              source.get("stamp", ""), bool(source.get("object")), solved.get("cuts", ""),
                              getattr(obj, "ResultsDigest", "")))
         if built and status.status_of(obj).state != status.OUT_OF_DATE:

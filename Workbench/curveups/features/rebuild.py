@@ -51,7 +51,7 @@ def take(obj: Any, results: Results) -> None:
     model = results["solids"].model
     if model is None:  # stopped, or known not to be possible
         for reason in (*results["bodies"].reasons(), *results["solids"].reasons()):
-            fail(obj, CurveUpsError(reason))
+            fail(obj, CurveUpsError(str(reason), finding=reason))
         return
     keys = Keys({name: results.made[name].record for name in GOALS},
                 reasons=tuple(results["figures"].reasons()))
@@ -63,7 +63,7 @@ def take(obj: Any, results: Results) -> None:
     write_keys(obj, keys, "RebuiltKeys")
     obj.Proxy.refresh(obj)
     for warning in results["bodies"].warnings():
-        FreeCAD.Console.PrintWarning(f"{obj.Label}: {warning['what']}\n")
+        FreeCAD.Console.PrintWarning(f"{obj.Label}: {warning}\n")
 
 
 def fail(obj: Any, error: CurveUpsError) -> None:

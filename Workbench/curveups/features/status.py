@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional
 
+from ..base.findings import Finding
 from ..base.parameters import parameter
 from ..project.keys import Record, changes
 from ..stages import BY_NAME, label_of
@@ -27,7 +28,7 @@ class Status:
 
     state: str
     verdict: str
-    reasons: tuple[str, ...]
+    reasons: tuple[Finding, ...]
     parts: Mapping[str, tuple[str, str]]
 
 
@@ -50,11 +51,11 @@ def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
     if not solved:
         lost = "what was said of the layout's making is damaged or gone" if getattr(
             obj, "Results", "") else "there is no layout yet"
-        state, verdict, reasons = EMPTY, VERDICTS[None], [f"{lost}: Solve makes it"]
+        state, verdict, reasons = EMPTY, VERDICTS[None], _said([f"{lost}: Solve makes it"])
     else:
         state, verdict, reasons = _judgement(obj, keys, values, layout, verification)
     if refused:
-        state, verdict, reasons = INVALID, VERDICTS[False], [refused]
+        state, verdict, reasons = INVALID, VERDICTS[False], _said([refused])
     parts = {
         "Target": _part(solved or (is_target(obj.Target) and obj.Target.Mesh.CountFacets > 0), target),
         "Cuts": _part(solved or bool(_edges(obj)), cuts),
@@ -62,7 +63,7 @@ def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
         "Verification": _part(keys.valid is not None, layout or verification),
         **{slot: _body(getattr(obj, slot), keys, values) for slot in ("Tiles", "Support", "Anchors")}}
     if parts["Verification"][0] == CURRENT and keys.valid is False:
-        parts["Verification"] = (INVALID, "; ".join(keys.reasons))
+        parts["Verification"] = (INVALID, "; ".join(map(str, keys.reasons)))
     if running:
         state = RUNNING
     return Status(state, verdict, tuple(reasons), parts)
@@ -105,21 +106,25 @@ def verdict_changes(keys: Keys, values: Mapping[str, Any]) -> list[str]:
 
 
 def _judgement(obj: Any, keys: Keys, values: Mapping[str, Any], layout: list[str],
-               verification: list[str]) -> tuple[str, str, list[str]]:
+               verification: list[str]) -> tuple[str, str, list[Finding]]:
     known = known_of_values(obj, keys, values)
     if known.failure:
-        return INVALID, VERDICTS[False], [known.failure]
+        return INVALID, VERDICTS[False], _said([known.failure])
     broken = list(known.reasons) if verification else []
     if layout:
-        return OUT_OF_DATE, OUT_OF_DATE, layout + broken
+        return OUT_OF_DATE, OUT_OF_DATE, _said(layout) + broken
     if broken:
         return INVALID, VERDICTS[False], broken
     if verification and keys.valid is not None:
-        return OUT_OF_DATE, OUT_OF_DATE, verification
+        return OUT_OF_DATE, OUT_OF_DATE, _said(verification)
     reasons = list(keys.reasons)
     if keys.valid is None and not reasons:
-        reasons = ["it was not verified: Verify judges it"]
+        reasons = _said(["it was not verified: Verify judges it"])
     return (INVALID if keys.valid is False else CURRENT), VERDICTS[keys.valid], reasons
+
+
+def _said(texts: list[str]) -> list[Finding]:
+    return [Finding.read(text) for text in texts]
 
 
 def _of_layout(names: Optional[tuple[str, ...]]) -> Optional[tuple[str, ...]]:

@@ -10,11 +10,12 @@ from __future__ import annotations
 import threading
 import time
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence
 
 from ..base.errors import CurveUpsError, Stopped
+from ..base.findings import Finding
 from ..base.native import native, translated
 from ..base.output import safe_name
 from ..stages import BY_NAME
@@ -51,7 +52,7 @@ class Results(Mapping[str, Any]):
     name: str             # of files
     parameters: Any
     made: Mapping[str, Made]
-    note: str = ""        # why there is no verdict, where none was asked for
+    note: Optional[Finding] = None  # why there is no verdict, where none was asked for
     stopped: bool = False
 
     def __getitem__(self, name: str) -> Any:
@@ -79,8 +80,8 @@ class Results(Mapping[str, Any]):
     def verdict(self) -> Verdict:
         return judge(self, self.note)
 
-    def warnings(self) -> list[dict]:
-        return [entry for result in self.values() for entry in result.warnings()]
+    def warnings(self) -> list[Finding]:
+        return [found for result in self.values() for found in result.warnings()]
 
     def pictures(self) -> list[Picture]:
         return [picture for result in self.values() for picture in result.pictures()]
@@ -141,6 +142,16 @@ class Project:
             twin._given = dict(self._given)
         return twin
 
+    def elsewhere(self, values: Mapping[str, Any], goals: Sequence[str], job: Job,
+                  known: Mapping[str, Made] = MappingProxyType({})) -> Results:
+        """What a copy makes with other values of some parameters. known: results besides its own."""
+        twin, parameters = self.copy(), self.parameters
+        for name, value in values.items():
+            parameters.set(name, value)
+        twin.parameters = parameters
+        twin._made.update(known)
+        return twin.run(goals, job)
+
     def forget_stopped(self) -> None:
         """Drops what was stopped before its end: asked for again, it is made anew."""
         with self._reading:
@@ -177,7 +188,7 @@ class Project:
         return changes(name, _records(known), parameters, self._given)
 
     def run(self, goals: Sequence[str], job: Optional[Job] = None, strict: bool = False,
-            note: str = "", watch: Optional[Callable[[str, Results], object]] = None,
+            note: Optional[Finding] = None, watch: Optional[Callable[[str, Results], object]] = None,
             expect: Optional[Callable[[Results], object]] = None) -> Results:
         """Makes the goals, each with what it needs, and returns all there is then. watch: told each goal as
         it is made, with all there is by then. expect: told, before a stage begins that knows what its result
@@ -190,7 +201,7 @@ class Project:
         with self._working:
             with self._reading:
                 run = _Run(self.name, self._parameters, dict(self._given), dict(self._made), self._store,
-                           self.where, job, strict, note, expect)
+                           self.where, job, strict, note, expect, self.elsewhere)
             try:
                 for goal in goals:
                     run.make(goal)
@@ -230,11 +241,11 @@ class _Run:
     """One run: what it made is its own until it ends."""
 
     def __init__(self, name: str, parameters: Any, given: dict[str, Made], made: dict[str, Made],
-                 store: Any, where: str, job: Job, strict: bool, note: str,
-                 expect: Optional[Callable[[Results], object]]):
+                 store: Any, where: str, job: Job, strict: bool, note: Optional[Finding],
+                 expect: Optional[Callable[[Results], object]], elsewhere: Callable[..., Results]):
         self.name, self.parameters, self.given, self.before = name, parameters, given, made
         self.store, self.where, self.job, self.strict = store, where, job, strict
-        self.note, self.expect = note, expect
+        self.note, self.expect, self.elsewhere = note, expect, elsewhere
         self.made: dict[str, Made] = dict(given)
         self.records: dict[str, Record] = dict(_records(given))
         self.lasting: dict[str, Made] = {}  # results that may be asked for again
@@ -256,7 +267,8 @@ class _Run:
 
     def _work(self, stage: Stage, key: Key) -> Made:
         inputs = Inputs(_decided(stage.reads, self.records, self.parameters),
-                        {name: self.made[name].result for name in stage.reads}, self.store, self.where)
+                        {name: self.made[name].result for name in stage.reads}, self.store, self.where,
+                        partial(self.elsewhere, known=self.made))
         start = time.perf_counter()
         try:
             with translated(self.where):

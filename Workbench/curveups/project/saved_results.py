@@ -14,7 +14,8 @@ import numpy as np
 
 from ..base.errors import CurveUpsError
 from ..base.native import native, translated
-from ..stages.stage import Value, digest
+from ..base.value import Value
+from ..stages.stage import digest
 from .project import Made
 
 FORMAT, VERSION = "curveups-results", 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Decides whether a design is valid. What a design must keep is judged by the native module alone, in words:
+"""Decides whether a design is valid. What a design must keep is judged by the native module alone:
 a design is valid that was verified and against which no result gives a reason."""
 
 from __future__ import annotations
@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional
 
+from ..base.findings import Finding, unique
 from ..stages import BY_NAME, VERDICT
 
 
@@ -15,25 +16,26 @@ class Verdict:
     """valid is None where the design could not be judged; the reasons say why in any case."""
 
     valid: Optional[bool] = None
-    reasons: tuple[str, ...] = ()
+    reasons: tuple[Finding, ...] = ()
 
     @property
     def word(self) -> str:
         return {True: "valid", False: "not valid", None: "not judged"}[self.valid]
 
 
-def judge(results: Mapping[str, Any], note: str = "") -> Verdict:
+def judge(results: Mapping[str, Any], note: Optional[Finding] = None) -> Verdict:
     """The verdict on the results of a run. note: why there is no verification."""
     reasons = [reason for result in results.values() for reason in result.reasons()]
     verification = results.get(VERDICT)
     if verification is not None and verification.reasons() and not verification.failure:
-        reasons += [sentence for result in results.values() for sentence in result.advice()]
+        reasons += [advice for result in results.values() for advice in result.advice()]
     if reasons:
-        return Verdict(False, tuple(dict.fromkeys(reasons)))  # several results may give the same one
+        return Verdict(False, unique(reasons))
     if verification is not None and verification.valid:
         # What was asked for besides and is not known, as the work was stopped.
-        open_questions = [result.note for name, result in results.items()
-                          if name in BY_NAME and BY_NAME[name].judges and result.note]
+        notes = [getattr(result, "note", None) for name, result in results.items()
+                 if name in BY_NAME and BY_NAME[name].judges]
+        open_questions = [note for note in notes if note]
         return Verdict(None, tuple(open_questions)) if open_questions else Verdict(True)
     note = verification.note if verification is not None else note
     return Verdict(None, (note,) if note else ())

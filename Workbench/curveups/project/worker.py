@@ -17,6 +17,7 @@ from typing import Any, Callable, Optional, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped
+from ..base.findings import Finding
 from ..base.native import native, translated
 from ..stages.stage import Job
 from .project import Project
@@ -121,7 +122,8 @@ class Worker:
         """Whether there is work whose end has not been told yet."""
         return self._current is not None
 
-    def start(self, project: Project, goals: Sequence[str], on_done: OnDone, note: str = "") -> None:
+    def start(self, project: Project, goals: Sequence[str], on_done: OnDone,
+              note: Optional[Finding] = None) -> None:
         """Makes the goals on a copy of the project, so that cancelling leaves nothing behind. on_done gets
         the Results as outcome's value: `stopped` says whether they are the best so far."""
         twin = project.copy()

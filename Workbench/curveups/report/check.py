@@ -3,14 +3,15 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Any
 
 import numpy as np
 
-from ..base.errors import tile_list, tile_name
+from ..base.errors import tile_name
+from ..base.findings import Finding
 from ..project.project import Results
+from ..stages.advice import of_check
 from ..stages.feasibility import SAG, TOO_NARROW, TOO_SLACK, Feasibility
-from ..stages.sizes import Recommendation
 from . import html, tables
 
 FORMAT, VERSION = "curveups-check", 1
@@ -33,7 +34,7 @@ def build_check(results: Results) -> dict[str, Any]:
                       "interface": float(share)}
                      for pair, fold, room, share in zip(found.contacts.tolist(), found.fold, found.fold_room,
                                                         found.interface_share)],
-        "blocked": [{"tile": one.tile, "why": one.why, "obstacle": one.obstacle, "certain": one.certain}
+        "blocked": [{"tile": one.tile, "why": str(one.why), "obstacle": one.obstacle, "certain": one.certain}
                     for one in found.blocked],
         "trimmed": found.trimmed.tolist(), "overlapping": found.overlapping.tolist(),
         "pins_meeting": found.meeting.tolist(),
@@ -47,16 +48,13 @@ def build_check(results: Results) -> dict[str, Any]:
     }
 
 
-def verdict(found: Feasibility) -> str:
-    """One sentence."""
-    if found.feasible:
-        return "nothing is in the way of any tile"
+def verdict(found: Feasibility) -> list[Finding]:
+    """What is in the way."""
     sure = sorted({one.tile for one in found.blocked if one.certain})
     likely = sorted({one.tile for one in found.blocked} - set(sure))
-    said = [f"{len(sure)} of {len(found.F)} tiles can't be made ({tile_list(sure)})"] if sure else []
-    if likely:
-        said.append(f"{len(likely)} tiles are likely to fail ({tile_list(likely)})")
-    return ", ".join(said)
+    said = [Finding.about(kind, tiles, at=tuple(tiles), count=len(tiles), of=len(found.F))
+            for kind, tiles in (("check.blocked", sure), ("check.likely", likely)) if tiles]
+    return said or [Finding("check.clear")]
 
 
 def rows(results: Results) -> list[Row]:
@@ -70,11 +68,10 @@ def rows(results: Results) -> list[Row]:
              _row("back face / front face", found.back_scale, "0", short["fold"])]
     for side, name in enumerate(("front", "back")):
         table.append(_row(f"pin room {name}, mm2 over A_pin_min", found.pin_room[:, side], f"{floor:g}",
-                          sum(1 for one in found.blocked if one.obstacle == "pin" and name in one.why)))
+                          sum(one.is_at("pin", name) for one in found.blocked)))
     for side, name in enumerate(("front", "back")):
         table.append(_row(f"room of the {name} membrane, mm", found.membrane_room[:, side],
-                          f"{SAG * height:g} *", sum(1 for one in found.blocked if one.obstacle == "membrane"
-                                                     and name in one.why)))
+                          f"{SAG * height:g} *", sum(one.is_at("membrane", name) for one in found.blocked)))
     with np.errstate(divide="ignore", invalid="ignore"):  # where not even the smallest pins hold a membrane
         low, high = (found.stretch[:, None] / found.stretch_range).T
     table.append(_row("stretch / least that leaves gaps", low, f"{TOO_NARROW:g} *", short["stretch"]))
@@ -92,41 +89,14 @@ def _row(what: str, values: np.ndarray, wanted: str, short: int, most: bool = Fa
     return what, f"{values[worst]:.3g}", tile_name(worst), wanted, str(short)
 
 
-def advice(results: Results) -> list[str]:
-    """Sentences on sizes that would do, and on mending."""
-    get, sizes, moved = results.parameters.get, results["sizes"], results["feasibility"].mending
-    mended = [] if moved is None else [f"with mend=on, which moves vertices by up to {moved:.2g} mm, "
-                                       "these sizes do"]
-    return [*length_words(sizes, get("L"), get("H_body")), *thickness_words(sizes, get("L")),
-            *pin_words(sizes, get("L"), get("H_body")), *words_together(sizes, get("L")), *mended]
+def advice(results: Results) -> list[Finding]:
+    """On sizes that would do, and on mending."""
+    get = results.parameters.get
+    return list(of_check(results["sizes"], get("L"), get("H_body"), results["feasibility"].mending))
 
 
-def length_words(sizes: Recommendation, L: float, H_body: float) -> Sequence[str]:
-    if sizes.L is None:
-        none = any(one[1] == H_body and not one[-1] for one in sizes.tried)
-        return (f"no L that was tried does with H_body = {H_body:g} mm",) if none else ()
-    return (f"with H_body = {H_body:g} mm, L from {sizes.L[0]:g} to {sizes.L[1]:g} mm does",)
-
-
-def thickness_words(sizes: Recommendation, L: float) -> Sequence[str]:
-    if sizes.H_body is None:
-        return (f"with L = {L:.4g} mm, no H_body does",)
-    more = " and more" if sizes.H_body >= sizes.thickest else ""
-    return (f"with L = {L:.4g} mm, H_body up to {sizes.H_body:g} mm{more} does",)
-
-
-def pin_words(sizes: Recommendation, L: float, H_body: float) -> Sequence[str]:
-    both = f"with L = {L:.4g} mm and H_body = {H_body:g} mm"
-    if sizes.H_pin is None:
-        return (f"{both}, no H_pin that was tried does",)
-    return (f"{both}, H_pin {'down to' if sizes.as_set else '='} {sizes.H_pin:g} mm does",)
-
-
-def words_together(sizes: Recommendation, L: float) -> Sequence[str]:
-    if sizes.together is None:
-        return ()
-    return (f"with L = {L:.4g} mm, H_body = {sizes.together[0]:g} mm and H_pin = {sizes.together[1]:g} mm "
-            "together do",)
+def _said(results: Results) -> list[str]:
+    return [", ".join(map(str, verdict(results["feasibility"]))), *map(str, advice(results))]
 
 
 HEAD = ("", "worst", "tile", "wanted", "tiles short")
@@ -139,14 +109,14 @@ def table(results: Results) -> list[str]:
     lines = [f"{results.name}: {len(found.F)} tiles, L = {get('L'):.4g} mm, H_body = {get('H_body'):g} mm"]
     for what, value, tile, wanted, short in (HEAD, *rows(results)):
         lines.append(f"  {what:<36}{value:>9}  {tile:<8}{wanted:>7}  {short:>11}")
-    return [*lines, f"  {NOTE}", verdict(found), *advice(results)]
+    return [*lines, f"  {NOTE}", *_said(results)]
 
 
 def build_page(results: Results) -> str:
     """check.html."""
     found = results["feasibility"]
     kind, word = ("valid", "Feasible") if found.feasible else ("invalid", "Not feasible")
-    said = "".join(f"<li>{html.escape(line)}</li>" for line in (verdict(found), *advice(results)))
+    said = "".join(f"<li>{html.escape(line)}</li>" for line in _said(results))
     shown, note = html.pictures_or_note(
         lambda: [html.view("blocked", V=found.V, F=found.F, marks=_marks(found))])
     parts = [f"<h1>{html.escape(results.title)}</h1>",
@@ -156,7 +126,7 @@ def build_page(results: Results) -> str:
              "<h2>Margins</h2>", tables.table(rows(results), HEAD), f'<p class="note">{NOTE}</p>']
     if found.blocked:
         parts += ["<h2>Obstacles</h2>",
-                  tables.table([(tile_name(one.tile), one.why, "certain" if one.certain else "estimate")
+                  tables.table([(tile_name(one.tile), str(one.why), "certain" if one.certain else "estimate")
                                 for one in found.blocked[:_MOST_LISTED]], ("Tile", "Why", ""))]
         if len(found.blocked) > _MOST_LISTED:
             parts.append(f'<p class="note">and {len(found.blocked) - _MOST_LISTED} more, in check.json</p>')

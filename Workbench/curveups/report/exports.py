@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, ClassVar, Iterable, Optional, Sequence
 
 from ..base.errors import CurveUpsError, Stopped
+from ..base.findings import Finding
 from ..base.native import native, translated
 from ..base.output import Folder, safe_name
 from ..project.project import Made, Project, Results
@@ -31,7 +32,7 @@ class Choice:
     mask: str = "{name}-{body}"
     deviation: Optional[float] = None
     reports: bool = True
-    doubts: tuple[str, ...] = ()
+    doubts: tuple[Finding, ...] = ()
     insist: bool = False
 
 
@@ -40,15 +41,15 @@ class Doubt(Result):
     """Why files that were insisted on should not be printed."""
 
     lasting: ClassVar[bool] = False
-    found: tuple[str, ...] = field(default=())
+    found: tuple[Finding, ...] = field(default=())
 
-    def reasons(self) -> Sequence[str]:
+    def reasons(self) -> Sequence[Finding]:
         return self.found
 
 
 def choices() -> list[File]:
     """All files that there are."""
-    return [(kind, ending) for ending, kinds in native.print_formats() for kind in kinds]
+    return [(kind, one.ending) for one in native.print_formats() for kind in one.kinds]
 
 
 def file_names(name: str, choice: Choice) -> dict[File, str]:
@@ -79,14 +80,14 @@ def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Fo
     """Writes the chosen files and the reports. Raises CurveUpsError where the design is doubtful and not
     insisted on, Stopped where it was stopped; then no file is half-written."""
     if choice.doubts and not choice.insist:
-        raise CurveUpsError(choice.doubts[0], project.where, "mend that, or insist on the files")
+        raise _doubtful(choice.doubts[0], project)
     if not choice.files:
         raise CurveUpsError("no file is chosen", project.where, "choose a body and a format")
     names = file_names(project.name, choice)
     results = _printed(project, choice, job)
     broken = [reason for stage in asked_by("print") for reason in results[stage].reasons()]
     if broken and not choice.insist:
-        raise CurveUpsError(broken[0], project.where, "mend that, or insist on the files")
+        raise _doubtful(broken[0], project)
     place = Folder(folder)
     with translated(project.where):
         place.write_text(f"{safe_name(project.name)}-design.json", native.write_design(results.design))
@@ -110,15 +111,15 @@ def other_report(folder: Path, name: str) -> str:
     return found if isinstance(found, str) and found != safe_name(name) else ""
 
 
-def report(project: Project, folder: Path, doubts: Iterable[str], job: Job) -> Path:
+def report(project: Project, folder: Path, doubts: Iterable[Finding], job: Job) -> Path:
     """Writes report.html and report.json of all that is current; the page."""
-    results = project.run(_current(project, asked_by("solve")), job, note="the design was not verified")
+    results = project.run(_current(project, asked_by("solve")), job, note=Finding("unverified"))
     place = Folder(folder)
     write_reports(_with(results, tuple(doubts)), place)
     return place.path / "report.html"
 
 
-def write_step(project: Project, path: str, doubts: tuple[str, ...], job: Optional[Job] = None) -> None:
+def write_step(project: Project, path: str, doubts: tuple[Finding, ...], job: Optional[Job] = None) -> None:
     """The whole print as a STEP file with named and coloured bodies."""
     job = job or Job()
     results = _printed(project, Choice((), doubts=doubts), job)
@@ -126,9 +127,13 @@ def write_step(project: Project, path: str, doubts: tuple[str, ...], job: Option
         results["solids"].model.write("step", "print", path, job)
 
 
-def titled(design: Any, doubts: Sequence[str]) -> Any:
+def titled(design: Any, doubts: Sequence[Finding]) -> Any:
     """The design under the title that files carry inside: one that should not be printed says so first."""
     return design.with_name(f"NOT VALID {design.name}") if doubts else design
+
+
+def _doubtful(why: Finding, project: Project) -> CurveUpsError:
+    return CurveUpsError(str(why), project.where, "mend that, or insist on the files", finding=why)
 
 
 def _printed(project: Project, choice: Choice, job: Job) -> Results:
@@ -143,7 +148,7 @@ def _printed(project: Project, choice: Choice, job: Job) -> Results:
     twin = Project(design.name, parameters, {"design": FinishedDesign(design, None, finished.unsettled)},
                    project.where, known)
     goals = (*_current(twin, asked_by("verify")), *asked_by("print"))
-    results = twin.run(goals, job, strict=True, note="an export does not verify")
+    results = twin.run(goals, job, strict=True, note=Finding("unverified.export"))
     if job.stopped:
         raise Stopped
     return replace(results, name=safe_name(project.name))
@@ -154,7 +159,7 @@ def _current(project: Project, names: Iterable[str]) -> tuple[str, ...]:
     return ("figures", *(name for name in names if project.out_of_date(name) == ()))
 
 
-def _with(results: Results, doubts: tuple[str, ...]) -> Results:
+def _with(results: Results, doubts: tuple[Finding, ...]) -> Results:
     return replace(results, made={**results.made, "doubt": Made(Doubt(doubts))}) if doubts else results
 
 

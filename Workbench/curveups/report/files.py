@@ -184,14 +184,14 @@ class Writing:
         """A kind of which there are no bodies (anchors switched off) has no file. What is sent to the printer
         comes first."""
         model: Any = solids.model
-        for ending, kinds in sorted(native.print_formats(), key=lambda found: found[0] != "3mf"):
-            for kind in kinds:
+        for one in sorted(native.print_formats(), key=lambda found: found.ending != "3mf"):
+            for kind in one.kinds:
                 if kind in (*solids.kinds, "print", "actuated"):
-                    file = _print_name(name, kind, ending)
+                    file = _print_name(name, kind, one.ending)
                     self._doing = f"writing {file}"
                     # Asks for nothing but a stop: what is shown meanwhile is the checks' progress.
                     _write(self._folder, file, self._job,
-                           lambda path: model.write(ending, kind, path, lambda *_: not self._job.stopped))
+                           lambda path: model.write(one.ending, kind, path, lambda *_: not self._job.stopped))
 
     def _prepare_document(self, results: Results, folder: Folder) -> tuple[Prepared, dict[str, str]]:
         """The document under its temporary name, and versions of software."""
@@ -235,7 +235,7 @@ def write_check(results: Results, path: Path) -> None:
 def _earlier(results: Results, path: Path) -> list[str]:
     """The files that a run under this name may have left, but for the cuts that this one was given."""
     name = results.name
-    made = [_print_name(name, kind, ending) for ending, kinds in native.print_formats() for kind in kinds]
+    made = [_print_name(name, kind, one.ending) for one in native.print_formats() for kind in one.kinds]
     request = results.get("cut request")
     given = Path(request.where) if request is not None and request.where else None
     cuts = path / _cuts_name(name)

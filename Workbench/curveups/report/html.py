@@ -9,6 +9,7 @@ from html import escape
 from typing import Any, Callable, Iterable, Iterator, Optional, Sequence
 
 from ..base.errors import tile_list, tile_name
+from ..base.native import native
 from ..base.parameters import table as parameter_table
 from ..project.project import Results
 from ..stages.solids import fits_bed, overhangs, read_printer
@@ -147,9 +148,9 @@ def picture(png: bytes, caption: str) -> str:
 def _quote(report: dict, parameters: Any) -> str:
     block, get, name = report["print"], parameters.get, report["name"]
     x, y, z = block["bbox_mm"]
-    bridged = get("support") == "breakaway"  # of the tiles' own material: nothing dissolves
-    bridges = block["support_volume_cm3"] if bridged else 0.0
-    rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"] + bridges
+    support = native.support_kind(parameters)
+    own = 0.0 if support.soluble else block["support_volume_cm3"]  # of the tiles' own material
+    rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"] + own
     printer = read_printer(get("printer"))
     bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
     moduli = {get("shear_modulus_front"), get("shear_modulus_back")}
@@ -167,9 +168,9 @@ def _quote(report: dict, parameters: Any) -> str:
         ("Rigid material", f"{rigid:.1f} cm³, {rigid * get('density'):.0f} g at "
                            f"{get('density'):g} g/cm³ (tiles {block['tile_volume_cm3']:.1f} cm³, anchors "
                            f"{block['anchor_volume_cm3']:.1f} cm³"
-                           + (f", bridges {bridges:.1f} cm³)" if bridged else ")")),
-        ("Support material", f"{block['support_volume_cm3'] - bridges:.1f} cm³"
-         + (" (soluble)" if get("support") == "soluble" else "")
+                           + (f", {support.bodies} {own:.1f} cm³)" if own else ")")),
+        ("Support material", f"{block['support_volume_cm3'] - own:.1f} cm³"
+         + (" (soluble)" if support.soluble else "")
          + ("; the slicer's supports under tiles that reach out come on top"
             if overhangs(block["overhang_mm"], parameters, printer) else "")),
         ("Smallest feature", f"{block['smallest_feature_mm']:.3g} mm; the printer makes "
@@ -196,8 +197,7 @@ def _assembly(report: dict, parameters: Any) -> str:
     second = "back" if first == "front" else "front"
     on_bed = "back" if get("orientation") == "front-up" else "front"
     level = f"the slab lies level with the pins ({glue[f'{second}_support_mm2']:.0f} mm²)"
-    away = {"soluble": "dissolve the slab and let the tiles dry",
-            "breakaway": f"break the bridges from the {second}", "none": ""}[get("support")]
+    away = native.support_kind(parameters).removal.format(second=second)
     before = ""
     if overhangs(block["overhang_mm"], parameters, read_printer(get("printer"))):
         level = "the slicer's supports lie level with the pins"

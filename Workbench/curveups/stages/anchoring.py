@@ -13,6 +13,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Any, Mapping, Sequence
 
+from ..base.findings import Finding
 from .stage import Inputs, Job, Result, Stage
 
 SIDES = ("front", "back")
@@ -28,14 +29,11 @@ class Anchoring(Result):
     def report(self) -> dict[str, Any]:
         return {"anchors": dict(self.block)} if self.block else {}
 
-    def warnings(self) -> Sequence[dict]:
+    def warnings(self) -> Sequence[Finding]:
         worst = max(self.block.get("glue_shear_mpa", (0.0,)))
         if worst <= self.strength:
             return ()
-        return ({"what": f"the surplus membrane pulls with {max(self.block['pull_n']):.3g} N at an anchor, "
-                         f"whose glue then carries {worst:.3g} MPa of shear, more than glue_strength "
-                         f"({self.strength:g} MPa): raise anchor_radius or lower anchor_spacing",
-                 "kind": "anchor", "tiles": []},)
+        return (Finding.about("anchor", pull=max(self.block["pull_n"]), shear=worst, limit=self.strength),)
 
 
 def surplus_tension(modulus: float, thickness: float, tau: float) -> float:

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from typing import Any, Optional, Sequence
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding, all_of, failed
 from ..base.native import native, translated
-from .stage import Inputs, Job, Result, Stage, advice_of
+from .stage import Inputs, Job, Result, Stage
 
 
 @dataclass(frozen=True)
@@ -19,8 +20,8 @@ class Clearances(Result):
 
     flat_mm: Optional[float] = None        # least distance of two tiles; infinite with one tile
     overlap_mm3: Optional[float] = None    # largest volume that two share when actuated
-    broken: tuple[str, ...] = ()           # reasons
-    note: str = ""                         # why this is not known
+    broken: tuple[Finding, ...] = ()       # reasons
+    note: Optional[Finding] = None         # why this is not known
 
     def report(self) -> dict[str, Any]:
         if self.flat_mm is None:
@@ -28,7 +29,7 @@ class Clearances(Result):
         return {"clearances": {"min_flat_mm": self.flat_mm if math.isfinite(self.flat_mm) else None,
                                "max_overlap_actuated_mm3": self.overlap_mm3}}
 
-    def reasons(self) -> Sequence[str]:
+    def reasons(self) -> Sequence[Finding]:
         return self.broken
 
 
@@ -39,10 +40,10 @@ def _run(inputs: Inputs, job: Job) -> Clearances:
             flat, overlap, reasons = native.measure_clearances(design, job)
     except CurveUpsError as error:
         # Tiles that can't be made are no input that can't be read: the verdict says it.
-        return Clearances(broken=(f"the print can't be made: {advice_of(error)}",))
-    return Clearances(flat, overlap, tuple(reasons))
+        return Clearances(broken=(failed("unprintable", error),))
+    return Clearances(flat, overlap, all_of(reasons))
 
 
 STAGE = Stage("clearances", ("design",), frozenset({"tiles", "bodies"}), _run,
-              on_stop=lambda stage, inputs: Clearances(note=f"stopped during {stage}"),
+              on_stop=lambda stage, inputs: Clearances(note=Finding.about("stopped", stage=stage)),
               label="Clearances", asked_by=("solve", "verify"), judges=True)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..base.findings import settle
 from ..base.native import native
-from .findings import settle, tiles_place
 from .sizes import with_advice
 from .stage import Inputs, Job, Result, Stage, digest
 
@@ -29,8 +29,8 @@ def _run(inputs: Inputs, job: Job) -> Cuts:
     edges = inputs["division"].edges
     errors = [one for one in native.check_target(V, F, edges, inputs.parameters) if one.is_error]
     with with_advice(inputs, inputs["cut request"], job):
-        settle([error for error in errors if error.kind != "joint"], inputs.where, tiles_place)
-    settle(errors, inputs.where, tiles_place)  # other sizes are tried without stitching holes
+        settle([error for error in errors if not error.kind.startswith("joint.")], inputs.where)
+    settle(errors, inputs.where)  # other sizes are tried without stitching holes
     return Cuts(edges)
 
 

@@ -6,7 +6,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional, Sequence
 
-from ..base.errors import tile_name
+import numpy as np
+
+from ..base.findings import Finding, all_of
 from ..base.native import native
 from ..base.parameters import table
 from .stage import Inputs, Picture, Result, Stage, digest
@@ -24,7 +26,7 @@ class FinishedDesign(Result):
 
     design: Any                          # native Design
     verification: Optional[Result] = None  # of this very design, where there is one already
-    unsettled: str = ""                  # of its layout
+    unsettled: Optional[Finding] = None  # of its layout
 
     @property
     def content(self) -> str:
@@ -63,8 +65,8 @@ class Figures(Result):
     small_pins: tuple[tuple[int, str, float], ...]  # tile, side, mm2: from A_pin_floor to A_pin_min
     pins_below_floor: tuple[int, ...]  # tiles
     hinges: tuple[int, ...]
-    broken: tuple[str, ...]  # reasons
-    unsettled: str
+    broken: tuple[Finding, ...]  # reasons
+    unsettled: Optional[Finding]
     relaxed: tuple[dict[str, Any], ...] = ()  # bounds that gave way, as in report.json
     shortened: tuple[tuple[int, int], ...] = ()  # tiles parted at the cost of an interface
     flat_gap: tuple[float, float] = (0.0, 0.0)  # what bumps leave of d_gap_min, and that, mm
@@ -72,44 +74,33 @@ class Figures(Result):
     def report(self) -> dict[str, Any]:
         return {"tiles": self.tiles, "cuts": self.cuts, **self.figures, "relaxed": list(self.relaxed)}
 
-    def reasons(self) -> Sequence[str]:
+    def reasons(self) -> Sequence[Finding]:
         return (*self.broken, self.unsettled) if self.broken and self.unsettled else self.broken
 
-    def warnings(self) -> Sequence[dict]:
-        found: list[dict] = []
+    def warnings(self) -> Sequence[Finding]:
+        found: list[Finding] = []
         if self.unsettled and not self.broken:  # nothing but the layout's quality is in doubt
-            found.append({"what": f"{self.unsettled}; all constraints hold", "kind": "layout", "tiles": []})
-        found += [{"what": f"the {side} pin has {area:.3g} mm2, less than A_pin_min", "kind": "small_pin",
-                   "tiles": [tile], "area_mm2": area, "side": side}
+            found.append(Finding("layout", (), self.unsettled.figures))
+        found += [Finding.about("small_pin.side", [tile], side=side, area_mm2=area)
                   for tile, side, area in self.small_pins]
         for what in sorted({bound["what"] for bound in self.relaxed}):
             found.append(_relaxed_warning(what, [bound for bound in self.relaxed if bound["what"] == what]))
         left, asked = self.flat_gap
         if left < asked:
-            found.append({"what": "bumps stand into the gap between flat tiles, as walls are not recessed "
-                                  f"for their height: {left:.3g} of {asked:.3g} mm (d_gap_min) are left",
-                          "kind": "flat_gap", "tiles": []})
+            found.append(Finding.about("flat_gap", left=left, asked=asked))
         if self.shortened:
-            names = ", ".join(f"{tile_name(a)}-{tile_name(b)}" for a, b in self.shortened[:6])
-            found.append({"what": f"{len(self.shortened)} pairs of tiles without a common corner would "
-                                  f"overlap when actuated; interfaces were shortened to part them: {names}",
-                          "kind": "shortened",
-                          "tiles": sorted({tile for pair in self.shortened for tile in pair})})
+            found.append(Finding.about("shortened", np.ravel(self.shortened), count=len(self.shortened),
+                                       pairs=self.shortened))
         if self.hinges:
-            found.append({"what": f"{len(self.hinges)} contacts are only a hinge: nothing but the front "
-                                  "edge touches",
-                          "kind": "hinge", "tiles": [], "contacts": list(self.hinges)})
+            found.append(Finding.about("hinge.design", count=len(self.hinges), contacts=self.hinges))
         return found
 
 
-def _relaxed_warning(what: str, bounds: Sequence[dict[str, Any]]) -> dict[str, Any]:
+def _relaxed_warning(what: str, bounds: Sequence[dict[str, Any]]) -> Finding:
     """What is said of bounds of one kind that gave way: the farthest of them in words, all by their tiles."""
     worst = max(bounds, key=lambda bound: abs(bound["to"] - bound["from"]))
-    why = ("folds leave their pins no room" if what == "p_min"
-           else "folds ask for less than pins that face one another leave")
-    return {"what": f"{what} gives way on {len(bounds)} edges of pins, where {why}: from {worst['from']:.3g} "
-                    f"to {worst['to']:.3g} mm at the {worst['side']} of {tile_name(worst['tile'])}",
-            "kind": "relaxed", "tiles": sorted({bound["tile"] for bound in bounds})}
+    return Finding.about(f"relaxed.{what}", {bound["tile"] for bound in bounds}, count=len(bounds),
+                         before=worst["from"], after=worst["to"], side=worst["side"], tile=(worst["tile"],))
 
 
 def _evaluate(inputs: Inputs) -> Figures:
@@ -135,7 +126,7 @@ def _evaluate(inputs: Inputs) -> Figures:
     small = tuple(pin for pin in constraints.small_pins if pin[2] >= floor)
     below = tuple(int(pin[0]) for pin in constraints.small_pins if pin[2] < floor)
     return Figures(len(design.F), len(design.cuts), blocks, small, below,
-                   tuple(int(k) for k in found.hinges), tuple(found.reasons), finished.unsettled,
+                   tuple(int(k) for k in found.hinges), all_of(found.reasons), finished.unsettled,
                    tuple(constraints.relaxed), tuple((int(a), int(b)) for a, b in found.shortened),
                    (found.flat_clearance_mm, inputs.parameters.get("d_gap_min")))
 

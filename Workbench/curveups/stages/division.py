@@ -14,6 +14,7 @@ from typing import Any, Optional, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding
 from ..base.native import native, translated
 from .cut_request import CutRequest, resolve_cuts
 from .feasibility import too_stretched
@@ -32,13 +33,13 @@ class Division(Result):
     given: np.ndarray
     piece: np.ndarray
     asked: str = "1"
-    found: tuple[dict, ...] = ()   # warnings
+    found: tuple[Finding, ...] = ()   # warnings
 
     @property
     def content(self) -> str:
         return digest(self.edges, self.given)
 
-    def warnings(self) -> Sequence[dict]:
+    def warnings(self) -> Sequence[Finding]:
         return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -72,8 +73,7 @@ def _divide(given: np.ndarray, V: np.ndarray, F: np.ndarray, parameters: Any, jo
         raise CurveUpsError(f"no division into up to {MOST_TRIED} pieces lies flat", "pieces=auto",
                             "set pieces to a number, or cut the target (--cuts)")
     if least > 0:
-        return _warned(best, f"no division into up to {MOST_TRIED} pieces has as little stretch as membranes "
-                             f"bear; the best has {_count(best)}", "set pieces to a number, or raise L")
+        return _warned(best, "pieces.stretched", most=MOST_TRIED, count=_count(best))
     return best
 
 
@@ -86,12 +86,11 @@ def _divided(given: np.ndarray, V: np.ndarray, F: np.ndarray, count: int, asked:
                         np.asarray(made.piece, np.int32), asked)
     if _count(division) == count or asked == "auto":
         return division
-    return _warned(division, f"the target is in {_count(division)} pieces, {count} are asked for",
-                   "parts that it has already and cuts that are given count as well")
+    return _warned(division, "pieces", count=_count(division), asked=count)
 
 
-def _warned(division: Division, what: str, remedy: str) -> Division:
-    return replace(division, found=({"what": what, "kind": "pieces", "remedy": remedy, "tiles": []},))
+def _warned(division: Division, kind: str, **figures: Any) -> Division:
+    return replace(division, found=(Finding.about(kind, **figures),))
 
 
 def _count(division: Division) -> int:

@@ -9,6 +9,7 @@ from typing import Any, Optional, Sequence
 import numpy as np
 
 from ..base.errors import tile_list
+from ..base.findings import Finding
 from ..base.native import native
 from .cut_request import mesh_edges
 from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
@@ -24,7 +25,7 @@ class Fairing(Result):
     V: np.ndarray
     asked: bool = False                   # whether mending was
     block: Optional[dict] = None          # of report.json, where mending was asked for
-    found: tuple[dict, ...] = ()          # warnings
+    found: tuple[Finding, ...] = ()       # warnings
     F: Optional[np.ndarray] = None        # M x 3, where anything is to be shown of it
     distance: Optional[np.ndarray] = None  # N, mm, of the vertices from what was given
 
@@ -35,7 +36,7 @@ class Fairing(Result):
     def report(self) -> dict[str, Any]:
         return {} if self.block is None else {"mending": self.block}
 
-    def warnings(self) -> Sequence[dict]:
+    def warnings(self) -> Sequence[Finding]:
         return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -87,12 +88,10 @@ def _border(F: np.ndarray) -> np.ndarray:
     return np.unique(pairs[faces == 1])
 
 
-def _remaining(tiles: list[int], F: np.ndarray, parameters: Any) -> dict[str, Any]:
-    remedy = f"set mend_max above {parameters.get('mend_max'):g}, or another L or H_body"
-    if not parameters.get("mend_border") and np.isin(F[tiles], _border(F)).any():
-        remedy = f"set mend_border=on, as some are at the border; or {remedy}"
-    return {"what": "mending left these tiles with too little room for pins or under membranes",
-            "kind": "mending", "remedy": remedy, "tiles": tiles}
+def _remaining(tiles: list[int], F: np.ndarray, parameters: Any) -> Finding:
+    at_border = not parameters.get("mend_border") and np.isin(F[tiles], _border(F)).any()
+    return Finding.about("mending.border" if at_border else "mending.remaining", tiles,
+                         most=parameters.get("mend_max"))
 
 
 STAGE = Stage("fairing", ("target",), frozenset({"target", "tiles"}), _run,

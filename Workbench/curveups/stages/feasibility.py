@@ -15,15 +15,14 @@ from typing import Any, Iterator, Optional
 
 import numpy as np
 
-from ..base.errors import tile_name
+from ..base.findings import Finding
 from ..base.native import native
+from ..base.value import Value
 from .fairing import fair
 from .relief import make_room
-from .stage import Inputs, Job, Result, Stage, Value, digest
+from .stage import Inputs, Job, Result, Stage, digest
 
 _SIDES = ("front", "back")
-NO_BACK = "no back face: its folds are too sharp for tiles of this thickness"
-CLOSED = "its piece has no flat map: closed surfaces and handles have to be cut open first"
 # Estimates. A membrane sags: it passes this part of H_pin below the tops of the pins around a corner.
 SAG = 0.3
 # Layouts differ from their conformal map: they even out tiles so far beyond the range of stretch, and bear
@@ -33,12 +32,23 @@ TOO_SLACK, TOO_NARROW, SHARE = 1.2, 0.7, 0.05
 
 @dataclass(frozen=True)
 class Obstacle(Value):
-    """Why a tile can't be made: one of a few words, and a sentence; not `certain`: by an estimate."""
+    """Why a tile can't be made; not `certain`: by an estimate."""
 
-    tile: int
-    obstacle: str  # "fold", "pin", "overlap", "closed", "membrane", "stretch"
-    why: str
+    why: Finding
     certain: bool = True
+
+    @property
+    def tile(self) -> int:
+        return self.why.tiles[0]
+
+    @property
+    def obstacle(self) -> str:
+        """"fold", "pin", "overlap", "closed", "membrane", "stretch"."""
+        return self.why.group
+
+    def is_at(self, obstacle: str, side: str) -> bool:
+        """Whether it is this one, on this side."""
+        return self.obstacle == obstacle and self.why.figures.get("side") == side
 
 
 @dataclass(frozen=True)
@@ -138,10 +148,10 @@ def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, r
     meeting = _meeting(V, F, edges, parameters, overlapping) if margins.shaped else overlapping
     room = np.asarray(margins.membrane_room) if margins.shaped else np.full((count, 2), np.nan)
     ranges = np.stack([maps["least_stretch"], maps["most_stretch"]], axis=1)
-    blocked = [Obstacle(int(tile), "fold", NO_BACK) for tile in np.flatnonzero(margins.back_scale < 1e-3)]
+    blocked = [_obstacle("fold", tile) for tile in np.flatnonzero(margins.back_scale < 1e-3)]
     blocked += [*_without_pins(pin_area, parameters.get("A_pin_floor")), *_overlapping(overlapping),
                 *_facing(meeting)]
-    blocked += [Obstacle(int(tile), "closed", CLOSED) for tile in np.flatnonzero(np.isnan(stretch))]
+    blocked += [_obstacle("closed.tile", tile) for tile in np.flatnonzero(np.isnan(stretch))]
     blocked += [*_cut_by_membranes(room, SAG * parameters.get("H_pin")), *_badly_stretched(stretch, ranges)]
     return Feasibility(
         V, F, float(native.mean_edge_length(V, F)), tuple(sorted(blocked, key=lambda one: one.tile)),
@@ -150,18 +160,20 @@ def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, r
         np.array(margins.trimmed, np.int32).reshape(-1, 2), overlapping, meeting, relieved)
 
 
+def _obstacle(kind: str, tile: int, certain: bool = True, **figures: Any) -> Obstacle:
+    return Obstacle(Finding.about(kind, [tile], **figures), certain)
+
+
 def _without_pins(area: np.ndarray, floor: float) -> Iterator[Obstacle]:
     with np.errstate(invalid="ignore"):
         small = np.argwhere((area < floor) | (area <= 0))
     for tile, side in small:
-        yield Obstacle(int(tile), "pin", f"its {_SIDES[side]} pin has room for {area[tile, side]:.3g} mm2, "
-                                         f"less than A_pin_floor ({floor:g})")
+        yield _obstacle("pin", tile, side=_SIDES[side], area=float(area[tile, side]), least=floor)
 
 
 def _overlapping(pairs: np.ndarray) -> Iterator[Obstacle]:
     for a, b in (*pairs, *pairs[:, ::-1]):
-        yield Obstacle(int(a), "overlap", f"it runs through {tile_name(int(b))}, another part of the target, "
-                                          "and no plane parts them")
+        yield _obstacle("overlap.bodies", a, other=(int(b),))
 
 
 def _meeting(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, others: np.ndarray
@@ -174,17 +186,15 @@ def _meeting(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, o
 
 def _facing(pairs: np.ndarray) -> Iterator[Obstacle]:
     for a, b in (*pairs, *pairs[:, ::-1]):
-        yield Obstacle(int(a), "overlap", f"{tile_name(int(b))}, another part of the target, faces it so "
-                                          "near that pins between them would meet", False)
+        yield _obstacle("overlap.pins", a, certain=False, other=(int(b),))
 
 
 def _cut_by_membranes(room: np.ndarray, least: float) -> Iterator[Obstacle]:
     with np.errstate(invalid="ignore"):
         low = np.argwhere(room < least)
     for tile, side in low:
-        yield Obstacle(int(tile), "membrane", f"its {_SIDES[side]} membrane would cut into it at a sharp "
-                       f"corner or fold: pins rise {room[tile, side]:.2f} mm over it, {least:.2g} are wanted",
-                       False)
+        yield _obstacle("membrane.room", tile, certain=False, side=_SIDES[side], room=float(room[tile, side]),
+                        least=least)
 
 
 def _badly_stretched(stretch: np.ndarray, ranges: np.ndarray) -> Iterator[Obstacle]:
@@ -192,8 +202,8 @@ def _badly_stretched(stretch: np.ndarray, ranges: np.ndarray) -> Iterator[Obstac
         return
     for tile in np.flatnonzero(too_stretched(stretch, ranges)):
         low, high = ranges[tile]
-        yield Obstacle(int(tile), "stretch", f"the flat map scales it by {stretch[tile]:.2f}; it can do with "
-                                             f"{low:.2f} to {high:.2f}: cuts would even that out", False)
+        yield _obstacle("stretch", tile, certain=False, stretch=float(stretch[tile]), low=float(low),
+                        high=float(high))
 
 
 def too_stretched(stretch: np.ndarray, ranges: np.ndarray) -> np.ndarray:

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass
-from typing import Any, Sequence
+from typing import Any, Optional, Sequence
 
+from ..base.findings import Finding
 from ..base.native import native
 from .cut_request import CutRequest
 from .design import design_digest
@@ -37,11 +38,11 @@ class Layout(Result):
         return self.was_stopped
 
     @property
-    def unsettled(self) -> str:
-        """What to say of a layout that the optimiser gave up; empty where it settled."""
+    def unsettled(self) -> Optional[Finding]:
+        """What to say of a layout that the optimiser gave up; None where it settled."""
         if self.converged or self.was_stopped:
-            return ""
-        return f"the layout did not converge in {self.iterations} iterations"
+            return None
+        return Finding.about("unsettled", iterations=self.iterations)
 
     def report(self) -> dict[str, Any]:
         return {"layout": {"converged": self.converged, "iterations": self.iterations,

@@ -3,25 +3,23 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from ..base.errors import tile_name
+from ..base.findings import Finding
 from ..base.native import native
+from ..base.value import Value
 from .cut_request import interior_edges
-from .stage import Inputs, Job, Result, Stage, Value
-
-_TILE = re.compile(r"\bT(\d{5,})\b")  # as messages name tiles
+from .stage import Inputs, Job, Result, Stage
 
 
 @dataclass(frozen=True)
 class Piece(Value):
     """Tiles that contacts join. Normal forces at its contacts, N: their mean, the least, and f_min, what
     f_min_ratio asks for of the piece's own mean; None without verification. `valid`: None where the design is
-    not judged. `reasons`: why not, those of the design that name no tile among them."""
+    not judged. `reasons`: why not, those of the whole design among them."""
 
     first: int
     tiles: int
@@ -31,7 +29,7 @@ class Piece(Value):
     normal_min: Optional[float] = None
     f_min: Optional[float] = None
     valid: Optional[bool] = None
-    reasons: tuple[str, ...] = ()
+    reasons: tuple[Finding, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -39,7 +37,7 @@ class Pieces(Result):
     """In the order of their lowest tiles, as files and labels number them; none where all is one piece."""
 
     pieces: tuple[Piece, ...] = ()
-    weak: tuple[str, ...] = ()  # reasons besides those of the whole design
+    weak: tuple[Finding, ...] = ()  # reasons besides those of the whole design
 
     def report(self) -> dict[str, Any]:
         if not self.pieces:
@@ -47,10 +45,10 @@ class Pieces(Result):
         return {"pieces": [{"piece": number, "first_tile": one.first, "tiles": one.tiles,
                             "contacts": one.contacts, "actuated_cm2": one.actuated_cm2,
                             "normal_mean": one.normal_mean, "normal_min": one.normal_min, "f_min": one.f_min,
-                            "valid": one.valid, "reasons": list(one.reasons)}
+                            "valid": one.valid, "reasons": list(map(str, one.reasons))}
                            for number, one in enumerate(self.pieces, 1)]}
 
-    def reasons(self) -> Sequence[str]:
+    def reasons(self) -> Sequence[Finding]:
         return self.weak
 
 
@@ -67,15 +65,15 @@ def _run(inputs: Inputs, job: Job) -> Pieces:
     apart = inputs.parameters.get("pieces") != "1"
     judged = found.judged and not found.failure
     pieces: list[Piece] = []
-    weak: list[str] = []
+    weak: list[Finding] = []
     for number in range(count):
         own = np.flatnonzero(piece == number)
         forces = _forces(found, piece, number, inputs.parameters.get("f_min_ratio"))
         mean, least, f_min = forces or (None, None, None)
         # What was divided on purpose has to hold by its own mean force: over all pieces it may be less.
-        alone = _weakness(found, piece, number, forces) if apart and judged and forces else ""
+        alone = _weakness(found, piece, number, forces) if apart and judged and forces else None
         weak += [alone] if alone else []
-        reasons = (*(reason for reason in said if _concerns(reason, own)), *([alone] if alone else []))
+        reasons = (*(reason for reason in said if reason.concerns(own.tolist())), *([alone] if alone else []))
         pieces.append(Piece(int(own[0]), len(own), _contacts(design, piece, number), float(area[own].sum()),
                             mean, least, f_min, not reasons if judged else None, reasons))
     return Pieces(tuple(pieces), tuple(weak))
@@ -102,20 +100,15 @@ def _forces(found: Any, piece: np.ndarray, number: int, ratio: float) -> Optiona
     return mean, float(np.min(found.arrays["contact_normal_min"][own])), ratio * max(0.0, mean)
 
 
-def _weakness(found: Any, piece: np.ndarray, number: int, forces: tuple[float, float, float]) -> str:
-    """What a piece lacks by itself that the design as a whole does not; empty where it holds."""
+def _weakness(found: Any, piece: np.ndarray, number: int, forces: tuple[float, float, float]
+              ) -> Optional[Finding]:
+    """What a piece lacks by itself that the design as a whole does not; None where it holds."""
     _, least, f_min = forces
     if not max(0.0, found.blocks["contact_forces"]["f_min"]) <= least < f_min:
-        return ""
+        return None
     own = _own(found, piece, number)
-    a, b = found.arrays["contact_tiles"][own[np.argmin(found.arrays["contact_normal_min"][own])]]
-    return (f"piece {number + 1} by itself: a contact point of {tile_name(int(a))}-{tile_name(int(b))} has "
-            f"{least:.3g} N, less than f_min = {f_min:.3g} N of this piece")
-
-
-def _concerns(reason: str, tiles: np.ndarray) -> bool:
-    named = [int(number) - 1 for number in _TILE.findall(reason)]
-    return not named or bool(np.isin(named, tiles).any())
+    a, b = map(int, found.arrays["contact_tiles"][own[np.argmin(found.arrays["contact_normal_min"][own])]])
+    return Finding.about("piece_weak", (a, b), piece=number + 1, contact=((a, b),), least=least, f_min=f_min)
 
 
 STAGE = Stage("pieces", ("design", "figures", "verification"), frozenset({"pieces", "physics"}), _run,

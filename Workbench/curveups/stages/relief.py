@@ -9,8 +9,8 @@ from typing import Any, Iterator, Optional, Sequence
 
 import numpy as np
 
+from ..base.findings import Finding, settle
 from ..base.native import native
-from .findings import settle, tiles_place
 from .stage import Inputs, Job, Result, Row, Stage, digest, moved_vertices
 
 _SAME_THICKNESS = 0.05  # of a wall and the tiles that take its place, relative
@@ -21,7 +21,7 @@ class Relief(Result):
     """V: N x 3, where the tiles' vertices are from now on."""
 
     V: np.ndarray
-    found: tuple[dict, ...]             # warnings
+    found: tuple[Finding, ...]          # warnings
     asked: bool = False
     moved: Optional[dict] = None        # the block of report.json, where vertices moved
 
@@ -32,7 +32,7 @@ class Relief(Result):
     def report(self) -> dict[str, Any]:
         return {} if self.moved is None else {"relief": self.moved}
 
-    def warnings(self) -> Sequence[dict]:
+    def warnings(self) -> Sequence[Finding]:
         return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -62,15 +62,14 @@ def _asked(parameters: Any) -> bool:
 def _run(inputs: Inputs, job: Job) -> Relief:
     target, edges, parameters = inputs["target"], inputs["cuts"].edges, inputs.parameters
     V, moved = make_room(inputs["fairing"].V, target.F, edges, parameters, job)
-    found = settle(native.check_target(V, target.F, edges, parameters), inputs.where, tiles_place)
+    found = settle(native.check_target(V, target.F, edges, parameters), inputs.where)
     return Relief(V, (*found, *_other_thickness(target.wall, parameters)), _asked(parameters), moved)
 
 
-def _other_thickness(wall: Optional[float], parameters: Any) -> Iterator[dict]:
+def _other_thickness(wall: Optional[float], parameters: Any) -> Iterator[Finding]:
     H_body = parameters.get("H_body")
     if wall is not None and abs(wall - H_body) > _SAME_THICKNESS * wall:
-        yield {"what": f"the part is drawn {wall:.3g} mm thick, tiles are {H_body:g} mm thick",
-               "kind": "wall", "remedy": f"set H_body={wall:.3g}", "tiles": []}
+        yield Finding.about("wall", wall=wall, H_body=H_body)
 
 
 STAGE = Stage("relief", ("target", "fairing", "cuts"), frozenset({"tiles", "repair"}), _run,

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from typing import Any, Optional, Sequence
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding
 from ..base.native import native
+from .advice import against
 from .design import design_digest
 from .stage import Inputs, Job, Result, Row, Stage, moved_vertices
 
@@ -21,8 +23,8 @@ class Repair(Result):
     status: str = ""                          # empty where repair did not run
     block: Optional[dict] = None              # of report.json
     blocked: tuple[dict, ...] = ()            # contacts that stay weak: reason, obstacle, held tiles
-    suggestions: tuple[str, ...] = ()
-    warned: tuple[dict, ...] = ()
+    suggestions: tuple[Finding, ...] = ()
+    warned: tuple[Finding, ...] = ()
 
     @property
     def content(self) -> str:
@@ -35,10 +37,10 @@ class Repair(Result):
     def report(self) -> dict[str, Any]:
         return {} if self.block is None else {"repair": self.block}
 
-    def advice(self) -> Sequence[str]:
+    def advice(self) -> Sequence[Finding]:
         return [contact["reason"] for contact in self.blocked]
 
-    def warnings(self) -> Sequence[dict]:
+    def warnings(self) -> Sequence[Finding]:
         return self.warned
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -53,9 +55,12 @@ def _run(inputs: Inputs, job: Job) -> Repair:
     design = before.with_parameters(inputs.parameters)
     found = native.repair_design(design, inputs.store, job, job.listener("repair"))
     changed = design_digest(found.design) != design_digest(design)
-    blocked = tuple({"tiles": [int(t) for t in contact.tiles], "reason": contact.reason,
-                     "obstacle": contact.obstacle, "held": [int(t) for t in contact.held]}
-                    for contact in found.blocked)
+    blocked: tuple[dict[str, Any], ...] = tuple(
+        {"tiles": list(contact.tiles), "reason": Finding.of(contact.reason), "obstacle": contact.obstacle,
+         "held": list(contact.held)} for contact in found.blocked)
+    suggestions = against(contact["obstacle"] for contact in blocked)
+    if found.breakdown:
+        suggestions += (Finding.about("broken_down", said=found.breakdown),)
     weak = {frozenset(contact["tiles"]) for contact in blocked}
     mended = [list(pair) for pair in known.weak_contacts if frozenset(pair) not in weak] if changed else []
     block = {
@@ -64,17 +69,17 @@ def _run(inputs: Inputs, job: Job) -> Repair:
         "steps": [{"weak_points": int(step.weak_points), "least_force_of_f_min": step.least_force,
                    "least_floor_of_f_min": step.least_floor, "vertices": bool(step.vertices),
                    "fresh_mesh": bool(step.fresh_mesh)} for step in found.steps],
-        "blocked": [{"tiles": contact["tiles"], "reason": contact["reason"]} for contact in blocked],
-        "suggestions": list(found.suggestions), "mended": mended,
+        "blocked": [{"tiles": contact["tiles"], "reason": str(contact["reason"])} for contact in blocked],
+        "suggestions": list(map(str, suggestions)), "mended": mended,
         "moved_vertices": moved_vertices(before.V, found.design.V, before.F)}
     return Repair(found.design if changed else before, None if changed else verified.verdict, found.status,
-                  block, blocked, tuple(found.suggestions))
+                  block, blocked, suggestions)
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:
     # No repair can begin from here: the design ends as it is, with the verdict it has.
     return Repair(inputs["layout"].design, inputs["verification of the layout"].verdict,
-                  warned=({"what": f"repair can't begin: {error.what}", "kind": "repair", "tiles": []},))
+                  warned=(Finding("repair", (), {"error": error.what}),))
 
 
 def _stopped(stage: str, inputs: Inputs) -> Repair:

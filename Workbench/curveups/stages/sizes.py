@@ -15,6 +15,7 @@ import numpy as np
 from ..base.parameters import parameter
 from ..base.errors import CurveUpsError, Stopped
 from ..base.native import native, translated
+from .advice import Sizes, other_sizes
 from .cut_request import CutRequest
 from .division import all_cuts
 from .feasibility import mending, sizes_do
@@ -274,7 +275,7 @@ def with_advice(inputs: Inputs, cuts: CutRequest, job: Job) -> Iterator[None]:
             yield
     except CurveUpsError as error:
         raise CurveUpsError(error.what, error.where, f"{error.remedy}; {_advice(inputs, cuts, job)}",
-                            error.status) from error
+                            error.status, error.tiles, error.finding) from error
 
 
 def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
@@ -285,17 +286,12 @@ def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
     if _can_remesh(target, cuts):
         found["L"] = trials.nearest_length(L, H_body)
     found["H_pin"] = trials.least_pin(L, H_body)
-    said = [f"{name}={value:g}" for name, value in found.items() if value is not None]
+    options: list[Sizes] = [((name, value),) for name, value in found.items() if value is not None]
     if found["H_pin"] is None and found.get("L") is None:
         together = trials.thinner_with_pins(L, H_body, found["H_body"])
-        said += [f"H_body={together[0]:g} with H_pin={together[1]:g}"] if together else []
-    sizes = (f"of {len(trials.made)} other sizes that were tried, {' or '.join(said)} does" if said
-             else f"none of {len(trials.made)} other sizes that were tried does")
+        options += [tuple(zip(("H_body", "H_pin"), together))] if together else []
     edges = all_cuts(cuts, target.V, target.F, parameters, job)
-    moved = mending(target.V, target.F, edges, parameters, job)
-    if moved is None:
-        return sizes
-    return f"{sizes}; so does mend=on, which moves vertices by up to {moved:.2g} mm"
+    return other_sizes(options, len(trials.made), mending(target.V, target.F, edges, parameters, job))
 
 
 def _trials(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> Trials:

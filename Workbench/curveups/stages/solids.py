@@ -6,12 +6,12 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, ClassVar, Mapping, Optional, Sequence
+from typing import Any, ClassVar, Iterable, Mapping, Optional, Sequence
 
-from ..base.errors import tile_list
+from ..base.findings import Finding, all_of, failed
 from ..base.native import native
 from .joining import joints_of, not_joined
-from .stage import Inputs, Job, Result, Row, Stage, advice_of
+from .stage import Inputs, Job, Result, Row, Stage
 
 PRINTERS = Path(__file__).parents[3] / "resources" / "printers"
 KINDS = ("tiles", "support", "anchors")
@@ -25,17 +25,17 @@ class Bodies(Result):
 
     lasting: ClassVar[bool] = False
     model: Optional[Any] = None       # native PrintModel; none where the work was stopped or failed
-    warned: tuple[dict, ...] = ()     # what the bodies lack, though they can be built
-    failure: str = ""                 # why there are none
+    warned: tuple[Finding, ...] = ()  # what the bodies lack, though they can be built
+    failure: Optional[Finding] = None  # why there are none
     joints: Mapping[str, Any] = field(default_factory=dict)  # of report.json, with joint=holes
 
     def report(self) -> dict[str, Any]:
         return {"joints": dict(self.joints)} if self.joints else {}
 
-    def reasons(self) -> Sequence[str]:
-        return (f"the print can't be made: {self.failure}",) if self.failure else ()
+    def reasons(self) -> Sequence[Finding]:
+        return (self.failure,) if self.failure else ()
 
-    def warnings(self) -> Sequence[dict]:
+    def warnings(self) -> Sequence[Finding]:
         return self.warned
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -54,10 +54,10 @@ class Solids(Result):
 
     lasting: ClassVar[bool] = False
     model: Optional[Any] = None
-    failure: str = ""
+    failure: Optional[Finding] = None
 
-    def reasons(self) -> Sequence[str]:
-        return (f"solids can't be built: {self.failure}",) if self.failure else ()
+    def reasons(self) -> Sequence[Finding]:
+        return (self.failure,) if self.failure else ()
 
     @property
     def kinds(self) -> tuple[str, ...]:
@@ -76,34 +76,28 @@ def _build(inputs: Inputs, job: Job) -> Solids:
     return Solids(model)
 
 
-def _lacks(model: Any) -> list[dict]:
+def _lacks(model: Any) -> list[Finding]:
     warnings = []
     bare = list(model.bare_interfaces)
     if bare:
-        tiles = sorted({tile for a, b, _ in bare for tile in (a, b)})
-        warnings.append({"what": f"{len(bare)} interfaces carry no bumps: {bare[0][2]}",
-                         "kind": "bare_interface", "tiles": tiles})
-    loose = [int(tile) for tile in model.loose_tiles]
+        warnings.append(Finding.about("bare_interface", (tile for a, b, _ in bare for tile in (a, b)),
+                                      count=len(bare), why=Finding(f"bare.{bare[0][2]}")))
+    loose = list(map(int, model.loose_tiles))
     if loose:
-        warnings.append({"what": f"{len(loose)} tiles are not held by the support",
-                         "kind": "loose", "tiles": loose})
+        warnings.append(Finding.about("loose", loose, count=len(loose)))
     if model.loose_anchors:
-        warnings.append({"what": f"{model.loose_anchors} anchors are not held by the support",
-                         "kind": "loose", "tiles": []})
-    for piece, lines, whole in model.labels:
-        if not whole:
-            said = f"says only '{' '.join(lines)}'" if lines else "has no room"
-            warnings.append({"what": f"the label of piece {piece + 1} {said}: not the whole name",
-                             "kind": "label", "tiles": []})
+        warnings.append(Finding.about("loose.anchors", count=int(model.loose_anchors)))
+    warnings += [Finding.about("label" if lines else "label.none", piece=piece + 1, said=" ".join(lines))
+                 for piece, lines, whole in model.labels if not whole]
     return warnings
 
 
 PARTS = frozenset({"tiles", "bodies", "support", "files"})
 BODIES = Stage("bodies", ("design",), PARTS, _make, on_stop=lambda stage, inputs: Bodies(),
-               on_failure=lambda error, inputs: Bodies(failure=advice_of(error)),
+               on_failure=lambda error, inputs: Bodies(failure=failed("unprintable", error)),
                label="Bodies", asked_by=("build", "print"), judges=True)
 STAGE = Stage("solids", ("bodies",), frozenset(), _build, on_stop=lambda stage, inputs: Solids(),
-              on_failure=lambda error, inputs: Solids(failure=advice_of(error)),
+              on_failure=lambda error, inputs: Solids(failure=failed("unbuilt", error)),
               label="Solids", asked_by=("build", "print"), judges=True)
 
 
@@ -113,19 +107,19 @@ class Check(Result):
 
     print_block: Mapping[str, Any] = field(default_factory=dict)   # of report.json, without files
     solids_block: Mapping[str, Any] = field(default_factory=dict)
-    broken: tuple[str, ...] = ()      # reasons
-    warned: tuple[dict, ...] = ()     # what the printer can't make
-    note: str = ""                    # why solids that there are were not looked at
+    broken: tuple[Finding, ...] = ()  # reasons
+    warned: tuple[Finding, ...] = ()  # what the printer can't make
+    note: Optional[Finding] = None    # why solids that there are were not looked at
 
     def report(self) -> dict[str, Any]:
         if not self.print_block:
             return {}
         return {"solids": dict(self.solids_block), "print": dict(self.print_block)}
 
-    def reasons(self) -> Sequence[str]:
+    def reasons(self) -> Sequence[Finding]:
         return self.broken
 
-    def warnings(self) -> Sequence[dict]:
+    def warnings(self) -> Sequence[Finding]:
         return self.warned
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -142,7 +136,7 @@ def _if_sound(inputs: Inputs) -> Check:
     overlap = clearances.overlap_mm3 if clearances.overlap_mm3 is not None else 0.0
     box = [float(x) for x in model.bbox]
     volumes = {kind: volume / 1000 for kind, volume in model.volumes.items()}
-    smallest = min((size for _, _, size in model.thinnest), default=0.0)
+    smallest = min((size for _, _, size, _ in model.thinnest), default=0.0)
     printed = {"bbox_mm": box, "bodies": int(model.body_count), "pieces": int(model.piece_count),
                "tile_volume_cm3": volumes["tiles"], "support_volume_cm3": volumes["support"],
                "anchor_volume_cm3": volumes["anchors"], "smallest_feature_mm": smallest,
@@ -166,100 +160,78 @@ def _check(inputs: Inputs, job: Job) -> Check:
     job("checking solids", 0.0)
     unsound, reasons = model.judge_solids(job)
     return replace(found, solids_block={**found.solids_block, "invalid": len(unsound)},
-                   broken=(*reasons, *found.broken))
+                   broken=(*all_of(reasons), *found.broken))
 
 
-_UNCHECKED = "stopped before all solids were checked"
 CHECK = Stage("check", ("solids", "figures", "clearances"), frozenset({"check", "tiles"}), _check,
-              on_stop=lambda stage, inputs: Check(note=_UNCHECKED if inputs["solids"].model else ""),
+              on_stop=lambda stage, inputs: Check(
+                  note=Finding("stopped.unchecked") if inputs["solids"].model else None),
               expected=_if_sound,
               label="Check of the solids", asked_by=("print",), judges=True)
 
 
-def _glue_warnings(glue: Mapping[str, Any]) -> Sequence[dict[str, Any]]:
-    if not glue[f"{GLUED_FIRST}_support_mm2"]:
-        return ()
-    return ({"what": f"the slab is level with the {GLUED_FIRST} pins, which are glued first: glue takes it, "
-                     "too",
-             "remedy": "raise support_drop", "kind": "glue", "tiles": []},)
+def _glue_warnings(glue: Mapping[str, Any]) -> Sequence[Finding]:
+    flush = glue[f"{GLUED_FIRST}_support_mm2"]
+    return (Finding.about("glue", side=GLUED_FIRST),) if flush else ()
 
 
 def _printer_warnings(model: Any, parameters: Any, box: Sequence[float], clearance: float, printer: dict
-                      ) -> list[dict[str, Any]]:
+                      ) -> list[Finding]:
     """What the chosen printer can't make: bed, materials, gaps, features, overhangs."""
-    get, name = parameters.get, printer["name"]
-    warnings: list[dict[str, Any]] = []
+    get, warnings = parameters.get, []
 
-    def warn(kind: str, what: str, remedy: str = "", tiles: Sequence[int] = ()) -> None:
-        warnings.append({"what": what, "kind": kind, "tiles": list(tiles),
-                         **({"remedy": remedy} if remedy else {})})
+    def warn(kind: str, tiles: Iterable[int] = (), **figures: Any) -> None:
+        warnings.append(Finding.about(kind, tiles, printer=printer["name"], **figures))
 
-    soluble = get("support") == "soluble" and model.volumes["support"] > 0
+    soluble = native.support_kind(parameters).soluble and model.volumes["support"] > 0
     if not fits_bed(box, printer):
-        warn("bed", f"the print ({box[0]:.0f} x {box[1]:.0f} x {box[2]:.0f} mm) is larger than the bed of a "
-                    f"{name}")
+        warn("bed", x=box[0], y=box[1], z=box[2])
     if soluble and printer["materials"] < 2:
-        warn("material", f"the soluble slab is a second material; a {name} prints one",
-             "set support to breakaway")
+        warn("material")
     if clearance < printer["smallest_gap_mm"]:
-        warn("gap", f"tiles come as near as {clearance:.3g} mm; a {name} needs "
-                    f"{printer['smallest_gap_mm']:g} mm")
+        warn("gap.printer", clearance=clearance, least=printer["smallest_gap_mm"])
     if soluble and clearance < printer["smallest_feature_mm"]:
-        warn("feature", f"the slab's walls between tiles are as thin as {clearance:.3g} mm; a {name} makes "
-                        f"{printer['smallest_feature_mm']:g} mm",
-             "raise d_gap_min, or set support to breakaway")
+        warn("feature.slab", clearance=clearance, least=printer["smallest_feature_mm"])
     thin = [row for row in model.thinnest if row[2] < printer["smallest_feature_mm"]]
     if thin:
-        body, what, size = min(thin, key=lambda row: row[2])
-        tiles = sorted(int(row[0][1:]) - 1 for row in thin
-                       if row[0][:1] == "T" and row[0][1:].isdigit())
-        warn("feature", f"{len(thin)} bodies have features smaller than a {name} makes; {body}: {what}, "
-                        f"{size:.3g} mm", tiles=tiles)
+        body, place, size, _ = min(thin, key=lambda row: row[2])
+        warn("feature", (row[3] for row in thin if row[3] >= 0), count=len(thin), body=body, place=place,
+             size=size)
     if get("bumps") != "none" and get("bump_height") < printer["resolution_mm"]:
-        warn("resolution", f"bumps are {get('bump_height'):g} mm high, less than the "
-                           f"{printer['resolution_mm']:g} mm that a {name} resolves",
-             "set bumps to none, or raise bump_height")
+        warn("resolution.bumps", height=get("bump_height"), least=printer["resolution_mm"])
     if get("bumps") == "dimples" and get("dimple_clearance") < printer["resolution_mm"]:
-        warn("resolution", f"dimples are {get('dimple_clearance'):g} mm wider than bumps, less than the "
-                           f"{printer['resolution_mm']:g} mm that a {name} resolves",
-             "raise dimple_clearance, or set bumps to none")
+        warn("resolution.dimples", clearance=get("dimple_clearance"), least=printer["resolution_mm"])
     if overhangs(max(model.overhangs, default=0.0), parameters, printer):
         most = printer["overhang_mm"]
-        front_down = get("orientation") == "front-down"
-        warn("overhang", f"tiles reach out level by up to {max(model.overhangs):.2g} mm beyond the pin they "
-                         f"stand on, {get('H_pin'):g} mm above the bed; a {name} prints {most:g} mm without "
-                         "supports",
-             "let the slicer put supports there, on the bed alone"
-             + ("; with orientation=front-up they come off once a membrane holds the tiles" if front_down
-                else ""),
-             [tile for tile, size in enumerate(model.overhangs) if size > most])
+        warn("overhang.front_down" if get("orientation") == "front-down" else "overhang",
+             [tile for tile, size in enumerate(model.overhangs) if size > most], reach=max(model.overhangs),
+             H_pin=get("H_pin"), most=most)
     return warnings
 
 
 def overhangs(reach: float, parameters: Any, printer: dict) -> bool:
     """Whether tiles that reach out level so far (mm) beyond their pins need supports of the slicer's."""
     most = printer["overhang_mm"]
-    return most is not None and parameters.get("support") != "soluble" and reach > most
+    return most is not None and not native.support_kind(parameters).soluble and reach > most
 
 
-def too_thin(relaxed: Sequence[Mapping[str, Any]], printer: dict) -> tuple[str, ...]:
+def too_thin(relaxed: Sequence[Mapping[str, Any]], printer: dict) -> tuple[Finding, ...]:
     """Why bounds that gave way are beyond a printer, where they are. relaxed: as in report.json."""
-    thin = [bound for bound in relaxed
-            if bound["what"] == "p_min" and bound["to"] < printer["smallest_feature_mm"]]
+    least = printer["smallest_feature_mm"]
+    thin = [bound for bound in relaxed if bound["what"] == "p_min" and bound["to"] < least]
     if not thin:
         return ()
-    return (f"p_min gave way to {min(bound['to'] for bound in thin):.3g} mm at "
-            f"{tile_list(sorted({bound['tile'] for bound in thin}))}, below what a {printer['name']} makes "
-            f"({printer['smallest_feature_mm']:g} mm): raise p_floor",)
+    tiles = tuple(sorted({bound["tile"] for bound in thin}))
+    return (Finding.about("thin_p_min", tiles, least=min(bound["to"] for bound in thin), at=tiles,
+                          printer=printer["name"], makes=least),)
 
 
-def _fit_warnings(parameters: Any, printer: dict) -> list[dict[str, Any]]:
+def _fit_warnings(parameters: Any, printer: dict) -> Sequence[Finding]:
     """Walls that meet without bumps in between are as far apart as they stand back."""
     if parameters.get("bumps") == "bumps" or parameters.get("wall_growth") >= printer["growth_mm"]:
-        return []
-    return [{"what": f"walls stand back by {parameters.get('wall_growth'):g} mm for what prints grow; a "
-                     f"{printer['name']} grows walls by {printer['growth_mm']:g} mm: raise wall_growth",
-             "kind": "growth", "tiles": []}]
+        return ()
+    return (Finding.about("growth", set=parameters.get("wall_growth"), printer=printer["name"],
+                          grows=printer["growth_mm"]),)
 
 
 def read_printer(name: str) -> dict:

@@ -17,8 +17,10 @@ from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding
 from ..base.parameters import table
 from ..base.progress import Progress
+from ..base.value import Value
 
 
 @dataclass(frozen=True)
@@ -40,21 +42,11 @@ class Picture:
     data: Mapping[str, Any] = field(default_factory=dict)
 
 
-class Value:
-    """Base of what results consist of: frozen dataclasses, known by their name to whoever saves them."""
-
-    known: ClassVar[dict[str, type]] = {}
-
-    def __init_subclass__(cls) -> None:
-        Value.known[cls.__name__] = cls
-
-
 class Result(Value):
     """Base of all results: frozen dataclasses of numbers, texts, arrays and designs. Every method has an
     answer for results that have nothing to say."""
 
     lasting: ClassVar[bool] = True  # can be saved; otherwise it is made anew
-    note = ""  # why it has no answer, of those that judge
 
     @property
     def content(self) -> str:
@@ -75,16 +67,16 @@ class Result(Value):
         """Its blocks of report.json."""
         return {}
 
-    def reasons(self) -> Sequence[str]:
+    def reasons(self) -> Sequence[Finding]:
         """Why the design is not valid, as far as this knows."""
         return ()
 
-    def advice(self) -> Sequence[str]:
+    def advice(self) -> Sequence[Finding]:
         """What is to be said besides where the design does not hold."""
         return ()
 
-    def warnings(self) -> Sequence[dict]:
-        """Entries for the report's warnings: what, kind, tiles."""
+    def warnings(self) -> Sequence[Finding]:
+        """What may go wrong with a design that is valid."""
         return ()
 
     def pictures(self) -> Sequence[Picture]:
@@ -138,6 +130,8 @@ class Inputs:
     results: Mapping[str, Result]
     store: Any = None  # native SolutionStore: what is solved of a design, for the next who needs it
     where: str = ""    # names the target or file in messages
+    # What a copy of the project makes: with these values of parameters, of these stages (project.Results).
+    elsewhere: Optional[Callable[[Mapping[str, Any], Sequence[str], Job], Mapping[str, Any]]] = None
 
     def __getitem__(self, name: str) -> Any:
         return self.results[name]
@@ -202,8 +196,3 @@ def digest(*parts: Any) -> str:
             found.update(str(part).encode())
         found.update(b"\0")
     return found.hexdigest()
-
-
-def advice_of(error: CurveUpsError) -> str:
-    """An error inside of another sentence."""
-    return error.what + (f" ({error.remedy})" if error.remedy else "")

@@ -10,8 +10,11 @@ from typing import Any, Optional, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped
+from ..base.findings import Finding, all_of, failed
 from ..base.native import native
-from .stage import Inputs, Job, Picture, Result, Row, Stage, Value, advice_of
+from ..base.value import Value
+from .advice import other_parameters, suggested
+from .stage import Inputs, Job, Picture, Result, Row, Stage
 
 # A layout is badly stretched where the conformal map scales its tiles this differently, or where
 # this share of the membrane between pins is slack.
@@ -25,23 +28,30 @@ class SuggestedCut(Value):
 
     edges: np.ndarray
     length_mm: float
-    reason: str
+    reasons: tuple[Finding, ...]
     before: Optional[dict]
     after: Optional[dict]
 
-    def __str__(self) -> str:
-        text = f"a cut of {self.length_mm:.0f} mm {self.reason}"
+    @property
+    def finding(self) -> Finding:
+        """As a sentence says it."""
+        tiles = [tile for reason in self.reasons for tile in reason.tiles]
+        about = {"length": self.length_mm, "why": self.reasons}
         if self.before is None or self.after is None:
-            return text
-        a, b = self.before, self.after
-        return (f"{text} (predicted: flat area {a['area_ratio']:.2f} to {b['area_ratio']:.2f} times the "
-                f"actuated, slack membrane at {a['slack_springs']} to {b['slack_springs']} places, energy "
-                f"per contact {a['energy_per_contact']:.2f} to {b['energy_per_contact']:.2f})")
+            return Finding.about("cut", tiles, **about)
+        predicted = {f"{name}_{when}": figures[key]
+                     for when, figures in (("before", self.before), ("after", self.after))
+                     for name, key in (("area", "area_ratio"), ("slack", "slack_springs"),
+                                       ("energy", "energy_per_contact"))}
+        return Finding.about("cut.predicted", tiles, **about, **predicted)
+
+    def __str__(self) -> str:
+        return str(self.finding)
 
     def entry(self, applied: bool) -> dict:
         """As in report.json."""
         return {"edges": [[int(a), int(b)] for a, b in self.edges], "length_mm": self.length_mm,
-                "reason": self.reason, "applied": applied,
+                "reason": "; ".join(map(str, self.reasons)), "applied": applied,
                 "predicted": {"before": self.before, "after": self.after}}
 
 
@@ -49,7 +59,7 @@ def _search(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, mo
             weak: Sequence[tuple[int, int]], job: Job) -> tuple[tuple[SuggestedCut, ...], Any]:
     """Cuts in the order of their making, and the native result."""
     found = native.suggest_cuts(V, F, edges, parameters, most, list(weak), job)
-    return tuple(SuggestedCut(np.array(cut.edges), cut.length_mm, cut.reason, _figures(cut.before),
+    return tuple(SuggestedCut(np.array(cut.edges), cut.length_mm, all_of(cut.reasons), _figures(cut.before),
                               _figures(cut.after)) for cut in found.cuts), found
 
 
@@ -95,13 +105,13 @@ class Suggestions(Result):
 
     applied: tuple[SuggestedCut, ...] = ()
     proposed: tuple[SuggestedCut, ...] = ()
-    remedies: tuple[str, ...] = ()    # other parameters, one sentence each
-    general: tuple[str, ...] = ()     # of repair, where nothing better is known
+    remedies: tuple[Finding, ...] = ()  # other parameters
+    general: tuple[Finding, ...] = ()   # of repair, where nothing better is known
     stretch: Optional[dict] = None    # how far the layout is stretched
     badly: bool = False
     searched: bool = False
     was_stopped: bool = False
-    failure: str = ""
+    failure: Optional[Finding] = None
     design: Any = None
 
     @property
@@ -115,21 +125,17 @@ class Suggestions(Result):
             blocks["layout"] = {"stretch": self.stretch}
         return blocks
 
-    def advice(self) -> Sequence[str]:
-        known = [f"suggested: {sentence}" for sentence in (*map(str, self.proposed), *self.remedies)]
-        return known or self.general
+    def advice(self) -> Sequence[Finding]:
+        known = (*(cut.finding for cut in self.proposed), *self.remedies)
+        return [suggested(one) for one in known] or self.general
 
-    def warnings(self) -> Sequence[dict]:
+    def warnings(self) -> Sequence[Finding]:
         if self.failure:
-            what = f"cuts could not be looked for: {self.failure}"
-            return ({"what": what, "kind": "cuts", "tiles": []},)
+            return (self.failure,)
         if not self.badly or self.stretch is None:
             return ()
-        return ({"what": "the layout is badly stretched: its flat map scales tiles "
-                         f"{self.stretch['scale_spread']:.3g} times differently, and the membrane is slack "
-                         f"at {self.stretch['slack_springs']} places",
-                 "kind": "stretched", "tiles": [],
-                 "remedy": "cut it as suggested" if self.proposed else "no cut was found that is worth it"},)
+        return (Finding.about("stretched" if self.proposed else "stretched.uncut",
+                              spread=self.stretch["scale_spread"], slack=self.stretch["slack_springs"]),)
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("cuts", seconds),) if self.searched else ()
@@ -160,14 +166,15 @@ def _run(inputs: Inputs, job: Job) -> Suggestions:
         return Suggestions(applied, general=general, stretch=stretch, design=design)
     proposed, search = _search(inputs["fairing"].V, inputs["target"].F, design.cuts, inputs.parameters,
                                UNASKED, verification.weak_contacts, job)
-    remedies = _remedies(design, inputs, verification.weak_contacts)
-    return Suggestions(applied, proposed, tuple(remedies), general, stretch, badly, True,
+    remedies = other_parameters(design, inputs["figures"].pins_below_floor, inputs["repair"].blocked,
+                                verification.weak_contacts)
+    return Suggestions(applied, proposed, remedies, general, stretch, badly, True,
                        bool(search.stopped), design=design)
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Suggestions:
     return Suggestions(_applied(inputs), general=inputs["repair"].suggestions,
-                       failure=advice_of(error), design=inputs["design"].design)
+                       failure=failed("cuts", error), design=inputs["design"].design)
 
 
 def _stopped(stage: str, inputs: Inputs) -> Suggestions:
@@ -178,26 +185,3 @@ def _stopped(stage: str, inputs: Inputs) -> Suggestions:
 READS = ("target", "fairing", "cut request", "layout", "repair", "design", "figures", "verification")
 STAGE = Stage("suggestions", READS, frozenset({"tiles", "layout"}), _run, _failed, _stopped,
               label="Suggestions", asked_by=("solve",))
-
-
-def _remedies(design: Any, inputs: Inputs, weak: Sequence[tuple[int, int]]) -> list[str]:
-    """Values of parameters for pins without room and membranes without tension."""
-    pins = set(inputs["figures"].pins_below_floor)
-    # Gaps are a matter of room between tiles; all other obstacles are pins'.
-    pins |= {tile for contact in inputs["repair"].blocked if contact["obstacle"] not in ("", "gap")
-             for tile in contact["held"]}
-    if not pins and not weak:
-        return []
-    values, get = native.find_remedies(design, sorted(pins), list(weak)), design.parameters.get
-    sentences = []
-    if values.H_body is not None:
-        sentences.append(f"tiles of H_body = {values.H_body:g} mm instead of {get('H_body'):g} give "
-                         "the pins named a quarter more than A_pin_min")
-    if values.L is not None:
-        tiles = f"tiles of L = {values.L:g} mm instead of {get('L'):.3g}"
-        sentences.append(f"{tiles} do so too" if sentences else
-                         f"{tiles} give the pins named a quarter more than A_pin_min")
-    if values.tau is not None:
-        sentences.append(f"membranes stretched to tau = {values.tau:g} instead of {get('tau'):g} would "
-                         "be taut at all weak contacts")
-    return sentences

@@ -9,10 +9,10 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding, settle
 from ..base.native import native
 from ..base.parameters import parameter
 from .cut_request import interior_edges, mesh_edges
-from .findings import faces_place, settle
 from .stage import Inputs, Job, Result, Row, Stage, digest
 
 # Holes with a shorter edge than so many L are filled: there is hardly a tile that would not reach across.
@@ -35,7 +35,7 @@ class Target(Result):
     edge_cv: float
     sagitta: float
     notes: tuple[str, ...]
-    found: tuple[dict, ...]          # warnings
+    found: tuple[Finding, ...]       # warnings
     own_length: Optional[float]      # L, where the mesh is taken as it is
     wall: Optional[float] = None     # how thick the part is drawn, mm
     # What the user gave, where it was mended before it was remeshed (V, F); what mending did to it; and by
@@ -61,7 +61,7 @@ class Target(Result):
         return {"target": {"mean_edge_mm": self.mean_edge, "edge_cv": self.edge_cv,
                            "sagitta_mm": self.sagitta, "notes": list(self.notes)}}
 
-    def warnings(self) -> Sequence[dict]:
+    def warnings(self) -> Sequence[Finding]:
         return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -82,13 +82,12 @@ def _run(inputs: Inputs, job: Job) -> Target:
         if inputs.parameters.get("mend") == "on":
             V, F, mended, apart = _mend(V, F, L, clean.notes, job)
     else:
-        settle([f for f in native.check_mesh(V, F, 1.0, True, job) if f.kind in BROKEN], inputs.where,
-               faces_place)
+        settle([f for f in native.check_mesh(V, F, 1.0, True, job) if f.kind in BROKEN], inputs.where)
         L = _own_length(V, F, inputs.where)
     findings = native.check_mesh(V, F, L, source.will_be_cut, job, without_crossings=apart)
-    notes += [finding.message for finding in findings if finding.kind == "components"]
+    notes += [str(Finding.of(finding)) for finding in findings if finding.kind == "components"]
     try:
-        found = settle([f for f in findings if f.kind != "components"], inputs.where, faces_place)
+        found = settle([f for f in findings if f.kind != "components"], inputs.where)
     except CurveUpsError as error:
         if not source.remesh or inputs.parameters.get("mend") == "on":
             raise
@@ -146,8 +145,9 @@ def _with_mending(error: CurveUpsError, V: np.ndarray, F: np.ndarray, L: float, 
     made = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
     if any(finding.is_error for finding in native.check_mesh(made.V, made.F, L, will_be_cut, job)):
         return error
-    remedy = f"{error.remedy}; or set mend=on ({', '.join(made.actions)})"
-    return CurveUpsError(error.what, error.where, remedy, error.status)
+    mended = Finding.about("advice.mend_surface", actions=", ".join(made.actions))
+    return CurveUpsError(error.what, error.where, f"{error.remedy}; or {mended}", error.status,
+                         finding=error.finding)
 
 
 STAGE = Stage("target", ("source", "surface"), frozenset({"target"}), _run,

@@ -9,8 +9,9 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding, all_of, failed
 from ..base.native import native
-from .stage import Inputs, Job, Picture, Result, Row, Stage, advice_of
+from .stage import Inputs, Job, Picture, Result, Row, Stage
 
 BLOCKS = ("physics", "contact_forces", "unilateral", "glue")
 SIDE_ARRAYS = ("flat", "triangles", "stretch", "tension")
@@ -20,12 +21,12 @@ SIDE_ARRAYS = ("flat", "triangles", "stretch", "tension")
 class Verification(Result):
     """What the model found; without blocks it was not, or could not be, computed: `note` says why."""
 
-    note: str = ""       # why there is none
-    failure: str = ""    # why there is none though it was wanted: the design is not valid
+    note: Optional[Finding] = None     # why there is none
+    failure: Optional[Finding] = None  # why there is none though it was wanted: the design is not valid
     valid: bool = False
     blocks: Mapping[str, Any] = field(default_factory=dict)
-    found: tuple[str, ...] = ()      # reasons
-    warned: tuple[dict, ...] = ()    # warnings
+    found: tuple[Finding, ...] = ()    # reasons
+    warned: tuple[Finding, ...] = ()   # warnings
     complete: bool = True            # False: points are weak, all else is left out, and there is no verdict
     design: Any = None               # native Design, for pictures
     arrays: Mapping[str, np.ndarray] = field(default_factory=dict)  # per contact and per tile
@@ -55,10 +56,10 @@ class Verification(Result):
                  **{name: float(self.arrays[f"contact_{name}"][k])
                     for name in ("normal_min", "normal_mean", "friction_ratio")}} for k in order]
 
-    def reasons(self) -> Sequence[str]:
+    def reasons(self) -> Sequence[Finding]:
         return (self.failure,) if self.failure else self.found
 
-    def warnings(self) -> Sequence[dict]:
+    def warnings(self) -> Sequence[Finding]:
         return self.warned
 
     def rows(self, seconds: float) -> Sequence[Row]:
@@ -105,14 +106,14 @@ def verify(design: Any, job: Job, store: Any = None, weak_is_enough: bool = Fals
              "tile_normal_force")
     sides = tuple({name: np.asarray(getattr(side, name)) for name in SIDE_ARRAYS}
                   for side in found.membranes)
-    return Verification(valid=found.valid, blocks=found.blocks, found=tuple(found.reasons),
-                        warned=tuple(found.warnings), complete=found.complete, design=design,
+    return Verification(valid=found.valid, blocks=found.blocks, found=all_of(found.reasons),
+                        warned=all_of(found.warnings), complete=found.complete, design=design,
                         arrays={name: np.asarray(getattr(found, name)) for name in names}, membranes=sides)
 
 
 def _verify(design: Any, inputs: Inputs, job: Job, weak_is_enough: bool = False) -> Verification:
     if not inputs.parameters.get("verify"):
-        return Verification(note="verification was off")
+        return Verification(note=Finding("unverified.off"))
     return verify(design.with_parameters(inputs.parameters), job, inputs.store, weak_is_enough)
 
 
@@ -147,11 +148,11 @@ def _verify_design(inputs: Inputs, job: Job) -> Verification:
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Verification:
     # The layout is worth its files; without a verdict it must not pass for valid.
-    return Verification(failure=f"the design could not be verified: {advice_of(error)}")
+    return Verification(failure=failed("verification_failed", error))
 
 
 def _stopped(stage: str, inputs: Inputs) -> Verification:
-    return Verification(note=f"stopped during {stage.split(' of ')[0]}")
+    return Verification(note=Finding.about("stopped", stage=stage.split(" of ")[0]))
 
 
 PARTS = frozenset({"tiles", "bodies", "physics"})
@@ -169,17 +170,17 @@ class Recheck(Result):
 
     verification: Verification = Verification()
     ran: bool = False
-    failure: str = ""   # why it could not be had though it was wanted: that is no pass
-    note: str = ""      # why it was not had
+    failure: Optional[Finding] = None  # why it could not be had though it was wanted: that is no pass
+    note: Optional[Finding] = None     # why it was not had
 
     def report(self) -> dict[str, Any]:
         found = self.verification
-        block = {"valid": found.valid, "reasons": list(found.found), **found.report()}
+        block = {"valid": found.valid, "reasons": list(map(str, found.found)), **found.report()}
         return {"recheck": block} if self.ran else {}
 
-    def reasons(self) -> Sequence[str]:
+    def reasons(self) -> Sequence[Finding]:
         found = (self.failure,) if self.failure else self.verification.found
-        return [f"on a membrane mesh of half the size: {reason}" for reason in found]
+        return [Finding("recheck", reason.tiles, {"reason": reason}) for reason in found]
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("recheck", seconds),) if self.ran else ()
@@ -194,9 +195,9 @@ def _recheck(inputs: Inputs, job: Job) -> Recheck:
 
 
 def _recheck_failed(error: CurveUpsError, inputs: Inputs) -> Recheck:
-    return Recheck(failure=f"the design could not be verified: {advice_of(error)}")
+    return Recheck(failure=failed("verification_failed", error))
 
 
 RECHECK = Stage("recheck", ("design", "verification"), PARTS | {"recheck"}, _recheck, _recheck_failed,
-                lambda stage, inputs: Recheck(note=f"stopped during {stage}"),
+                lambda stage, inputs: Recheck(note=Finding.about("stopped", stage=stage)),
                 label="Verification on a finer mesh", asked_by=("solve", "verify"), judges=True)

@@ -9,18 +9,20 @@ import re
 import traceback
 from contextlib import contextmanager
 from html import escape
-from typing import Any, Callable, Iterator, Optional
+from typing import Any, Callable, Iterable, Iterator, Optional
 
 import FreeCAD
 import FreeCADGui
 
-from ..base.errors import CurveUpsError, Stopped
+from ..base.errors import CurveUpsError, Stopped, tile_name
+from ..base.findings import Finding, Style
+from ..base.sentences import CONTEXT
+from ..features.properties import as_properties
 from .guide import SCHEME, link_to, show_guide
 from .qt import QtCore, QtGui, QtWidgets, translate
 from .selection import select_tiles
 from .units import in_user_units
 
-_TILE = re.compile(r"\bT\d{5,}\b")
 # Commands that messages name, as the guide does.
 _TOPICS = ("Solve", "Verify", "Repair", "Build Solids", "New Design", "Change Target", "Examples",
            "Solver Status", "Restore Objects")
@@ -48,12 +50,20 @@ def show_error(error: Exception, what: str = "") -> None:
         line = translate("CurveUps", "unexpected {kind} ({said}): please report it, with what "
                          "CURVEUPS_DEBUG=1 shows", kind=type(error).__name__, said=" ".join(line.split()))
     FreeCAD.Console.PrintError(f"CurveUps{f', {what}' if what else ''}: {line}\n")
-    show_line(line)
+    found = getattr(error, "finding", None)
+    if found is None:
+        _show(with_links(line, getattr(error, "tiles", ())))
+    else:
+        place = with_links(str(error)[len(str(found)):], found.tiles)
+        _show(in_user_units(found.sentence(_RICH)) + place.replace(found.remedy(), found.remedy(_RICH), 1))
 
 
 def show_line(line: str) -> None:
     """A line for the user: in the panel that is open, else as a notice."""
-    text = with_links(line)
+    _show(with_links(line))
+
+
+def _show(text: str) -> None:
     if _panel is not None:
         _panel(text)
     else:
@@ -66,14 +76,39 @@ def show_in(panel: Optional[Callable[[str], None]]) -> None:
     _panel = panel
 
 
-def with_links(line: str) -> str:
-    """Rich text in the user's units, in which names of tiles and of commands can be clicked."""
+def _words(text: str) -> str:
+    return translate(CONTEXT, text)
+
+
+def _link(tile: int) -> str:
+    return f'<a href="{tile_name(tile)}">{tile_name(tile)}</a>'
+
+
+_PLAIN = Style(_words)
+_RICH = Style(_words, _link, lambda text: escape(text, quote=False))
+
+
+def shown(design: Any, found: Finding, rich: bool = True) -> str:
+    """A finding in the user's language and units, with parameters called as the design's properties are;
+    in rich text names of tiles and of commands can be clicked."""
+    text = in_user_units(as_properties(design, found.sentence(_RICH if rich else _PLAIN)))
+    return _with_topics(text) if rich else text
+
+
+def with_links(line: str, tiles: Iterable[int] = ()) -> str:
+    """Rich text in the user's units, in which names of these tiles and of commands can be clicked."""
+    links = {tile_name(tile): _link(tile) for tile in tiles}
     text = escape(in_user_units(line), quote=False)
+    if links:
+        text = re.sub(rf"\b({'|'.join(links)})\b", lambda match: links[match[0]], text)
+    return _with_topics(text)
+
+
+def _with_topics(text: str) -> str:
     topics = {translate(f"CurveUps_{topic.replace(' ', '')}", topic): topic for topic in _TOPICS}
     topics |= {topic: topic for topic in _TOPICS}
-    text = re.sub(rf"\b({'|'.join(map(re.escape, topics))})\b",
+    return re.sub(rf"\b({'|'.join(map(re.escape, topics))})\b",
                   lambda match: link_to(topics[match[0]], match[0]), text)
-    return _TILE.sub(lambda match: f'<a href="{match[0]}">{match[0]}</a>', text)
 
 
 def follow_link(link: str) -> None:

@@ -118,7 +118,7 @@ void bind_layout(py::module_& module) {
   py::class_<CutSuggestion>(module, "CutSuggestion", "A cut and what it does to the layout.")
       .def_readonly("edges", &CutSuggestion::edges)
       .def_readonly("length_mm", &CutSuggestion::length)
-      .def_readonly("reason", &CutSuggestion::reason)
+      .def_readonly("reasons", &CutSuggestion::reasons)
       .def_readonly("opens", &CutSuggestion::opens)
       .def_readonly("before", &CutSuggestion::before)
       .def_readonly("after", &CutSuggestion::after);

@@ -109,16 +109,6 @@ void bind_meshes(py::module_& module) {
       py::arg("V"), py::arg("F"), py::arg("progress") = py::none(),
       "Merges vertices, removes degenerate and doubled faces, makes the orientation consistent.");
 
-  py::class_<MeshFinding>(module, "MeshFinding", "What is wrong with a surface, and where.")
-      .def_readonly("kind", &MeshFinding::kind)
-      .def_readonly("message", &MeshFinding::message)
-      .def_readonly("remedy", &MeshFinding::remedy)
-      .def_readonly("faces", &MeshFinding::faces)
-      .def_readonly("vertices", &MeshFinding::vertices)
-      .def_readonly("is_error", &MeshFinding::is_error)
-      .def("__repr__", [](const MeshFinding& f) {
-        return "<MeshFinding " + f.kind + (f.is_error ? " (error): " : ": ") + f.message + ">";
-      });
   module.def(
       "check_mesh",
       [](const PointsIn& V, const TrianglesIn& F, double L, bool cuts_given, py::object progress,
@@ -131,7 +121,7 @@ void bind_meshes(py::module_& module) {
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("cuts_given") = false,
       py::arg("progress") = py::none(), py::arg("without_crossings") = false,
-      "What can't be made from the surface: a list of MeshFinding. without_crossings: no face is "
+      "What can't be made from the surface: a list of Finding. without_crossings: no face is "
       "known to run through another, which is then not looked for.");
 
   py::class_<MendedMesh>(module, "MendedMesh", "A mesh that can be remeshed, and what was done.")

@@ -6,6 +6,7 @@
 #include "curveups/fabrication/palette.hpp"
 #include "curveups/fabrication/print_files.hpp"
 #include "curveups/fabrication/print_solids.hpp"
+#include "curveups/fabrication/supports.hpp"
 
 namespace curveups::bindings {
 
@@ -53,7 +54,7 @@ void bind_print_model(py::module_& module) {
           [](const PrintModel& m) {
             py::list out;
             for (const ThinFeature& thin : m.thin) {
-              out.append(py::make_tuple(thin.body, thin.what, thin.size));
+              out.append(py::make_tuple(thin.body, thin.what, thin.size, thin.tile));
             }
             return out;
           },
@@ -142,7 +143,7 @@ void bind_print_model(py::module_& module) {
           },
           py::arg("progress") = py::none(),
           "The bodies whose solid is not valid, not closed or not of its exact volume, with why; "
-          "and the reasons, in words, for which these make the design not valid.")
+          "and the reasons for which these make the design not valid.")
       .def(
           "shape",
           [](PrintModel& m, const std::string& kind, bool direct, py::object progress) {
@@ -164,14 +165,20 @@ void bind_print_model(py::module_& module) {
           },
           py::arg("ending"), py::arg("kind"), py::arg("path"), py::arg("progress") = py::none(),
           "Writes a file of one kind of bodies, in the format of that ending (print_formats).");
-  module.def(
-      "print_formats",
-      [] {
-        py::list out;
-        for (const PrintFormat& f : print_formats()) out.append(py::make_tuple(f.ending, f.kinds));
-        return out;
-      },
-      "Endings of a print's files, in their order, and the kinds of bodies that have one of each.");
+  py::class_<PrintFormat>(module, "PrintFormat", "A format of a print's files.")
+      .def_readonly("ending", &PrintFormat::ending)
+      .def_readonly("kinds", &PrintFormat::kinds, "Of bodies, each of which has a file.")
+      .def_readonly("wanted", &PrintFormat::wanted, "Those of which print shops ask for it.");
+  module.def("print_formats", &print_formats, py::return_value_policy::reference,
+             "The formats of a print's files, in their order.");
+  py::class_<SupportKind>(module, "SupportKind", "What a kind of support is.")
+      .def_readonly("bodies", &SupportKind::bodies, "What they are called; empty: there are none.")
+      .def_readonly("material", &SupportKind::material)
+      .def_readonly("removal", &SupportKind::removal, "As a step of the assembly.")
+      .def_readonly("soluble", &SupportKind::soluble,
+                    "Of a second material, which a bath takes away; else of the tiles' own.");
+  module.def("support_kind", &support_kind, py::arg("parameters"),
+             "The kind of support that the parameters ask for.");
   module.def(
       "measure_clearances",
       [](const Design& design, py::object progress) {
@@ -187,8 +194,8 @@ void bind_print_model(py::module_& module) {
       },
       py::arg("design"), py::arg("progress") = py::none(),
       "Least distance of two tiles as printed (mm, exact, bumps included; infinite with one tile), "
-      "largest volume that two share when actuated (mm3), and the reasons, in words, for which "
-      "these make the design not valid: all without solids. Raises InfeasibleDesign where tiles "
+      "largest volume that two share when actuated (mm3), and the reasons for which these make the "
+      "design not valid: all without solids. Raises InfeasibleDesign where tiles "
       "can't be made.");
   module.def(
       "make_print_model",

@@ -10,14 +10,6 @@
 namespace curveups::bindings {
 
 void bind_targets(py::module_& module) {
-  py::class_<TargetFinding>(
-      module, "TargetFinding",
-      "What can't work on a target, or may not: kind, message, remedy, tiles.")
-      .def_readonly("kind", &TargetFinding::kind)
-      .def_readonly("message", &TargetFinding::message)
-      .def_readonly("remedy", &TargetFinding::remedy)
-      .def_readonly("tiles", &TargetFinding::tiles)
-      .def_readonly("is_error", &TargetFinding::is_error);
   module.def(
       "check_target",
       [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,

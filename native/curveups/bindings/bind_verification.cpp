@@ -104,25 +104,6 @@ py::dict blocks(const VerificationReport& report) {
   return out;
 }
 
-py::list warnings(const VerificationReport& report) {
-  py::list out;
-  for (const Warning& warning : report.warnings) {
-    py::dict one;
-    one["what"] = warning.what;
-    one["tiles"] = warning.tiles;
-    out.append(one);
-  }
-  return out;
-}
-
-py::dict to_dict(const VerificationReport& report) {
-  py::dict out = blocks(report);
-  out["valid"] = report.valid;
-  out["reasons"] = report.reasons;
-  out["warnings"] = warnings(report);
-  return out;
-}
-
 template <class Member>
 auto array(Member VerificationReport::*member) {
   return [member](const VerificationReport& report) { return report.*member; };
@@ -149,9 +130,8 @@ void bind_verification(py::module_& module) {
       .def_readonly("complete", &VerificationReport::complete,
                     "Whether there is a verdict: not where weak points were enough.")
       .def_readonly("reasons", &VerificationReport::reasons)
-      .def_property_readonly("warnings", &warnings)
+      .def_readonly("warnings", &VerificationReport::warnings)
       .def_property_readonly("blocks", &blocks, "physics, contact_forces, unilateral, glue.")
-      .def("to_dict", &to_dict, "The blocks with valid, reasons and warnings.")
       .def_property_readonly("contact_tiles", array(&VerificationReport::contact_tiles),
                              "K x 2: the tiles of every contact.")
       .def_property_readonly("contact_normal_min", array(&VerificationReport::contact_normal_min))
@@ -204,7 +184,8 @@ void bind_verification(py::module_& module) {
       .def_readonly("largest_move_mm", &RepairResult::largest_move)
       .def_readonly("largest_vertex_move_mm", &RepairResult::largest_vertex_move)
       .def_readonly("blocked", &RepairResult::blocked)
-      .def_readonly("suggestions", &RepairResult::suggestions);
+      .def_readonly("breakdown", &RepairResult::breakdown,
+                    "Why it ended early; empty where it did not.");
   module.def(
       "repair_design",
       [](const Design& design, SolutionStore* store, py::object progress, py::object on_step) {

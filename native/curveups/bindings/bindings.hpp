@@ -76,6 +76,7 @@ class PythonListener {
 py::array_t<double> to_blocks(const Array6& m, int a, int b);
 
 void bind_errors(py::module_& module);
+void bind_findings(py::module_& module);
 void bind_parameters(py::module_& module);
 void bind_meshes(py::module_& module);
 void bind_design(py::module_& module);

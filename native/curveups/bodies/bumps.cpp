@@ -197,7 +197,7 @@ class Planner {
   void place(int k) {
     centres_[k].clear();
     if (geometry_.patches[k].point_count < 3) {
-      reason_[k] = "the tiles touch along their front edge only";
+      reason_[k] = "edge_only";
       return;
     }
     const InterfacePlane plane = make_plane(geometry_.patches[k]);
@@ -215,7 +215,7 @@ class Planner {
       }
       if (!centres_[k].empty()) return;
     }
-    reason_[k] = "too small for three bumps";
+    reason_[k] = "too_small";
   }
 
   // The caps of one side of an interface in that tile's frame; bumps alternate along the edge.
@@ -258,7 +258,7 @@ class Planner {
         for (const CapSphere& b : spheres[1 - s]) least = std::min(least, distance(a, b));
       }
     }
-    if (least < flat_clearance) reason_[k] = "bumps would touch the neighbour in the flat layout";
+    if (least < flat_clearance) reason_[k] = "would_touch";
   }
 
   // Whether the hollows of an interface pierce no other face and meet none of those that are there.
@@ -295,7 +295,7 @@ class Planner {
       bool fits = reason_[k].empty() && hollows_fit(k, there);
       while (!fits && reason_[k].empty()) {
         if (++shrink_[k] > shrink_steps) {
-          reason_[k] = "its hollows would break into another face";
+          reason_[k] = "would_break_through";
           break;
         }
         place(k);

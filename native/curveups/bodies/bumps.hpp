@@ -22,7 +22,7 @@ struct WallCap {
 // An interface that carries no bumps, and why.
 struct BareInterface {
   int contact;
-  std::string reason;
+  std::string reason;  // "edge_only", "too_small", "would_touch", "would_break_through"
 };
 
 struct BumpPlan {

@@ -68,6 +68,7 @@ struct PrintBody {
   std::string name;
   BodyKind kind = BodyKind::tile;
   int piece = 0;
+  int tile = -1;  // whose body it is, -1 of supports and anchors
   std::vector<Vec3> points;
   std::vector<BodyCircle> circles;
   std::vector<PlanarFace> faces;

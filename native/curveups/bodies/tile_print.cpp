@@ -119,6 +119,7 @@ PrintBody make_tile_print(const TileMesh& tiles, const ConvexBody& body,
                           double H_pin) {
   PrintBody out;
   out.name = tile_name(tile);
+  out.tile = tile;
   out.points = body.points;
   for (const BodyFace& face : body.faces) {
     PlanarFace planar;

@@ -8,6 +8,7 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/design/membrane_models.hpp"
+#include "curveups/design/support_kinds.hpp"
 
 namespace curveups {
 namespace {
@@ -16,7 +17,7 @@ using P = Parameters;
 
 constexpr double least_wall = 0.1;  // mm, around joint holes: solids stay far from degenerate
 
-#define CURVEUPS_CHOICE(function, name, convex) name,
+#define CURVEUPS_CHOICE(function, name, ...) name,
 
 // clang-format off
 std::vector<ParameterInfo> make_table() {
@@ -135,7 +136,8 @@ std::vector<ParameterInfo> make_table() {
     {"support", "", "Support",
      "Choose what holds the layout together after printing: a soluble slab, breakaway bridges "
      "or nothing (none).",
-     basic | keeps_layout, layout | support, &P::support, 0, 0, {"soluble", "breakaway", "none"}},
+     basic | keeps_layout, layout | support, &P::support, 0, 0,
+     {CURVEUPS_SUPPORT_KINDS(CURVEUPS_CHOICE)}},
     {"orientation", "", "Support",
      "Choose which side faces up in the print. With front-down, breakaway bridges span "
      "between walls that stand already.",

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curveups/core/text.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/joints.hpp"
 #include "curveups/design/remote_overlaps.hpp"
@@ -17,19 +16,22 @@ void sort_unique(std::vector<int>& tiles) {
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
 }
 
+template <class T>
+int size_of(const std::vector<T>& items) {
+  return static_cast<int>(items.size());
+}
+
 }  // namespace
 
-std::vector<TargetFinding> check_target(const TriangleMesh& mesh, const Edges& cuts,
-                                        const Parameters& parameters) {
-  std::vector<TargetFinding> findings;
+std::vector<Finding> check_target(const TriangleMesh& mesh, const Edges& cuts,
+                                  const Parameters& parameters) {
+  std::vector<Finding> findings;
   const TileMesh tiles = make_tile_mesh(mesh, cuts, parameters.H_body);
   std::vector<int> without = tiles_without_back(tiles);
   if (!without.empty()) {
-    const std::string count = std::to_string(without.size());
     findings.push_back({"sharp_fold",
-                        count + " tiles lie at folds sharper than a tile of thickness " +
-                            number(parameters.H_body) + " mm can have: their back faces vanish",
-                        "lower H_body, raise L or smooth the target there", std::move(without),
+                        without,
+                        {{"count", size_of(without)}, {"H_body", parameters.H_body}},
                         true});
     return findings;
   }
@@ -38,30 +40,17 @@ std::vector<TargetFinding> check_target(const TriangleMesh& mesh, const Edges& c
   separate_remote_tiles(tiles, patches, truncation);
   separate_remote_front_pins(tiles, parameters.H_pin, truncation);
   if (!truncation.unresolved.empty()) {
-    std::vector<int> overlapping;
-    for (const auto& pair : truncation.unresolved) {
-      overlapping.insert(overlapping.end(), pair.begin(), pair.end());
-    }
-    sort_unique(overlapping);
     findings.push_back({"folded_over",
-                        std::to_string(truncation.unresolved.size()) +
-                            " pairs of tiles overlap in the target and no plane separates them "
-                            "without losing a contact",
-                        "lower H_body, or keep parts of the target farther from one another",
-                        std::move(overlapping), true});
+                        tiles_of(truncation.unresolved),
+                        {{"count", size_of(truncation.unresolved)}},
+                        true});
   }
-  std::vector<int> hinged;
+  Finding::Pairs hinged;
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    if (patches[k].point_count == 2) {
-      hinged.insert(hinged.end(), tiles.contacts[k].tile.begin(), tiles.contacts[k].tile.end());
-    }
+    if (patches[k].point_count == 2) hinged.push_back(tiles.contacts[k].tile);
   }
   if (!hinged.empty()) {
-    const std::string count = std::to_string(hinged.size() / 2);
-    sort_unique(hinged);
-    findings.push_back({"hinge",
-                        count + " contacts are only a hinge: truncation leaves no interface",
-                        "lower H_body or smooth the target there", std::move(hinged), false});
+    findings.push_back({"hinge", tiles_of(hinged), {{"count", size_of(hinged)}}});
   }
   const PinBounds bounds = compute_pin_bounds(tiles, truncation, parameters);
   const Array6 beside_holes = joint_insets(tiles, parameters);
@@ -73,14 +62,12 @@ std::vector<TargetFinding> check_target(const TriangleMesh& mesh, const Edges& c
   }
   if (!closed.empty()) {
     const double hole = std::floor(100 * joint_room(tiles, truncation, parameters).hole) / 100;
-    findings.push_back({"joint",
-                        "pins of at least A_pin_floor (" + number(parameters.A_pin_floor) +
-                            " mm2) leave no room for stitching holes of " +
-                            number(parameters.joint_hole) + " mm",
-                        (hole > 0 ? "lower joint_hole to " + number(hole) + " or H_body"
-                                  : std::string("lower H_body")) +
-                            ", raise L, or set joint to none",
-                        std::move(closed), true});
+    findings.push_back({hole > 0 ? "joint.room" : "joint.no_room",
+                        std::move(closed),
+                        {{"A_pin_floor", parameters.A_pin_floor},
+                         {"joint_hole", parameters.joint_hole},
+                         {"hole", hole}},
+                        true});
   }
   if (!bounds.small.empty()) {
     std::vector<int> small;
@@ -91,11 +78,10 @@ std::vector<TargetFinding> check_target(const TriangleMesh& mesh, const Edges& c
     }
     sort_unique(small);
     findings.push_back({"small_pin",
-                        std::to_string(bounds.small.size()) + " pin sides can't reach A_pin_min (" +
-                            number(parameters.A_pin_min) + " mm2); the smallest has " +
-                            number(least) + " mm2",
-                        "lower H_body, p_min or A_pin_min, raise L or smooth the target there",
-                        std::move(small), false});
+                        std::move(small),
+                        {{"count", size_of(bounds.small)},
+                         {"A_pin_min", parameters.A_pin_min},
+                         {"least", least}}});
   }
   std::vector<int> odd;
   for (int i = 0; i < tiles.tile_count(); ++i) {
@@ -103,42 +89,37 @@ std::vector<TargetFinding> check_target(const TriangleMesh& mesh, const Edges& c
     if (mean < 0.5 * parameters.L || mean > 2 * parameters.L) odd.push_back(i);
   }
   if (!odd.empty()) {
-    findings.push_back({"edge_length",
-                        std::to_string(odd.size()) + " tiles are far smaller or larger than L (" +
-                            number(parameters.L) + " mm)",
-                        "let the target be remeshed", std::move(odd), false});
+    findings.push_back({"edge_length", odd, {{"count", size_of(odd)}, {"L", parameters.L}}});
   }
   return findings;
 }
 
 namespace {
 
-std::vector<std::string> broken_constraints(const DesignFigures& figures, double A_pin_floor) {
+std::vector<Finding> broken_constraints(const DesignFigures& figures, double A_pin_floor) {
   const ConstraintReport& c = figures.constraints;
-  std::vector<std::string> reasons;
+  std::vector<Finding> reasons;
   if (c.max_gap_violation_mm > tolerance::constraint) {
-    const std::string pairs = listed(c.close_pairs, 6, pair_name);
-    reasons.push_back("flat tiles are " + number(c.max_gap_violation_mm) +
-                      " mm nearer than d_gap_min" + (pairs.empty() ? "" : " (" + pairs + ")"));
+    reasons.push_back({c.close_pairs.empty() ? "gap.somewhere" : "gap",
+                       tiles_of(c.close_pairs),
+                       {{"violation", c.max_gap_violation_mm}, {"pairs", c.close_pairs}}});
   }
   if (c.max_pin_bound_violation_mm > tolerance::constraint) {
-    reasons.push_back("pin insets leave their bounds by " + number(c.max_pin_bound_violation_mm) +
-                      " mm");
+    reasons.push_back({"pin_bounds", {}, {{"violation", c.max_pin_bound_violation_mm}}});
   }
   std::vector<int> small;
   for (const SmallPin& pin : c.small_pins) {
     if (pin.area < A_pin_floor) small.push_back(pin.tile);
   }
   if (!small.empty()) {
-    const std::string count = std::to_string(small.size());
+    const int count = size_of(small);
     sort_unique(small);
-    reasons.push_back(count + " pin sides are smaller than A_pin_floor (" + tile_names(small) +
-                      ")");
+    reasons.push_back({"pins_below_floor", small, {{"count", count}, {"at", small}}});
   }
   if (!figures.unresolved.empty()) {
-    reasons.push_back(std::to_string(figures.unresolved.size()) +
-                      " pairs of tiles overlap when actuated and no plane parts them (" +
-                      listed(figures.unresolved, 6, pair_name) + ")");
+    reasons.push_back({"overlap",
+                       tiles_of(figures.unresolved),
+                       {{"count", size_of(figures.unresolved)}, {"pairs", figures.unresolved}}});
   }
   return reasons;
 }

@@ -3,26 +3,19 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
+#include "curveups/core/finding.hpp"
 #include "curveups/design/constraints.hpp"
 
 namespace curveups {
 
-struct TargetFinding {
-  std::string kind;     // "sharp_fold", "folded_over", "hinge", "small_pin", "edge_length"
-  std::string message;  // one sentence
-  std::string remedy;
-  std::vector<int> tiles;
-  bool is_error;  // nothing can be made of it
-};
-
-// Folds sharper than a tile of this thickness can have (error), tiles that overlap in the target
-// whatever is cut off (error), contacts that are only a hinge, pin sides that can't reach
-// A_pin_min, edges far from L. Throws what make_tile_mesh throws.
-std::vector<TargetFinding> check_target(const TriangleMesh& mesh, const Edges& cuts,
-                                        const Parameters& parameters);
+// "sharp_fold" (error): folds sharper than a tile of this thickness can have; "folded_over"
+// (error): tiles that overlap in the target whatever is cut off; "hinge": contacts that are only a
+// hinge; "small_pin": pin sides that can't reach A_pin_min; "edge_length": edges far from L. Throws
+// what make_tile_mesh throws.
+std::vector<Finding> check_target(const TriangleMesh& mesh, const Edges& cuts,
+                                  const Parameters& parameters);
 
 // What a finished design is, from what is saved of it alone.
 struct DesignFigures {
@@ -37,7 +30,7 @@ struct DesignFigures {
   double flat_clearance = 0;
   double actuated_area = 0, flat_area = 0;  // mm2
   ConstraintReport constraints;
-  std::vector<std::string> reasons;  // why these make it not valid, in words; none: they do not
+  std::vector<Finding> reasons;  // why these make it not valid; none: they do not
 };
 
 // Throws what make_geometry throws.

@@ -95,8 +95,6 @@ void find_loose(PrintModel& model, const Bridges& bridges, int tile_count) {
   }
 }
 
-}  // namespace
-
 void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
   const Parameters& p = model.parameters;
   const TileMesh& tiles = model.geometry.tiles;
@@ -150,6 +148,18 @@ void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprint
     model.supports.push_back(std::move(bridge));
   }
   find_loose(model, bridges, count);
+}
+
+ThinFeature notch(const Parameters& p) {
+  return {"", "notch of the bridge", std::min(bridge_neck(p), p.bridge_width)};
+}
+
+}  // namespace
+
+// Bridges are broken, not dissolved: they may well be of the tiles' own material.
+SupportKind bridges() {
+  return {"bridges", "bridges (rigid)", "break the bridges from the {second}",
+          false,     add_bridges,       notch};
 }
 
 }  // namespace curveups

@@ -4,6 +4,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/mesh_files.hpp"
 #include "curveups/fabrication/step_file.hpp"
+#include "curveups/fabrication/supports.hpp"
 
 namespace curveups {
 namespace {
@@ -30,19 +31,17 @@ void write_stl(const PrintModel& model, const std::string& kind, const std::stri
 }
 
 void write_3mf(const PrintModel& model, const std::string& path, const Progress& progress) {
-  // Bridges are broken, not dissolved: they may well be of the tiles' own material.
-  const PrintMaterials materials{
-      "tiles (rigid)",
-      model.parameters.support == "soluble" ? "support (soluble)" : "bridges (rigid)",
-      "anchors (rigid)"};
+  const PrintMaterials materials{"tiles (rigid)", support_kind(model.parameters).material,
+                                 "anchors (rigid)"};
   write_3mf(meshes_of(model, "print", progress), model.name, materials, path, progress);
 }
 
 const std::vector<PrintFormat>& print_formats() {
   static const std::vector<PrintFormat> formats = {
-      {"step", {"tiles", "support", "anchors", "print", "actuated"}, write_step},
-      {"stl", {"tiles", "support", "anchors"}, write_stl},
+      {"step", {"tiles", "support", "anchors", "print", "actuated"}, {"print"}, write_step},
+      {"stl", {"tiles", "support", "anchors"}, {"tiles", "support", "anchors"}, write_stl},
       {"3mf",
+       {"print"},
        {"print"},
        [](const PrintModel& model, const std::string&, const std::string& path,
           const Progress& progress) { write_3mf(model, path, progress); }},

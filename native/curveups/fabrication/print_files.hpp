@@ -17,10 +17,11 @@ void write_stl(const PrintModel& model, const std::string& kind, const std::stri
                const Progress& progress);
 void write_3mf(const PrintModel& model, const std::string& path, const Progress& progress);
 
-// A new format is a file that writes it and a line in print_files.cpp.
+// A new format is a file that writes it and its value in print_files.cpp.
 struct PrintFormat {
-  std::string ending;              // of file names, without a dot
-  std::vector<std::string> kinds;  // each of which has a file of this format
+  std::string ending;               // of file names, without a dot
+  std::vector<std::string> kinds;   // each of which has a file of this format
+  std::vector<std::string> wanted;  // those of which print shops ask for it
   void (*write)(const PrintModel& model, const std::string& kind, const std::string& path,
                 const Progress& progress);
 };

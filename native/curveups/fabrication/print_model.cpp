@@ -37,7 +37,8 @@ RigidMotion turned_over(double height) {
 
 class Builder {
  public:
-  Builder(const Design& design, std::string version) : version_(std::move(version)) {
+  Builder(const Design& design, std::string version)
+      : version_(std::move(version)), kind_(support_kind(design.parameters)) {
     static_cast<TileBodies&>(model_) = make_tile_bodies(design);
     model_.name = design.name;
   }
@@ -61,7 +62,7 @@ class Builder {
     checkpoint("placing anchors", 0.3);
     if (p().anchors) add_anchors();
     checkpoint("building the support", 0.4);
-    add_support(model_, footprints_);
+    if (kind_.add) kind_.add(model_, footprints_);
     bore_joints();
     checkpoint("measuring bodies", 0.9);
     list_features();
@@ -177,7 +178,7 @@ class Builder {
       model_.overhang.push_back(overhang(i));
       const TileFeatures f = tile_features(tiles(), model_.bumps.body[i], model_.bumps.of_tile[i],
                                            model_.q.row(i).data(), i);
-      ThinFeature thin{model_.tiles[i].name, "front pin", f.front_pin};
+      ThinFeature thin{model_.tiles[i].name, "front pin", f.front_pin, i};
       auto consider = [&](const char* what, double size) {
         if (size < thin.size) {
           thin.what = what;
@@ -195,10 +196,11 @@ class Builder {
       }
       model_.thin.push_back(std::move(thin));
     }
-    if (p().support != "breakaway") return;
-    const double neck = std::min(bridge_neck(p()), p().bridge_width);
-    for (const PrintBody& bridge : model_.supports) {
-      model_.thin.push_back({bridge.name, "notch of the bridge", neck});
+    if (!kind_.narrowest) return;
+    ThinFeature narrowest = kind_.narrowest(p());
+    for (const PrintBody& body : model_.supports) {
+      narrowest.body = body.name;
+      model_.thin.push_back(narrowest);
     }
   }
 
@@ -233,6 +235,7 @@ class Builder {
 
   PrintModel model_;
   std::string version_;
+  SupportKind kind_;
   std::vector<PieceFootprint> footprints_;
 };
 

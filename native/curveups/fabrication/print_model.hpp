@@ -29,6 +29,7 @@ struct KeptSolids {
 struct ThinFeature {
   std::string body, what;
   double size;
+  int tile = -1;  // PrintBody::tile
 };
 
 // What is engraved on the tab of a piece's label.

@@ -109,8 +109,6 @@ void leave_loose(PrintModel& model, int piece) {
   }
 }
 
-}  // namespace
-
 void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
   const Parameters& p = model.parameters;
   std::vector<Polygon> outer;
@@ -161,6 +159,12 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
     }
   }
   std::sort(model.loose_tiles.begin(), model.loose_tiles.end());
+}
+
+}  // namespace
+
+SupportKind slabs() {
+  return {"slab", "support (soluble)", "dissolve the slab and let the tiles dry", true, add_slabs};
 }
 
 }  // namespace curveups

@@ -106,7 +106,7 @@ std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodi
   });
   std::vector<UnsoundSolid> out;
   for (std::size_t i = 0; i < reason.size(); ++i) {
-    if (!reason[i].empty()) out.push_back({bodies[i]->name, reason[i]});
+    if (!reason[i].empty()) out.push_back({bodies[i]->name, reason[i], bodies[i]->tile});
   }
   return out;
 }

@@ -6,23 +6,27 @@
 namespace curveups {
 namespace {
 
-constexpr std::size_t most_named = 3;  // unsound solids in a message
+constexpr std::size_t most_named = 3;  // unsound solids in a sentence
 
 }  // namespace
 
-std::vector<std::string> solid_reasons(const std::vector<UnsoundSolid>& unsound) {
-  std::vector<std::string> reasons;
-  if (!unsound.empty()) {
-    std::string text = "solids are not sound: ";
-    for (std::size_t k = 0; k < std::min(most_named, unsound.size()); ++k) {
-      text += (k > 0 ? "; " : "") + unsound[k].body + ": " + unsound[k].reason;
-    }
-    if (unsound.size() > most_named) {
-      text += " and " + std::to_string(unsound.size() - most_named) + " more";
-    }
-    reasons.push_back(text);
+std::vector<Finding> solid_reasons(const std::vector<UnsoundSolid>& unsound) {
+  if (unsound.empty()) return {};
+  Finding found = {"unsound"};
+  std::vector<Finding> named;
+  for (const UnsoundSolid& solid : unsound) {
+    if (solid.tile >= 0) found.tiles.push_back(solid.tile);
+    if (named.size() == most_named) continue;
+    named.push_back({"unsound.solid", {}, {{"body", solid.body}, {"why", solid.reason}}});
   }
-  return reasons;
+  std::sort(found.tiles.begin(), found.tiles.end());
+  const int more = static_cast<int>(unsound.size() - named.size());
+  found.figures["solids"] = std::move(named);
+  if (more > 0) {
+    found.kind = "unsound.many";
+    found.figures["more"] = more;
+  }
+  return {found};
 }
 
 }  // namespace curveups

@@ -1,25 +1,45 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The support of a print model; each adds bodies to model.supports. Front side up throughout.
+// Kinds of support: what print model, files, report and estimate know of each.
 #pragma once
 
+#include <optional>
+#include <string>
+
+#include "curveups/design/support_kinds.hpp"
 #include "curveups/fabrication/anchors.hpp"
 #include "curveups/fabrication/print_model.hpp"
 
 namespace curveups {
 
-// Soluble: one slab a piece around its tiles and anchors; footprints are those of the pieces.
-// Throws InfeasibleDesign where slabs run into other pieces, SolverFailure where one falls apart.
-void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints);
+struct SupportKind {
+  std::string bodies;    // what they are called: "slab", "bridges"; empty where there are none
+  std::string material;  // of their bodies in a 3MF
+  // As a step of the assembly; "{second}": the side that is glued last.
+  std::string removal;
+  bool soluble = false;  // of a second material, which a bath takes away; else of the tiles' own
+  // Adds its bodies to model.supports, front side up throughout; none where it is null. footprints
+  // are those of the pieces. Throws InfeasibleDesign where bodies run into other pieces or are too
+  // thin, SolverFailure where an outline falls apart.
+  void (*add)(PrintModel& model, const std::vector<PieceFootprint>& footprints) = nullptr;
+  // The narrowest place of each of its bodies; null where that depends on the gaps around it.
+  ThinFeature (*narrowest)(const Parameters& parameters) = nullptr;
+};
 
-// Breakaway: bridges between the tiles of each contact and from anchors to their nearest tiles.
-// Lists what no bridge holds. Throws what make_bridges throws.
-void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprints);
+// One slab a piece around its tiles and anchors; bridges between the tiles of each contact and from
+// anchors to their nearest tiles, which lists what none holds.
+#define CURVEUPS_DECLARE(function, name) SupportKind function();
+CURVEUPS_SUPPORT_KINDS(CURVEUPS_DECLARE)
+#undef CURVEUPS_DECLARE
 
-// What the parameter `support` asks for. A new kind is a file, its lines here and a choice of the
-// parameter.
-inline void add_support(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
-  if (model.parameters.support == "soluble") add_slabs(model, footprints);
-  if (model.parameters.support == "breakaway") add_bridges(model, footprints);
+inline SupportKind no_support() { return {"", "", "", false}; }
+
+// What the parameter `support` asks for.
+inline SupportKind support_kind(const Parameters& parameters) {
+#define CURVEUPS_PICK(function, name) \
+  if (parameters.support == (name)) return function();
+  CURVEUPS_SUPPORT_KINDS(CURVEUPS_PICK)
+#undef CURVEUPS_PICK
+  return no_support();
 }
 
 }  // namespace curveups

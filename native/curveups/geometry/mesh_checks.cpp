@@ -18,42 +18,27 @@ namespace {
 constexpr double coarse_coordinates = 2e5;
 constexpr double many_tiles = 20000, most_tiles = 200000;
 
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
-std::string listed(const std::vector<int>& items) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min<std::size_t>(items.size(), 5); ++i) {
-    text += (i ? ", " : "") + std::to_string(items[i] + 1);
-  }
-  return text + (items.size() > 5 ? ", ..." : "");
-}
+using Figures = std::map<std::string, Finding::Figure>;
 
 class Findings {
  public:
-  void add(const char* kind, std::string message, std::string remedy, std::vector<int> faces = {},
-           std::vector<int> vertices = {}, bool is_error = true) {
-    list.push_back({kind, std::move(message), std::move(remedy), std::move(faces),
-                    std::move(vertices), is_error});
+  void add(const char* kind, Figures figures = {}, bool is_error = true) {
+    list.push_back({kind, {}, std::move(figures), is_error});
   }
-  // One for a set of faces, none where it is empty.
-  void add_faces(const char* kind, const std::string& what, const char* remedy,
-                 std::vector<int> faces) {
-    if (faces.empty()) return;
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    add(kind, std::to_string(faces.size()) + what + " (faces " + listed(faces) + ")", remedy,
-        faces);
+  // Of a set of faces or vertices (`what`), none where it is empty.
+  void add_rows(const char* kind, const char* what, std::vector<int> rows) {
+    if (rows.empty()) return;
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    const int count = static_cast<int>(rows.size());
+    add(kind, {{"count", count}, {what, std::move(rows)}});
   }
-  std::vector<MeshFinding> list;
+  std::vector<Finding> list;
 };
 
 void check_arrays(const TriangleMesh& mesh, Findings& findings) {
   if (mesh.F.rows() == 0 || mesh.V.rows() == 0) {
-    findings.add("empty", "the surface has no faces", "check the file and its format");
+    findings.add("empty");
     return;
   }
   std::vector<int> outside, infinite;
@@ -62,17 +47,11 @@ void check_arrays(const TriangleMesh& mesh, Findings& findings) {
       outside.push_back(f);
     }
   }
-  findings.add_faces("index-out-of-range", " faces name vertices that do not exist",
-                     "repair the file", outside);
+  findings.add_rows("index-out-of-range", "faces", outside);
   for (int v = 0; v < mesh.V.rows(); ++v) {
     if (!mesh.V.row(v).allFinite()) infinite.push_back(v);
   }
-  if (!infinite.empty()) {
-    findings.add("not-finite",
-                 std::to_string(infinite.size()) + " vertices are not finite (vertices " +
-                     listed(infinite) + ")",
-                 "repair the file", {}, infinite);
-  }
+  findings.add_rows("not-finite", "vertices", infinite);
 }
 
 void check_manifold(const TriangleMesh& mesh, Findings& findings) {
@@ -86,21 +65,14 @@ void check_manifold(const TriangleMesh& mesh, Findings& findings) {
                 if (end - begin == 2 && begin[0].up == begin[1].up) wrong = &twisted;
                 for (; wrong && begin != end; ++begin) wrong->push_back(begin->face);
               });
-  findings.add_faces("degenerate-faces", " faces have no area", "remove them, or remesh",
-                     degenerate);
-  findings.add_faces("duplicate-faces", " faces are there twice", "remove the doubles",
-                     repeated_faces(mesh.F, static_cast<int>(mesh.V.rows())));
-  findings.add_faces("non-manifold-edges", " faces meet at edges of more than two faces",
-                     "remove inner walls and doubled faces", crowded);
+  findings.add_rows("degenerate-faces", "faces", degenerate);
+  findings.add_rows("duplicate-faces", "faces",
+                    repeated_faces(mesh.F, static_cast<int>(mesh.V.rows())));
+  findings.add_rows("non-manifold-edges", "faces", crowded);
   if (!findings.list.empty()) return;
   if (!twisted.empty()) {
-    if (orientation_of(mesh.V, mesh.F).consistent) {
-      findings.add_faces("inconsistent-orientation", " faces are turned against their neighbours",
-                         "make the normals consistent", twisted);
-    } else {
-      findings.add_faces("one-sided", " faces lie where front meets back: the surface has one side",
-                         "cut the band through, or model it with two sides", twisted);
-    }
+    const bool two_sided = orientation_of(mesh.V, mesh.F).consistent;
+    findings.add_rows(two_sided ? "inconsistent-orientation" : "one-sided", "faces", twisted);
     return;
   }
   const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
@@ -113,21 +85,8 @@ void check_manifold(const TriangleMesh& mesh, Findings& findings) {
   for (std::size_t c = mesh.V.rows(); c < fans.original.size(); ++c) {
     (on_boundary[fans.original[c]] ? touching : pinched).push_back(fans.original[c]);
   }
-  for (std::vector<int>* list : {&pinched, &touching}) {
-    std::sort(list->begin(), list->end());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
-  }
-  if (!pinched.empty()) {
-    findings.add("non-manifold-vertices",
-                 "parts of the surface touch in single vertices (vertices " + listed(pinched) + ")",
-                 "separate the parts", {}, pinched);
-  }
-  if (!touching.empty()) {
-    findings.add(
-        "boundary-touches-itself",
-        "the boundary touches itself in single vertices (vertices " + listed(touching) + ")",
-        "fill the gap or widen it", {}, touching);
-  }
+  findings.add_rows("non-manifold-vertices", "vertices", pinched);
+  findings.add_rows("boundary-touches-itself", "vertices", touching);
 }
 
 void check_shape(const TriangleMesh& mesh, double L, bool cuts_given, bool without_crossings,
@@ -143,49 +102,29 @@ void check_shape(const TriangleMesh& mesh, double L, bool cuts_given, bool witho
   for (int f = 0; f < mesh.F.rows(); ++f) {
     if (!open[component[f]]) closed.push_back(f);
   }
-  if (!closed.empty() && !cuts_given) {
-    findings.add("closed", "the surface is closed: it can't lie flat in one piece",
-                 "let it be cut open (--auto-cuts 1) or divided (pieces=auto), give --cuts, or "
-                 "remove a part of it",
-                 closed);
-  }
+  if (!cuts_given) findings.add_rows("closed", "faces", closed);
   if (!without_crossings) {
-    findings.add_faces("self-intersections", " faces run through others of the same surface",
-                       "repair the surface: tiles can't pass through one another",
-                       self_intersecting_faces(mesh));
+    findings.add_rows("self-intersections", "faces", self_intersecting_faces(mesh));
   }
   const double largest = mesh.V.cwiseAbs().maxCoeff();
   if (largest > coarse_coordinates) {
-    findings.add("huge-coordinates",
-                 "coordinates reach " + number(largest) + " mm, where files lose digits",
-                 "move the surface to the origin, or check its unit (scale)", {}, {},
+    findings.add("huge-coordinates", {{"largest", largest}},
                  largest > tolerance::largest_coordinate);
   }
   const double tiles = surface_area(mesh) / (std::sqrt(3.0) / 4 * L * L);
   const double size = (mesh.V.colwise().maxCoeff() - mesh.V.colwise().minCoeff()).norm();
   if (tiles < 0.3 || size < 0.9 * L) {
-    findings.add("too-small",
-                 "the surface is " + number(size) +
-                     " mm large, smaller than one tile of L = " + number(L) + " mm",
-                 "is it in metres or inches? set scale (1000 or 25.4), or choose a smaller L");
+    findings.add("too-small", {{"size", size}, {"L", L}});
   } else if (tiles > many_tiles) {
-    findings.add("too-large",
-                 "the surface needs about " + number(tiles) + " tiles of L = " + number(L) + " mm",
-                 "check the unit of the file (scale), or choose a larger L", {}, {},
-                 tiles > most_tiles);
+    findings.add("too-large", {{"tiles_needed", tiles}, {"L", L}}, tiles > most_tiles);
   }
-  if (count > 1) {
-    findings.add(
-        "components",
-        "the surface has " + std::to_string(count) + " components, which are laid out side by side",
-        "", {}, {}, false);
-  }
+  if (count > 1) findings.add("components", {{"count", count}}, false);
 }
 
 }  // namespace
 
-std::vector<MeshFinding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given,
-                                    bool without_crossings) {
+std::vector<Finding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given,
+                                bool without_crossings) {
   Findings findings;
   check_arrays(mesh, findings);
   if (findings.list.empty()) check_manifold(mesh, findings);

@@ -2,21 +2,12 @@
 // Finds the places of a surface that can't become tiles.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "curveups/core/finding.hpp"
 #include "curveups/geometry/triangle_mesh.hpp"
 
 namespace curveups {
-
-struct MeshFinding {
-  std::string kind;  // a fixed word, see check_mesh
-  std::string message;
-  std::string remedy;
-  std::vector<int> faces;     // rows of F concerned
-  std::vector<int> vertices;  // rows of V concerned
-  bool is_error;              // nothing can be made; else a warning
-};
 
 // Findings in this order; after the first group (arrays that mean nothing) and after the second (no
 // manifold) no further ones are looked for.
@@ -25,10 +16,11 @@ struct MeshFinding {
 //   non-manifold-vertices, boundary-touches-itself;
 //   closed (unless cuts are given), self-intersections, huge-coordinates, too-small, too-large,
 //   and as information (no error) components.
+// Their figures: "count", and "faces" or "vertices", the rows concerned.
 // L: the edge length the tiles will have, mm. without_crossings: no face is known to run through
 // another, which is then not looked for again. Throws Cancelled.
-std::vector<MeshFinding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given,
-                                    bool without_crossings = false);
+std::vector<Finding> check_mesh(const TriangleMesh& mesh, double L, bool cuts_given,
+                                bool without_crossings = false);
 
 // Pairs of faces that run through one another, each face once, ascending. The mesh must have passed
 // the first two groups of check_mesh. Throws Cancelled.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "curveups/geometry/cut_mesh.hpp"
@@ -74,7 +73,7 @@ struct Piece {
     return found;
   }
 
-  CutCandidate along(const std::vector<int>& path, std::string reason) const {
+  CutCandidate along(const std::vector<int>& path, Finding reason) const {
     CutCandidate out;
     out.edges.resize(static_cast<Eigen::Index>(path.size()) - 1, 2);
     for (std::size_t k = 1; k < path.size(); ++k) {
@@ -86,12 +85,6 @@ struct Piece {
     return out;
   }
 };
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
-  return text;
-}
 
 // A place that asks for a cut; the strongest are taken.
 struct Place {
@@ -126,13 +119,13 @@ void find_extremes(const Piece& piece, const Eigen::VectorXd& scale, std::vector
       largest = largest && (value[v] > value[n] || (value[v] == value[n] && v < n));
     }
     if (!least && !largest) continue;
-    const std::string where = "at " + tile_name(piece.tile_at[v]) +
-                              ", which the flat map scales by " + number(std::exp(value[v])) +
-                              " of the mean";
+    const std::vector<int> tile = {piece.tile_at[v]};
     (least ? tips : basins)
-        .push_back({std::abs(value[v]),
-                    piece.along(piece.to_boundary.path_to(v),
-                                (least ? "to the tip " : "into the saddle ") + where)});
+        .push_back(
+            {std::abs(value[v]), piece.along(piece.to_boundary.path_to(v),
+                                             {least ? "cut.tip" : "cut.saddle",
+                                              tile,
+                                              {{"tile", tile}, {"scale", std::exp(value[v])}}})});
   }
 }
 
@@ -154,9 +147,10 @@ void find_weak(const Piece& piece, const std::vector<std::array<int, 2>>& weak,
     std::vector<int> path = piece.to_boundary.path_to(near);
     path.push_back(far);
     for (int v : piece.around(far, rings)) taken[v] = 1;
-    places.push_back({piece.to_boundary.distance[far],
-                      piece.along(path, "through the weak contact " + tile_name(pair[0]) + "-" +
-                                            tile_name(pair[1]))});
+    places.push_back(
+        {piece.to_boundary.distance[far],
+         piece.along(path,
+                     {"cut.weak_contact", tiles_of({pair}), {{"contact", Finding::Pairs{pair}}}})});
   }
 }
 
@@ -185,9 +179,8 @@ void find_holes(const Piece& piece, std::vector<Place>& places) {
       }
     }
     const std::vector<int> path = tree.path_to(nearest);
-    places.push_back(
-        {round[l], piece.along(path, "joins the hole at " + tile_name(piece.tile_at[path.front()]) +
-                                         " to another boundary")});
+    const std::vector<int> tile = {piece.tile_at[path.front()]};
+    places.push_back({round[l], piece.along(path, {"cut.hole", tile, {{"tile", tile}}})});
   }
 }
 

@@ -2,17 +2,17 @@
 // Places where a cut may relieve a layout.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "curveups/core/finding.hpp"
 #include "curveups/design/tile_mesh.hpp"
 
 namespace curveups {
 
 struct CutCandidate {
-  Edges edges;         // vertex pairs of the whole mesh, along the path
-  double length = 0;   // mm
-  std::string reason;  // one phrase that names tiles
+  Edges edges;        // vertex pairs of the whole mesh, along the path
+  double length = 0;  // mm
+  Finding reason;
 };
 
 // Cuts along shortest edge paths, each from a place that asks for one to the nearest boundary or

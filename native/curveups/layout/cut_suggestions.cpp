@@ -96,7 +96,7 @@ class Suggester {
     CutSuggestion needed;
     needed.opens = true;
     needed.edges = opening_cuts(mesh_, given.topology, given.cut);
-    if (needed.edges.rows() > 0) needed.reason = "opens what is closed or has handles";
+    if (needed.edges.rows() > 0) needed.reasons.push_back({"cut.opens"});
     while (true) {
       if (!go_on()) throw Cancelled();
       const TileMesh tiles = tiles_with(needed.edges);
@@ -105,7 +105,7 @@ class Suggester {
       std::vector<Tried> found = candidates(tiles, scale, needed.edges);
       if (found.empty() || !(found.front().unevenness < unevenness(tiles, scale))) break;
       needed.edges = with(needed.edges, found.front().cut.edges);
-      needed.reason += (needed.reason.empty() ? "" : "; ") + found.front().cut.reason;
+      needed.reasons.push_back(found.front().cut.reason);
     }
     if (needed.edges.rows() == 0 || options_.most < 1) return;
     needed.after = draft(needed.edges);
@@ -161,7 +161,7 @@ class Suggester {
         found.begin(), found.end(),
         [](const Tried& a, const Tried& b) { return energy_of(a.figures) < energy_of(b.figures); });
     if (!(energy_of(best->figures) < (1 - options_.worth) * energy_of(now_))) return false;
-    take({best->cut.edges, 0, best->cut.reason, false, now_, best->figures});
+    take({best->cut.edges, 0, {best->cut.reason}, false, now_, best->figures});
     return true;
   }
 

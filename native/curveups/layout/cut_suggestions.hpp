@@ -5,7 +5,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "curveups/core/progress.hpp"
@@ -18,7 +17,7 @@ namespace curveups {
 struct CutSuggestion {
   Edges edges;        // vertex pairs to cut besides the given cuts and those of earlier suggestions
   double length = 0;  // mm
-  std::string reason;
+  std::vector<Finding> reasons;
   bool opens = false;  // without it there is no layout worth speaking of
   // Of draft layouts; none where there is none, or where the solver broke down.
   std::optional<LayoutFigures> before, after;

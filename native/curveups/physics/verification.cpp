@@ -168,7 +168,8 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   try {
     solved = take_or_solve(store, geometry, design, progress);
   } catch (const InfeasibleDesign& error) {
-    report.reasons.push_back(error.what());
+    report.reasons.push_back(
+        {"not_laid_out", error.tiles(), {{"said", std::string(error.what())}}});
     return report;
   }
   report.computed = true;

@@ -4,18 +4,13 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "curveups/core/finding.hpp"
 #include "curveups/physics/membrane_figures.hpp"
 #include "curveups/physics/unilateral.hpp"
 
 namespace curveups {
-
-struct Warning {
-  std::string what;
-  std::vector<int> tiles;
-};
 
 // Figures of both membranes.
 struct PhysicsFigures {
@@ -70,8 +65,8 @@ struct MembranePicture {
 // All that verification found.
 struct VerificationReport {
   bool valid = false;
-  std::vector<std::string> reasons;
-  std::vector<Warning> warnings;
+  std::vector<Finding> reasons;
+  std::vector<Finding> warnings;
   // False where the membranes can't be laid out at all: the reasons say why, the rest is empty.
   bool computed = false;
   // False where weak points were enough (VerificationOptions): reasons, warnings and the unilateral

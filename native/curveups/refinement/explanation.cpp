@@ -2,7 +2,7 @@
 #include "curveups/refinement/explanation.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <utility>
 
 namespace curveups {
 namespace {
@@ -18,7 +18,7 @@ std::vector<int> with_neighbours(const TileMesh& tiles, const std::array<int, 2>
   return near;
 }
 
-// With what is short in the words of `reason`.
+// With what is short as the kind of `reason`.
 std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& points,
                                            const Judgement& judgement,
                                            const CriticalPairs& critical) {
@@ -28,7 +28,7 @@ std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& poin
       return contact.tiles == tiles;
     });
     if (known == out.end()) {
-      out.push_back({tiles, force, "", "", {}});
+      out.push_back({tiles, force, {}, "", {}});
     } else {
       known->least_force = std::min(known->least_force, force);
     }
@@ -37,18 +37,16 @@ std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& poin
     const double force = judgement.normal(static_cast<Eigen::Index>(p)) / judgement.f_min;
     if (points[p].contact >= 0 && force < 1) add(points[p].tile, force);
   }
-  std::string what = " has ";
+  std::string kind = "weak_contact";
   for (Touching where : touchings) {
     if (!out.empty() || !judgement.is_short_of(where)) continue;
-    what = where == Touching::at_tips ? " keeps pushing forces within friction at bumps' tips at "
-                                      : " keeps pushing forces within friction at ";
+    kind = where == Touching::at_tips ? "weak_contact.tips" : "weak_contact.friction";
     const int k = static_cast<int>(where);
     for (const std::array<int, 2>& pair : critical[k]) add(pair, judgement.floor[k]);
   }
   for (BlockedContact& contact : out) {
-    char share[32];
-    std::snprintf(share, sizeof share, "%.2f", contact.least_force);
-    contact.reason = "contact " + pair_name(contact.tiles) + what + share + " of f_min";
+    const Finding::Pairs pair = {contact.tiles};
+    contact.reason = {kind, tiles_of(pair), {{"contact", pair}, {"share", contact.least_force}}};
   }
   return out;
 }
@@ -69,34 +67,13 @@ std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
             return std::find(near.begin(), near.end(), tile) != near.end();
           });
         });
-    if (found == obstacles.end()) {
-      contact.reason += ": no small change of layout, pins or vertices lifts it";
-      continue;
+    std::vector<Finding> why = {{"held_by_nothing"}};
+    if (found != obstacles.end()) {
+      contact.obstacle = found->what;
+      contact.held = found->tiles;
+      why = {{"held_by", {}, {{"obstacle", found->what}, {"at", found->tiles}}}};
     }
-    contact.obstacle = found->what;
-    contact.held = found->tiles;
-    contact.reason +=
-        ": held by the " + found->what + " of " + tile_names(found->tiles, found->tiles.size());
-  }
-  return out;
-}
-
-std::vector<std::string> suggest_remedies(const std::vector<BlockedContact>& blocked) {
-  std::vector<std::string> out;
-  auto any = [&](auto&& is) {
-    return std::any_of(blocked.begin(), blocked.end(),
-                       [&](const BlockedContact& contact) { return is(contact.obstacle); });
-  };
-  if (any([](const std::string& what) { return what == "gap"; })) {
-    out.push_back("a cut near the tiles named gives gaps room");
-  }
-  if (any([](const std::string& what) { return !what.empty() && what != "gap"; })) {
-    out.push_back("a larger L, thinner tiles (H_body) or a smaller A_pin_min give pins room");
-  }
-  if (any([](const std::string& what) { return what.empty(); })) {
-    out.push_back(
-        "another tau, or a smoother target near the tiles named, changes the membranes' "
-        "pull there");
+    contact.reason.figures["why"] = std::move(why);
   }
   return out;
 }

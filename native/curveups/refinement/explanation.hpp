@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "curveups/core/finding.hpp"
 #include "curveups/refinement/judgement.hpp"
 #include "curveups/refinement/layout_step.hpp"
 
@@ -14,8 +15,8 @@ namespace curveups {
 // A contact that stays weak, and what holds it.
 struct BlockedContact {
   std::array<int, 2> tiles;
-  double least_force;     // in units of f_min
-  std::string reason;     // one sentence that names tiles
+  double least_force;  // in units of f_min
+  Finding reason;
   std::string obstacle;   // Obstacle::what, empty where there is none
   std::vector<int> held;  // the tiles whose constraints are in the way
 };
@@ -31,8 +32,5 @@ std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
                                                   const Judgement& judgement,
                                                   const CriticalPairs& critical,
                                                   const std::vector<Obstacle>& obstacles);
-
-// What would help against what holds them.
-std::vector<std::string> suggest_remedies(const std::vector<BlockedContact>& blocked);
 
 }  // namespace curveups

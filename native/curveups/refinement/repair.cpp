@@ -335,22 +335,19 @@ void Repair::search(RepairResult& result) {
 
 RepairResult Repair::run() {
   RepairResult result;
-  std::string breakdown;
   try {
     search(result);
   } catch (const Cancelled&) {
     result.solve.status = SolveStatus::stopped;
   } catch (const Error& error) {  // on the way: the best so far stands
     if (!best_) throw;
-    breakdown = std::string("repair ended early: ") + error.what();
+    result.breakdown = error.what();
   }
   const Finishing finishing;
   here_ = best_ ? best_->place : given_;
   if (result.solve.status == SolveStatus::unfinished) {
     result.blocked = explain_weak_contacts(here_.geometry().tiles, best_->points, best_->judgement,
                                            best_->critical, last_step_.obstacles);
-    result.suggestions = suggest_remedies(result.blocked);
-    if (!breakdown.empty()) result.suggestions.push_back(breakdown);
   }
   result.design = design_here();
   result.largest_move = std::max((result.design.T - design_.T).cwiseAbs().maxCoeff(),

@@ -43,7 +43,7 @@ struct RepairResult {
   double largest_move = 0;         // of a front corner in the layout or an inset, mm
   double largest_vertex_move = 0;  // of an actuated vertex in this repair, mm
   std::vector<BlockedContact> blocked;
-  std::vector<std::string> suggestions;
+  std::string breakdown;  // why it ended early; empty where it did not
 };
 
 // Called after every step with flat corners, insets, the number of weak points and the largest

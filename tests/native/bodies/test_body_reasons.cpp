@@ -12,15 +12,18 @@ TEST(BodyReasons, TilesThatStandApartHaveNone) {
 
 // Bodies that overlap have the distance 0, as those that touch.
 TEST(BodyReasons, TilesThatTouchWhenFlatAreNamed) {
-  const std::vector<std::string> reasons = body_reasons({0, {3, 11}}, {0, {-1, -1}});
+  const std::vector<Finding> reasons = body_reasons({0, {3, 11}}, {0, {-1, -1}});
   ASSERT_EQ(reasons.size(), 1u);
-  EXPECT_EQ(reasons[0], "solids meet in the flat layout (T00004, T00012)");
+  EXPECT_EQ(reasons[0].kind, "bodies_meet");
+  EXPECT_EQ(reasons[0].tiles, (std::vector<int>{3, 11}));
 }
 
 TEST(BodyReasons, TilesThatOverlapWhenActuatedAreNamed) {
-  const std::vector<std::string> reasons = body_reasons({0.5, {0, 1}}, {0.01, {0, 6}});
+  const std::vector<Finding> reasons = body_reasons({0.5, {0, 1}}, {0.01, {0, 6}});
   ASSERT_EQ(reasons.size(), 1u);
-  EXPECT_EQ(reasons[0], "actuated tiles overlap by 0.01 mm3 (T00001, T00007)");
+  EXPECT_EQ(reasons[0].kind, "bodies_overlap");
+  EXPECT_EQ(reasons[0].tiles, (std::vector<int>{0, 6}));
+  EXPECT_EQ(std::get<double>(reasons[0].figures.at("value")), 0.01);
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ std::size_t loops_of(const TriangleMesh& mesh) {
 }
 
 void expect_mended(const TriangleMesh& mesh, const MendOptions& options) {
-  for (const MeshFinding& finding : check_mesh(mesh, options.L, true)) {
-    EXPECT_FALSE(finding.is_error) << finding.message;
+  for (const Finding& finding : check_mesh(mesh, options.L, true)) {
+    EXPECT_FALSE(finding.is_error) << finding.kind;
   }
   const MendedMesh again = mend_mesh(mesh, options);
   EXPECT_TRUE(again.actions.empty()) << again.actions.front();

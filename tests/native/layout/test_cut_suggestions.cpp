@@ -56,7 +56,7 @@ void expect_slits(const TriangleMesh& mesh, const std::vector<CutSuggestion>& cu
   for (const CutSuggestion& cut : cuts) {
     ASSERT_GT(cut.edges.rows(), 0);
     EXPECT_NEAR(cut.length, length_of(mesh, cut.edges), 1e-12);
-    EXPECT_FALSE(cut.reason.empty());
+    EXPECT_FALSE(cut.reasons.empty());
     for (int e = 0; e < cut.edges.rows(); ++e) {
       EXPECT_TRUE(seen.insert(std::minmax(cut.edges(e, 0), cut.edges(e, 1))).second);
     }
@@ -76,7 +76,7 @@ TEST(CutCandidates, TheTipOfAFingerAsksForACutToTheRim) {
   EXPECT_LT(scale.head(12).maxCoeff(), 0.2);  // the tip's own faces
   const auto found = cut_candidates(tiles, scale, {});
   ASSERT_FALSE(found.empty());
-  EXPECT_NE(found[0].reason.find("tip"), std::string::npos);
+  EXPECT_EQ(found[0].reason.kind, "cut.tip");
   const Edges& edges = found[0].edges;
   // From the rim, ring by ring, to the tip.
   EXPECT_GE(edges(0, 0), 1 + 12 * 9);
@@ -118,9 +118,8 @@ TEST(CutCandidates, AHoleIsJoinedToTheRim) {
   mesh.F = rest;
   const TileMesh tiles = make_tile_mesh(mesh, no_cuts, 3);
   const auto found = cut_candidates(tiles, relative_scale(tiles), {});
-  const auto hole = std::find_if(found.begin(), found.end(), [](const CutCandidate& c) {
-    return c.reason.find("hole") != std::string::npos;
-  });
+  const auto hole = std::find_if(found.begin(), found.end(),
+                                 [](const CutCandidate& c) { return c.reason.kind == "cut.hole"; });
   ASSERT_NE(hole, found.end());
   const TileMesh cut = make_tile_mesh(mesh, hole->edges, 3);
   const auto pieces = cut_into_pieces(cut.mesh, cut.topology, cut.cut);

@@ -18,10 +18,10 @@ from ...stages import asked_by
 from ...stages.sizes import Recommendation
 from .. import runs
 from ..macro import call, named
-from ..notice import errors_shown, show_line, with_links
+from ..notice import errors_shown, show_line, shown
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE, Task
-from ..units import in_user_units, row_in_user_units
+from ..units import row_in_user_units
 from .panel import Panel
 
 _MOST = 300  # rows
@@ -106,14 +106,15 @@ class CheckPanel(Panel):
             "CurveUps_Check", "Not feasible")
         if not current:
             head = translate("CurveUps_Check", "Out of date: check again")
-        form.verdict.setText(f"<b>{escape(head)}</b><br>{with_links(words.verdict(found['feasibility']))}")
+        said = [shown(self.design, one) for one in words.verdict(found["feasibility"])]
+        form.verdict.setText(f"<b>{escape(head)}</b><br>{', '.join(said)}")
         self._fill_sizes(found)
         self._fill_margins(found)
         self._fill_obstacles(found)
 
     def _fill_sizes(self, found: Results) -> None:
         form, get = self.form, found.parameters.get
-        form.advice.setText(self._shown("\n".join(words.advice(found))))
+        form.advice.setText("\n".join(shown(self.design, one, False) for one in words.advice(found)))
         form.use_mending.setVisible(found["feasibility"].mending is not None)
         for name, button in (("L", form.use_length), ("H_body", form.use_thickness),
                              ("H_pin", form.use_pin)):
@@ -139,7 +140,7 @@ class CheckPanel(Panel):
         form, blocked = self.form, found["feasibility"].blocked
         form.obstacles.clear()
         for one in blocked[:_MOST]:
-            why = self._shown(one.why)
+            why = shown(self.design, one.why, False)
             item = QtWidgets.QTreeWidgetItem([tile_name(one.tile), why if one.certain else f"{why} *"])
             item.setToolTip(1, why)
             item.setData(0, QtCore.Qt.UserRole, one.tile)
@@ -147,9 +148,6 @@ class CheckPanel(Panel):
         form.obstacles.setVisible(bool(blocked))
         form.left.setVisible(len(blocked) > _MOST)
         form.left.setText(translate("CurveUps_Check", "and {count} more", count=len(blocked) - _MOST))
-
-    def _shown(self, text: str) -> str:
-        return in_user_units(properties.as_properties(self.design, text))
 
     # What is done with it.
 

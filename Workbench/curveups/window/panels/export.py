@@ -10,19 +10,17 @@ from typing import Any
 import FreeCAD
 
 from ...base.errors import CurveUpsError
+from ...base.native import native
 from ...features import actions
 from ...features.document import settings_of
 from ...project.worker import Status
 from ...report.exports import Choice, choices, file_names, other_report
 from ..macro import call, named
-from ..notice import errors_shown, with_links
+from ..notice import errors_shown, shown
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from . import preferences
 from .panel import Panel
-
-# What is ticked at first: what print shops ask for.
-_FIRST = (("print", "3mf"), ("print", "step"), ("tiles", "stl"), ("support", "stl"), ("anchors", "stl"))
 
 
 class ExportPanel(Panel):
@@ -105,10 +103,11 @@ class ExportPanel(Panel):
         return [files.topLevelItem(row) for row in range(files.topLevelItemCount())]
 
     def _tick_files(self) -> None:
+        wanted = {(kind, one.ending) for one in native.print_formats() for kind in one.wanted}
         for kind, ending in choices():
             item = QtWidgets.QTreeWidgetItem([_bodies(kind), ending.upper()])
             item.setData(0, QtCore.Qt.UserRole, f"{kind}.{ending}")
-            item.setCheckState(0, QtCore.Qt.Checked if (kind, ending) in _FIRST else QtCore.Qt.Unchecked)
+            item.setCheckState(0, QtCore.Qt.Checked if (kind, ending) in wanted else QtCore.Qt.Unchecked)
             self.form.files.addTopLevelItem(item)
 
     def _folder(self) -> str:
@@ -125,7 +124,7 @@ class ExportPanel(Panel):
     def show(self) -> None:
         """What speaks against printing the design as it is."""
         found = actions.doubts(self.design)
-        self.form.doubts.setText("<br>".join(f"<b>{with_links(text)}</b>" for text in found))
+        self.form.doubts.setText("<br>".join(f"<b>{shown(self.design, one)}</b>" for one in found))
         self.form.doubts.setVisible(bool(found))
         self.form.insist.setVisible(bool(found))
 

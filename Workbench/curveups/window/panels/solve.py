@@ -13,12 +13,13 @@ import FreeCAD
 
 from ...base import profiles
 from ...features import properties
+from ...features.document import reasons_of
 from ...project.worker import Status
 from ...stages import label_of
 from ...stages.sizes import AUTOMATIC
 from .. import runs
 from ..macro import call, named
-from ..notice import errors_shown, with_links
+from ..notice import errors_shown, shown
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE
 from . import preferences
@@ -190,7 +191,7 @@ class SolvePanel(Panel):
         """The verdict: it changes when solids follow, by undo, and by scripts."""
         state = self.design.Status
         head = translate("CurveUpsSolve", self.design.Verdict if state == "current" else state)
-        lines = "<br>".join(with_links(text) for text in self.design.Reasons[:6])
+        lines = "<br>".join(shown(self.design, reason) for reason in reasons_of(self.design)[:6])
         self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"
                                   + (f"<br>{lines}" if lines else ""))
 

@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The sentence and the remedy of every kind of finding (findings.py), the native module's among them. A new
+kind is a line here; `tools/translations` asks for its words in other languages. How figures are written
+stands in findings.py."""
+
+from __future__ import annotations
+
+import re
+from typing import Mapping, Union
+
+CONTEXT = "CurveUps_Findings"  # of translations
+
+MORE = " and {count} more"  # after the rows that are named
+OR = " or "                 # between findings
+
+# Figures that are words of ours; others (names of bodies and files, errors of libraries) stay as they are.
+WORDS = ("front", "back", "gap", "pin area", "pin keep-out", "inset at its limit", "open", "invalid",
+         "faces turned over", "no volume", "volume", "front pin", "back pin", "height of the pins",
+         "body", "bump", "joint hole", "wall beside the joint hole", "notch of the bridge",
+         "stroke of the engraving", "out of date", "invalid")
+
+# The sentence, or both.
+_TEXTS: dict[str, Union[str, tuple[str, str]]] = {
+    # Contact forces and membranes.
+    "no_pressure": "the membranes do not press the tiles together",
+    "weak_points": "{points} contact points push too weakly: less than f_min = {f_min:.3g} N at "
+                   "{contacts:8}; the weakest has {least:.3g} N at {weakest}",
+    "weak_points.pulling": "{points} contact points push too weakly or pull ({pulling} pull): less than "
+                           "f_min = {f_min:.3g} N at {contacts:8}; the weakest has {least:.3g} N at "
+                           "{weakest}",
+    "unbalanced": "contacts can't hold {held:8}: a hinge or nothing at all carries them",
+    "in_the_air": "nothing carries the piece of {tile}: it does not reach the ground, where the lowest "
+                  "piece rests",
+    "in_the_air.held": "nothing carries the piece of {tile}: held_tiles names none of its tiles",
+    "coarse_mesh": "f_min is the estimated error of the membrane mesh, which is more than f_min_ratio asks "
+                   "for: lower mesh_size",
+    "no_balance": "with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: {pull:.3g} "
+                  "N of pull would be needed, first at {contacts:8}{more}",
+    "no_balance.tips": "with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance "
+                       "the tiles: {pull:.3g} N of pull would be needed, first at {contacts:8}{more}",
+    "balance_unknown": "whether pushing forces within friction {mu:.3g} balance the tiles could not be "
+                       "shown{more}",
+    "balance_unknown.tips": "whether pushing forces at bumps' tips within friction {mu:.3g} balance the "
+                            "tiles could not be shown{more}",
+    "least_force": "pushing forces within friction {mu:.3g} leave a least normal force of {least:.3g} N, "
+                   "less than f_min = {f_min:.3g} N, first at {contacts:8}{more}",
+    "least_force.tips": "pushing forces at bumps' tips within friction {mu:.3g} leave a least normal force "
+                        "of {least:.3g} N, less than f_min = {f_min:.3g} N, first at {contacts:8}{more}",
+    "dimples_stop": "; dimples stop what slides after {play:.3g} mm at most",
+    "hold_more": "; hold more tiles, or others (held_tiles)",
+    "no_equilibrium": "the membranes' equilibrium was not reached (residual {residual:.3g})",
+    "membrane.cuts": "the {side} membrane would cut {depth:.3g} mm into the body of {tile}: raise H_pin or "
+                     "lower insets there",
+    "membrane.touches": "the {side} membrane touches the body of {tile} (clearance {clearance:.3g} mm)",
+    "membrane.slack": "the {side} membrane is slack beside {beside:8}",
+    "sheet_tears": "more than 1 % of the membranes is stretched by {elongation:.3g} % or more, beyond "
+                   "elongation_at_break ({limit:.3g} %): they tear; lower tau",
+    "glue_shear": "the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear, more than "
+                  "glue_strength ({limit:.3g} MPa): raise A_pin_min or lower tau",
+    "not_laid_out": "{said}",
+    "piece_weak": "piece {piece} by itself: a contact point of {contact} has {least:.3g} N, less than f_min "
+                  "= {f_min:.3g} N of this piece",
+    "recheck": "on a membrane mesh of half the size: {reason}",
+    "verification_failed": "the design could not be verified: {error}",
+    # Why there is no verdict.
+    "unverified": "the design was not verified",
+    "unverified.off": "verification was off",
+    "unverified.export": "an export does not verify",
+    "unverified.changed": "geometry changed since verification",
+    "stopped": "stopped during {stage}",
+    "stopped.unchecked": "stopped before all solids were checked",
+    "said": "{said}",
+    "doubt": "the design is {state}: {reasons:; }",
+    # A surface that is given.
+    "empty": ("the surface has no faces", "check the file and its format"),
+    "index-out-of-range": ("{count} faces name vertices that do not exist", "repair the file"),
+    "not-finite": ("{count} vertices are not finite (vertices {vertices:#5})", "repair the file"),
+    "degenerate-faces": ("{count} faces have no area", "remove them, or remesh"),
+    "duplicate-faces": ("{count} faces are there twice", "remove the doubles"),
+    "non-manifold-edges": ("{count} faces meet at edges of more than two faces",
+                           "remove inner walls and doubled faces"),
+    "inconsistent-orientation": ("{count} faces are turned against their neighbours",
+                                 "make the normals consistent"),
+    "one-sided": ("{count} faces lie where front meets back: the surface has one side",
+                  "cut the band through, or model it with two sides"),
+    "non-manifold-vertices": ("parts of the surface touch in single vertices (vertices {vertices:#5})",
+                              "separate the parts"),
+    "boundary-touches-itself": ("the boundary touches itself in single vertices (vertices {vertices:#5})",
+                                "fill the gap or widen it"),
+    "closed": ("the surface is closed: it can't lie flat in one piece",
+               "let it be cut open (--auto-cuts 1) or divided (pieces=auto), give --cuts, or remove a part "
+               "of it"),
+    "self-intersections": ("{count} faces run through others of the same surface",
+                           "repair the surface: tiles can't pass through one another"),
+    "huge-coordinates": ("coordinates reach {largest:.4g} mm, where files lose digits",
+                         "move the surface to the origin, or check its unit (scale)"),
+    "too-small": ("the surface is {size:.4g} mm large, smaller than one tile of L = {L:.4g} mm",
+                  "is it in metres or inches? set scale (1000 or 25.4), or choose a smaller L"),
+    "too-large": ("the surface needs about {tiles_needed:.4g} tiles of L = {L:.4g} mm",
+                  "check the unit of the file (scale), or choose a larger L"),
+    "components": "the surface has {count} components, which are laid out side by side",
+    # Its tiles.
+    "sharp_fold": ("{count} tiles lie at folds sharper than a tile of thickness {H_body:.3g} mm can have: "
+                   "their back faces vanish",
+                   "lower H_body, raise L or smooth the target there"),
+    "folded_over": ("{count} pairs of tiles overlap in the target and no plane separates them without "
+                    "losing a contact",
+                    "lower H_body, or keep parts of the target farther from one another"),
+    "hinge": ("{count} contacts are only a hinge: truncation leaves no interface",
+              "lower H_body or smooth the target there"),
+    "small_pin": ("{count} pin sides can't reach A_pin_min ({A_pin_min:.3g} mm2); the smallest has "
+                  "{least:.3g} mm2",
+                  "lower H_body, p_min or A_pin_min, raise L or smooth the target there"),
+    "edge_length": ("{count} tiles are far smaller or larger than L ({L:.3g} mm)",
+                    "let the target be remeshed"),
+    "wall": ("the part is drawn {wall:.3g} mm thick, tiles are {H_body:g} mm thick", "set H_body={wall:.3g}"),
+    "fold": "no back face: its folds are too sharp for tiles of this thickness",
+    "pin": "its {side} pin has room for {area:.3g} mm2, less than A_pin_floor ({least:g})",
+    "overlap.bodies": "it runs through {other}, another part of the target, and no plane parts them",
+    "overlap.pins": "{other}, another part of the target, faces it so near that pins between them would meet",
+    "closed.tile": "its piece has no flat map: closed surfaces and handles have to be cut open first",
+    "membrane.room": "its {side} membrane would cut into it at a sharp corner or fold: pins rise {room:.2f} "
+                     "mm over it, {least:.2g} are wanted",
+    "stretch": "the flat map scales it by {stretch:.2f}; it can do with {low:.2f} to {high:.2f}: cuts would "
+               "even that out",
+    "mending.remaining": ("mending left these tiles with too little room for pins or under membranes",
+                          "set mend_max above {most:g}, or another L or H_body"),
+    "mending.border": ("mending left these tiles with too little room for pins or under membranes",
+                       "set mend_border=on, as some are at the border; or set mend_max above {most:g}, or "
+                       "another L or H_body"),
+    "pieces": ("the target is in {count} pieces, {asked} are asked for",
+               "parts that it has already and cuts that are given count as well"),
+    "pieces.stretched": ("no division into up to {most} pieces has as little stretch as membranes bear; the "
+                         "best has {count}",
+                         "set pieces to a number, or raise L"),
+    # The layout and the design.
+    "unsettled": "the layout did not converge in {iterations} iterations",
+    "layout": "the layout did not converge in {iterations} iterations; all constraints hold",
+    "gap": "flat tiles are {violation:.3g} mm nearer than d_gap_min ({pairs:6})",
+    "gap.somewhere": "flat tiles are {violation:.3g} mm nearer than d_gap_min",
+    "pin_bounds": "pin insets leave their bounds by {violation:.3g} mm",
+    "pins_below_floor": "{count} pin sides are smaller than A_pin_floor ({at:6})",
+    "overlap": "{count} pairs of tiles overlap when actuated and no plane parts them ({pairs:6})",
+    "small_pin.side": "the {side} pin has {area_mm2:.3g} mm2, less than A_pin_min",
+    "relaxed.p_min": "p_min gives way on {count} edges of pins, where folds leave their pins no room: from "
+                     "{before:.3g} to {after:.3g} mm at the {side} of {tile}",
+    "relaxed.p_max": "p_max gives way on {count} edges of pins, where folds ask for less than pins that "
+                     "face one another leave: from {before:.3g} to {after:.3g} mm at the {side} of {tile}",
+    "flat_gap": "bumps stand into the gap between flat tiles, as walls are not recessed for their height: "
+                "{left:.3g} of {asked:.3g} mm (d_gap_min) are left",
+    "shortened": "{count} pairs of tiles without a common corner would overlap when actuated; interfaces "
+                 "were shortened to part them: {pairs:6}",
+    "hinge.design": "{count} contacts are only a hinge: nothing but the front edge touches",
+    "stretched": ("the layout is badly stretched: its flat map scales tiles {spread:.3g} times differently, "
+                  "and the membrane is slack at {slack} places",
+                  "cut it as suggested"),
+    "stretched.uncut": ("the layout is badly stretched: its flat map scales tiles {spread:.3g} times "
+                        "differently, and the membrane is slack at {slack} places",
+                        "no cut was found that is worth it"),
+    # Bodies, solids and printers.
+    "bodies_meet": "solids meet in the flat layout ({at})",
+    "bodies_overlap": "actuated tiles overlap by {value:.3g} mm3 ({at})",
+    "unprintable": "the print can't be made: {error}",
+    "unbuilt": "solids can't be built: {error}",
+    "unsound": "solids are not sound: {solids:; }",
+    "unsound.many": "solids are not sound: {solids:; } and {more} more",
+    "unsound.solid": "{body}: {why}",
+    "bare_interface": "{count} interfaces carry no bumps: {why}",
+    "bare.edge_only": "the tiles touch along their front edge only",
+    "bare.too_small": "too small for three bumps",
+    "bare.would_touch": "bumps would touch the neighbour in the flat layout",
+    "bare.would_break_through": "its hollows would break into another face",
+    "loose": "{count} tiles are not held by the support",
+    "loose.anchors": "{count} anchors are not held by the support",
+    "label": "the label of piece {piece} says only '{said}': not the whole name",
+    "label.none": "the label of piece {piece} has no room: not the whole name",
+    "joint.room": ("pins of at least A_pin_floor ({A_pin_floor:.3g} mm2) leave no room for stitching holes "
+                   "of {joint_hole:.3g} mm",
+                   "lower joint_hole to {hole:.3g} or H_body, raise L, or set joint to none"),
+    "joint.no_room": ("pins of at least A_pin_floor ({A_pin_floor:.3g} mm2) leave no room for stitching "
+                      "holes of {joint_hole:.3g} mm",
+                      "lower H_body, raise L, or set joint to none"),
+    "overhang": ("tiles reach out level by up to {reach:.2g} mm beyond the pin they stand on, {H_pin:g} mm "
+                 "above the bed; a {printer} prints {most:g} mm without supports",
+                 "let the slicer put supports there, on the bed alone"),
+    "overhang.front_down": ("tiles reach out level by up to {reach:.2g} mm beyond the pin they stand on, "
+                            "{H_pin:g} mm above the bed; a {printer} prints {most:g} mm without supports",
+                            "let the slicer put supports there, on the bed alone; with "
+                            "orientation=front-up they come off once a membrane holds the tiles"),
+    "joint.none": ("joint=holes, but no two pieces have a border in common: there is nothing to join",
+                   "set pieces to auto or to 2 or more, or joint to none"),
+    "joint": ("{closed} of {edges} edges between pieces have no room for stitching holes: {pairs}",
+              "{what_to_do}"),
+    "glue": ("the slab is level with the {side} pins, which are glued first: glue takes it, too",
+             "raise support_drop"),
+    "anchor": "the surplus membrane pulls with {pull:.3g} N at an anchor, whose glue then carries "
+              "{shear:.3g} MPa of shear, more than glue_strength ({limit:g} MPa): raise anchor_radius or "
+              "lower anchor_spacing",
+    "bed": "the print ({x:.0f} x {y:.0f} x {z:.0f} mm) is larger than the bed of a {printer}",
+    "material": ("the soluble slab is a second material; a {printer} prints one", "set support to breakaway"),
+    "gap.printer": "tiles come as near as {clearance:.3g} mm; a {printer} needs {least:g} mm",
+    "feature.slab": ("the slab's walls between tiles are as thin as {clearance:.3g} mm; a {printer} makes "
+                     "{least:g} mm",
+                     "raise d_gap_min, or set support to breakaway"),
+    "feature": "{count} bodies have features smaller than a {printer} makes; {body}: {place}, {size:.3g} mm",
+    "resolution.bumps": ("bumps are {height:g} mm high, less than the {least:g} mm that a {printer} resolves",
+                         "set bumps to none, or raise bump_height"),
+    "resolution.dimples": ("dimples are {clearance:g} mm wider than bumps, less than the {least:g} mm that "
+                           "a {printer} resolves",
+                           "raise dimple_clearance, or set bumps to none"),
+    "growth": "walls stand back by {set:g} mm for what prints grow; a {printer} grows walls by {grows:g} "
+              "mm: raise wall_growth",
+    "thin_p_min": "p_min gave way to {least:.3g} mm at {at:6}, below what a {printer} makes ({makes:g} mm): "
+                  "raise p_floor",
+    # Repair and advice.
+    "repair": "repair can't begin: {error}",
+    "weak_contact": "contact {contact} has {share:.2f} of f_min: {why}",
+    "weak_contact.friction": "contact {contact} keeps pushing forces within friction at {share:.2f} of "
+                             "f_min: {why}",
+    "weak_contact.tips": "contact {contact} keeps pushing forces within friction at bumps' tips at "
+                         "{share:.2f} of f_min: {why}",
+    "held_by": "held by the {obstacle} of {at}",
+    "held_by_nothing": "no small change of layout, pins or vertices lifts it",
+    "broken_down": "repair ended early: {said}",
+    "advice.cut_gaps": "a cut near the tiles named gives gaps room",
+    "advice.pin_room": "a larger L, thinner tiles (H_body) or a smaller A_pin_min give pins room",
+    "advice.pull": "another tau, or a smoother target near the tiles named, changes the membranes' pull "
+                   "there",
+    "suggested": "suggested: {what_to_do}",
+    "cut": "a cut of {length:.0f} mm {why:; }",
+    "cut.predicted": "a cut of {length:.0f} mm {why:; } (predicted: flat area {area_before:.2f} to "
+                     "{area_after:.2f} times the actuated, slack membrane at {slack_before} to "
+                     "{slack_after} places, energy per contact {energy_before:.2f} to {energy_after:.2f})",
+    "cut.opens": "opens what is closed or has handles",
+    "cut.tip": "to the tip at {tile}, which the flat map scales by {scale:.2g} of the mean",
+    "cut.saddle": "into the saddle at {tile}, which the flat map scales by {scale:.2g} of the mean",
+    "cut.weak_contact": "through the weak contact {contact}",
+    "cut.hole": "joins the hole at {tile} to another boundary",
+    "cuts": "cuts could not be looked for: {error}",
+    "advice.H_body": "tiles of H_body = {value:g} mm instead of {set:g} give the pins named a quarter more "
+                     "than A_pin_min",
+    "advice.L": "tiles of L = {value:g} mm instead of {set:.3g} give the pins named a quarter more than "
+                "A_pin_min",
+    "advice.L_too": "tiles of L = {value:g} mm instead of {set:.3g} do so too",
+    "advice.tau": "membranes stretched to tau = {value:g} instead of {set:g} would be taut at all weak "
+                  "contacts",
+    "advice.tried": "{sizes: }, with which it is valid: that was tried",
+    "advice.none_tried": "no other H_pin or H_body does, of {tried} that were tried",
+    "advice.sizes": "of {tried} other sizes that were tried, {sizes: or } does",
+    "advice.no_sizes": "none of {tried} other sizes that were tried does",
+    "advice.mend": "so does mend=on, which moves vertices by up to {moved:.2g} mm",
+    "advice.mend_surface": "set mend=on ({actions})",
+    "size": "{name}={value:g}",
+    "size.both": "H_body={H_body:g} with H_pin={H_pin:g}",
+    "joint.relayout": "compute the layout with joint=holes, so that pins make room",
+    "joint.set": "set {options: or }, so that pins can make room; or raise L or lower H_body",
+    "joint.other": "raise L or lower H_body",
+    "joint.option": "{name} to {value:g}",
+    "check.clear": "nothing is in the way of any tile",
+    "check.blocked": "{count} of {of} tiles can't be made ({at:6})",
+    "check.likely": "{count} tiles are likely to fail ({at:6})",
+    "check.no_L": "no L that was tried does with H_body = {H_body:g} mm",
+    "check.L": "with H_body = {H_body:g} mm, L from {low:g} to {high:g} mm does",
+    "check.no_H_body": "with L = {L:.4g} mm, no H_body does",
+    "check.H_body": "with L = {L:.4g} mm, H_body up to {H_body:g} mm does",
+    "check.H_body_more": "with L = {L:.4g} mm, H_body up to {H_body:g} mm and more does",
+    "check.no_H_pin": "with L = {L:.4g} mm and H_body = {H_body:g} mm, no H_pin that was tried does",
+    "check.H_pin": "with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin = {H_pin:g} mm does",
+    "check.H_pin_down": "with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin down to {H_pin:g} mm does",
+    "check.together": "with L = {L:.4g} mm, H_body = {H_body:g} mm and H_pin = {H_pin:g} mm together do",
+    "check.mend": "with mend=on, which moves vertices by up to {moved:.2g} mm, these sizes do",
+}
+
+SENTENCES: Mapping[str, tuple[str, str]] = {
+    kind: (texts, "") if isinstance(texts, str) else texts for kind, texts in _TEXTS.items()}
+
+
+def texts() -> set[str]:
+    """All that has to be said in another language."""
+    found = {text for both in SENTENCES.values() for text in both} | {*WORDS, MORE, OR}
+    return {text for text in found if any(map(str.isalpha, re.sub("{[^{}]*}", "", text)))}
