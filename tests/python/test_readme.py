@@ -61,7 +61,7 @@ def test_links_and_pictures_exist(page):
         assert not anchor or anchor in anchors(there), (page.name, target)
 
 
-ROOMS = "core numerics geometry design bodies layout physics refinement fabrication bindings".split()
+ROOMS = "core numerics geometry design bodies layout physics contact refinement fabrication bindings".split()
 
 
 @pytest.mark.parametrize("page", [page for page in pages() if page.name != "CHANGELOG.md"],

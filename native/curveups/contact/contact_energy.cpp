@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/contact/contact_energy.hpp"
+
+#include <limits>
+
+#include "curveups/core/parallel.hpp"
+
+namespace curveups {
+namespace {
+
+Vec3 seen(const Poses& poses, const TouchingPair& pair, const Touch& touch) {
+  return seen_from(poses[pair.body[1 - touch.of]], poses[pair.body[touch.of]], touch.point);
+}
+
+// The tangential spring's force along its stretch, at most `cap`.
+double hold(const Touch& touch, double stretch, double cap) {
+  return std::min(touch.tangent_stiffness * stretch, cap);
+}
+
+}  // namespace
+
+void ContactEnergy::couple(std::vector<Coupling>& couplings) const {
+  for (const std::array<int, 2>& pair : near) couplings.push_back({pair[0], pair[1]});
+}
+
+MotionDerivatives<2> ContactEnergy::of_pair(const TouchingPair& pair, const Poses& poses,
+                                            double lever, bool second) const {
+  MotionDerivatives<2> out;
+  for (const Touch& touch : pair.touches) {
+    const Vec3 y = seen(poses, pair, touch);
+    const double push = touch.push(y);
+    const Vec2 u = touch.reach(y);
+    const double length = u.norm(), k = touch.tangent_stiffness;
+    const bool slips = k * length > touch.cap;
+    if (push == 0 && touch.cap == 0) continue;
+    out.value += 0.5 * push * push / touch.stiffness +
+                 (slips ? touch.cap * (length - 0.5 * touch.cap / k) : 0.5 * k * length * length);
+    if (lever <= 0) continue;  // the value is all that is asked for
+    const Vec2 along = slips ? Vec2(u / length) : Vec2::Zero();
+    const Vec2 tangential = slips ? Vec2(touch.cap * along) : Vec2(k * u);
+    const Vec3 by_y = -push * touch.normal + touch.tangents * tangential;
+    Eigen::Matrix3d by_y_twice = Eigen::Matrix3d::Zero();
+    if (second) {
+      if (push > 0) by_y_twice = touch.stiffness * touch.normal * touch.normal.transpose();
+      Eigen::Matrix2d plane = k * Eigen::Matrix2d::Identity();
+      if (slips) {
+        plane = touch.cap / length * (Eigen::Matrix2d::Identity() - along * along.transpose());
+      }
+      by_y_twice += touch.tangents * plane * touch.tangents.transpose();
+    }
+    add_seen_point(poses, pair.body, touch.of, 1 - touch.of, touch.point, by_y, by_y_twice, lever,
+                   second, out);
+  }
+  return out;
+}
+
+double ContactEnergy::value(const Poses& poses) const {
+  return parallel_sum(static_cast<int>(pairs.size()),
+                      [&](int k) { return of_pair(pairs[k], poses, 0, false).value; });
+}
+
+double ContactEnergy::derivatives(const Poses& poses, double lever, Motions& gradient,
+                                  BlockMatrix<6>* hessian, int first) const {
+  double sum = 0;
+  parallel_gather<MotionDerivatives<2>>(
+      static_cast<int>(pairs.size()),
+      [&](int k, MotionDerivatives<2>& out) {
+        out = of_pair(pairs[k], poses, lever, hessian != nullptr);
+      },
+      [&](int k, const MotionDerivatives<2>& out) {
+        sum += out.value;
+        out.add_to(pairs[k].body, gradient, hessian, first + pairs[k].coupling);
+      });
+  return sum;
+}
+
+double ContactEnergy::cone_error(const Poses& poses) const {
+  double error = 0;
+  for (const TouchingPair& pair : pairs) {
+    for (const Touch& touch : pair.touches) {
+      const Vec3 y = seen(poses, pair, touch);
+      const double stretch = touch.reach(y).norm();
+      error = std::max(error, std::abs(hold(touch, stretch, touch.cap) -
+                                       hold(touch, stretch, friction_coefficient * touch.push(y))));
+    }
+  }
+  return error;
+}
+
+int ContactEnergy::touch_count() const {
+  int count = 0;
+  for (const TouchingPair& pair : pairs) count += static_cast<int>(pair.touches.size());
+  return count;
+}
+
+Eigen::VectorXd ContactEnergy::caps() const {
+  Eigen::VectorXd out(touch_count());
+  int at = 0;
+  for (const TouchingPair& pair : pairs) {
+    for (const Touch& touch : pair.touches) out(at++) = touch.cap;
+  }
+  return out;
+}
+
+Eigen::VectorXd ContactEnergy::caps_at(const Poses& poses) const {
+  Eigen::VectorXd out(touch_count());
+  int at = 0;
+  for (const TouchingPair& pair : pairs) {
+    for (const Touch& touch : pair.touches) {
+      out(at++) = friction_coefficient * touch.push(seen(poses, pair, touch));
+    }
+  }
+  return out;
+}
+
+void ContactEnergy::set_caps(const Eigen::VectorXd& caps) {
+  int at = 0;
+  for (TouchingPair& pair : pairs) {
+    for (Touch& touch : pair.touches) touch.cap = std::max(0.0, caps(at++));
+  }
+}
+
+void ContactEnergy::stick() {
+  for (TouchingPair& pair : pairs) {
+    for (Touch& touch : pair.touches) touch.cap = std::numeric_limits<double>::infinity();
+  }
+}
+
+void ContactEnergy::remember(const Poses& poses) {
+  for (TouchingPair& pair : pairs) {
+    for (Touch& touch : pair.touches) {
+      const Vec3 y = seen(poses, pair, touch);
+      const Vec2 reach = touch.reach(y);
+      const double length = reach.norm(),
+                   held = hold(touch, length, friction_coefficient * touch.push(y)) /
+                          touch.tangent_stiffness;
+      if (held < length) {
+        if (touch.push(y) > 0) touch.slip += length - held;
+        touch.stretch = held / length * reach;
+      } else {
+        touch.stretch = reach;
+      }
+      touch.reference = touch.tangents.transpose() * y;
+    }
+  }
+}
+
+std::vector<TouchForce> ContactEnergy::forces(const Poses& poses) const {
+  std::vector<TouchForce> out;
+  for (const TouchingPair& pair : pairs) {
+    for (const Touch& touch : pair.touches) {
+      const RigidMotion& other = poses[pair.body[1 - touch.of]];
+      const Vec3 y = seen(poses, pair, touch);
+      // By y the gradient is the force that the point exerts on the other body.
+      const double sign = touch.of == 0 ? 1 : -1;
+      TouchForce force{pair.body, poses[pair.body[touch.of]](touch.point),
+                       -sign * (other.R * touch.normal), touch.push(y)};
+      const Vec2 reach = touch.reach(y);
+      const double length = reach.norm();
+      if (length > 0) {
+        force.friction =
+            sign * hold(touch, length, touch.cap) / length * (other.R * (touch.tangents * reach));
+      }
+      force.gap = touch.gap(y);
+      force.slip = touch.slip;
+      out.push_back(force);
+    }
+  }
+  return out;
+}
+
+double ContactEnergy::mean_push(const Poses& poses) const {
+  double sum = 0;
+  int count = 0;
+  for (const TouchingPair& pair : pairs) {
+    for (const Touch& touch : pair.touches) {
+      const double push = touch.push(seen(poses, pair, touch));
+      sum += push;
+      count += push > 0;
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+}  // namespace curveups

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The energy of touching bodies: each point that is behind the other's plane pushes as a spring,
+// and sticks to it by a tangential spring from where contact was made. At a given largest friction
+// force c = mu N the tangential energy is
+//   k |u|^2 / 2 where k |u| <= c, else c |u| - c^2 / (2 k),
+// convex, with a force that never leaves the cone: the minimum under it, for a c that is mu times
+// the normal force there, obeys Coulomb's law. What slips stays slipped (remember), what sticks
+// has its spring to return to: no creep, and nothing holds where nothing pushes.
+#pragma once
+
+#include "curveups/contact/contact_search.hpp"
+#include "curveups/contact/motion_energy.hpp"
+
+namespace curveups {
+
+// What one body's point does to the other body.
+struct TouchForce {
+  std::array<int, 2> body;       // as of the pair
+  Vec3 position, normal;         // world; the normal points from body[0] to body[1]
+  double push = 0;               // N, along the normal on body[1]
+  Vec3 friction = Vec3::Zero();  // N, on body[1]
+  double gap = 0, slip = 0;      // mm; slip: all the way it has slid
+};
+
+class ContactEnergy : public MotionEnergy {
+ public:
+  std::vector<TouchingPair> pairs;
+  std::vector<std::array<int, 2>> near;  // that a pair's coupling counts
+  double friction_coefficient = 0.5;
+
+  std::string_view name() const override { return "contact"; }
+  void couple(std::vector<Coupling>& couplings) const override;
+  double value(const Poses& poses) const override;
+  double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
+                     int first) const override;
+
+  // How far friction is from Coulomb's cone, N: the largest difference at a point between its
+  // friction and what it would be with mu times the normal force there as its limit.
+  double cone_error(const Poses& poses) const;
+  // Limits of friction, N, point by point: those of the present step, and mu times the normal
+  // forces at these poses.
+  Eigen::VectorXd caps() const;
+  Eigen::VectorXd caps_at(const Poses& poses) const;
+  void set_caps(const Eigen::VectorXd& caps);
+  // Lets all points stick, however little they push: a first guess.
+  void stick();
+  // Ends a step: what slipped stays slipped, what does not push forgets.
+  void remember(const Poses& poses);
+
+  std::vector<TouchForce> forces(const Poses& poses) const;
+  // Mean normal force of the points that push, N; 0 where none does.
+  double mean_push(const Poses& poses) const;
+
+ private:
+  int touch_count() const;
+  MotionDerivatives<2> of_pair(const TouchingPair& pair, const Poses& poses, double lever,
+                               bool second) const;
+};
+
+}  // namespace curveups

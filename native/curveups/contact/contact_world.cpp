@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/contact/contact_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curveups/core/checkpoint.hpp"
+#include "curveups/core/errors.hpp"
+#include "curveups/numerics/anderson.hpp"
+
+namespace curveups {
+namespace {
+
+double largest_row(const Motions& rows) {
+  double largest = 0;
+  for (int i = 0; i < rows.rows(); ++i) {
+    largest = std::max(
+        {largest, rows.row(i).head<3>().squaredNorm(), rows.row(i).tail<3>().squaredNorm()});
+  }
+  return std::sqrt(largest);
+}
+
+// The motions that lead from one to the other.
+Motions between(const Poses& from, const Poses& to, double lever) {
+  Motions out(from.size(), 6);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    out.row(i).head<3>() = (to[i].t - from[i].t).transpose();
+    const Eigen::Matrix3d turn = to[i].R * from[i].R.transpose();
+    const Vec3 axial(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+    const double sine = 0.5 * axial.norm(), angle = std::atan2(sine, 0.5 * (turn.trace() - 1));
+    const double factor = sine > 1e-9 ? angle / (2 * sine) : 0.5;
+    out.row(i).tail<3>() = lever * factor * axial.transpose();
+  }
+  return out;
+}
+
+}  // namespace
+
+ContactWorld::ContactWorld(std::vector<RigidBody> bodies, Poses start, const WorldOptions& options)
+    : bodies_(std::move(bodies)), poses_(std::move(start)), options_(options) {
+  if (bodies_.size() != poses_.size()) {
+    throw InvalidInput("there are " + std::to_string(bodies_.size()) + " bodies and " +
+                           std::to_string(poses_.size()) + " poses",
+                       "give each body a pose");
+  }
+}
+
+void ContactWorld::set_poses(const Poses& poses) {
+  poses_ = poses;
+  searched_ = false;
+  weight_ = -1;
+}
+
+void ContactWorld::search() {
+  std::vector<std::array<int, 2>> near;
+  contacts_.pairs = find_touching(bodies_, poses_, options_.search, contacts_.pairs, near);
+  searched_ = true;
+  // The pattern and its order of elimination stay as long as no new pair comes near.
+  std::vector<std::array<int, 2>>& known = contacts_.near;
+  if (!hessian_ || !std::includes(known.begin(), known.end(), near.begin(), near.end())) {
+    known = near;
+    std::vector<Coupling> couplings;
+    first_.clear();
+    for (const auto& energy : energies_) {
+      first_.push_back(static_cast<int>(couplings.size()));
+      energy->couple(couplings);
+    }
+    first_.push_back(static_cast<int>(couplings.size()));
+    contacts_.couple(couplings);
+    std::vector<char> free;
+    Places places(bodies_.size(), 3);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      free.push_back(!bodies_[i].fixed);
+      places.row(i) = poses_[i].t.transpose();
+    }
+    hessian_ = std::make_unique<BlockMatrix<6>>(
+        std::make_shared<const BlockPattern>(free, couplings, places));
+  }
+  double stiffest = 0, furthest = 0;
+  for (const TouchingPair& pair : contacts_.pairs) {
+    double sum = 0;
+    for (const Touch& touch : pair.touches) sum += touch.stiffness;
+    stiffest = std::max(stiffest, sum);
+  }
+  for (const RigidMotion& pose : poses_) furthest = std::max(furthest, pose.t.norm());
+  rounding_ = 1e-15 * stiffest * furthest;
+  for (TouchingPair& pair : contacts_.pairs) {
+    pair.coupling =
+        static_cast<int>(std::lower_bound(known.begin(), known.end(), pair.body) - known.begin());
+  }
+}
+
+double ContactWorld::value(const Poses& poses) const {
+  double sum = contacts_.value(poses);
+  for (const auto& energy : energies_) sum += energy->value(poses);
+  return sum;
+}
+
+double ContactWorld::gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const {
+  out.setZero(poses.size(), 6);
+  if (hessian) hessian->set_zero();
+  double sum = 0;
+  for (std::size_t k = 0; k < energies_.size(); ++k) {
+    sum += energies_[k]->derivatives(poses, options_.lever, out, hessian, first_[k]);
+  }
+  sum += contacts_.derivatives(poses, options_.lever, out, hessian, first_.back());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].fixed) out.row(i).setZero();
+  }
+  return sum;
+}
+
+bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& report) {
+  const double tolerance = std::max(options_.tolerance * scale, rounding_),
+               cone = options_.cone_tolerance * scale;
+  const double lever = options_.lever;
+  AndersonIteration fixed_point;
+  Motions g, way;
+  double before = -1;  // the residual before the last step, where it was a whole one
+  bool factorized = false;
+  double shift = 0;
+  int iterations = 0, caps_taken = 0;
+  while (true) {
+    const Motions so_far = between(poses_, x, lever);
+    // By an older factorization where that contracts well.
+    const bool fresh = !factorized;
+    double now = gradient(x, g, fresh ? hessian_.get() : nullptr);
+    now += 0.5 * weight * so_far.squaredNorm();
+    g += weight * so_far;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (bodies_[i].fixed) g.row(i).setZero();
+    }
+    const double residual = largest_row(g);
+    report.residual = residual / scale;
+    const double error = contacts_.cone_error(x);
+    report.cone_error = error / scale;
+    if (residual <= tolerance && error <= cone) return true;
+    if (residual <= std::max(tolerance, 0.01 * error)) {
+      const Eigen::VectorXd caps = contacts_.caps();
+      const Eigen::VectorXd wanted = contacts_.caps_at(x);
+      contacts_.set_caps(caps.allFinite() ? fixed_point.next(caps, wanted) : wanted);
+      before = -1;
+      if (++caps_taken > options_.max_iterations) return false;
+      continue;
+    }
+    if (!fresh && before > 0 && residual > 0.2 * before) {
+      factorized = false;
+      before = -1;
+      continue;
+    }
+    if (++iterations > options_.max_iterations || largest_row(so_far) > 2 * options_.step_limit) {
+      return false;
+    }
+    ++report.iterations;
+    if (fresh) {
+      ++report.factorizations;
+      double extra = shift;
+      while (!hessian_->factorize(0, weight + extra)) {
+        extra = std::max(4 * extra, 1e-4 * hessian_->mean_diagonal());
+        if (!(extra < 1e12 * (1 + weight))) {
+          throw SolverFailure("the forces on bodies in contact are not finite",
+                              "check the design's parameters");
+        }
+      }
+      shift = extra / 16;
+      if (shift < 1e-7 * hessian_->mean_diagonal()) shift = 0;
+      factorized = true;
+    }
+    Eigen::MatrixXd right = -Eigen::Map<const Eigen::VectorXd>(g.data(), g.size());
+    right = hessian_->solve(right);
+    way = Eigen::Map<const Motions>(right.data(), g.rows(), 6);
+    double part = std::min(1.0, options_.step_limit / std::max(largest_row(way), 1e-300));
+    const double slope = g.cwiseProduct(way).sum();
+    const bool whole = part == 1;
+    // Below what rounding leaves of the energy, descent can't be seen: the step is taken.
+    const double blur = 1e-12 * (std::abs(now) + scale * lever);
+    int halved = 0;
+    for (;; part /= 2, ++halved) {
+      const Poses next = moved(x, part * way, lever);
+      const double energy = value(next) + 0.5 * weight * between(poses_, next, lever).squaredNorm();
+      if (energy <= now + 1e-4 * part * slope + blur || halved == 30) {
+        x = next;
+        break;
+      }
+    }
+    before = residual;
+    factorized = whole && halved == 0;
+    checkpoint();
+  }
+}
+
+StepReport ContactWorld::step() {
+  if (!searched_) search();
+  StepReport report;
+  Motions g(poses_.size(), 6), given(poses_.size(), 6);
+  given.setZero();
+  double energy = 0;
+  for (std::size_t k = 0; k < energies_.size(); ++k) {
+    energy += energies_[k]->derivatives(poses_, options_.lever, given, nullptr, first_[k]);
+  }
+  double scale = 0;
+  int free = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].fixed) continue;
+    scale += given.row(i).norm();
+    ++free;
+  }
+  scale = std::max(scale / std::max(free, 1), contacts_.mean_push(poses_));
+  if (scale == 0) scale = 1;
+  g = given;
+  energy += contacts_.derivatives(poses_, options_.lever, g, nullptr, first_.back());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].fixed) g.row(i).setZero();
+  }
+  report.residual = largest_row(g) / scale;
+  report.cone_error = contacts_.cone_error(poses_) / scale;
+  report.energy = energy;
+  if (report.residual <= std::max(options_.tolerance, rounding_ / scale) &&
+      report.cone_error <= options_.cone_tolerance) {
+    report.at_rest = report.converged = true;
+    return report;
+  }
+
+  if (weight_ < 0) weight_ = scale / options_.step_limit;
+  if (fresh_) contacts_.stick();
+  Poses x;
+  for (int attempt = 0;; ++attempt) {
+    x = poses_;
+    report.converged = minimise(weight_, scale, x, report);
+    report.motion = largest_row(between(poses_, x, options_.lever));
+    if ((report.converged && report.motion <= 1.5 * options_.step_limit) || attempt == 8) break;
+    weight_ *= 8;
+  }
+  fresh_ = false;
+  contacts_.remember(x);
+  poses_ = std::move(x);
+  searched_ = false;
+  report.energy = value(poses_);
+  weight_ *= std::clamp(2 * report.motion / options_.step_limit, 1e-3, 4.0);
+  weight_ = std::max(weight_, 1e-7 * scale / options_.step_limit);
+  ++steps_;
+  return report;
+}
+
+StepReport ContactWorld::settle(int max_steps,
+                                const std::function<bool(const StepReport&)>& enough) {
+  StepReport report;
+  for (int k = 0; k < max_steps; ++k) {
+    report = step();
+    if (report.at_rest || (enough && enough(report))) break;
+  }
+  return report;
+}
+
+}  // namespace curveups

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Rigid bodies in contact under given energies, step by step: each step minimises
+//   E(x) + contacts(x; c) + w |x - x0|^2 / 2
+// by Newton's method on one sparse pattern, with the friction limits c moved to mu times the normal
+// forces until Coulomb's cone holds, and remembers where friction stuck. w keeps bodies that
+// nothing holds from running further than step_limit, and falls as motion ends: what comes to rest
+// is at rest under E and Coulomb's law alone.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "curveups/contact/contact_energy.hpp"
+
+namespace curveups {
+
+struct WorldOptions {
+  double lever = 3;       // mm: turns times this are lengths (rigid_body.hpp)
+  double step_limit = 1;  // mm: how far a body may move in a step
+  // Forces left on a body, and friction beyond its cone, over the mean normal force.
+  double tolerance = 1e-7, cone_tolerance = 1e-6;
+  int max_iterations = 60;  // of Newton's method, a step
+  SearchOptions search;
+};
+
+struct StepReport {
+  bool at_rest = false;    // in balance when the step began: nothing moved
+  bool converged = false;  // the step's minimum was found, within the cone
+  int iterations = 0, factorizations = 0;
+  double motion = 0;  // of the body that moved furthest, mm
+  double energy = 0;  // after it, N mm: of the given energies and of the springs of contacts
+  double residual = 0, cone_error = 0;  // over the mean normal force
+};
+
+class ContactWorld {
+ public:
+  ContactWorld(std::vector<RigidBody> bodies, Poses start, const WorldOptions& options);
+
+  // Before the first step.
+  void add(std::unique_ptr<MotionEnergy> energy) { energies_.push_back(std::move(energy)); }
+  void set_friction(double coefficient) { contacts_.friction_coefficient = coefficient; }
+  // From here on, with what friction remembers between faces that stay the same.
+  void set_poses(const Poses& poses);
+
+  // Throws Cancelled, with the poses as they were.
+  StepReport step();
+  // Until it is at rest, or a step was not converged, or `enough` says so.
+  StepReport settle(int max_steps, const std::function<bool(const StepReport&)>& enough = {});
+
+  const Poses& poses() const { return poses_; }
+  const std::vector<RigidBody>& bodies() const { return bodies_; }
+  const ContactEnergy& contacts() const { return contacts_; }
+  std::vector<TouchForce> forces() const { return contacts_.forces(poses_); }
+  int steps() const { return steps_; }
+
+ private:
+  void search();
+  double gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
+  double value(const Poses& poses) const;
+  double residual(const Motions& gradient) const;
+  bool direction(const Motions& gradient, double weight, Motions& out);
+  bool minimise(double weight, double scale, Poses& x, StepReport& report);
+
+  std::vector<RigidBody> bodies_;
+  Poses poses_;
+  WorldOptions options_;
+  std::vector<std::unique_ptr<MotionEnergy>> energies_;
+  ContactEnergy contacts_;
+  std::vector<std::array<int, 2>> near_;
+  std::vector<int> first_;  // couplings of the energies, then those of contacts
+  std::unique_ptr<BlockMatrix<6>> hessian_;
+  bool searched_ = false, fresh_ = true;
+  double weight_ = -1;
+  double rounding_ = 0;  // N: forces smaller than this are rounding of positions
+  int steps_ = 0;
+};
+
+}  // namespace curveups

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Given forces: those that keep their direction in space, such as weights, and those that two
+// bodies exert on one another.
+#pragma once
+
+#include "curveups/contact/motion_energy.hpp"
+
+namespace curveups {
+
+// A force of constant direction on a point of a body.
+struct PointLoad {
+  int body;
+  Vec3 point;  // of the body
+  Vec3 force;  // N, world
+};
+
+class PointLoads : public MotionEnergy {
+ public:
+  explicit PointLoads(std::vector<PointLoad> list) : loads(std::move(list)) {}
+  std::vector<PointLoad> loads;
+
+  std::string_view name() const override { return "loads"; }
+  void couple(std::vector<Coupling>&) const override {}
+  double value(const Poses& poses) const override;
+  double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
+                     int first) const override;
+};
+
+// A force on a point of body[1], constant as body[0] sees it, and its opposite on body[0]: whatever
+// the motion, the two sum to nothing, and so do their torques.
+struct PairLoad {
+  std::array<int, 2> body;
+  Vec3 point;  // of body[1]
+  Vec3 force;  // N, on body[1], in the coordinates of body[0]
+};
+
+class PairLoads : public MotionEnergy {
+ public:
+  explicit PairLoads(std::vector<PairLoad> list) : loads(std::move(list)) {}
+  std::vector<PairLoad> loads;
+
+  std::string_view name() const override { return "pair loads"; }
+  void couple(std::vector<Coupling>& couplings) const override;
+  double value(const Poses& poses) const override;
+  double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
+                     int first) const override;
+};
+
+}  // namespace curveups

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Energies of rigid bodies: functions of their poses. Derivatives are by the small motions that
+// follow a pose (rigid_body.hpp), so that no parametrization of rotations shows. What every such
+// energy is made of: points of a body in space, and points of a body as another body sees them.
+#pragma once
+
+#include <string_view>
+
+#include "curveups/contact/rigid_body.hpp"
+
+namespace curveups {
+
+class MotionEnergy {
+ public:
+  virtual ~MotionEnergy() = default;
+  virtual std::string_view name() const = 0;
+  // Appends the pairs of bodies that elements join, for the matrix of second derivatives.
+  virtual void couple(std::vector<Coupling>& couplings) const = 0;
+  virtual double value(const Poses& poses) const = 0;  // N mm
+  // Adds to the gradient (N; of turns: N mm / lever) and, where it is not null, to the exact
+  // second derivatives. first: the number of its first coupling in the matrix's pattern. Returns
+  // the value.
+  virtual double derivatives(const Poses& poses, double lever, Motions& gradient,
+                             BlockMatrix<6>* hessian, int first) const = 0;
+};
+
+// Derivatives of an element of K bodies by their motions, bodies one after another.
+template <int K>
+struct MotionDerivatives {
+  double value = 0;
+  Eigen::Matrix<double, 6 * K, 1> gradient = Eigen::Matrix<double, 6 * K, 1>::Zero();
+  Eigen::Matrix<double, 6 * K, 6 * K> hessian = Eigen::Matrix<double, 6 * K, 6 * K>::Zero();
+
+  // Adds what belongs to these bodies; coupling: the number of the element's first one, for pairs
+  // (0, 1), (0, 2), (1, 2) and so on.
+  void add_to(const std::array<int, K>& body, Motions& sum, BlockMatrix<6>* matrix,
+              int coupling) const {
+    for (int k = 0; k < K; ++k) {
+      sum.row(body[k]) += gradient.template segment<6>(6 * k).transpose();
+    }
+    if (!matrix) return;
+    for (int k = 0; k < K; ++k) {
+      const BlockSlot own = matrix->pattern().diagonal(body[k]);
+      if (own.stored()) matrix->add(own, hessian.template block<6, 6>(6 * k, 6 * k));
+      for (int l = k + 1; l < K; ++l, ++coupling) {
+        const BlockSlot& slot = matrix->pattern().slot(coupling);
+        if (!slot.stored()) continue;
+        if (slot.swapped) {
+          matrix->add(slot, hessian.template block<6, 6>(6 * l, 6 * k));
+        } else {
+          matrix->add(slot, hessian.template block<6, 6>(6 * k, 6 * l));
+        }
+      }
+    }
+  }
+};
+
+// The derivatives of a point R p + t by its body's motions: 3 x 6.
+Eigen::Matrix<double, 3, 6> point_jacobian(const RigidMotion& pose, const Vec3& p, double lever);
+
+// Second derivatives, by a body's turn, of force . (R p): 3 x 3. arm: R p.
+Eigen::Matrix3d turn_curvature(const Vec3& force, const Vec3& arm, double lever);
+
+// A point p of body `a` where body `b` sees it: y = R_b^T (R_a p + t_a - t_b).
+Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p);
+
+// Adds a function of that y to the derivatives of a pair of bodies. by_y, by_y_twice: its
+// derivatives by y (second ones only where `second`); a, b: which of the pair they are, 0 and 1 or
+// 1 and 0. Whatever the function, its forces and torques on the two sum to zero.
+void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a, int b,
+                    const Vec3& p, const Vec3& by_y, const Eigen::Matrix3d& by_y_twice,
+                    double lever, bool second, MotionDerivatives<2>& out);
+
+}  // namespace curveups

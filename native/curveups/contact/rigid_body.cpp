@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/contact/rigid_body.hpp"
+
+#include "curveups/core/parallel.hpp"
+
+namespace curveups {
+
+Poses moved(const Poses& poses, const Motions& motions, double lever) {
+  Poses out = poses;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Vec3 shift = motions.row(i).head<3>(), turn = motions.row(i).tail<3>() / lever;
+    out[i].t += shift;
+    const double angle = turn.norm();
+    if (angle == 0) continue;
+    // By a quaternion: rounding must not shear a body over many steps.
+    Eigen::Quaterniond q =
+        Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)) * Eigen::Quaterniond(poses[i].R);
+    out[i].R = q.normalized().toRotationMatrix();
+  }
+  return out;
+}
+
+Eigen::Matrix3d skew(const Vec3& v) {
+  Eigen::Matrix3d out;
+  out << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return out;
+}
+
+RigidBody make_rigid_body(const ConvexBody& shape, const Vec3& origin, double stiffness) {
+  RigidBody body;
+  for (const BodyFace& face : shape.faces) {
+    BodySurface surface{face.plane.normal, face.plane.distance(origin), {}, {}, stiffness, 0};
+    surface.offset = -surface.offset;
+    for (int point : face.loop) surface.outline.push_back(shape.points[point] - origin);
+    body.faces.push_back(std::move(surface));
+  }
+  return body;
+}
+
+}  // namespace curveups

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Convex rigid bodies, where they are, and small motions of them.
+#pragma once
+
+#include <vector>
+
+#include "curveups/bodies/print_body.hpp"
+#include "curveups/numerics/term.hpp"
+
+namespace curveups {
+
+// A planar face by which a body touches others, in the body's own coordinates.
+struct BodySurface {
+  Vec3 normal;                // unit, outward
+  double offset;              // the face lies where normal . x = offset
+  std::vector<Vec3> outline;  // counter-clockwise seen from outside
+  // What stands on the face and touches in its place, such as the apexes of bumps. Empty: the face
+  // touches with its own plane.
+  std::vector<Vec3> tips = {};
+  double stiffness = 0;      // of the body below the face, N / mm3: a pressure a depth
+  double tip_stiffness = 0;  // of one tip, N / mm
+};
+
+// Coordinates are about a point of the body near its middle. A body without faces is a point that
+// moves freely, such as a vertex of a membrane.
+struct RigidBody {
+  std::vector<BodySurface> faces;
+  bool fixed = false;
+};
+
+// Where each body is: the one pose type.
+using Poses = std::vector<RigidMotion>;
+
+// Small motions, a row a body: how far its origin moves (mm), and by how much it turns, a rotation
+// vector in world coordinates times `lever`, so that all six are lengths.
+using Motions = BlockVector<6>;
+
+// The poses after these motions. Rows of zeros leave a pose as it is, bit by bit.
+Poses moved(const Poses& poses, const Motions& motions, double lever);
+
+// The skew-symmetric matrix S of v: S x = v x x.
+Eigen::Matrix3d skew(const Vec3& v);
+
+// A body with the faces of a convex polyhedron, about `origin`. stiffness: as BodySurface has it.
+RigidBody make_rigid_body(const ConvexBody& shape, const Vec3& origin, double stiffness);
+
+}  // namespace curveups

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cmath>
+
+#include "contact/blocks.hpp"
+
+namespace curveups::test {
+namespace {
+
+// Derivatives by small motions: of first order against values, of second order against second
+// differences of values along the same motion.
+void expect_derivatives(const MotionEnergy& energy, const Poses& poses) {
+  SCOPED_TRACE(std::string(energy.name()));
+  const double lever = 3;
+  std::vector<Coupling> couplings(2, Coupling{0, 0});
+  energy.couple(couplings);
+  BlockMatrix<6> hessian(
+      std::make_shared<const BlockPattern>(std::vector<char>(poses.size(), 1), couplings));
+  Motions gradient = Motions::Zero(poses.size(), 6);
+  EXPECT_NEAR(energy.derivatives(poses, lever, gradient, &hessian, 2), energy.value(poses),
+              1e-12 * (1 + std::abs(energy.value(poses))));
+  ASSERT_GT(gradient.norm(), 0) << "constant: nothing was tested";
+  for (int round = 0; round < 6; ++round) {
+    const Motions d = Motions::Random(poses.size(), 6);
+    auto along = [&](double h) { return energy.value(moved(poses, h * d, lever)); };
+    const double h = 1e-6;
+    EXPECT_NEAR(gradient.cwiseProduct(d).sum(), (along(h) - along(-h)) / (2 * h),
+                1e-6 * gradient.norm() * d.norm());
+    const double g = 2e-4;
+    const double second = (along(g) - 2 * along(0) + along(-g)) / (g * g);
+    const Eigen::VectorXd flat = Eigen::Map<const Eigen::VectorXd>(d.data(), d.size());
+    const double product = flat.dot(hessian.multiply(flat).col(0));
+    EXPECT_NEAR(product, second, 1e-5 * (std::abs(product) + gradient.norm() * d.squaredNorm()));
+  }
+}
+
+// Forces and torques that bodies exert on one another: their sums over all bodies.
+void expect_balance(const MotionEnergy& energy, const Poses& poses) {
+  const double lever = 3;
+  Motions gradient = Motions::Zero(poses.size(), 6);
+  energy.derivatives(poses, lever, gradient, nullptr, 0);
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  double mean = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Vec3 f = gradient.row(i).head<3>(), m = lever * gradient.row(i).tail<3>().transpose();
+    force += f;
+    torque += m + poses[i].t.cross(f);
+    mean += f.norm() / static_cast<double>(poses.size());
+  }
+  ASSERT_GT(mean, 0);
+  EXPECT_LT(force.norm(), 1e-9 * mean);
+  EXPECT_LT(torque.norm(), 1e-9 * mean * 100);  // arms of some 100 mm
+}
+
+Poses turned_poses(int count) {
+  Poses poses;
+  for (int i = 0; i < count; ++i) {
+    poses.push_back(
+        {Eigen::AngleAxisd(0.4 + i, Vec3(1, 2 - i, 0.5).normalized()).toRotationMatrix(),
+         Vec3(20 + 3 * i, -4 * i, 7)});
+  }
+  return poses;
+}
+
+// Two blocks, one pressed into the other and turned a little; some points slip and some stick.
+struct Pressed {
+  Poses poses;
+  ContactEnergy energy;
+
+  explicit Pressed(const Eigen::Matrix3d& where) {
+    Scene scene;
+    scene.add(box(20, 20, 10, {0, -5}), false);
+    scene.add(box(10, 10, 10, {2, 5}), false);
+    SearchOptions options;
+    energy.pairs = find_touching(scene.bodies, scene.poses, options, {}, energy.near);
+    Motions motion = Motions::Zero(2, 6);
+    motion.row(1) << 0.02, 0.03, -0.04, 0.01, 0.02, 0.015;
+    poses = moved(scene.poses, motion, 3);
+    for (RigidMotion& pose : poses) pose = {where * pose.R, where * pose.t + Vec3(3, 4, 5)};
+    Eigen::VectorXd caps = 0.5 * energy.caps_at(poses);
+    for (Eigen::Index k = 0; k < caps.size(); k += 3) caps(k) = 1e3;
+    energy.set_caps(caps);
+  }
+};
+
+TEST(MotionEnergy, ContactHasExactDerivativesAndBalances) {
+  const Pressed pressed(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix());
+  ASSERT_EQ(pressed.energy.pairs.size(), 1u);
+  EXPECT_EQ(pressed.energy.pairs[0].touches.size(), 8u);
+  expect_derivatives(pressed.energy, pressed.poses);
+  expect_balance(pressed.energy, pressed.poses);
+}
+
+TEST(MotionEnergy, ContactDoesNotSeeAMotionOfAll) {
+  const Pressed here(Eigen::Matrix3d::Identity());
+  const Pressed there(Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix());
+  EXPECT_GT(here.energy.value(here.poses), 0);
+  EXPECT_NEAR(here.energy.value(here.poses), there.energy.value(there.poses), 1e-9);
+}
+
+TEST(MotionEnergy, ReportedForcesAreThoseOfTheEnergy) {
+  const Pressed pressed(Eigen::AngleAxisd(0.7, Vec3::UnitX()).toRotationMatrix());
+  Motions gradient = Motions::Zero(2, 6);
+  pressed.energy.derivatives(pressed.poses, 3, gradient, nullptr, 0);
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  for (const TouchForce& touch : pressed.energy.forces(pressed.poses)) {
+    const Vec3 f = touch.push * touch.normal + touch.friction;
+    force += f;
+    torque += (touch.position - pressed.poses[1].t).cross(f);
+  }
+  EXPECT_LT((force + gradient.row(1).head<3>().transpose()).norm(), 1e-9 * force.norm());
+  EXPECT_LT((torque + 3 * gradient.row(1).tail<3>().transpose()).norm(), 1e-9 * torque.norm());
+}
+
+TEST(MotionEnergy, GivenForcesHaveExactDerivatives) {
+  const Poses poses = turned_poses(3);
+  const PointLoads loads({{0, {1, 2, 3}, {0.5, -1, 2}}, {2, {-2, 0, 1}, {1, 1, 1}}});
+  expect_derivatives(loads, poses);
+  const PairLoads pairs({{{0, 1}, {1, -2, 0.5}, {2, 1, -1}}, {{1, 2}, {0, 3, 1}, {-1, 0.5, 1}}});
+  expect_derivatives(pairs, poses);
+  expect_balance(pairs, poses);
+}
+
+}  // namespace
+}  // namespace curveups::test
