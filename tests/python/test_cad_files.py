@@ -10,8 +10,10 @@ import pytest
 from running import environment
 
 from curveups.base import freecad_session
-from curveups.targets import cad_files
 from curveups.base.errors import CurveUpsError, Stopped
+from curveups.base.machine import is_running
+from curveups.targets import cad_files
+from curveups.targets.brep_file import is_whole_brep
 
 MOST_MUTATIONS = 12  # a file, of some 130 to 370 lines
 
@@ -130,6 +132,154 @@ def test_a_reader_that_does_not_return_is_ended(open_box, sleeper):
     with pytest.raises(Stopped):
         cad_files.read_cad(open_box / "box.brep", 0.1, go_on=lambda: next(asked, False))
     assert len(sleeper) == 2 and all(process.poll() is not None for process in sleeper)
+
+
+@pytest.fixture(scope="module")
+def curved(tmp_path_factory):
+    """A folder of BREP files with surfaces, curves, places and triangles of all kinds."""
+    folder = tmp_path_factory.mktemp("curved")
+    script = f"""
+from curveups.base import freecad_session
+freecad, part = freecad_session.load("Part")
+V = freecad.Vector
+lid = part.makeCylinder(10, 20).fuse(part.makeCone(10, 5, 10, V(0, 0, 20))).removeSplitter()
+wave = part.BSplineCurve()
+wave.interpolate([V(0, 0, 0), V(10, 5, 0), V(20, -5, 3), V(30, 0, 0)])
+bow = part.BezierCurve()
+bow.setPoles([V(0, 0, 0), V(5, 9, 0), V(10, 0, 4)])
+bow.setWeight(2, 3.0)
+boxes = [part.makeBox(1, 1, 1, V(k, 0, 0)) for k in range(3)]
+boxes[1].Placement = freecad.Placement(V(3, 3, 3), freecad.Rotation(V(1, 1, 0), 30))
+placed = part.makeCompound(boxes)
+placed.Placement = freecad.Placement(V(3, 0, 3), freecad.Rotation(V(1, 0, 0), 30))
+meshed = part.makeTorus(20, 5)
+meshed.tessellate(1)
+shapes = dict(
+    cylinder=part.Shell(lid.Faces[:-1]), ball=part.makeSphere(20).toNurbs(), torus=part.makeTorus(20, 5),
+    meshed=meshed, swept=wave.toShape().extrude(V(0, 0, 10)),
+    turned=wave.toShape().revolve(V(0, -20, 0), V(1, 0, 0), 200), bow=bow.toShape().extrude(V(0, 0, 10)),
+    patch=part.BezierSurface().toShape(),
+    offset=part.OffsetCurve(wave, 2.0, V(0, 0, 1)).toShape().extrude(V(0, 0, 5)),
+    ellipse=part.Ellipse(V(0, 0, 0), 10, 5).toShape().extrude(V(1, 0, 10)),
+    parabola=part.Parabola().toShape(-5, 5).extrude(V(0, 0, 10)),
+    hyperbola=part.Hyperbola(V(0, 0, 0), 3, 2).toShape(-1, 1).extrude(V(0, 0, 10)),
+    placed=part.makeCompound([placed, boxes[0]]))
+for name, shape in shapes.items():
+    shape.exportBrep(f"{folder}/" + name + ".brep")
+"""
+    subprocess.run([freecad_session.python(), "-c", script], env=environment(), check=True,
+                   capture_output=True)
+    return folder
+
+
+def area_of(path):
+    found = cad_files.read_cad(path, 0.1, time_limit=30)
+    sides = found.V[found.F][:, 1:] - found.V[found.F][:, :1]
+    return np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1).sum() / 2
+
+
+def test_brep_files_that_are_cut_off_are_refused_before_they_are_read(curved, tmp_path, monkeypatch):
+    monkeypatch.setattr(cad_files.subprocess, "Popen", None)  # FreeCAD's reader waits for their ends for ever
+    files = sorted(curved.glob("*.brep"))
+    assert len(files) == 13
+    for file in files:
+        data = file.read_bytes()
+        assert is_whole_brep(data), file.name
+        path = tmp_path / file.name
+        # Behind the header, up to the words of the last line, which name the shape.
+        for share in np.linspace(0.1, 1, 20, endpoint=False):
+            path.write_bytes(data[:int(share * len(data.rstrip()))])
+            with pytest.raises(CurveUpsError, match="less than it announces"):
+                cad_files.read_cad(path, 0.1)
+
+
+def test_counts_and_numbers_of_brep_files_are_looked_at(curved):
+    data = (curved / "cylinder.brep").read_bytes()
+    assert is_whole_brep(data)
+    count = re.search(rb"TShapes (\d+)", data)
+    for wrong in (b"TShapes 3", b"TShapes -1", b"TShapes 99999999999999999999", b"TShapes 1.5", b"TShapes x"):
+        assert not is_whole_brep(data.replace(count[0], wrong))
+    assert not is_whole_brep(data.replace(b"Surfaces", b"Surface"))
+    assert not is_whole_brep(data.replace(b"Curves 5", b"Curves 5\n" + b"8 0 1 " * 5000))
+    edge = re.search(rb"\n2  \d+ \d+ 0 ", data)[0]
+    assert not is_whole_brep(data.replace(edge, edge.replace(b" 0 ", b" 0.5 "), 1))
+    assert is_whole_brep(b"no text of OpenCASCADE")  # FreeCAD says so
+
+
+def test_a_brep_file_without_one_curve_on_a_surface_keeps_its_shape_or_is_refused(curved, tmp_path):
+    lines = (curved / "cylinder.brep").read_bytes().split(b"\n")
+    path = tmp_path / "cylinder.brep"
+    whole = area_of(curved / "cylinder.brep")
+    begin = lines.index(b"Curves 5")
+    curves = [k for k in range(begin) if lines[k].startswith((b"1 ", b"2 "))]
+    uses = [k for k in range(begin, len(lines)) if re.match(rb"[23]  \d+ \d", lines[k])]
+    assert len(curves) > 5 and len(uses) > 5
+    refused = 0
+    for place in (*curves[::3], *uses):
+        path.write_bytes(b"\n".join(lines[:place] + lines[place + 1:]))
+        try:
+            assert abs(area_of(path) - whole) < 1e-3 * whole, lines[place]
+        except CurveUpsError as error:
+            assert error.remedy, lines[place]
+            refused += 1
+    assert refused > 5
+
+
+def test_curves_that_are_not_those_of_their_faces_are_noticed(curved, tmp_path):
+    """Numbers of a file that reads: FreeCAD covers another part of the surface, whose area it gives."""
+    text = (curved / "cylinder.brep").read_text()
+    path, whole = tmp_path / "cylinder.brep", area_of(curved / "cylinder.brep")
+    uses = list(re.finditer(r"\n2  (\d+) (\d+) 0 ", text))
+    refused = 0
+    for one, other in zip(uses, uses[1:]):
+        path.write_text(text[:one.start(1)] + other[1] + text[one.end(1):])
+        try:
+            assert abs(area_of(path) - whole) < 1e-2 * whole
+        except CurveUpsError as error:
+            assert str(path) == error.where
+            refused += "do not bound" in error.what or "triangles" in error.what
+    assert refused > 2
+
+
+def test_the_time_limit_follows_the_size_of_the_file(open_box, sleeper, monkeypatch, tmp_path):
+    monkeypatch.setattr(cad_files, "_TIME_LIMIT", 0.0)
+    monkeypatch.setattr(cad_files, "_TIME_LIMIT_MB", 100.0)
+    large = tmp_path / "large.step"
+    large.write_bytes((open_box / "box.step").read_bytes() + b"\n" * 10_000)
+    with pytest.raises(CurveUpsError, match="within [12] s"):
+        cad_files.read_cad(large, 0.1)
+
+
+def test_a_reader_ends_with_a_killed_program_and_the_next_run_tidies_up(open_box, tmp_path):
+    environ = environment(TMPDIR=str(tmp_path))
+    # The child stands still before it reads, so that it outlives its parent where nothing ends it.
+    script = f"""
+import subprocess, sys
+from pathlib import Path
+from curveups.targets import cad_files
+real = subprocess.Popen
+def start(command, **more):
+    asleep = "import sys, time; from curveups.base.machine import end_with_parent;" \\
+             "end_with_parent(int(sys.argv[-1])); print('ready', flush=True); time.sleep(600)"
+    child = real([command[0], "-c", asleep, command[-1]], **{{**more, "stdout": None}})
+    print(child.pid, flush=True)
+    return child
+cad_files.subprocess.Popen = start
+cad_files.read_cad(Path({str(open_box / "box.brep")!r}), 0.1)
+"""
+    program = subprocess.Popen([freecad_session.python(), "-c", script], env=environ, stdout=subprocess.PIPE,
+                               text=True)
+    child, ready = int(program.stdout.readline()), program.stdout.readline()
+    assert ready == "ready\n" and is_running(child)
+    program.kill()
+    program.wait()
+    assert program.stdout.read() == ""  # the child holds the other end of the pipe, too
+    left, = tmp_path.iterdir()
+    assert left.name.startswith(f".{program.pid}-curveups-cad-")
+    again = "from pathlib import Path; from curveups.targets import cad_files; " \
+            f"cad_files.read_cad(Path({str(open_box / 'box.brep')!r}), 0.1)"
+    subprocess.run([freecad_session.python(), "-c", again], env=environ, check=True)
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_damaged_file_on_the_command_line(curveups, open_box, tmp_path):

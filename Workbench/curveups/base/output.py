@@ -8,7 +8,7 @@ import os
 import re
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Callable, ClassVar, NoReturn, Optional
+from typing import Any, Callable, ClassVar, Iterator, NoReturn, Optional
 
 from .errors import NOT_WRITTEN, CurveUpsError, Stopped
 from .machine import is_running
@@ -29,6 +29,14 @@ def is_text(text: str) -> bool:
     except UnicodeEncodeError:
         return False
     return True
+
+
+def left_by_killed(folder: Path, pattern: str) -> Iterator[Path]:
+    """What has a temporary name (.PROCESS-NAME) for a name of this pattern, of a process that has ended."""
+    for left in folder.glob(f".[0-9]*-{pattern}"):
+        process = left.name[1:].partition("-")[0]
+        if process.isdecimal() and not is_running(int(process)):
+            yield left
 
 
 def plain_name(text: str) -> str:
@@ -160,10 +168,8 @@ class Folder:
 
     def _sweep(self, name: str) -> None:
         """Takes away what killed programs have left of this file, under its temporary names."""
-        for left in self.path.glob(f".[0-9]*-{glob.escape(name)}*"):
-            process = left.name[1:].partition("-")[0]
-            if process.isdecimal() and not is_running(int(process)):
-                left.unlink(missing_ok=True)
+        for left in left_by_killed(self.path, f"{glob.escape(name)}*"):
+            left.unlink(missing_ok=True)
 
     def keep(self, prepared: Prepared) -> None:
         """Gives a prepared file its name."""

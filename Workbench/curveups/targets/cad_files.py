@@ -12,6 +12,7 @@ import collections
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -24,17 +25,23 @@ import numpy as np
 
 from ..base import freecad_session
 from ..base.errors import CurveUpsError, Stopped
-from ..base.machine import claim_memory_of_blas, keep_memory, memory_is_limited
+from ..base.machine import claim_memory_of_blas, end_with_parent, keep_memory, memory_is_limited
 from ..base.native import native, translated
+from ..base.output import left_by_killed
+from .brep_file import is_whole_brep
 from .cad_creases import creases
 from .cad_parts import Choice, choose
 
 if TYPE_CHECKING:
     from .mesh_files import Mesh
 
-TIME_LIMIT = 600.0  # seconds: a sound part of 10,000 faces takes a tenth of it
+# Seconds for a file, for each MB of it, and at most: sound files of 10,000 faces have 9 MB (BREP) or 28
+# (STEP) and take a tenth of that.
+_TIME_LIMIT, _TIME_LIMIT_MB, _TIME_LIMIT_MOST = 60.0, 30.0, 600.0
 _LOOK = 0.05        # seconds between looks at whether to go on
 _AGAIN = "export it again"
+_ASTRAY = 0.01      # of a face's size: its triangles end this near to its edges
+_OTHER_AREA = 0.05  # by which their area may differ from the face's
 
 # What a file says of its faces. IGES: the directory's lines of trimmed (144) and bounded (143)
 # surfaces and of faces (510), each of two lines that begin with the type; BREP: a line "Fa" a face.
@@ -63,14 +70,19 @@ class Read:
 
 
 def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: True,
-             choice: Choice = Choice(), time_limit: float = TIME_LIMIT) -> Read:
+             choice: Choice = Choice(), time_limit: Optional[float] = None) -> Read:
     """What is chosen of a STEP, IGES or BREP file, mm; `deflection` is the largest distance of the triangles
-    from its surface, mm. Raises CurveUpsError, and Stopped where `go_on` says so."""
+    from its surface, mm. Without a time limit (seconds) the file's size sets one. Raises CurveUpsError, and
+    Stopped where `go_on` says so."""
     data = path.read_bytes()
+    if time_limit is None:
+        time_limit = min(_TIME_LIMIT + _TIME_LIMIT_MB * len(data) / 1e6, _TIME_LIMIT_MOST)
     ending = path.suffix.lower()
     kind = _SAME.get(ending, ending)
     if kind == ".iges" and not _is_whole_iges(data):
         raise CurveUpsError("the file is damaged: lines of it are missing", str(path), _AGAIN)
+    if kind == ".brep" and not is_whole_brep(data):
+        raise CurveUpsError("the file is damaged: it holds less than it announces", str(path), _AGAIN)
     announced = len(_FACES[kind].findall(data))
     if kind == ".step":
         lost = _lost_entities(data)
@@ -80,7 +92,9 @@ def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: 
         # A shell may list a face whose definition can't be read.
         shells = b",".join(_SHELL.findall(data))
         announced = max(announced, len(set(re.findall(rb"#(\d+)", shells))))
-    with tempfile.TemporaryDirectory(prefix="curveups-") as folder:
+    for left in left_by_killed(Path(tempfile.gettempdir()), "curveups-cad-*"):
+        shutil.rmtree(left, ignore_errors=True)
+    with tempfile.TemporaryDirectory(prefix=f".{os.getpid()}-curveups-cad-") as folder:
         answer = Path(folder) / "answer.npz"
         # Under a name of its own: FreeCAD's readers want UTF-8, and choose by the ending.
         copy = Path(folder) / f"part{ending}"
@@ -121,7 +135,7 @@ def _is_whole_iges(data: bytes) -> bool:
 def _run(path: Path, deflection: float, choice: Choice, answer: Path, go_on: Callable[[], bool],
          time_limit: float, where: Path) -> int:
     command = [freecad_session.python(), "-m", __name__, str(path), repr(deflection), str(answer),
-               json.dumps(asdict(choice))]
+               json.dumps(asdict(choice)), str(os.getpid())]
     child = subprocess.Popen(command, env=freecad_session.environment(), stdin=subprocess.DEVNULL,
                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     end = time.monotonic() + time_limit
@@ -170,22 +184,53 @@ def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
         mesh = mesh_part.meshFromShape(Shape=shape, LinearDeflection=max(deflection, 1e-5 * size),
                                        AngularDeflection=0.2)
         V, F = triangles_of_mesh(mesh)
-        # Of a face that it can't mesh OpenCASCADE leaves no triangle, and says nothing.
-        bare = sum(1 for face in shape.Faces if not face.tessellate(size)[1])
-        # Of one that has lost an edge it makes another.
-        gaping = sum(1 for face in shape.Faces if not all(wire.isClosed() for wire in face.Wires))
-    except MemoryError:
+        for fault, has_it in _FAULTS:
+            faulty = [k for k, face in enumerate(shape.Faces, 1) if has_it(face, size)]
+            if faulty:
+                faces = f"{len(faulty)} of {len(shape.Faces)} faces (Face{faulty[0]})"
+                raise CurveUpsError(fault.format(faces), where, "mend the surface, or export it as a mesh")
+    except (CurveUpsError, MemoryError):
         raise
     except Exception as error:  # FreeCAD raises its own types, and bare RuntimeError
         raise CurveUpsError("FreeCAD can't make triangles of the surface", where,
                             "mend the surface, or export it as a mesh") from error
-    if bare:
-        raise CurveUpsError(f"FreeCAD can't make triangles of {bare} of {len(shape.Faces)} faces", where,
-                            "mend the surface, or export it as a mesh")
-    if gaping:
-        raise CurveUpsError(f"the outlines of {gaping} of {len(shape.Faces)} faces do not close", where,
-                            "mend the surface, or export it as a mesh")
     return V, F
+
+
+def _strays(face: Any, _: float) -> bool:
+    """Whether the triangles of a face that OpenCASCADE finds unsound cover something else than what its edges
+    bound: where an edge has lost its curve on the surface, or has another's, they end elsewhere, or are more
+    than the face's area."""
+    if face.isValid():
+        return False
+    near = _ASTRAY * face.BoundBox.DiagonalLength
+    points, triangles = face.tessellate(near / 4)
+    V, F = np.array([tuple(point) for point in points], float), np.array(triangles)
+    area = np.linalg.norm(np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]]), axis=1).sum() / 2
+    if abs(area - face.Area) > _OTHER_AREA * area:
+        return True
+    sides = np.sort(F[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2))
+    sides, count = np.unique(sides, axis=0, return_counts=True)
+    rim = sides[count == 1]
+    lines = [np.array([tuple(point) for point in edge.discretize(Deflection=near / 4)])
+             for edge in face.Edges if not edge.Degenerated]
+    ends = np.concatenate([np.stack([line[:-1], line[1:]], axis=1) for line in lines])
+    return bool(_distance(np.concatenate(lines), V[rim]).max() > near
+                or _distance(V[np.unique(rim)], ends).max() > near)
+
+
+def _distance(points: np.ndarray, segments: np.ndarray) -> np.ndarray:
+    """Of points (N x 3) from the nearest of the segments (M x 2 x 3)."""
+    triangles = np.concatenate([segments, segments[:, 1:]], axis=1).reshape(-1, 3)
+    corners = np.arange(len(triangles), dtype=np.int32).reshape(-1, 3)
+    return np.linalg.norm(native.closest_points(points, triangles, corners) - points, axis=1)
+
+
+# What of a face FreeCAD makes triangles of, or makes none, and says nothing.
+_FAULTS: tuple[tuple[str, Callable[[Any, float], bool]], ...] = (
+    ("FreeCAD can't make triangles of {}", lambda face, size: not face.tessellate(size)[1]),
+    ("the outlines of {} do not close", lambda face, _: not all(wire.isClosed() for wire in face.Wires)),
+    ("the edges of {} do not bound them", _strays))
 
 
 def _read(path: Path, deflection: float, choice: Choice) -> tuple[int, Read]:
@@ -222,5 +267,6 @@ def _main(path: str, deflection: str, answer: str, choice: str) -> None:
 
 
 if __name__ == "__main__":
+    end_with_parent(int(sys.argv.pop()))
     keep_memory()
     _main(*sys.argv[1:])
