@@ -79,7 +79,7 @@ PrintBody notched(const Span& span, const Parameters& p, double z0, double z1) {
   const double half = std::min(p.bridge_notch, 0.24 * gap);
   std::vector<std::array<double, 2>> profile{{span.from, z0}};
   if (p.bridge_notch > 0 && half > 1e-3) {
-    for (double s : {span.wall_from + half, span.wall_to - half}) {
+    for (double s : {span.wall_from + 1.02 * half, span.wall_to - 1.02 * half}) {
       profile.push_back({s - half, z0});
       profile.push_back({s, z0 + 2 * p.bridge_notch});
       profile.push_back({s + half, z0});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The files of a print model. Kinds as in PrintModel::bodies.
+// The files of a print model. Kinds as in PrintModel::bodies; STL and 3MF know one more, "fused":
+// each piece of the print as one closed shell, for print shops that take no overlapping bodies.
 #pragma once
 
 #include <string>
@@ -15,7 +16,8 @@ void write_step(const PrintModel& model, const std::string& kind, const std::str
                 const Progress& progress);
 void write_stl(const PrintModel& model, const std::string& kind, const std::string& path,
                const Progress& progress);
-void write_3mf(const PrintModel& model, const std::string& path, const Progress& progress);
+void write_3mf(const PrintModel& model, const std::string& kind, const std::string& path,
+               const Progress& progress);
 
 // A new format is a file that writes it and its value in print_files.cpp.
 struct PrintFormat {

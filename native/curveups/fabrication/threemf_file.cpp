@@ -98,28 +98,75 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-// The archive's dates: lib3mf writes none (day 0 of month 0, which is no date) or the present time.
-// They become the earliest that ZIP knows, 1980-01-01 00:00, in local and central headers.
-void set_dates(std::string& zip) {
-  auto number = [&](std::size_t at, int bytes) {
-    std::size_t value = 0;
-    for (int k = bytes; k-- > 0;) value = value << 8 | static_cast<unsigned char>(zip.at(at + k));
-    return value;
-  };
-  auto stamp = [&](std::size_t at) { zip.replace(at, 4, std::string("\0\0\x21\0", 4)); };
-  constexpr std::size_t in_zip64 = 0xffffffff;  // the number stands in the larger field
+// Little-endian numbers of a ZIP.
+std::size_t number(const std::string& bytes, std::size_t at, int size) {
+  std::size_t value = 0;
+  for (int k = size; k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes.at(at + k));
+  return value;
+}
+
+void append(std::string& bytes, std::size_t value, int size) {
+  for (int k = 0; k < size; ++k) bytes.push_back(static_cast<char>(value >> 8 * k));
+}
+
+// lib3mf writes ZIP64 whatever the size, which some readers take for an empty scene. The same
+// compressed members in a plain ZIP, all with the earliest date that ZIP knows, 1980-01-01 00:00:
+// lib3mf writes none or the present time.
+std::string plain_zip(const std::string& zip) {
+  constexpr std::size_t in_zip64 = 0xffffffff, most = 0xfffffffe;  // bytes
+  if (zip.size() > most) {
+    throw IoError("the 3MF would have more than 4 GB, which slicers do not read",
+                  "raise mesh_deviation or set mesh_bumps to off");
+  }
   const std::size_t end = zip.rfind(std::string("PK\5\6", 4));
   if (end == std::string::npos) throw SolverFailure("lib3mf wrote no archive", "report this");
-  std::size_t at = number(end + 16, 4);
-  if (at == in_zip64) at = number(zip.rfind(std::string("PK\6\6", 4)) + 48, 8);
-  for (std::size_t entry = number(end + 10, 2); entry > 0; --entry) {
-    const std::size_t next = at + 46 + number(at + 28, 2) + number(at + 30, 2) + number(at + 32, 2);
-    std::size_t local = number(at + 42, 4);
-    if (local == in_zip64) local = number(at + 46 + number(at + 28, 2) + number(at + 30, 2) - 8, 8);
-    stamp(at + 12);
-    stamp(local + 10);
-    at = next;
+  std::size_t at = number(zip, end + 16, 4);
+  if (at == in_zip64) at = number(zip, zip.rfind(std::string("PK\6\6", 4)) + 48, 8);
+  const std::size_t entries = number(zip, end + 10, 2);
+  std::string out, directory;
+  for (std::size_t entry = 0; entry < entries; ++entry) {
+    const std::size_t name_size = number(zip, at + 28, 2), extra_size = number(zip, at + 30, 2);
+    const std::string name = zip.substr(at + 46, name_size);
+    // What is in the ZIP64 field stands there in this order.
+    std::size_t sizes[3] = {number(zip, at + 24, 4), number(zip, at + 20, 4),
+                            number(zip, at + 42, 4)};
+    std::size_t field = at + 46 + name_size + 4;
+    for (std::size_t& size : sizes) {
+      if (size != in_zip64) continue;
+      size = number(zip, field, 8);
+      field += 8;
+    }
+    const auto [whole, packed, local] = sizes;
+    const std::size_t data = local + 30 + number(zip, local + 26, 2) + number(zip, local + 28, 2);
+    std::string common;  // of both headers
+    append(common, 20, 2);
+    append(common, 0, 2);
+    common += zip.substr(at + 10, 2);  // method
+    append(common, 0x00210000, 4);
+    common += zip.substr(at + 16, 4);  // checksum
+    append(common, packed, 4);
+    append(common, whole, 4);
+    append(common, name_size, 2);
+    append(common, 0, 2);
+    directory += "PK\1\2";
+    append(directory, 20, 2);
+    directory += common;
+    append(directory, 0, 10);  // no comment, first disk, no attributes
+    append(directory, out.size(), 4);
+    directory += name;
+    out += "PK\3\4" + common + name;
+    out.append(zip, data, packed);
+    at += 46 + name_size + extra_size + number(zip, at + 32, 2);
   }
+  const std::size_t begin = out.size();
+  out += directory + "PK\5\6";
+  append(out, 0, 4);
+  append(out, entries, 2);
+  append(out, entries, 2);
+  append(out, directory.size(), 4);
+  append(out, begin, 4);
+  append(out, 0, 2);
+  return out;
 }
 
 using Body = std::unique_ptr<Held<NMR::PLib3MFModelMeshObject>>;
@@ -227,9 +274,8 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
                                          reinterpret_cast<void*>(&Archive::seek), &archive);
   if (cancelled) throw Cancelled();
   require(written, "write the archive");
-  set_dates(archive.bytes);
-  write_atomically(path,
-                   [&](const std::string& temporary) { write_bytes(temporary, archive.bytes); });
+  const std::string zip = plain_zip(archive.bytes);
+  write_atomically(path, [&](const std::string& temporary) { write_bytes(temporary, zip); });
 }
 
 }  // namespace curveups

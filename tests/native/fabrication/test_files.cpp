@@ -57,8 +57,8 @@ TEST_F(Files, AreTheSameByteForByteEveryTime) {
   const PrintModel a = model(), b = model();
   write_step(a, "print", path("a.step"), {});
   write_step(b, "print", path("b.step"), {});
-  write_3mf(a, path("a.3mf"), {});
-  write_3mf(b, path("b.3mf"), {});
+  write_3mf(a, "print", path("a.3mf"), {});
+  write_3mf(b, "print", path("b.3mf"), {});
   write_stl(a, "print", path("a.stl"), {});
   write_stl(b, "print", path("b.stl"), {});
   for (const char* kind : {"step", "3mf", "stl"}) {
@@ -82,29 +82,87 @@ bool closed(const std::vector<std::array<Corner, 3>>& triangles) {
   return !edges.empty();
 }
 
+using Facets = std::vector<std::array<std::array<float, 3>, 3>>;
+
+Facets facets_of(const std::string& bytes) {
+  std::uint32_t count;
+  std::memcpy(&count, bytes.data() + 80, 4);
+  EXPECT_EQ(bytes.size(), 84 + 50u * count);
+  Facets facets(count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    std::memcpy(&facets[k], bytes.data() + 84 + 50 * k + 12, 36);
+  }
+  return facets;
+}
+
+double volume_of(const Facets& facets) {
+  double volume = 0;
+  for (const auto& facet : facets) {
+    Eigen::Matrix3d m;
+    for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = facet[i / 3][i % 3];
+    volume += m.determinant() / 6;
+  }
+  return volume;
+}
+
 TEST_F(Files, StlIsWatertight) {
   const PrintModel s = model();
   write_stl(s, "tiles", path("a.stl"), {});
-  const std::string bytes = read_file(path("a.stl"));
-  std::uint32_t count;
-  std::memcpy(&count, bytes.data() + 80, 4);
-  ASSERT_EQ(bytes.size(), 84 + 50u * count);
-  std::vector<std::array<std::array<float, 3>, 3>> triangles(count);
-  double volume = 0;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    std::memcpy(&triangles[k], bytes.data() + 84 + 50 * k + 12, 36);
-    Eigen::Matrix3d m;
-    for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = triangles[k][i / 3][i % 3];
-    volume += m.determinant() / 6;
+  const Facets facets = facets_of(read_file(path("a.stl")));
+  EXPECT_TRUE(closed(facets));
+  EXPECT_NEAR(volume_of(facets), s.volume("tiles"), 0.01 * s.volume("tiles"));
+}
+
+// How many shells facets with common points make.
+std::size_t shells_of(const Facets& facets) {
+  std::map<std::array<float, 3>, std::array<float, 3>> parent;
+  const auto root = [&](std::array<float, 3> point) {
+    while (parent.at(point) != point) point = parent[point] = parent.at(parent.at(point));
+    return point;
+  };
+  for (const auto& facet : facets) {
+    for (const auto& corner : facet) parent.try_emplace(corner, corner);
+    parent[root(facet[1])] = root(facet[0]);
+    parent[root(facet[2])] = root(facet[0]);
   }
-  EXPECT_TRUE(closed(triangles));
-  EXPECT_NEAR(volume, s.volume("tiles"), 0.01 * s.volume("tiles"));
+  std::set<std::array<float, 3>> roots;
+  for (const auto& [point, _] : parent) roots.insert(root(point));
+  return roots.size();
+}
+
+TEST_F(Files, APieceOnBridgesIsOneClosedShellWhereItIsFused) {
+  Parameters parameters;
+  parameters.support = "breakaway";
+  const PrintModel s = make_print_model(test::sample_design(parameters, {}), "0.1");
+  ASSERT_GT(s.supports.size(), 10u);
+  ASSERT_TRUE(s.loose_tiles.empty());
+  write_stl(s, "fused", path("a.stl"), {});
+  const Facets facets = facets_of(read_file(path("a.stl")));
+  EXPECT_TRUE(closed(facets));
+  EXPECT_EQ(shells_of(facets), 1u);
+  double apart = 0;  // what bodies hold by themselves, their overlaps twice
+  for (const char* kind : {"tiles", "support", "anchors"}) apart += s.volume(kind);
+  EXPECT_LT(volume_of(facets), apart);
+  // A bridge reaches bridge_depth into a body at each of its ends.
+  const double overlaps = 2 * parameters.bridge_depth * parameters.bridge_width *
+                          parameters.bridge_thickness * static_cast<double>(s.supports.size());
+  EXPECT_GT(volume_of(facets), apart - 3 * overlaps);
+  EXPECT_THROW(write_stl(model(), "fused", path("b.stl"), {}), InvalidInput);
+}
+
+// Readers that know no ZIP64 see an empty scene otherwise.
+TEST_F(Files, ThreeMfIsAPlainZip) {
+  write_3mf(model(), "print", path("a.3mf"), {});
+  const std::string zip = read_file(path("a.3mf"));
+  EXPECT_EQ(zip.find(std::string("PK\6\6", 4)), std::string::npos);
+  EXPECT_EQ(zip.substr(0, 4), std::string("PK\3\4", 4));
+  EXPECT_EQ(zip.substr(zip.size() - 22, 4), std::string("PK\5\6", 4));
 }
 
 TEST_F(Files, ThreeMfHoldsEveryBodyByNameWatertight) {
   using namespace NMR;
   const PrintModel s = model();
-  write_3mf(s, path("a.3mf"), {});
+  write_3mf(s, "print", path("a.3mf"), {});
   PLib3MFModel* model;
   PLib3MFModelReader* reader;
   PLib3MFModelResourceIterator* it;
@@ -153,7 +211,7 @@ TEST_F(Files, FailuresAndCancellingLeaveNothingBehind) {
   const PrintModel s = model();
   EXPECT_THROW(write_step(s, "tiles", path("missing/a.step"), {}), IoError);
   EXPECT_THROW(write_stl(s, "tiles", path("missing/a.stl"), {}), IoError);
-  EXPECT_THROW(write_3mf(s, path("missing/a.3mf"), {}), IoError);
+  EXPECT_THROW(write_3mf(s, "print", path("missing/a.3mf"), {}), IoError);
   fs::create_directory(folder_ / "folder");
   EXPECT_THROW(write_step(s, "tiles", path("folder"), {}), IoError);
   const Progress stop = [](const std::string&, double) { return false; };

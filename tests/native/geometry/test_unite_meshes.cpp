@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/geometry/mesh_checks.hpp"
+#include "curveups/geometry/unite_meshes.hpp"
+
+namespace curveups {
+namespace {
+
+TriangleMesh box(const Vec3& low, const Vec3& high) {
+  TriangleMesh out{Points3(8, 3), Triangles(12, 3)};
+  for (int v = 0; v < 8; ++v) {
+    for (int k = 0; k < 3; ++k) out.V(v, k) = v >> k & 1 ? high[k] : low[k];
+  }
+  out.F << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6,
+      1, 3, 5, 3, 7, 5;
+  return out;
+}
+
+double volume(const TriangleMesh& mesh) {
+  double six = 0;
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    Eigen::Matrix3d corners;
+    for (int t = 0; t < 3; ++t) corners.row(t) = mesh.V.row(mesh.F(f, t));
+    six += corners.determinant();
+  }
+  return six / 6;
+}
+
+int shells(const TriangleMesh& mesh) {
+  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const std::vector<int> of = face_components(topology, {});
+  return of.empty() ? 0 : *std::max_element(of.begin(), of.end()) + 1;
+}
+
+void expect_closed(const TriangleMesh& mesh) {
+  for (const MeshEdge& edge : build_topology(mesh.F, static_cast<int>(mesh.V.rows())).edges) {
+    EXPECT_FALSE(edge.boundary());
+  }
+}
+
+TEST(UniteMeshes, ChainOfTilesAndBridgesIsOneShell) {
+  // Five blocks with a gap of 1 between them; bridges reach 0.25 into each, and the second of each
+  // pair cuts the first.
+  std::vector<TriangleMesh> solids;
+  for (int k = 0; k < 5; ++k) solids.push_back(box({5. * k, 0, 0}, {5. * k + 4, 4, 3}));
+  for (int k = 0; k < 4; ++k) {
+    solids.push_back(box({5 * k + 3.75, 1, 1}, {5 * k + 5.25, 2, 2}));
+    solids.push_back(box({5 * k + 3.75, 1.5, 1.25}, {5 * k + 5.25, 3, 1.75}));
+  }
+  const TriangleMesh united = unite_meshes(solids);
+  expect_closed(united);
+  EXPECT_EQ(shells(united), 1);
+  // In each gap: 1 of the first bridge, and 0.75 of the second less 0.25 that both have.
+  EXPECT_NEAR(volume(united), 5 * 4 * 4 * 3 + 4 * (1 + 0.75 - 0.25), 1e-9);
+}
+
+TEST(UniteMeshes, KeepsWhatTouchesNothing) {
+  const std::vector<TriangleMesh> solids = {box({0, 0, 0}, {1, 1, 1}), box({2, 0, 0}, {3, 1, 1})};
+  const TriangleMesh united = unite_meshes(solids);
+  EXPECT_EQ(united.F.rows(), 24);
+  EXPECT_EQ(shells(united), 2);
+  EXPECT_NEAR(volume(united), 2, 1e-12);
+}
+
+TEST(UniteMeshes, FacesInOnePlaneAreNoObstacle) {
+  const TriangleMesh united = unite_meshes({box({0, 0, 0}, {2, 2, 2}), box({1, 0, 0}, {3, 2, 2})});
+  expect_closed(united);
+  EXPECT_EQ(shells(united), 1);
+  EXPECT_NEAR(volume(united), 12, 1e-9);
+}
+
+TEST(UniteMeshes, OpenSolidsAreRefused) {
+  TriangleMesh open = box({0, 0, 0}, {2, 2, 2});
+  open.F.conservativeResize(11, 3);
+  EXPECT_THROW(unite_meshes({open, box({1, 1, 1}, {3, 3, 3})}), SolverFailure);
+}
+
+}  // namespace
+}  // namespace curveups
