@@ -2,6 +2,7 @@
 """Files are written while solids are checked: the order, and what a run that breaks off leaves."""
 
 import json
+import threading
 import time
 import zipfile
 from types import SimpleNamespace
@@ -117,7 +118,8 @@ def test_document_and_page_are_made_while_solids_are_checked_and_wait(project, m
 
     def judge(job):
         wait_until(lambda: pages)
-        time.sleep(0.2)  # time to do what must not be done
+        # The thread that writes has done all that it does beside the checks.
+        wait_until(lambda: not any("_write_first" in thread.name for thread in threading.enumerate()))
         assert len(documents) == 1 and documents[0].parent == out and documents[0].exists()
         assert not {"report.json", "report.html", "small-cap.FCStd"} & {path.name for path in out.iterdir()}
         return [], []
