@@ -127,7 +127,7 @@ def test_pins_between_parts_that_face_one_another_need_room():
     assert found(5.01).feasible
     low = found(4.9)
     assert low.possible and not low.feasible and not low.overlapping.size
-    assert {one.obstacle for one in low.blocked} == {"overlap"} and "pins" in low.blocked[0].why
+    assert {one.obstacle for one in low.blocked} == {"overlap"} and low.blocked[0].why.kind == "overlap.pins"
     assert {one.tile for one in low.blocked} == set(low.meeting.ravel().tolist()) == set(range(len(low.F)))
     assert found(4.9, H_pin=0.94).feasible and found(4.9, H_body=2.89).feasible
     # Tiles by which a design is held are no tiles of what is tried.
