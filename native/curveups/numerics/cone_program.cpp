@@ -15,11 +15,10 @@ using Eigen::VectorXd;
 
 constexpr int max_iterations = 100;
 
-// Unknowns: s, and f, three per point: the force less the floor, (n - s, t); at points that only
-// have to push the force itself. (With the force itself everywhere the relaxed program loses all
-// digits at the end.) Balance: A f + a s + b = 0, a = A applied to a unit normal force at every
-// point with a floor. Cones, with slack z and multiplier l:
-//   circle: z = (mu (f_n + rho s), f_t); rho is 1 at points with a floor, relaxed 0
+// Unknowns: s, and f, three per point: the force less the floor, (n - s, t). (With the force itself
+// the relaxed program loses all digits at the end.) Balance: A f + a s + b = 0, a = A applied to a
+// unit normal force at every point. Cones, with slack z and multiplier l:
+//   circle: z = (mu (f_n + rho s), f_t); rho is 1, relaxed 0
 //   floor:  z = f_n
 //   cap:    z = 1 - s
 class ConeProgram {
@@ -29,14 +28,10 @@ class ConeProgram {
         count_(system.point_count()),
         b_(b),
         mu_(options.friction_coefficient),
-        lift_(VectorXd::Ones(count_)),
+        rho_(options.relaxed ? 0 : 1),
         tolerance_(options.tolerance) {
-    for (int p = 0; p < count_ && !options.only_push.empty() && !options.relaxed; ++p) {
-      if (options.only_push[p] != 0) lift_(p) = 0;
-    }
-    rho_ = options.relaxed ? VectorXd::Zero(count_) : lift_;
     VectorXd floor = VectorXd::Zero(3 * count_);
-    for (int p = 0; p < count_; ++p) floor(3 * p) = lift_(p);
+    for (int p = 0; p < count_; ++p) floor(3 * p) = 1;
     a_ = system_.apply(floor);
   }
 
@@ -54,9 +49,7 @@ class ConeProgram {
     Cones z, l;
   };
 
-  Vec3 circle_of(int p, const Vec3& f, double s) const {
-    return {mu_ * (f.x() + rho_(p) * s), f.y(), f.z()};
-  }
+  Vec3 circle_of(const Vec3& f, double s) const { return {mu_ * (f.x() + rho_ * s), f.y(), f.z()}; }
 
   void initialize(const VectorXd& start);
   void residuals();
@@ -76,7 +69,7 @@ class ConeProgram {
   int count_;
   VectorXd b_;
   double mu_;
-  VectorXd lift_, rho_;  // what of s is in a point's normal force, and in the radius of its circle
+  double rho_;  // what of s is in the radius of a circle
   double tolerance_;
   VectorXd a_;
 
@@ -110,15 +103,15 @@ void ConeProgram::initialize(const VectorXd& start) {
   double least = 0;
   for (int p = 0; p < count_; ++p) least = std::min(least, f_(3 * p));
   s_ = least - 0.1;
-  for (int p = 0; p < count_; ++p) f_(3 * p) -= lift_(p) * s_;
+  for (int p = 0; p < count_; ++p) f_(3 * p) -= s_;
   const double weight = 1.0 / std::max(1, count_);
   z_.circle.setZero(count_, 3);
   l_.circle.setZero(count_, 3);
   z_.floor.resize(count_);
   l_.floor = VectorXd::Constant(count_, weight);
   for (int p = 0; p < count_; ++p) {
-    z_.floor(p) = lift_(p) != 0 ? f_(3 * p) : std::max(f_(3 * p), 0.1);
-    Vec3 u = circle_of(p, f_.segment<3>(3 * p), s_);
+    z_.floor(p) = f_(3 * p);
+    Vec3 u = circle_of(f_.segment<3>(3 * p), s_);
     u.x() = std::max(u.x(), 1.1 * u.tail<2>().norm() + 0.1);
     z_.circle.row(p) = u.transpose();
     l_.circle(p, 0) = weight;
@@ -137,8 +130,8 @@ void ConeProgram::residuals() {
     r_z_.floor(p) = z_.floor(p) - f_(3 * p);
     const Vec3 l = l_.circle.row(p);
     r_f_.segment<3>(3 * p) -= Vec3(mu_ * l.x(), l.y(), l.z());
-    r_s_ -= mu_ * rho_(p) * l.x();
-    r_z_.circle.row(p) = z_.circle.row(p) - circle_of(p, f_.segment<3>(3 * p), s_).transpose();
+    r_s_ -= mu_ * rho_ * l.x();
+    r_z_.circle.row(p) = z_.circle.row(p) - circle_of(f_.segment<3>(3 * p), s_).transpose();
   }
   r_z_.cap = z_.cap - (1 - s_);
   r_y_ = system_.apply(f_) + s_ * a_ + b_;
@@ -167,7 +160,7 @@ bool ConeProgram::factorize() {
     D.bottomRightCorner<2, 2>() = circle_[p].tangential + column.tail<2>() *
                                                               column.tail<2>().transpose() /
                                                               (column.x() * room);
-    if (rho_(p) != 0) {
+    if (rho_ != 0) {
       D_e_.row(p) << 1 / room, -w * column.y() / room, -w * column.z() / room;
       pivot_ += w / room;
     }
@@ -226,7 +219,7 @@ ConeProgram::Direction ConeProgram::newton(double keep, const Cones& d) const {
     const double n = out.f(3 * p);
     out.z.floor(p) = -keep * r_z_.floor(p) + n;
     out.l.floor(p) = w_floor_(p) * (-n - beta.floor(p));
-    const Vec3 m = circle_of(p, out.f.segment<3>(3 * p), out.s);
+    const Vec3 m = circle_of(out.f.segment<3>(3 * p), out.s);
     out.z.circle.row(p) = -keep * r_z_.circle.row(p) + m.transpose();
     // From the dual equation rather than from the scaling, which would amplify rounding in f.
     out.l.circle.row(p) << (dual(3 * p) - out.l.floor(p)) / mu_, dual(3 * p + 1), dual(3 * p + 2);
@@ -345,7 +338,7 @@ ConeSolution ConeProgram::solve(const VectorXd& start, const Progress& progress)
   }
   if (out.solve.converged()) take_up_imbalance();
   out.force = f_;
-  for (int p = 0; p < count_; ++p) out.force(3 * p) += lift_(p) * s_;
+  for (int p = 0; p < count_; ++p) out.force(3 * p) += s_;
   out.s = s_;
   out.y = y_;
   out.circle = l_.circle;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Second-order cone programs over forces at points, three numbers each (normal, two tangents):
 //   maximise s  subject to  A f + b = 0,  n >= s,  |t| <= mu n,  s <= 1
-// at every point, with the exact circular cone; at points that only have to push, n >= 0. Relaxed:
-// n >= s and |t| <= mu (n - s) at every point, which always has a solution. A primal-dual
+// at every point, with the exact circular cone. Relaxed: n >= s and |t| <= mu (n - s), which always
+// has a solution. A primal-dual
 // interior-point method (Mehrotra's predictor-corrector with Nesterov-Todd scaling; L.
 // Vandenberghe, "The CVXOPT linear and quadratic cone program solvers", 2010) on the normal
 // equations A D A^T, one factorization a step.
@@ -34,8 +34,6 @@ struct ConeOptions {
   double friction_coefficient = 0.5;  // mu
   bool relaxed = false;
   double tolerance = 1e-4;  // on s
-  // Per point whether it only has to push; empty: none.
-  std::vector<char> only_push = {};
 };
 
 struct ConeSolution {

@@ -35,14 +35,10 @@ BalanceSystem::BalanceSystem(std::vector<ContactPoint> points, const Points3& ce
   std::iota(parent.begin(), parent.end(), 0);
   for (const ContactPoint& point : points_) {
     basis_.push_back(make_basis(point.normal));
-    if (point.tile[0] < 0) continue;
     const int a = root_of(parent, point.tile[0]), b = root_of(parent, point.tile[1]);
     parent[std::max(a, b)] = std::min(a, b);
   }
   std::vector<char> supported(tile_count, 0);  // by component root
-  for (const ContactPoint& point : points_) {
-    if (point.tile[0] < 0) supported[root_of(parent, point.tile[1])] = 1;
-  }
   for (int tile : held) supported[root_of(parent, tile)] = 1;
   std::vector<char> free(tile_count, 0);
   for (int i = 0; i < tile_count; ++i) {
@@ -66,10 +62,6 @@ void BalanceSystem::make_arms() {
     for (int end = 0; end < 2; ++end) {
       Arm& out = arm_[p][end];
       const int tile = points_[p].tile[end];
-      if (tile < 0) {
-        out.setZero();
-        continue;
-      }
       const double sign = end == 0 ? -1.0 : 1.0;
       const Vec3 r = points_[p].position - centres_.row(tile).transpose();
       out.topRows<3>() = sign * basis_[p];
@@ -95,7 +87,7 @@ Eigen::VectorXd BalanceSystem::apply(const Eigen::VectorXd& f) const {
   for (int p = 0; p < point_count(); ++p) {
     for (int end = 0; end < 2; ++end) {
       const int tile = points_[p].tile[end];
-      if (tile < 0 || row_of_tile_[tile] < 0) continue;
+      if (row_of_tile_[tile] < 0) continue;
       out.segment<6>(row_of_tile_[tile]).noalias() += arm_[p][end] * f.segment<3>(3 * p);
     }
   }
@@ -107,7 +99,7 @@ Eigen::VectorXd BalanceSystem::apply_transposed(const Eigen::VectorXd& y) const 
   for (int p = 0; p < point_count(); ++p) {
     for (int end = 0; end < 2; ++end) {
       const int tile = points_[p].tile[end];
-      if (tile < 0 || row_of_tile_[tile] < 0) continue;
+      if (row_of_tile_[tile] < 0) continue;
       out.segment<3>(3 * p).noalias() +=
           arm_[p][end].transpose() * y.segment<6>(row_of_tile_[tile]);
     }
@@ -128,7 +120,6 @@ Wrenches BalanceSystem::wrenches(const Eigen::VectorXd& f) const {
   for (int p = 0; p < point_count(); ++p) {
     for (int end = 0; end < 2; ++end) {
       const int tile = points_[p].tile[end];
-      if (tile < 0) continue;
       Vector6 wrench = arm_[p][end] * f.segment<3>(3 * p);
       wrench.tail<3>() *= lever_;
       out.row(tile) += wrench.transpose();
@@ -145,7 +136,7 @@ bool BalanceSystem::factorize(const std::vector<Eigen::Matrix3d>& D) {
     const std::array<Arm, 2>& arms = arm_[p];
     for (int end = 0; end < 2; ++end) {
       const int tile = points_[p].tile[end];
-      if (tile < 0 || row_of_tile_[tile] < 0) continue;
+      if (row_of_tile_[tile] < 0) continue;
       matrix_->add(pattern.diagonal(tile), arms[end] * D[p] * arms[end].transpose());
     }
     const BlockSlot& slot = pattern.slot(p);

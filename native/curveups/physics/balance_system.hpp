@@ -15,13 +15,12 @@
 
 namespace curveups {
 
-// A point at which tile[0] pushes tile[1] along `normal` (unit), and tile[1] pushes back. tile[0]
-// is -1 for the ground.
+// A point at which tile[0] pushes tile[1] along `normal` (unit), and tile[1] pushes back.
 struct ContactPoint {
   Vec3 position;
   Vec3 normal;
   std::array<int, 2> tile;
-  int contact;  // what it belongs to, for reports; -1 for the ground
+  int contact;  // what it belongs to, for reports
 };
 
 // Forces are three numbers per point in the point's own basis: along the normal (pushing positive)

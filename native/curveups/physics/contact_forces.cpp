@@ -49,17 +49,11 @@ ContactForces solve_contact_forces(BalanceSystem& system, const Wrenches& loads)
     }
   }
   out.force = Eigen::Map<const Points3>(f.data(), count, 3);
-  int pairs = 0;
-  for (int p = 0; p < count; ++p) {
-    if (system.points()[p].contact < 0) continue;
-    const double normal = out.force(p, 0);
-    if (pairs++ == 0 || normal < out.normal_min) {
-      out.normal_min = normal;
-      out.weakest_point = p;
-    }
-    out.normal_mean += normal;
+  if (count > 0) {
+    out.normal_min = out.force.col(0).minCoeff(&out.weakest_point);
+    for (double normal : out.force.col(0)) out.normal_mean += normal;
+    out.normal_mean /= count;
   }
-  if (pairs > 0) out.normal_mean /= pairs;
   return out;
 }
 
@@ -77,7 +71,6 @@ std::vector<ContactSummary> summarize_contacts(const BalanceSystem& system, cons
       least = count == 0 ? force(p, 0) : std::min(least, force(p, 0));
       tangential += force(p, 1) * basis.col(1) + force(p, 2) * basis.col(2);
     }
-    if (contact < 0) continue;
     const double ratio = tangential.norm() / std::max(std::abs(normal), 1e-300);
     out.push_back({contact, normal / count, least, ratio});
   }

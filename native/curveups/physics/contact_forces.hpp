@@ -31,7 +31,7 @@ struct ContactSummary {
   double friction_ratio;  // |sum of tangential forces| / |sum of normal forces|
 };
 
-// Per contact that has points, ascending; ground points are left out.
+// Per contact that has points, ascending.
 std::vector<ContactSummary> summarize_contacts(const BalanceSystem& system, const Points3& force);
 
 }  // namespace curveups

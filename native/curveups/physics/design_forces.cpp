@@ -86,6 +86,7 @@ void DesignForces::solve_membranes(bool fresh, const Progress& progress) {
 
 void DesignForces::solve_contacts() {
   loads_ = weights(*geometry_, poses_, q_, parameters_);
+  loads_ += carry(*geometry_, loads_, parameters_).table;
   for (Side side : sides) {
     const SolvedMembrane& m = membrane(side);
     // Rounding alone may keep a membrane from the last digits of its tolerance.

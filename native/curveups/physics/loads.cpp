@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/physics/loads.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -73,6 +74,62 @@ void add_membrane(const TileMesh& tiles, const FlatPoses& poses, const Array6& q
   }
 }
 
+// A corner of a tile's body on the table.
+struct Foot {
+  int tile;
+  Vec3 at;
+};
+
+std::vector<Foot> find_feet(const DesignGeometry& geometry, const Vec3& down, double L) {
+  std::vector<Foot> corners, feet;
+  double lowest = -1e300;
+  for (int i = 0; i < geometry.tiles.tile_count(); ++i) {
+    for (const Vec3& p : tile_body(geometry.tiles, geometry.truncation, i).points) {
+      corners.push_back({i, geometry.tiles.frame[i].to_world(p)});
+      lowest = std::max(lowest, down.dot(corners.back().at));
+    }
+  }
+  for (const Foot& corner : corners) {
+    if (down.dot(corner.at) > lowest - L / 20) feet.push_back(corner);
+  }
+  return feet;
+}
+
+// The pushes n >= 0 of least square sum whose resultant is `total` through `middle` (N, any height
+// along down): n = max(0, m . a) with a = (1, x, y) of each foot, m the minimum of a convex
+// piecewise quadratic function, found by Newton's method. Empty where middle lies beyond the feet.
+Eigen::VectorXd least_pushes(const std::vector<Foot>& feet, const Vec3& down, double total,
+                             const Vec3& middle) {
+  const Vec3 u = down.unitOrthogonal(), v = down.cross(u);
+  Points3 a(static_cast<Eigen::Index>(feet.size()), 3);
+  for (std::size_t f = 0; f < feet.size(); ++f) {
+    const Vec3 arm = feet[f].at - middle;
+    a.row(static_cast<Eigen::Index>(f)) << 1, u.dot(arm), v.dot(arm);
+  }
+  a.rightCols<2>() /= std::max(a.rightCols<2>().cwiseAbs().maxCoeff(), 1e-12);
+  const Vec3 asked(1, 0, 0);  // in units of total
+  auto value = [&](const Vec3& m) {
+    return 0.5 * (a * m).cwiseMax(0).squaredNorm() - asked.dot(m);
+  };
+  Vec3 m(1.0 / static_cast<double>(feet.size()), 0, 0);
+  for (int round = 0; round < 100; ++round) {
+    const Eigen::VectorXd push = (a * m).cwiseMax(0);
+    const Vec3 rest = a.transpose() * push - asked;
+    if (rest.norm() < 1e-12) return total * push;
+    Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+    for (Eigen::Index f = 0; f < a.rows(); ++f) {
+      if (push(f) > 0) hessian += a.row(f).transpose() * a.row(f);
+    }
+    const Vec3 step = -hessian.completeOrthogonalDecomposition().solve(rest);
+    double length = 1;
+    while (length > 1e-10 && value(m + length * step) > value(m) + 1e-4 * length * rest.dot(step)) {
+      length /= 2;
+    }
+    m += length * step;
+  }
+  return {};
+}
+
 }  // namespace
 
 Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
@@ -132,44 +189,48 @@ std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& pa
   return held;
 }
 
-std::vector<ContactPoint> ground_points(const DesignGeometry& geometry,
-                                        const Parameters& parameters) {
-  if (parameters.gravity != "resting") return {};
+Carried carry(const DesignGeometry& geometry, const Wrenches& weight,
+              const Parameters& parameters) {
   const TileMesh& tiles = geometry.tiles;
   const int count = tiles.tile_count();
+  Carried out{Wrenches::Zero(count, 6), {}, {}};
+  if (parameters.gravity == "off" || count == 0) return out;
   const Vec3 down = downwards(parameters);
-  std::vector<std::vector<Vec3>> corners(count);
-  double lowest = -1e300;
-  for (int i = 0; i < count; ++i) {
-    for (const Vec3& p : tile_body(tiles, geometry.truncation, i).points) {
-      corners[i].push_back(tiles.frame[i].to_world(p));
-      lowest = std::max(lowest, down.dot(corners[i].back()));
+  const Points3 centres = tile_centres(tiles);
+  const std::vector<int> piece = pieces_of_faces(tiles.topology, tiles.cut);
+  const int pieces = *std::max_element(piece.begin(), piece.end()) + 1;
+  std::vector<int> first(pieces, -1);
+  std::vector<std::vector<Foot>> feet(pieces);
+  for (int i = count - 1; i >= 0; --i) first[piece[i]] = i;
+  if (parameters.gravity == "resting") {
+    for (const Foot& foot : find_feet(geometry, down, parameters.L)) {
+      feet[piece[foot.tile]].push_back(foot);
     }
   }
-  std::vector<ContactPoint> ground;
-  for (int i = 0; i < count; ++i) {
-    for (const Vec3& p : corners[i]) {
-      if (down.dot(p) > lowest - parameters.L / 20) ground.push_back({p, -down, {-1, i}, -1});
+  std::vector<char> held(pieces, 0);
+  for (int tile : held_tiles(geometry, parameters)) held[piece[tile]] = 1;
+  for (int k = 0; k < pieces; ++k) {
+    if (held[k] != 0) continue;
+    if (feet[k].empty()) {
+      out.in_the_air.push_back(first[k]);
+      continue;
     }
-  }
-  return ground;
-}
-
-std::vector<int> pieces_in_the_air(const DesignGeometry& geometry, const Parameters& parameters) {
-  if (parameters.gravity == "off") return {};
-  const std::vector<int> piece = pieces_of_faces(geometry.tiles.topology, geometry.tiles.cut);
-  std::vector<int> first;
-  for (std::size_t i = 0; i < piece.size(); ++i) {
-    if (piece[i] == static_cast<int>(first.size())) first.push_back(static_cast<int>(i));
-  }
-  std::vector<char> carried(first.size(), 0);
-  for (int tile : held_tiles(geometry, parameters)) carried[piece[tile]] = 1;
-  for (const ContactPoint& point : ground_points(geometry, parameters)) {
-    carried[piece[point.tile[1]]] = 1;
-  }
-  std::vector<int> out;
-  for (std::size_t k = 0; k < first.size(); ++k) {
-    if (!carried[k]) out.push_back(first[k]);
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+    for (int i = 0; i < count; ++i) {
+      if (piece[i] != k) continue;
+      const Vec3 own = weight.row(i).head<3>(), centre = centres.row(i);
+      force += own;
+      torque += weight.row(i).tail<3>().transpose() + centre.cross(own);
+    }
+    const double total = force.norm();
+    const Eigen::VectorXd push = least_pushes(feet[k], down, total, down.cross(torque) / total);
+    if (push.size() == 0) out.tipping.push_back(first[k]);
+    for (Eigen::Index f = 0; f < push.size(); ++f) {
+      const Foot& foot = feet[k][f];
+      const Vec3 up = -push(f) * down, arm = foot.at - centres.row(foot.tile).transpose();
+      out.table.row(foot.tile).head<3>() += up.transpose();
+      out.table.row(foot.tile).tail<3>() += arm.cross(up).transpose();
+    }
   }
   return out;
 }

@@ -18,13 +18,18 @@ Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const A
 // otherwise.
 std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& parameters);
 
-// Where gravity is resting: on a plane across its direction through the lowest corner of the tiles'
-// bodies; every corner within L / 20 of it touches. None otherwise.
-std::vector<ContactPoint> ground_points(const DesignGeometry& geometry,
-                                        const Parameters& parameters);
+// Where the weight goes.
+struct Carried {
+  Wrenches table;  // what a table pushes, M x 6; zero where gravity is not resting
+  // The first tile of every piece (tiles joined by contacts) that nothing carries, and of every
+  // piece that tips over on the table, ascending.
+  std::vector<int> in_the_air, tipping;
+};
 
-// The first tile of every piece (tiles joined by contacts) that neither is held nor touches the
-// ground, ascending; none without gravity.
-std::vector<int> pieces_in_the_air(const DesignGeometry& geometry, const Parameters& parameters);
+// Where gravity is resting each piece stands on a level plane through the lowest corner of all
+// bodies; every corner within L / 20 of it touches. A table only pushes. As it is level the weight
+// asks for no friction, and the least pushes that balance the weight of a rigid piece are one
+// answer whatever the membranes do: nothing of their tension reaches the table. weight: weights().
+Carried carry(const DesignGeometry& geometry, const Wrenches& weight, const Parameters& parameters);
 
 }  // namespace curveups

@@ -98,7 +98,6 @@ void subtract_work(const BalanceSystem& system, const Points3& forces, const Arr
     const ContactPoint& point = system.points()[p];
     Vec3 turns = Vec3::Zero();
     for (int end = 0; end < 2; ++end) {
-      if (point.tile[end] < 0) continue;
       const Vec3 turn = motion.row(point.tile[end]).tail<3>() / system.lever();
       turns += (end == 0 ? -1.0 : 1.0) * turn;
     }
@@ -212,9 +211,7 @@ class VertexPlaces {
 // First point of each contact, with one more at the end.
 std::vector<int> first_points(const BalanceSystem& system, std::size_t contacts) {
   std::vector<int> first(contacts + 1, 0);
-  for (const ContactPoint& point : system.points()) {
-    if (point.contact >= 0) ++first[point.contact + 1];
-  }
+  for (const ContactPoint& point : system.points()) ++first[point.contact + 1];
   for (std::size_t k = 0; k < contacts; ++k) first[k + 1] += first[k];
   return first;
 }

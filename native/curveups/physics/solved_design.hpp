@@ -21,7 +21,8 @@ struct SolvedDesign {
   Design design;                              // that all of this belongs to
   std::array<MembraneSolution, 2> membranes;  // front, back
   Wrenches elastic;      // of the membranes on the tiles, extrapolated from both meshes
-  Wrenches loads;        // these and gravity
+  Carried carried;       // where the weight goes
+  Wrenches loads;        // of membranes, weight and table
   ContactForces forces;  // least squares, under these loads
   // Estimated error of normal forces by the mesh, relative to their mean: mean over the points,
   // largest, and of the least normal force.
@@ -47,7 +48,7 @@ SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
 // two held tiles are left out: the hand that holds the tiles provides their forces.
 std::vector<ContactPoint> contact_corners(const DesignGeometry& geometry,
                                           const Parameters& parameters);
-// The balance of a design's tiles at these contact points and on the ground, not factorized yet.
+// The balance of a design's tiles at these contact points, not factorized yet.
 BalanceSystem make_balance_system(const DesignGeometry& geometry, const Parameters& parameters,
                                   std::vector<ContactPoint> points);
 // At the contact corners.

@@ -60,19 +60,16 @@ UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
     return result;
   }
   const VectorXd from = Eigen::Map<const VectorXd>(start.data(), start.size()) / options.scale;
-  std::vector<char> on_ground(count);
-  for (int p = 0; p < count; ++p) on_ground[p] = system.points()[p].contact < 0 ? 1 : 0;
   for (bool relaxed : {false, true}) {
     const ConeSolution outcome =
-        solve_cone_program(system, b, from, {mu, relaxed, options.tolerance, on_ground}, progress);
+        solve_cone_program(system, b, from, {mu, relaxed, options.tolerance}, progress);
     result.solve.iterations += outcome.solve.iterations;
     if (!outcome.solve.converged()) continue;
     // Certify: the forces themselves, not the solver's word.
-    double floor = 1, push = 0, slip = 0;
+    double floor = 1, slip = 0;
     for (int p = 0; p < count; ++p) {
       const Vec3 f = outcome.force.segment<3>(3 * p);
-      double& least = on_ground[p] != 0 ? push : floor;
-      least = std::min(least, f.x());
+      floor = std::min(floor, f.x());
       slip = std::max(slip, f.tail<2>().norm() - mu * f.x());
     }
     const VectorXd rest = system.apply(outcome.force) + b;
@@ -83,7 +80,7 @@ UnilateralResult solve_unilateral(BalanceSystem& system, const Wrenches& loads,
     result.motion = system.expand(outcome.y);
     result.by_normal =
         derivative_by_normals(system, mu, outcome.circle, outcome.floor, result.force);
-    if (std::min(floor, push) >= -options.tolerance && slip <= options.tolerance) {
+    if (floor >= -options.tolerance && slip <= options.tolerance) {
       result.solve.status = SolveStatus::converged;
       result.largest_floor = options.scale * std::max(0.0, std::min(floor, 1.0));
       return result;

@@ -3,8 +3,7 @@
 // with which least normal force at every point? A second-order cone program over the tiles'
 // balance:
 //   maximise s  subject to  A f + b = 0,  n >= s,  |t| <= mu n,  s <= cap,
-// at every point between tiles; the ground's points, whose forces sum to what the weight leaves,
-// only have to push: n >= 0 (cone_program.hpp).
+// at every point (cone_program.hpp).
 //
 // Infeasibility is never inferred from divergence: if the program above is not solved, the relaxed
 // one with |t| <= mu (n - s) in place of |t| <= mu n is, which always has a solution (s negative: a
@@ -30,7 +29,7 @@ struct UnilateralResult {
   // Converged: the forces balance and push, within friction. Infeasible, proven: without a pull of
   // at least -largest_floor somewhere nothing balances. Unfinished: neither could be shown.
   SolveReport solve;
-  // Largest least normal force between tiles, N, certified (a lower bound within tolerance of the
+  // Largest least normal force, N, certified (a lower bound within tolerance of the
   // best); the cap where more is possible. Negative where infeasible.
   double largest_floor = 0;
   Points3 force;  // per point in its basis, N, with that floor

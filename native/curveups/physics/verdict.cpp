@@ -13,7 +13,7 @@ std::vector<std::array<int, 2>> critical_contacts(const UnilateralResult& result
   std::vector<std::array<int, 2>> pairs;
   for (int point : result.critical_points) {
     const std::array<int, 2>& pair = system.points()[point].tile;
-    if (pair[0] < 0 || std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) continue;
+    if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) continue;
     pairs.push_back(pair);
     if (pairs.size() == 4) break;
   }
@@ -38,12 +38,14 @@ void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
   if (!unbalanced.empty()) {
     report.reasons.push_back({"unbalanced", unbalanced, {{"held", unbalanced}}});
   }
-  for (int tile : in.in_the_air) {
-    const std::vector<int> piece = {tile};
-    report.reasons.push_back({in.parameters.gravity == "held" ? "in_the_air.held" : "in_the_air",
-                              piece,
-                              {{"tile", piece}}});
-  }
+  auto say = [&](const char* kind, const std::vector<int>& pieces) {
+    for (int tile : pieces) {
+      const std::vector<int> piece = {tile};
+      report.reasons.push_back({kind, piece, {{"tile", piece}}});
+    }
+  };
+  say(in.parameters.gravity == "held" ? "in_the_air.held" : "in_the_air", in.carried.in_the_air);
+  say("tips_over", in.carried.tipping);
   if (in.floor_from_mesh) report.warnings.push_back({"coarse_mesh"});
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "curveups/physics/clearance.hpp"
+#include "curveups/physics/loads.hpp"
 #include "curveups/physics/verification_report.hpp"
 
 namespace curveups {
@@ -33,7 +34,7 @@ struct VerdictInput {
   std::array<std::vector<int>, 2> slack_tiles;  // front, back: beside slack membrane
   bool floor_from_mesh;                         // f_min is the mesh's error, not f_min_ratio
   const Parameters& parameters;
-  std::vector<int> in_the_air;  // pieces_in_the_air
+  const Carried& carried;
 };
 
 // Fills valid, reasons and warnings of a report whose figures are complete.

@@ -106,9 +106,8 @@ void describe_contacts(const TileMesh& tiles, const BalanceSystem& system,
       if (!(least <= one.normal_min)) least = one.normal_min;
     }
   }
-  for (int p = 0; p < system.point_count(); ++p) {
-    if (system.points()[p].contact < 0) continue;
-    ++f.points;
+  f.points = system.point_count();
+  for (int p = 0; p < f.points; ++p) {
     f.points_below_f_min += !presses(forces.force(p, 0), f.f_min);
     f.pulling_points += forces.force(p, 0) < 0;
   }
@@ -206,10 +205,10 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   report.unilateral = describe_programs(coulomb, at_tips, f_min, parameters.friction_coefficient,
                                         force_scale(solved));
   if (parameters.bumps == "dimples") report.unilateral.sliding_play = sliding_play(plan, tiles);
-  give_verdict({system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
-                slack_tiles, solved.f_min_ratio > parameters.f_min_ratio, parameters,
-                pieces_in_the_air(geometry, parameters)},
-               report);
+  give_verdict(
+      {system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
+       slack_tiles, solved.f_min_ratio > parameters.f_min_ratio, parameters, solved.carried},
+      report);
   if (store) store->put(std::move(solved));
   return report;
 }

@@ -44,7 +44,6 @@ MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& track
   std::vector<char> near(tiles.tile_count(), 0), chosen(target.place.rows(), 0);
   auto mark = [&](const std::array<int, 2>& pair) {
     for (int tile : pair) {
-      if (tile < 0) continue;
       near[tile] = 1;
       for (int t = 0; t < 3; ++t) {
         if (const int n = tiles.topology.neighbour(tile, t); n >= 0) near[n] = 1;
@@ -52,7 +51,6 @@ MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& track
     }
   };
   for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points[p].contact < 0) continue;
     if (now.normal(static_cast<Eigen::Index>(p)) < options.goal * now.f_min) {
       mark(points[p].tile);
     }
@@ -85,8 +83,7 @@ std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& trac
   const std::vector<ContactPoint>& points = tracked.points();
   std::vector<int> chosen;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points[p].contact >= 0 &&
-        now.normal(static_cast<Eigen::Index>(p)) < options.active * now.f_min) {
+    if (now.normal(static_cast<Eigen::Index>(p)) < options.active * now.f_min) {
       chosen.push_back(static_cast<int>(p));
     }
   }

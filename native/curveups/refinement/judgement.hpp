@@ -61,7 +61,7 @@ struct Judgement {
 };
 
 // floors: N. Throws InfeasibleDesign where membranes don't press the tiles together.
-Judgement judge(const std::vector<ContactPoint>& points, const Eigen::VectorXd& normal,
-                const Floors& floors, double f_min_ratio, const RepairOptions& options);
+Judgement judge(const Eigen::VectorXd& normal, const Floors& floors, double f_min_ratio,
+                const RepairOptions& options);
 
 }  // namespace curveups

@@ -26,7 +26,7 @@ TrackedForces::TrackedForces(const Parameters& parameters, const RepairOptions& 
       progress_(progress),
       f_min_ratio_(parameters.f_min_ratio) {}
 
-// The contact points of one of the two problems, without those on the ground.
+// The contact points of one of the two problems.
 std::vector<ContactPoint> TrackedForces::points_at(const DesignGeometry& geometry,
                                                    Touching where) const {
   return where == Touching::at_tips ? touch_.points : contact_corners(geometry, parameters_);
@@ -54,12 +54,9 @@ Judgement TrackedForces::judge_fresh(const Iterate& place, SolvedDesign& fresh) 
   f_min_ratio_ = fresh.f_min_ratio;
   // From the design, as verification does: what find_floor keeps is the same to the bit.
   plan_tips(place.geometry(), fit_poses(place.geometry().tiles, fresh.design.T));
-  const BalanceSystem system = make_balance_system(place.geometry(), parameters_);
   const Eigen::VectorXd normal = fresh.forces.force.col(0);
   Floors floors = no_floors;
-  auto judged = [&] {
-    return curveups::judge(system.points(), normal, floors, f_min_ratio_, options_);
-  };
+  auto judged = [&] { return curveups::judge(normal, floors, f_min_ratio_, options_); };
   const bool weak = judged().weak > 0;
   const Progress serial = one_at_a_time(progress_);
   std::vector<std::function<void()>> tasks;
@@ -128,16 +125,14 @@ Judgement TrackedForces::judge() {
   Eigen::VectorXd normal = forces_->contact_forces().force.col(0);
   // Where a contact point came or went with the vertices the next fresh mesh has to tell.
   if (normal.size() == correction_.size()) normal += correction_;
-  return curveups::judge(points(), normal, floors, f_min_ratio_, options_);
+  return curveups::judge(normal, floors, f_min_ratio_, options_);
 }
 
 std::vector<std::array<int, 2>> TrackedForces::critical_pairs(Touching where) const {
   if (!floor_is_active(where)) return {};
   const std::vector<ContactPoint> points = points_at(forces_->geometry(), where);
   std::vector<std::array<int, 2>> pairs;
-  for (int p : floors_[static_cast<int>(where)].critical_points) {
-    if (p < static_cast<int>(points.size())) pairs.push_back(points[p].tile);
-  }
+  for (int p : floors_[static_cast<int>(where)].critical_points) pairs.push_back(points[p].tile);
   return pairs;
 }
 

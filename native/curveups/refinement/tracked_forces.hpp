@@ -47,8 +47,7 @@ class TrackedForces {
   bool floor_is_active(Touching where) const { return active_[static_cast<int>(where)]; }
   // Of the last judgement, by Touching; only where active.
   const std::array<UnilateralResult, 2>& floors() const { return floors_; }
-  // Tiles of the contacts that hold the floor of the last judgement down, by falling weight; ground
-  // points are left out.
+  // Tiles of the contacts that hold the floor of the last judgement down, by falling weight.
   std::vector<std::array<int, 2>> critical_pairs(Touching where) const;
   // Exact derivatives of a floor that is active.
   ForceGradient gradient_of_floor(Touching where, const std::vector<VertexPatch>& vertices) const;

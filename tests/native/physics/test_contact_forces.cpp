@@ -176,34 +176,6 @@ TEST(Unilateral, ForcesBalanceAndKeepTheirCones) {
   }
 }
 
-// Two tiles pressed together by 8 N, each with a foot of two points below its centre on the ground.
-UnilateralResult on_the_ground(double weight) {
-  std::vector<ContactPoint> points = row_of_tiles(2);
-  for (int tile : {0, 1}) {
-    for (double y : {-1., 1.}) {
-      points.push_back({Vec3(10 * tile, y, -1), Vec3::UnitZ(), {-1, tile}, -1});
-    }
-  }
-  Wrenches loads = on_two({8, 0, 0}, {0, 0, 0});
-  for (int tile : {0, 1}) loads(tile, 2) -= weight;
-  BalanceSystem system(points, row_centres(2), 7, {});
-  UnilateralOptions options;
-  options.scale = 4;
-  return solve_unilateral(system, loads, solve_contact_forces(system, loads).force, options);
-}
-
-TEST(Unilateral, TheGroundOnlyHasToPush) {
-  const UnilateralResult light = on_the_ground(0.04);
-  ASSERT_EQ(light.solve.status, SolveStatus::converged);
-  // 8 N over four points, and what the feet add by friction: 0.5 of 0.04 N each.
-  EXPECT_GT(light.largest_floor, 2 - 1e-3);
-  EXPECT_LT(light.largest_floor, 2 + 0.02 / 4 + 1e-3);
-  EXPECT_NEAR(light.force.bottomRows<4>().col(0).sum(), 0.08, 1e-5);
-  EXPECT_GT(light.force.bottomRows<4>().col(0).minCoeff(), -1e-3);
-  // Lifted off: the ground would have to pull.
-  EXPECT_EQ(on_the_ground(-0.5).solve.status, SolveStatus::infeasible);
-}
-
 TEST(Unilateral, ATileWithoutContactsIsFeasibleOnlyUnloaded) {
   BalanceSystem free({}, row_centres(1), 7, {});
   EXPECT_EQ(solve_unilateral(free, Wrenches::Zero(1, 6), Points3(0, 3), {}).solve.status,

@@ -20,7 +20,7 @@ struct Judged {
   Judgement with(double first, const Floors& floor) const {
     Eigen::VectorXd normal = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(points.size()));
     normal(0) = first;
-    return judge(points, normal, floor, 0.1, options);
+    return judge(normal, floor, 0.1, options);
   }
 };
 
