@@ -1214,6 +1214,10 @@
       <translation>H_body verringern, L erhöhen oder joint auf none setzen</translation>
     </message>
     <message>
+      <source>lower L, or give edges that tiles must meet a crease_angle</source>
+      <translation>L verringern, oder mit crease_angle die Kanten halten, denen Kacheln folgen müssen</translation>
+    </message>
+    <message>
       <source>lower joint_hole to {hole:.3g} or H_body, raise L, or set joint to none</source>
       <translation>joint_hole auf {hole:.3g} oder H_body verringern, L erhöhen oder joint auf none setzen</translation>
     </message>
@@ -1530,6 +1534,10 @@
       <translation>Das Teil ist {wall:.3g} mm dick gezeichnet, Kacheln sind {H_body:g} mm dick</translation>
     </message>
     <message>
+      <source>the piece of {tile} tips over on the table: its weight acts beside the corners on which it stands</source>
+      <translation>das Stück von {tile} kippt auf dem Tisch: Sein Gewicht greift neben den Ecken an, auf denen es steht</translation>
+    </message>
+    <message>
       <source>the print ({x:.0f} x {y:.0f} x {z:.0f} mm) is larger than the bed of a {printer}</source>
       <translation>Der Druck ({x:.0f} x {y:.0f} x {z:.0f} mm) ist größer als das Bett eines {printer}</translation>
     </message>
@@ -1600,6 +1608,10 @@
     <message>
       <source>through the weak contact {contact}</source>
       <translation>durch den schwachen Kontakt {contact}</translation>
+    </message>
+    <message>
+      <source>tiles are up to {distance:.2f} mm from the target, more than mend_max ({most:g} mm): they can't follow its corners and edges</source>
+      <translation>Kacheln sind bis zu {distance:.2f} mm vom Ziel entfernt, mehr als mend_max ({most:g} mm): Sie können seinen Ecken und Kanten nicht folgen</translation>
     </message>
     <message>
       <source>tiles come as near as {clearance:.3g} mm; a {printer} needs {least:g} mm</source>

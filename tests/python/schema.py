@@ -31,7 +31,7 @@ OPTIONAL = {
                        "friction_ratio_mean": NUMBER, "friction_ratio_max": NUMBER},
     "unilateral": {"feasible": bool, "friction_coefficient": NUMBER, "floor": NUMBER,
                    "largest_floor": NUMBER, "feasible_at_bump_tips": None},
-    "deviation": {"mean_mm": NUMBER, "max_mm": NUMBER, "hausdorff_mm": NUMBER},
+    "deviation": {"mean_mm": NUMBER, "rms_mm": NUMBER, "max_mm": NUMBER, "hausdorff_mm": NUMBER},
     "solids": {"tiles": COUNT, "invalid": COUNT, "volume_cm3": NUMBER,
                "min_clearance_flat_mm": None, "max_overlap_actuated_mm3": NUMBER},
     "clearances": {"min_flat_mm": None, "max_overlap_actuated_mm3": NUMBER},

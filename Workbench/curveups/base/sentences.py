@@ -32,6 +32,8 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "in_the_air": "nothing carries the piece of {tile}: it does not reach the ground, where the lowest "
                   "piece rests",
     "in_the_air.held": "nothing carries the piece of {tile}: held_tiles names none of its tiles",
+    "tips_over": "the piece of {tile} tips over on the table: its weight acts beside the corners on which it "
+                 "stands",
     "coarse_mesh": "f_min is the estimated error of the membrane mesh, which is more than f_min_ratio asks "
                    "for: lower mesh_size",
     "no_balance": "with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: {pull:.3g} "
@@ -128,6 +130,9 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "mending.border": ("mending left these tiles with too little room for pins or under membranes",
                        "set mend_border=on, as some are at the border; or set mend_max above {most:g}, or "
                        "another L or H_body"),
+    "mending.far": ("tiles are up to {distance:.2f} mm from the target, more than mend_max ({most:g} mm): "
+                    "they can't follow its corners and edges",
+                    "lower L, or give edges that tiles must meet a crease_angle"),
     "pieces": ("the target is in {count} pieces, {asked} are asked for",
                "parts that it has already and cuts that are given count as well"),
     "pieces.stretched": ("no division into up to {most} pieces has as little stretch as membranes bear; the "

@@ -12,14 +12,16 @@ from .stage import Inputs, Job, Result, Stage
 
 @dataclass(frozen=True)
 class Deviation(Result):
-    """Distances in mm."""
+    """Distances in mm; the largest ones within 0.005 mm."""
 
     mean: float
+    rms: float
     largest: float
     hausdorff: float
 
     def report(self) -> dict[str, Any]:
-        return {"deviation": {"mean_mm": self.mean, "max_mm": self.largest, "hausdorff_mm": self.hausdorff}}
+        return {"deviation": {"mean_mm": self.mean, "rms_mm": self.rms, "max_mm": self.largest,
+                              "hausdorff_mm": self.hausdorff}}
 
 
 def _run(inputs: Inputs, job: Optional[Job] = None) -> Deviation:

@@ -70,7 +70,7 @@ def _run(inputs: Inputs, job: Job) -> Fairing:
     if border.any():
         actions.append(f"{int((border > 0).sum())} of these are of the border, which moved by up to "
                        f"{border.max():.2g} mm where tiles had no room otherwise")
-    faired_by = native.surface_deviation(made.V, target.F, target.V, target.F, job)[2] if moved else 0.0
+    faired_by = native.surface_deviation(made.V, target.F, target.V, target.F, job)[-1] if moved else 0.0
     block = {"actions": actions, "moved_vertices": moved,
              "border_max_mm": float(border.max(initial=0.0)),
              "mean_mm": float(move[move > 0].mean()) if moved else 0.0, "max_mm": largest,
@@ -78,8 +78,19 @@ def _run(inputs: Inputs, job: Job) -> Fairing:
              "remaining": sorted({int(pin.tile) for pin in made.remaining})}
     found = [_remaining(block["remaining"], target.F, parameters)] if block["remaining"] else []
     V = np.ascontiguousarray(made.V) if moved else target.V
+    found += _far(V, target, parameters.get("mend_max"), job)
     shown = (target.F, native.distances(V, *target.given)) if actions else ()
     return Fairing(V, True, block, tuple(found), *shown)
+
+
+def _far(V: np.ndarray, target: Any, most: float, job: Job) -> list[Finding]:
+    """Whether the tiles' surface is farther from what was to be remeshed than mending may move it."""
+    surface = target.source_V, target.source_F
+    *_, hausdorff = native.surface_deviation(V, target.F, *surface, job)
+    if hausdorff <= most:
+        return []
+    far = native.distances(V[target.F].mean(axis=1), *surface) > most
+    return [Finding.about("mending.far", np.flatnonzero(far), distance=float(hausdorff), most=most)]
 
 
 def _border(F: np.ndarray) -> np.ndarray:

@@ -132,7 +132,7 @@ def _mend(V: np.ndarray, F: np.ndarray, L: float, cleaned: Sequence[str],
     made = native.mend_mesh(V, F, L, HOLE_EDGE * L, job)
     if not made.actions:
         return V, F, {"actions": tuple(cleaned)}, made.without_crossings
-    _, _, hausdorff = native.surface_deviation(made.V, made.F, V, F, job)
+    *_, hausdorff = native.surface_deviation(made.V, made.F, V, F, job)
     said = {"actions": (*cleaned, *made.actions), "mended_by": float(hausdorff), "unmended": (V, F)}
     return made.V, made.F, said, made.without_crossings
 

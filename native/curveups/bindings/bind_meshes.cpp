@@ -3,7 +3,6 @@
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/geometry/builtin_targets.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
-#include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/conformal_map.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/divide_surface.hpp"
@@ -12,6 +11,7 @@
 #include "curveups/geometry/mesh_checks.hpp"
 #include "curveups/geometry/polygon_triangulation.hpp"
 #include "curveups/geometry/remesh.hpp"
+#include "curveups/geometry/surface_deviation.hpp"
 
 namespace curveups::bindings {
 
@@ -69,11 +69,11 @@ void bind_meshes(py::module_& module) {
           checkpoint("measuring deviation");
           return surface_deviation(mesh, target);
         });
-        return std::array<double, 3>{d.mean, d.max, d.hausdorff};
+        return std::array<double, 4>{d.mean, d.rms, d.max, d.hausdorff};
       },
       py::arg("V"), py::arg("F"), py::arg("target_V"), py::arg("target_F"),
       py::arg("progress") = py::none(),
-      "Mean and largest distance from the target, and the Hausdorff distance, mm.");
+      "Mean, RMS and largest distance from the target, and the Hausdorff distance, mm.");
   module.def(
       "shortest_edge_path",
       [](const PointsIn& V, const TrianglesIn& F, const PointsIn& points) {

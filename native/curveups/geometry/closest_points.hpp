@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Nearest points of a surface, and how far surfaces are from one another.
+// Nearest points of a surface.
 #pragma once
 
 #include <memory>
@@ -41,15 +41,5 @@ Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface);
 // The largest of these, in a fraction of the time: points that are nearer to the face where the one
 // before them was than the largest distance so far are not looked at any more.
 double largest_distance(const Points3& points, const ClosestPoints& surface);
-
-// Vertices, edge midpoints and centroids of a mesh: the samples by which surfaces are compared.
-Points3 surface_samples(const TriangleMesh& mesh);
-
-struct Deviation {
-  double mean;       // of the samples of `mesh` from `target`, mm
-  double max;        // the same, the largest
-  double hausdorff;  // the larger of both directions' largest
-};
-Deviation surface_deviation(const TriangleMesh& mesh, const TriangleMesh& target);
 
 }  // namespace curveups

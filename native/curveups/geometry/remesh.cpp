@@ -14,6 +14,7 @@
 #include "curveups/geometry/even_edges.hpp"
 #include "curveups/geometry/feature_lines.hpp"
 #include "curveups/geometry/line_spacing.hpp"
+#include "curveups/geometry/surface_deviation.hpp"
 
 namespace curveups {
 namespace {
@@ -228,7 +229,7 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   const EdgeStatistics edges = edge_statistics(result.mesh);
   result.mean_edge = edges.mean;
   result.edge_cv = edges.deviation / edges.mean;
-  result.sagitta = largest_distance(surface_samples(surface), ClosestPoints(result.mesh));
+  result.sagitta = largest_distance(surface, ClosestPoints(result.mesh)).low;
   return result;
 }
 

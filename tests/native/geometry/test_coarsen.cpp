@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/coarsen.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 #include "curveups/geometry/remesh.hpp"
+#include "curveups/geometry/surface_deviation.hpp"
 #include "support/meshes.hpp"
 
 namespace curveups {
@@ -55,8 +55,9 @@ TEST(Coarsen, ScansAreRemeshedOnTheirOwnSurface) {
   EXPECT_LT(largest_distance(result.mesh.V, ClosestPoints(fine)), 1e-9);
   EXPECT_NEAR(result.mean_edge, 6, 0.2);
   EXPECT_LT(result.edge_cv, 0.13);
-  const ClosestPoints tiles(result.mesh);
-  EXPECT_DOUBLE_EQ(result.sagitta, distances(surface_samples(fine), tiles).maxCoeff());
+  const double sampled = largest_distance(fine.V, ClosestPoints(result.mesh));
+  EXPECT_GE(result.sagitta, sampled);
+  EXPECT_LT(result.sagitta, sampled + 0.02);
 }
 
 }  // namespace
