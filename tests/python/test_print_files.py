@@ -117,8 +117,13 @@ def test_walls_beside_dimples_are_measured(exported):
         assert inward_rays(points, triangles) > smallest - 0.02
 
 
-def test_the_profile_for_fdm_weighs_pla():
-    assert json.loads(profile_path("fdm").read_text("utf-8"))["density"] == 1.24
+@pytest.mark.parametrize("arguments, density", [
+    (["--profile", "fdm"], 1.24), (["--set", "printer=fdm"], 1.24), (["--set", "printer=resin"], 1.18),
+    (["--set", "density=1.18", "printer=fdm"], 1.18), (["--profile", "fdm", "--set", "printer=resin"], 1.24)])
+def test_fdm_weighs_pla_where_nothing_else_is_said(curveups, tmp_path, arguments, density):
+    ran = curveups("design", "disc", "-o", tmp_path, "--no-solids", "--set", "verify=off", "L=12", *arguments)
+    assert ran.status == 0, ran.error_lines
+    assert json.loads((tmp_path / "design.json").read_text("utf-8"))["parameters"]["density"] == density
 
 
 def test_a_slab_that_glue_would_take_is_warned_of(exported):

@@ -5,6 +5,7 @@ works."""
 import importlib.util
 import json
 import re
+import subprocess
 import sys
 
 import pytest
@@ -111,3 +112,11 @@ def test_the_benchmark_of_the_window_says_what_is_missed():
     assert benchmark.missed(good) == []
     assert benchmark.missed({**good, "undo": 0.31}) == ["undo"]
     assert benchmark.missed({**good, "frames a second, flat": 24}) == ["frames a second, flat"]
+
+
+@pytest.mark.parametrize("word", ["test_nowhere.py::test_commands", "nowhere/test_nowhere.py::test_commands",
+                                  "test_of_nothing"])
+def test_a_test_that_there_is_not_is_refused(word):
+    ran = subprocess.run([ROOT / "tools" / "test", "--only", word], capture_output=True, text=True)
+    assert ran.returncode == 2 and ran.stdout == ""
+    assert f"there is no test {word}" in ran.stderr

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Iterator, TextIO
+from typing import Any, Iterator, Sequence, TextIO
 
 from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
 from ..base.findings import Finding
@@ -21,6 +21,7 @@ from ..report import check as check_report
 from ..report.files import Writing, write_check, write_obj, write_verification
 from ..stages import asked_by, sizes
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
+from ..stages.solids import read_printer
 from ..stages.stage import Job
 from ..stages.surface import find_source
 
@@ -192,21 +193,26 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
             _set(values, name, value, where, session)
 
     profile = [profile_path(options.profile)] if options.profile else []
-    for path in (*profile, *options.config):
-        for name, value in read_json_object(path).items():
-            if name != ABOUT:
-                put(name, value, str(path))
-    for name, text in _settings(options.settings):
-        put(name, text, f"--set {name}")
+    given = [(name, value, str(path)) for path in (*profile, *options.config)
+             for name, value in read_json_object(path).items() if name != ABOUT]
+    given += [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
+    for name, value, where in (*_of_printer(given), *given):
+        put(name, value, where)
     if options.fit is not None:
         put("fit", options.fit, "--fit")
     will_be_cut = bool(cuts) or cuts.suggested > 0 or values.get("pieces") != "1"
     source = find_source(options.target, remesh=remesh, will_be_cut=will_be_cut)
-    given = {"source": source, "cut request": cuts}
-    project = Project(safe_name(source.name), values, given, options.target)
+    project = Project(safe_name(source.name), values, {"source": source, "cut request": cuts}, options.target)
     if automatic:
         _choose_sizes(project, cuts, automatic, session)
     return project
+
+
+def _of_printer(given: Sequence[tuple[str, Any, str]]) -> Iterator[tuple[str, Any, str]]:
+    """Parameters that the printer which is given sets where they are not: what its material weighs."""
+    printer = next((value for name, value, _ in reversed(given) if name == "printer"), None)
+    if printer in parameter("printer").choices and "density" in (known := read_printer(printer)):
+        yield "density", known["density"], printer
 
 
 def _choose_sizes(project: Project, cuts: CutRequest, names: set[str], session: Session) -> None:

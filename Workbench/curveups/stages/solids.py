@@ -236,7 +236,8 @@ def _fit_warnings(parameters: Any, printer: dict) -> Sequence[Finding]:
 
 def read_printer(name: str) -> dict:
     """What is known of a printer: bed, resolution, smallest gap and feature, growth of walls, how many
-    materials it prints at once, how far it prints level without anything below (None: any), sources."""
+    materials it prints at once, how far it prints level without anything below (None: any), what its material
+    weighs where that is not what is common, sources."""
     return json.loads((PRINTERS / f"{name}.json").read_text(encoding="utf-8"))
 
 
