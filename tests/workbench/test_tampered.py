@@ -3,6 +3,7 @@
 They open, say what is wrong in a line, and everything else in them is there."""
 
 import re
+import struct
 import traceback
 import zipfile
 from typing import Any, Callable
@@ -94,15 +95,71 @@ def variants(xml):
                     yield f"{obj}-{name}-is-{k}", changed(with_text(text, name, value))
 
 
+# Others of ours, what there is not, and one of Python's.
+CLASSES = (("curveups.features.cuts", "CutsProxy"), ("curveups.features.design", "DesignProxy"),
+           ("nowhere", "Proxy"), ("json", "JSONDecoder"))
+
+
+def with_other_proxies(xml):
+    for obj, begin, end in objects_of(xml):
+        for module, name in CLASSES:
+            changed, count = re.subn(r'module="curveups\.features\.\w+" class="\w+"',
+                                     f'module="{module}" class="{name}"', xml[begin:end])
+            if count and changed != xml[begin:end]:
+                yield f"{obj}-proxy-{module}-{name}", xml[:begin] + changed + xml[end:]
+
+
+def with_other_links(xml):
+    """The slots of the Design, and the part that a Target is of: to any other object, to none, to one that
+    there is not."""
+    names = [obj for obj, _, _ in objects_of(xml)]
+    links = r'<Property name="(\w+)" type="App::PropertyLink"[^>]*>\s*<Link value="(\w*)"'
+    for match in re.finditer(links, xml):
+        for name in (*names, "", "Nobody"):
+            if name != match[2] and match[1] != "Tip":
+                yield f"link-{match[1]}-{name}", xml[:match.start(2)] + name + xml[match.end(2):]
+
+
+def with_other_lists(contents):
+    """(name, contents): lists that FreeCAD stores as files or in Document.xml, damaged, empty and swapped."""
+    xml = contents["Document.xml"].decode("utf-8")
+    for match in re.finditer(r'<(?:Float|Vector)List file="(\w+)"', xml):
+        file, data = match[1], contents[match[1]]
+        count = len(data[4:]) // max(1, struct.unpack("<I", data[:4])[0])
+        others = {"empty": struct.pack("<I", 0), "one-less": None, "nan": None, "huge": None}
+        if len(data) > 4:
+            rest = data[4:-count] if count else b""
+            others["one-less"] = struct.pack("<I", struct.unpack("<I", data[:4])[0] - 1) + rest
+            others["nan"] = data[:4] + struct.pack("<d", float("nan")) + data[12:]
+            others["huge"] = data[:4] + struct.pack("<d", 1e300) + data[12:]
+        for name, new in others.items():
+            if new is not None and new != data:
+                yield f"list-{file}-{name}", {**contents, file: new}
+    lists = re.findall(r'<FloatList file="(\w+)"', xml)
+    for one, other in zip(lists, lists[1:]):
+        yield f"list-{one}-is-{other}", {**contents, one: contents[other], other: contents[one]}
+    wrong = {"odd": [1], "far": [0, 10 ** 6], "negative": [-5, 3], "many": [0, 1] * 50_000}
+    integers = r'name="(\w+)" type="App::PropertyIntegerList"[^>]*>\s*(<IntegerList.*?</IntegerList>)'
+    for match in re.finditer(integers, xml, re.S):
+        for name, values in wrong.items():
+            new = "".join(f'<I v="{value}"/>' for value in values)
+            new = f'<IntegerList count="{len(values)}">{new}</IntegerList>'
+            yield (f"list-{match[1]}-{name}",
+                   {**contents, "Document.xml": (xml[:match.start(2)] + new + xml[match.end(2):]).encode()})
+
+
 @pytest.fixture(scope="module")
 def tampered(dome_document, tmp_path_factory):
     folder = tmp_path_factory.mktemp("tampered")
     with zipfile.ZipFile(dome_document) as archive:
         contents = {entry: archive.read(entry) for entry in archive.namelist()}
-    for name, xml in variants(contents["Document.xml"].decode("utf-8")):
+    whole = contents["Document.xml"].decode("utf-8")
+    changed = [(name, {**contents, "Document.xml": xml.encode()}) for change in
+               (variants, with_other_proxies, with_other_links) for name, xml in change(whole)]
+    for name, entries in (*changed, *with_other_lists(contents)):
         with zipfile.ZipFile(folder / f"{name}.FCStd", "w") as archive:
-            for entry, data in contents.items():
-                archive.writestr(entry, xml.encode() if entry == "Document.xml" else data)
+            for entry, data in entries.items():
+                archive.writestr(entry, data)
     return folder
 
 
@@ -122,6 +179,46 @@ def test_damaged_results_are_said(tampered, name, state):
     documents.take(design, documents.project_of(design).run(("design", "figures", "verification")))
     assert design.Layout is not None and len(design.Layout.Poses) == 6 * 54
     assert (design.Verdict, design.Status) == ("valid", "current"), list(design.Reasons)
+
+
+@pytest.mark.parametrize("slot, other", [
+    ("Cuts", "Layout"), ("Layout", "Verification"), ("Verification", "Cuts"), ("Tiles", "Support"),
+    ("Target", "Tiles")])
+def test_what_a_link_was_changed_to_is_put_right(tampered, slot, other):
+    document = FreeCAD.openDocument(f"{tampered}/link-{slot}-{other}.FCStd")
+    design = document.Design
+    assert getattr(design, slot) == document.getObject(slot)
+    assert (design.Verdict, design.Status) == ("valid", "current"), list(design.Reasons)
+    setattr(design, slot, document.getObject(other))  # a script's
+    assert getattr(design, slot) == document.getObject(slot) and design.Verdict == "valid"
+    document.removeObject(slot)
+    setattr(design, slot, document.getObject(other))
+    assert getattr(design, slot) is None  # there is no other of its kind
+
+
+def test_links_that_were_swapped_are_put_right(dome_document):
+    document = FreeCAD.openDocument(str(dome_document))
+    design = document.Design
+    design.Proxy._refreshing = True  # as in a file: both are changed before anybody looks
+    design.Cuts, design.Layout = design.Layout, design.Cuts
+    design.Proxy._refreshing = False
+    design.Proxy.refresh(design)
+    assert (design.Cuts, design.Layout) == (document.Cuts, document.Layout)
+    assert (design.Verdict, design.Status) == ("valid", "current"), list(design.Reasons)
+
+
+@pytest.mark.parametrize("name, said", [
+    ("link-Source-Layout", "this has no surface"), ("list-Edges-odd", "odd number of vertices"),
+    ("list-Edges-far", "no edge of the target"), ("list-Edges-negative", "no edge of the target")])
+def test_what_can_not_be_used_is_named_with_its_remedy(tampered, name, said):
+    document = FreeCAD.openDocument(f"{tampered}/{name}.FCStd")
+    design = document.Design
+    with pytest.raises(CurveUpsError, match=said) as caught:
+        documents.cuts_of(design)
+        documents.project_of(design)
+    assert caught.value.remedy and caught.value.where in (document.Layout.Label, document.Cuts.Label)
+    if "Edges" in name:
+        assert design.Status == "out of date" and "the cuts changed" in design.Reasons[0]
 
 
 def test_tampered_documents(capfd, tampered):

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..base.errors import CurveUpsError
 from ..stages.cut_request import CutRequest
 from .proxy import PartProxy, add, refresh, write
 
@@ -43,7 +44,10 @@ def write_cuts(obj: Any, edges: np.ndarray, V: np.ndarray) -> None:
 
 
 def edges_of(obj: Any) -> np.ndarray:
-    """C x 2."""
+    """C x 2. Raises CurveUpsError where the list is none of pairs."""
+    if len(obj.Edges) % 2:
+        raise CurveUpsError("the list of cuts has an odd number of vertices", obj.Label,
+                            "remove one from its Edges")
     return np.array(obj.Edges, np.int32).reshape(-1, 2)
 
 

@@ -13,7 +13,7 @@ from ..base.errors import CurveUpsError
 from ..base.native import native, problem
 from ..project.project import Project
 from . import figures, live, properties, rebuild, status, target
-from .copies import own_parts
+from .copies import own_parts, relink
 from .keys import read_keys
 from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, is_old, show, write
 
@@ -89,6 +89,7 @@ class DesignProxy(Proxy):
             return
         self._refreshing = True
         try:
+            relink(obj)
             found = status.status_of(obj, self.refused(obj), self.running)
             write(obj, "Verdict", found.verdict)
             write(obj, "Reasons", [properties.as_properties(obj, str(reason)) for reason in found.reasons])

@@ -114,17 +114,25 @@ def set_cuts(obj: Any, edges: Any) -> None:
     found = live.stored(obj).latest("target")
     if found is None:
         raise CurveUpsError("there are no tiles to cut between yet", obj.Label, "run Solve, or Cuts")
-    edges = np.asarray(edges, int).reshape(-1, 2)
-    if len(edges) and not (0 <= edges.min() and edges.max() < len(found.V)):
-        raise CurveUpsError("a cut runs along no edge of the target", obj.Label, "pick the edges again")
+    edges = _edges_of(found, np.asarray(edges, int).reshape(-1, 2), obj.Label)
     _complete(obj)
     write_cuts(obj.Cuts, edges, found.V)
     obj.Proxy.refresh(obj)
 
 
 def cuts_of(obj: Any) -> np.ndarray:
-    """C x 2 vertices of the Target's mesh, as they are asked for."""
-    return edges_of(obj.Cuts) if obj.Cuts is not None else np.zeros((0, 2), np.int32)
+    """C x 2 vertices of the Target's mesh, as they are asked for. Raises CurveUpsError where they are no
+    edges of it."""
+    edges = edges_of(obj.Cuts) if obj.Cuts is not None else np.zeros((0, 2), np.int32)
+    found = live.stored(obj).latest("target") if len(edges) else None
+    return edges if found is None else _edges_of(found, edges, obj.Cuts.Label)
+
+
+def _edges_of(target: Any, edges: np.ndarray, where: str) -> np.ndarray:
+    """Edges whose vertices a target has."""
+    if len(edges) and not (0 <= edges.min() and edges.max() < len(target.V)):
+        raise CurveUpsError("a cut runs along no edge of the target", where, "pick the edges again")
+    return edges
 
 
 def state_of(obj: Any, part: str = "") -> tuple[str, str]:

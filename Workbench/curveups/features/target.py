@@ -91,7 +91,7 @@ def source_of(obj: Any, known: Source | None) -> Source:
         options["will_be_cut"] = known.will_be_cut  # of a reopened document: it lacks the reader alone
     if obj.Source is not None:
         return Source(plain_name(obj.Source.Label), stamp=_stamp_of_object(obj.Source),
-                      read=_reader(obj.Source), **options)
+                      read=_reader(require_surface(obj.Source)), **options)
     if obj.BuiltIn:
         return Source(obj.BuiltIn, built_in=obj.BuiltIn, **options)
     if obj.File:

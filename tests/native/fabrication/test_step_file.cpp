@@ -312,6 +312,47 @@ TEST_F(StepFile, IsOnePartOfAllSolidsWhereThatIsAskedFor) {
   EXPECT_EQ(k, bodies.size());
 }
 
+TEST_F(StepFile, OfOnePartHasNamesAndColoursOfItsSolids) {
+  Parameters p;
+  p.step_structure = "one-part";
+  const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+  write_step(model, "print", path(), {});
+  // Names of solids in a part are read where that is asked for, colours always.
+  STEPCAFControl_Reader reader;
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
+  reader.SetNameMode(true);
+  reader.SetColorMode(true);
+  Handle(TDocStd_Document) document = new TDocStd_Document("MDTV-XCAF");
+  testing::internal::CaptureStdout();
+  const bool read =
+      reader.ReadFile(path().c_str()) == IFSelect_RetDone && reader.Transfer(document);
+  testing::internal::GetCapturedStdout();
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 0);
+  ASSERT_TRUE(read);
+  Handle(XCAFDoc_ColorTool) tool = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  TDF_LabelSequence parts, solids;
+  XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(parts);
+  ASSERT_EQ(parts.Length(), 1);
+  XCAFDoc_ShapeTool::GetSubShapes(parts.First(), solids);
+  std::map<std::string, Quantity_Color> colours;
+  for (const TDF_Label& solid : solids) {
+    Quantity_Color& colour = colours[text_of(solid)];
+    EXPECT_TRUE(tool->GetColor(solid, XCAFDoc_ColorSurf, colour) ||
+                tool->GetColor(solid, XCAFDoc_ColorGen, colour));
+  }
+  const std::vector<const PrintBody*> bodies = model.bodies("print");
+  EXPECT_EQ(colours.size(), bodies.size());
+  for (const PrintBody* body : bodies) {
+    ASSERT_TRUE(colours.count(body->name)) << body->name;
+    double r, g, b;
+    colours[body->name].Values(r, g, b, Quantity_TOC_sRGB);
+    const Colour expected = body_colour(body->kind);
+    EXPECT_NEAR(255 * r, expected.red, 0.5) << body->name;
+    EXPECT_NEAR(255 * g, expected.green, 0.5) << body->name;
+    EXPECT_NEAR(255 * b, expected.blue, 0.5) << body->name;
+  }
+}
+
 TEST_F(StepFile, KeepsNamesThatStepMustEncode) {
   PrintBody body = make_print_model(test::sample_design(), "0.1").tiles[0];
   body.name = u8"L'\u00e9cran \\ \u5c4b\u6839 'a'";
