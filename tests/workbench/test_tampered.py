@@ -126,24 +126,24 @@ def with_other_lists(contents):
     for match in re.finditer(r'<(?:Float|Vector)List file="(\w+)"', xml):
         file, data = match[1], contents[match[1]]
         count = len(data[4:]) // max(1, struct.unpack("<I", data[:4])[0])
-        others = {"empty": struct.pack("<I", 0), "one-less": None, "nan": None, "huge": None}
+        others = {"empty": struct.pack("<I", 0)}
         if len(data) > 4:
             rest = data[4:-count] if count else b""
             others["one-less"] = struct.pack("<I", struct.unpack("<I", data[:4])[0] - 1) + rest
             others["nan"] = data[:4] + struct.pack("<d", float("nan")) + data[12:]
             others["huge"] = data[:4] + struct.pack("<d", 1e300) + data[12:]
-        for name, new in others.items():
-            if new is not None and new != data:
-                yield f"list-{file}-{name}", {**contents, file: new}
+        for name, other in others.items():
+            if other != data:
+                yield f"list-{file}-{name}", {**contents, file: other}
     lists = re.findall(r'<FloatList file="(\w+)"', xml)
-    for one, other in zip(lists, lists[1:]):
-        yield f"list-{one}-is-{other}", {**contents, one: contents[other], other: contents[one]}
+    for one, another in zip(lists, lists[1:]):
+        yield f"list-{one}-is-{another}", {**contents, one: contents[another], another: contents[one]}
     wrong = {"odd": [1], "far": [0, 10 ** 6], "negative": [-5, 3], "many": [0, 1] * 50_000}
     integers = r'name="(\w+)" type="App::PropertyIntegerList"[^>]*>\s*(<IntegerList.*?</IntegerList>)'
     for match in re.finditer(integers, xml, re.S):
         for name, values in wrong.items():
-            new = "".join(f'<I v="{value}"/>' for value in values)
-            new = f'<IntegerList count="{len(values)}">{new}</IntegerList>'
+            inner = "".join(f'<I v="{value}"/>' for value in values)
+            new = f'<IntegerList count="{len(values)}">{inner}</IntegerList>'
             yield (f"list-{match[1]}-{name}",
                    {**contents, "Document.xml": (xml[:match.start(2)] + new + xml[match.end(2):]).encode()})
 
