@@ -17,7 +17,6 @@ for _folder in list(sys.path):
 from curveups.features import observer as _observer  # noqa: E402  found through the loop above
 
 _observer.install()
-FreeCAD.addExportType("CurveUps print, named and coloured (*.step *.stp)", "curveups.features.step_export")
 
 # freecad -t lists them, freecad -t TestCurveUps runs them.
 FreeCAD.__unit_test__ += ["TestCurveUps"]

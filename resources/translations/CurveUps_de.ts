@@ -394,6 +394,10 @@
       <translation>Es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
     </message>
     <message>
+      <source>There is nothing to restore</source>
+      <translation>Es gibt nichts wiederherzustellen</translation>
+    </message>
+    <message>
       <source>objects that were restored: {count}</source>
       <translation>wiederhergestellte Objekte: {count}</translation>
     </message>
@@ -840,10 +844,6 @@
     <message>
       <source>Take a cut back</source>
       <translation>Schnitt zurücknehmen</translation>
-    </message>
-    <message>
-      <source>Target</source>
-      <translation>Zielfläche</translation>
     </message>
     <message>
       <source>The rim is open already: click an edge inside</source>
@@ -2336,6 +2336,10 @@
   <context>
     <name>SolvePanel</name>
     <message>
+      <source>All parameters</source>
+      <translation>Alle Parameter</translation>
+    </message>
+    <message>
       <source>Begin new designs with these parameters</source>
       <translation>Neue Entwürfe mit diesen Parametern beginnen</translation>
     </message>
@@ -2386,6 +2390,10 @@
     <message>
       <source>Set the parameters that suit a kind of printer (one step of undo)</source>
       <translation>Die Parameter setzen, die zu einer Art von Drucker passen (ein Schritt beim Rückgängigmachen)</translation>
+    </message>
+    <message>
+      <source>Show those that are seldom needed, too</source>
+      <translation>Auch die zeigen, die man selten braucht</translation>
     </message>
     <message>
       <source>Solve</source>

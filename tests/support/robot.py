@@ -17,6 +17,7 @@ from PySide import QtCore, QtGui
 window = FreeCADGui.getMainWindow()
 _pictures = tempfile.gettempdir()
 _size = (1440, 900)
+_tops = []
 
 
 def keep_pictures_in(folder):
@@ -105,8 +106,9 @@ def widget(name, seconds=10):
     """The visible widget of that object name, in the window or in a dialog."""
 
     def find():
-        found = [w for top in QtGui.QApplication.topLevelWidgets() if top.isVisible()
-                 for w in top.findChildren(QtGui.QWidget, name)]
+        global _tops  # PySide drops what it knows of the widgets in a dialog together with the dialog
+        _tops = QtGui.QApplication.topLevelWidgets()
+        found = [w for top in _tops if top.isVisible() for w in top.findChildren(QtGui.QWidget, name)]
         return next((w for w in found if w.isVisible()), None)
 
     return until(find, seconds, f"a widget {name}")

@@ -3,10 +3,12 @@
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 from curveups.window.commands.new_design import make_design
 from curveups.window.panels import panel as panels
+from curveups.window.overlays import overlay_of
 from curveups.window.run import LIVE
-from robot import QtGui, fill, settle, tidy
+from robot import QtGui, display, fill, on_screen, settle, tidy
 
 
 def begin():
@@ -56,4 +58,45 @@ def in_units(number):
     FreeCAD.Units.setSchema(number)
 
 
-__all__ = ["LIVE", "begin", "enter", "example", "in_units", "opened", "panel"]
+def edge_at(design, x, y):
+    """The interior edge between two tiles whose middle is nearest to a place, from above, on the front."""
+    overlay = overlay_of(design)
+    corners, shift = overlay.figures()[0]
+    F = overlay.scene.F
+    seen: dict[tuple[int, ...], list] = {}
+    for tile in range(len(F)):
+        for k in range(3):
+            pair = tuple(sorted((int(F[tile][k]), int(F[tile][(k + 1) % 3]))))
+            seen.setdefault(pair, []).append((corners[tile, k] + corners[tile, (k + 1) % 3]) / 2)
+    inner = {pair: places for pair, places in seen.items() if len(places) == 2}
+    return min(inner.items(), key=lambda one: np.hypot(*(one[1][0][:2] - (x, y))))
+
+
+def point_in(design, pair):
+    """A little inside one of its tiles, so that the pixel is on it."""
+    overlay = overlay_of(design)
+    corners, shift = overlay.figures()[0]
+    tile = next(t for t, face in enumerate(overlay.scene.F.tolist()) if set(pair) <= set(face))
+    own = corners[tile, :3]
+    face = overlay.scene.F[tile].tolist()
+    ends = own[[k for k in range(3) if face[k] in pair]]
+    return FreeCAD.Vector(*map(float, 0.9 * ends.mean(0) + 0.1 * own.mean(0)))
+
+
+def move_to(design, pair):
+    point = on_screen(point_in(design, pair))
+    display("mousemove", point.x() - 3, point.y())
+    display("mousemove", point.x(), point.y())
+    settle(250)
+
+
+def click_edge(design, x, y):
+    pair, places = edge_at(design, x, y)
+    move_to(design, pair)
+    display("click", 1)
+    settle(400)
+    return pair
+
+
+__all__ = ["LIVE", "begin", "click_edge", "edge_at", "enter", "example", "in_units", "move_to", "opened",
+           "panel"]

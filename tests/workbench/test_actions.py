@@ -7,7 +7,7 @@ import os
 import FreeCAD
 import pytest
 from curveups.base.errors import CurveUpsError
-from curveups.features import actions, document, step_export
+from curveups.features import actions, document, file_export
 from curveups.report.exports import other_report
 
 pytestmark = pytest.mark.freecad
@@ -105,7 +105,7 @@ def test_what_should_not_be_printed_is_refused_or_says_so(made, tmp_path):
     assert "out of date" in text and "Tau" in text and "insist" in text, text
     assert not os.path.exists(folder)
     actions.export(design, folder, insist=True, files=(("print", "step"), ("tiles", "stl"), ("print", "3mf")))
-    step_export.export([design.Tiles], folder + "/by-freecad.step")
+    file_export.export([design.Tiles], folder + "/by-freecad.step")
     out = tmp_path / "out"
     report = json.loads((out / "report.json").read_text("utf-8"))
     assert report["valid"] is False and "Tau" in report["reasons"][0]
@@ -127,7 +127,7 @@ def test_exports_that_can_not_be(made, tmp_path):
         assert words in text, text
     assert "mesh_deviation" in refused(actions.export, design, folder, deviation=99.0)
     other = made.addObject("Part::Box", "Box")
-    assert "one design" in refused(step_export.export, [other], folder + ".step")
+    assert "one design" in refused(file_export.export, [other], folder + ".step")
     assert not os.path.exists(folder) and not os.path.exists(folder + ".step")
 
 

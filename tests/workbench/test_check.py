@@ -359,3 +359,34 @@ def test_thickness_and_pins_that_do_together_are_taken_over(pictures):
     assert design.HBody.Value + 2 * design.HPin.Value < 3.001 and design.HBody.Value > 1
     close_panel()
     assert report().count("error") == 0, report()
+
+
+def test_a_part_that_is_feasible_as_it_is(pictures):
+    """Progress that stands still says that nobody knows how far it is, and no size is offered where those
+    that are set do. The part would cover its target, and is hidden until the
+    panel closes."""
+    made = begin()
+    cap = made.addObject("Part::Feature", "Cap")
+    ball = Part.makeSphere(40, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 35)
+    cap.Shape = max(ball.Faces, key=lambda face: face.Area)
+    made.recompute()
+    FreeCADGui.Selection.addSelection(cap)
+    press("CurveUps_NewDesign")
+    made.Design.L = 11
+    made.recompute()
+    told = []
+    LIVE.observe(lambda status, goes_on: told.append((status.what, status.fraction)))
+    press("CurveUps_Check")
+    form = panel().form
+    checking(form)
+    picture("cap")
+    assert "<b>Feasible" in form.verdict.text(), form.verdict.text()
+    fractions = {fraction for what, fraction in told if what.startswith("trying")}
+    assert fractions == {-1.0}, fractions
+    assert not any(button.isVisible() for button in (form.use_length, form.use_thickness, form.use_pin))
+    needed = [form.margins.topLevelItem(row).text(3) for row in range(form.margins.topLevelItemCount())]
+    assert not any(text.startswith("-") for text in needed), needed
+    assert "arning" not in report(), report()
+    assert not cap.Visibility
+    close_panel()
+    assert cap.Visibility

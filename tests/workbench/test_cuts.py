@@ -9,7 +9,7 @@ from curveups.features import document as designs
 from curveups.window.overlays import overlay_of
 from robot import (click, click_at, close_panel, display, keys, on_screen, picture, QtCore, QtGui, report,
                    settle, until, widget, window)
-from steps import begin, LIVE
+from steps import begin, click_edge, edge_at, LIVE, move_to
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -31,46 +31,6 @@ def cutting(name="half-sphere"):
 
 def edges(design):
     return {tuple(sorted(edge)) for edge in designs.cuts_of(design).tolist()}
-
-
-def edge_at(design, x, y):
-    """The interior edge between two tiles whose middle is nearest to a place, from above, on the front."""
-    overlay = overlay_of(design)
-    corners, shift = overlay.figures()[0]
-    F = overlay.scene.F
-    seen: dict[tuple[int, ...], list] = {}
-    for tile in range(len(F)):
-        for k in range(3):
-            pair = tuple(sorted((int(F[tile][k]), int(F[tile][(k + 1) % 3]))))
-            seen.setdefault(pair, []).append((corners[tile, k] + corners[tile, (k + 1) % 3]) / 2)
-    inner = {pair: places for pair, places in seen.items() if len(places) == 2}
-    return min(inner.items(), key=lambda one: np.hypot(*(one[1][0][:2] - (x, y))))
-
-
-def point_in(design, pair):
-    """A little inside one of its tiles, so that the pixel is on it."""
-    overlay = overlay_of(design)
-    corners, shift = overlay.figures()[0]
-    tile = next(t for t, face in enumerate(overlay.scene.F.tolist()) if set(pair) <= set(face))
-    own = corners[tile, :3]
-    face = overlay.scene.F[tile].tolist()
-    ends = own[[k for k in range(3) if face[k] in pair]]
-    return FreeCAD.Vector(*map(float, 0.9 * ends.mean(0) + 0.1 * own.mean(0)))
-
-
-def move_to(design, pair):
-    point = on_screen(point_in(design, pair))
-    display("mousemove", point.x() - 3, point.y())
-    display("mousemove", point.x(), point.y())
-    settle(250)
-
-
-def click_edge(design, x, y):
-    pair, places = edge_at(design, x, y)
-    move_to(design, pair)
-    display("click", 1)
-    settle(400)
-    return pair
 
 
 def quiet(seconds=60):

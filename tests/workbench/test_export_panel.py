@@ -2,12 +2,15 @@
 """The panel of Export, by the mouse: what it asks before it replaces, and what it opens afterwards."""
 
 import json
+import struct
 
 import FreeCADGui
 import pytest
+from curveups.features import document as designs
 from curveups.window import qt
-from robot import QtGui, click, close_panel, in_dialog, keys, picture, press, settle, until, widget
-from steps import LIVE, example, panel
+from robot import (QtGui, choose, choose_file, click, click_at, close_panel, in_dialog, keys, menu_bar,
+                   picture, press, report, settle, tree_entry, until, widget, write)
+from steps import LIVE, example, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -24,24 +27,24 @@ def test_the_report_of_another_design_is_not_replaced_without_asking(tmp_path, p
     press("CurveUps_Export")
     form = widget("ExportPanel")
     form.findChild(QtGui.QLineEdit, "folder").setText(str(folder))
-    write, line = form.findChild(QtGui.QPushButton, "write"), form.findChild(QtGui.QLabel, "line")
+    button, line = form.findChild(QtGui.QPushButton, "write"), form.findChild(QtGui.QLabel, "line")
 
     def answer(key):
         picture("asked")
         assert "someone-elses" in QtGui.QApplication.activeModalWidget().text()
         keys(key)
 
-    in_dialog(lambda: click(write), lambda: answer("Escape"))
+    in_dialog(lambda: click(button), lambda: answer("Escape"))
     assert not LIVE.busy and (folder / "report.json").read_text("utf-8") == theirs
     assert [path.name for path in folder.iterdir()] == ["report.json"]
-    in_dialog(lambda: click(write), lambda: answer("alt+y"))
+    in_dialog(lambda: click(button), lambda: answer("alt+y"))
     until(lambda: "open the report" in line.text(), 120, "the files")
     assert json.loads((folder / "report.json").read_text("utf-8"))["name"] == "half-sphere"
     assert (folder / "half-sphere-report.json").read_bytes() == (folder / "report.json").read_bytes()
     # What comes next is a click away: folder, report, slicer. Its own report is replaced without a word.
     opened = []
     monkeypatch.setattr(qt.QtGui.QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
-    click(write)
+    click(button)
     until(lambda: not LIVE.busy and "open the report" in line.text(), 120, "the files again")
     picture("written")
     line.setFocus()
@@ -51,3 +54,53 @@ def test_the_report_of_another_design_is_not_replaced_without_asking(tmp_path, p
         settle(200)
     assert opened == [str(folder / name) for name in ("", "report.html", "half-sphere-print.3mf")], opened
     close_panel()
+
+
+def export(obj, kind, path):
+    """FreeCAD's File > Export of an object, as a type of file."""
+    click_at(tree_entry(obj))
+
+    def answer():
+        box = widget("fileTypeCombo")
+        click(box)
+        write(kind)
+        keys("Return")
+        assert box.currentText().startswith(kind), box.currentText()
+        click(widget("fileNameEdit"))
+        choose_file(str(path))
+
+    in_dialog(lambda: choose(lambda: menu_bar("File"), "Export..."), answer)
+    return path.read_bytes()
+
+
+def test_FreeCADs_export_of_a_design_writes_its_print(dome_document, tmp_path, pictures):
+    document, design = opened(dome_document)
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    folder = dome_document.parent
+    step = export(design, "STEP with colors", tmp_path / "all.step")
+    assert step == (folder / "dome-print.step").read_bytes()
+    tiles = export(design.Tiles, "STL Mesh", tmp_path / "tiles.stl")
+    assert tiles == (folder / "dome-tiles.stl").read_bytes()
+    whole = export(design, "3D Manufacturing", tmp_path / "all.3mf")
+    assert whole == (folder / "dome-print.3mf").read_bytes()
+
+    def facets(data):
+        return struct.unpack_from("<I", data, 80)[0]
+
+    # All bodies in one STL; other objects, and the target, are FreeCAD's as they were.
+    each = [facets((folder / f"dome-{kind}.stl").read_bytes()) for kind in ("tiles", "support", "anchors")]
+    assert facets(export(design, "STL Mesh", tmp_path / "all.stl")) == sum(each)
+    assert facets(export(box, "STL Mesh", tmp_path / "box.stl")) == 12
+    target = export(design.Target, "STL Mesh", tmp_path / "target.stl")
+    assert facets(target) == design.Target.Mesh.CountFacets
+    assert b"MANIFOLD_SOLID_BREP" in export(box, "STEP with colors", tmp_path / "box.step")
+    assert "rror" not in report(), report()
+    # What can't be is said where the user looks, and nothing is written.
+    again = designs.new_design(document, "half-sphere")
+    document.recompute()
+    settle(500)
+    with pytest.raises(FileNotFoundError):
+        export(again, "STEP with colors", tmp_path / "none.step")
+    assert "Solve" in widget("CurveUpsNotice").findChild(QtGui.QLabel, "text").text()
+    picture("no-layout")

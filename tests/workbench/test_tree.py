@@ -7,8 +7,10 @@ import sys
 import FreeCAD
 import FreeCADGui
 import pytest
+import steps
+from curveups.window.overlays import overlay_of
 from curveups.window.viewproviders.part import ShapeView
-from robot import QtGui, settle, until
+from robot import QtGui, choose, close_panel, menu_bar, picture, press, settle, until
 from steps import LIVE, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -124,3 +126,18 @@ def test_what_was_hidden_stays_so_in_any_FreeCAD(dome_document, elsewhere, tmp_p
     until(lambda: followed(gui), what="views of the shapes")
     assert shown(gui) == {"Tiles", "Anchors"}, shown(gui)
     assert document.Design.Verdict == "valid"
+
+
+def test_a_document_of_the_command_line_shows_solids_alone_until_asked(dome_document, pictures):
+    document, design = steps.opened(dome_document)
+    until(lambda: followed(FreeCADGui.getDocument(document.Name)), what="views of the shapes")
+    assert not design.ViewObject.Visibility and document.Tiles.ViewObject.Visibility
+    assert overlay_of(design).scene is None
+    picture("solids")
+    press("CurveUps_WorstContacts")  # which needs what the overlay draws
+    until(lambda: panel().form.rows.rowCount() > 3, 10, "contacts")
+    close_panel()
+    choose(lambda: menu_bar("CurveUps"), "Show", "Show Actuated")
+    until(lambda: design.ViewObject.Visibility and not document.Tiles.ViewObject.Visibility, 10, "tiles")
+    until(lambda: design.ViewObject.Morph == 1, 10, "the shape")
+    assert picture("overlay") > 20

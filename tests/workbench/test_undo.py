@@ -8,7 +8,7 @@ import FreeCADGui
 import pytest
 from curveups.features import document as documents
 from curveups.window.viewproviders import following
-from robot import settle, until
+from robot import QtGui, click_at, keys, picture, settle, tidy, tree_entry, until, window
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -112,6 +112,52 @@ def test_deleting_takes_along_what_is_below(dome_document):
     # Views came back with their objects.
     assert type(again.ViewObject.Proxy).__name__.endswith("View")
     assert len(again.ViewObject.Proxy.claimChildren()) == 7
+
+
+def place_in_tree(label):
+    """Labels from below the document's row in the tree down to an object's, for each row that it has."""
+    found = []
+
+    def look(item, way):
+        way = [*way, item.text(0)]
+        if item.text(0) == label:
+            found.append(way[2:])
+        for number in range(item.childCount()):
+            look(item.child(number), way)
+
+    for tree in window.findChildren(QtGui.QTreeWidget):
+        for number in range(tree.topLevelItemCount()):
+            look(tree.topLevelItem(number), [])
+    return found
+
+
+@pytest.mark.parametrize("kind", ["App::Part", "App::DocumentObjectGroup"])
+def test_a_design_in_a_group_is_deleted_whole_and_comes_back_there(dome_document, kind, pictures):
+    document, design = opened(dome_document)
+    tidy()
+    labels = sorted(obj.Label for obj in document.Objects)
+    group = document.addObject(kind, "Mine")
+    sheet = document.addObject("Spreadsheet::Sheet", "Sheet")
+    sheet.set("A1", "=Verification.TileCount + 1")
+    group.addObject(design)
+    document.recompute()
+    settle()
+    others = {obj.Name for obj in document.Objects} - {design.Name, *(getattr(design, p).Name for p in PARTS)}
+    before = place_in_tree(design.Label), place_in_tree("Tiles")
+    assert before == ([["Mine", design.Label]], [["Mine", design.Label, "Tiles"]])
+    click_at(tree_entry(design))
+    for _ in range(2):
+        keys("Delete")
+        settle()
+        assert {obj.Name for obj in document.Objects} == others
+        picture("deleted")
+        keys("ctrl+z")
+        settle(500)
+        picture("undone")
+        assert sorted(obj.Label for obj in document.Objects) == sorted([*labels, *others])
+        assert (place_in_tree(design.Label), place_in_tree("Tiles")) == before
+        assert document.Design.Verdict == "valid"
+        click_at(tree_entry(document.Design))
 
 
 def test_saved_in_a_window_without_the_workbench(dome_document, elsewhere, tmp_path):

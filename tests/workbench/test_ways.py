@@ -2,17 +2,24 @@
 """Every command in every way that a user has to it, by the mouse: toolbar, menu, context menus of tree and
 view. What they record as a macro does the same in a FreeCAD without a window."""
 
+import inspect
+import json
 import os
+import shutil
+import subprocess
+import textwrap
 
 import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
-from curveups.window import qt
+from curveups.features import document as designs
+from curveups.window import commands, qt
 from curveups.window.overlay import cameras
-from robot import (QtGui, choose, click, close_panel, in_dialog, keys, menu_bar, picture,
-                   press, report, settle, until, widget, window)
-from steps import LIVE, begin, example, panel
+from freecad_process import command as started
+from robot import (QtCore, QtGui, choose, click, click_at, close_panel, fill, in_dialog, keys, menu_bar,
+                   picture, press, report, settle, tree_entry, until, widget, window, write)
+from steps import LIVE, begin, click_edge, enter, example, panel
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -40,6 +47,9 @@ def leave():
 def check(name, start, design, pages):
     """start() is the user's way to the command; then what it is for has happened."""
     made, short = design.Document, name.split("_")[1]
+    if short == "RestoreObjects":
+        assert not FreeCADGui.Command.get(name).isActive()
+        design.Layout.Proxy = None
     until(lambda: FreeCADGui.Command.get(name).isActive(), 10, name)
     undos, text = list(made.UndoNames), report()
     if short in ("NewDesign", "Target"):
@@ -80,7 +90,8 @@ def check(name, start, design, pages):
     elif short == "SolverStatus":
         widget("CurveUpsSolverStatus").close()
     elif short == "RestoreObjects":
-        until(lambda: "restored" in report()[len(text):], 10, "a line in the report view")
+        until(lambda: "restored: 1" in report()[len(text):], 10, "a line in the report view")
+        assert design.Layout.Proxy is not None
     else:
         raise AssertionError(f"{name}: say here what it does")
     leave()
@@ -142,6 +153,108 @@ def test_every_button_of_the_toolbar(prepared, known, pages):
     for button in buttons:
         text = button.defaultAction().text().replace("&", "")
         check(known[text], lambda: click(button), prepared, pages)
+
+
+def test_every_entry_of_the_menus_in_the_tree(prepared, pages):
+    for obj in [prepared, *prepared.ViewObject.Proxy.claimChildren()]:
+        names = obj.ViewObject.Proxy.MENU
+        assert names, obj.Name
+        for name in names:
+            check(name, lambda: choose(lambda: click_at(tree_entry(obj), 3), entry(name)), prepared, pages)
+
+
+def test_every_entry_of_the_menu_of_the_view(prepared, pages):
+    names = commands.for_view()
+    assert {"CurveUps_Solve", "CurveUps_Export", "CurveUps_ShowFlat"} <= set(names), names
+    area = window.findChild(QtGui.QMdiArea)
+    for name in names:
+        corner = area.mapToGlobal(QtCore.QPoint(area.width() - 60, area.height() - 60))
+        check(name, lambda: choose(lambda: click_at(corner, 3), "CurveUps", entry(name)), prepared, pages)
+
+
+def recording(start):
+    """By the menu Macro; start: whether it starts or ends."""
+    if not start:
+        return choose(lambda: menu_bar("Macro"), "Stop macro recording")
+
+    def begin_it():
+        write("everything")
+        click(widget("buttonStart"))
+
+    in_dialog(lambda: choose(lambda: menu_bar("Macro"), "Macro recording"), begin_it)
+
+
+def state_of(document):
+    """What a design has been made of."""
+    design = document.Design
+    return [list(map(str, design.Layout.Poses)), sorted(map(str, design.Cuts.Edges)), design.Verdict,
+            {name: str(getattr(design, name)) for name in ("L", "HBody", "Tau", "TileCount")},
+            design.Target.BuiltIn, round(design.Tiles.Shape.Volume, 6)]
+
+
+def replayed(macro, folder):
+    """What comes of it in a FreeCAD without a window."""
+    script, out = folder / "replay.py", folder / "replayed.json"
+    script.write_text("import json, runpy, FreeCAD\n" + inspect.getsource(state_of) + textwrap.dedent(f"""
+        runpy.run_path({str(macro)!r}, run_name="__main__")
+        open({str(out)!r}, "w").write(json.dumps(state_of(FreeCAD.ActiveDocument)))
+        """))
+    done = subprocess.run(started(script, window=False), capture_output=True, text=True)
+    assert out.exists(), done.stdout + done.stderr
+    return json.loads(out.read_text("utf-8"))
+
+
+def test_a_macro_of_all_commands_replays_without_a_window(pages, tmp_path, pictures):
+    begin()
+    FreeCAD.closeDocument("Made")
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Macro").SetString("MacroPath", str(tmp_path))
+    recording(True)
+    choose(lambda: menu_bar("CurveUps"), "Examples", "Disc")
+    leave()
+    document = FreeCAD.ActiveDocument
+    document.UndoMode = 1
+    design = document.Design
+    design.ViewObject.doubleClicked()
+    until(lambda: panel() is not None and panel().form.isVisible(), 10, "the panel")
+    settle(500)
+    for group, name, value in (("Target", "L", "14"), ("Layout", "Tau", "2.9")):
+        panel().turn_to(group)
+        settle(300)
+        enter(panel().form, name, value)
+    until(lambda: (float(design.L), design.Tau) == (14, 2.9), 10, "values")
+    leave()
+    for name in ("Cuts", "Check", "Solve"):
+        press(f"CurveUps_{name}")
+        leave()
+    press("CurveUps_Cuts")
+    at_rest()
+    FreeCADGui.ActiveDocument.ActiveView.viewTop()
+    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    settle(500)
+    picture("before-the-cut")
+    click_edge(design, 20, 10)
+    leave()
+    assert len(designs.cuts_of(design))
+    for name in ("Solve", "Verify", "Repair", "BuildSolids", "ShowFlat", "ShowActuated", "ShowSolids",
+                 "Overlay", "WorstContacts", "Report"):
+        press(f"CurveUps_{name}")
+        leave()
+    press("CurveUps_Export")
+    fill(panel().form.folder, str(tmp_path / "out"))
+    click(panel().form.write)
+    leave()
+    design.Layout.Proxy = None
+    press("CurveUps_RestoreObjects")
+    recording(False)
+    files = sorted(os.listdir(tmp_path / "out"))
+    assert files
+    shutil.rmtree(tmp_path / "out")
+    assert replayed(tmp_path / "everything.FCMacro", tmp_path) == state_of(document)
+    assert sorted(os.listdir(tmp_path / "out")) == files
+    text = (tmp_path / "everything.FCMacro").read_text("utf-8")
+    for name in ("newDocument", "new_design", "L = 14", "Tau = 2.9", "check", "divide", "set_cuts", "solve",
+                 "verify", "repair", "build_solids", "report", "export", "restore"):
+        assert name in text, (name, text)
 
 
 def look():

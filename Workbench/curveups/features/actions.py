@@ -17,7 +17,7 @@ from ..base.errors import CurveUpsError
 from ..base.findings import Finding
 from ..base.output import safe_name
 from ..project.project import Project, Results
-from ..report.exports import Choice, File, choices, report as write_report, write_export, write_step
+from ..report.exports import Choice, File, choices, report as write_report, write_export, write_file
 from ..stages import asked_by, sizes
 from ..stages.layout import Layout
 from ..stages.stage import Job
@@ -55,6 +55,7 @@ def _repaired(design: Any) -> Project:
 
 
 RUNS = {
+    "divide": Run("Divide", ("fairing",), live.project_of),
     "check": Run("Check", asked_by("check"), live.project_of),
     "solve": Run("Solve", asked_by("solve"), live.project_of, anew=True),
     "verify": Run("Verify", asked_by("verify"), live.design_project_of),
@@ -85,6 +86,11 @@ def prepare(which: str, design: Any) -> tuple[Project, Work]:
 def hand_over(which: str, design: Any, made: Any) -> None:
     """What a thread has made, for the function of its name, which then does not work again."""
     _made[which, design.Document.Name, design.Name] = made
+
+
+def divide(design: Any) -> Results:
+    """The target, divided into tiles: what cuts run along."""
+    return _run("divide", design)
 
 
 def check(design: Any) -> Results:
@@ -190,9 +196,9 @@ def export_work(design: Any, folder: str, choice: Choice) -> Callable[[Job], lis
     return lambda job: list(write_export(project, Path(folder), choice, job).files)
 
 
-def write_print(design: Any, path: str) -> None:
-    """The whole print as one STEP file, whatever its verdict; its title says where that is no good."""
-    write_step(live.design_project_of(design).copy(), path, doubts(design))
+def write_print(design: Any, path: str, ending: str = "step", kind: str = "print") -> None:
+    """One kind of bodies, or all, as one file, whatever the verdict; its title says where that is no good."""
+    write_file(live.design_project_of(design).copy(), path, (kind, ending), doubts(design))
 
 
 def report(design: Any, folder: str) -> str:

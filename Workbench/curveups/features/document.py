@@ -171,10 +171,11 @@ def take_bodies(obj: Any, results: Results) -> None:
 
 
 def visibility(obj: Any, solids: bool) -> dict[str, bool]:
-    """What is shown of a design without an overlay, by object: its solids or its target."""
+    """What is shown of a design without an overlay, by object: its solids or its target, where an overlay
+    would lie upon them."""
     shown = {"Target": not solids, "Tiles": solids, "Support": False, "Anchors": solids}
-    return {obj.Name: True, **{part.Name: shown.get(slot, True) for slot in SLOTS
-                               if (part := getattr(obj, slot)) is not None}}
+    parts = {slot: part for slot in SLOTS if (part := getattr(obj, slot)) is not None}
+    return {obj.Name: False, **{part.Name: shown.get(slot, True) for slot, part in parts.items()}}
 
 
 def _worth_keeping(results: Results, before: Mapping[str, Made], solved: bool) -> dict[str, Made]:

@@ -25,7 +25,7 @@ _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
 UNITS = {"mm2": "mm^2", "g/cm3": "g/cm^3"}  # as FreeCAD spells them
 
 # In the order of work.
-_GROUPS = ("Target", "Tiles", "Layout", "Physics", "Repair", "Bumps", "Support", "Anchors", "Files")
+GROUPS = ("Target", "Tiles", "Layout", "Physics", "Repair", "Bumps", "Support", "Anchors", "Files")
 RESULT, FIGURES = "0 Result", "9 Figures"
 WHEN = {"rebuild": "Takes effect at once.", "verify": "Takes effect with Verify.",
         "layout": "Takes effect with Solve.",
@@ -38,13 +38,14 @@ def property_name(parameter: str) -> str:
 
 
 def rows() -> Iterator[Parameter]:
-    """Of the parameter table: those that a Design has as properties."""
-    return (row for row in table() if row.level != "switch")
+    """Of the parameter table: those that a Design has as properties, basic ones first."""
+    return iter(sorted((row for row in table() if row.level != "switch"), key=lambda row: not row.basic))
 
 
 def group_of(row: Parameter) -> str:
-    """The heading in the property editor, which sorts these by name."""
-    return f"{_GROUPS.index(row.group) + 1} {row.group}"
+    """The heading in the property editor, which sorts by name: what is seldom needed comes after the rest of
+    its group."""
+    return f"{GROUPS.index(row.group) + 1} {row.group}{'' if row.basic else ', more'}"
 
 
 def parameter_of(name: str) -> Optional[Parameter]:

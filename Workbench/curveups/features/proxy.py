@@ -14,7 +14,9 @@ READ_ONLY, TRANSIENT, HIDDEN, OUTPUT = 1, 2, 4, 8  # as addProperty takes them
 # Slots of a Design, in the order of the tree.
 SLOTS = ("Target", "Cuts", "Layout", "Verification", "Tiles", "Support", "Anchors")
 
-attach_view: Optional[Callable[[Any], None]] = None  # gives an object its view; set by a window
+# Set by a window: what gives an object its view, and what shows an error.
+attach_view: Optional[Callable[[Any], None]] = None
+show_error: Optional[Callable[[Exception], None]] = None
 
 
 class Proxy:

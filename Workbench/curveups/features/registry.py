@@ -14,12 +14,17 @@ from .bodies import BodiesProxy
 from .cuts import CutsProxy
 from .design import DesignProxy
 from .layout import LayoutProxy
-from .proxy import Proxy, designs, show, type_of
+from .proxy import Proxy, designs, is_old, show, type_of
 from .target import TYPE as TARGET, make_target, notice
 from .verification import VerificationProxy
 
 TYPES: dict[str, type[Proxy]] = {proxy.TYPE: proxy for proxy in (
     DesignProxy, CutsProxy, LayoutProxy, VerificationProxy, BodiesProxy)}
+
+
+def is_lost(obj: Any) -> bool:
+    """Whether `restore` has something to do for an object."""
+    return _lacks_proxy(obj) or is_old(obj)
 
 
 def restore(document: Any) -> list[Any]:
@@ -29,11 +34,15 @@ def restore(document: Any) -> list[Any]:
         if type_of(obj) == TARGET:
             make_target(obj)
             notice(obj)
-        proxy = TYPES.get(type_of(obj))
-        if proxy is not None and not isinstance(getattr(obj, "Proxy", None), proxy):
-            proxy(obj)
+        if _lacks_proxy(obj):
+            TYPES[type_of(obj)](obj)
             mended.append(obj)
         show(obj)
     for design in designs(document) if mended else ():
         design.Proxy.refresh(design)
     return mended
+
+
+def _lacks_proxy(obj: Any) -> bool:
+    proxy = TYPES.get(type_of(obj))
+    return proxy is not None and not isinstance(getattr(obj, "Proxy", None), proxy)

@@ -62,12 +62,11 @@ def rows(results: Results) -> list[Row]:
     found = results["feasibility"]
     short = {kind: len({one.tile for one in found.blocked if one.obstacle == kind})
              for kind in ("fold", "pin", "overlap", "closed", "membrane", "stretch")}
-    floor = results.parameters.get("A_pin_floor") - results.parameters.get("A_pin_min")
-    height = results.parameters.get("H_pin")
+    least, floor, height = map(results.parameters.get, ("A_pin_min", "A_pin_floor", "H_pin"))
     table = [_row("fold margin, deg", found.fold_margin, "0", short["fold"]),
              _row("back face / front face", found.back_scale, "0", short["fold"])]
     for side, name in enumerate(("front", "back")):
-        table.append(_row(f"pin room {name}, mm2 over A_pin_min", found.pin_room[:, side], f"{floor:g}",
+        table.append(_row(f"pin room {name}, mm2", found.pin_room[:, side] + least, f"{floor:g}",
                           sum(one.is_at("pin", name) for one in found.blocked)))
     for side, name in enumerate(("front", "back")):
         table.append(_row(f"room of the {name} membrane, mm", found.membrane_room[:, side],

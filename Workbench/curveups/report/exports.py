@@ -119,12 +119,13 @@ def report(project: Project, folder: Path, doubts: Iterable[Finding], job: Job) 
     return place.path / "report.html"
 
 
-def write_step(project: Project, path: str, doubts: tuple[Finding, ...], job: Optional[Job] = None) -> None:
-    """The whole print as a STEP file with named and coloured bodies."""
-    job = job or Job()
+def write_file(project: Project, path: str, file: File, doubts: tuple[Finding, ...],
+               job: Optional[Job] = None) -> None:
+    """One file; "print" are all bodies."""
+    job, (kind, ending) = job or Job(), file
     results = _printed(project, Choice((), doubts=doubts), job)
     with translated(path):
-        results["solids"].model.write("step", "print", path, job)
+        results["solids"].model.write(ending, kind, path, job)
 
 
 def titled(design: Any, doubts: Sequence[Finding]) -> Any:

@@ -61,7 +61,8 @@ class Trials:
 
     def __init__(self, V: np.ndarray, F: np.ndarray, cuts: CutRequest, parameters: Any, job: Job,
                  creases: Optional[np.ndarray] = None):
-        self._surface, self._creases, self._cuts, self._job = (V, F), creases, cuts, job
+        self._surface, self._creases, self._cuts = (V, F), creases, cuts
+        self._outer, self._job, self._trying = job, Job(self._tell), ""
         self._parameters = parameters
         self.thinnest = max(value_range("H_body")[0], parameters.get("p_floor"))  # that a printer makes
         self.made: dict[tuple[float, float, float], Trial] = {}
@@ -84,10 +85,15 @@ class Trials:
         pin = float(self._parameters.get("H_pin") if H_pin is None else H_pin)
         known = self.made.get((L, H_body, pin))
         if known is None:
-            if not self._job(f"trying L = {L:g} mm, H_body = {H_body:g} mm, H_pin = {pin:g} mm"):
+            self._trying = f"trying L = {L:g} mm, H_body = {H_body:g} mm, H_pin = {pin:g} mm"
+            if not self._tell():
                 raise Stopped
             known = self.made[L, H_body, pin] = self._try(L, H_body, pin)
         return known
+
+    def _tell(self, *_: Any) -> bool:
+        """Of a trial's own work nothing is told: its fraction is none of the search, whose end is unknown."""
+        return self._outer(self._trying)
 
     def _try(self, L: float, H_body: float, H_pin: float) -> Trial:
         values = native.Parameters(self._parameters)

@@ -17,6 +17,11 @@ def call(function: str, *arguments: str) -> None:
     FreeCADGui.doCommand(f"{function}({', '.join(arguments)})")
 
 
+def assign(obj: Any, name: str, value: Any) -> None:
+    """Sets a property of an object, and records it; numbers are in FreeCAD's own units."""
+    FreeCADGui.doCommand(f"{named(obj)}.{name} = {value!r}")
+
+
 def new_document(name: str, label: str) -> Any:
     """A new document, which becomes the active one; the macro makes it too."""
     FreeCADGui.doCommand(f"FreeCAD.newDocument({name!r}, {label!r})")

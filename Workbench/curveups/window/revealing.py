@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A design's first layout is brought into view, once: the surface that it is of would cover it, and it may
-lie elsewhere. Undo of the run takes both back."""
+lie elsewhere. Undo of the run takes both back. Panels that show the target before hide the surface, too."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _cameras: dict[tuple[str, str], str] = {}  # before the first layout, by names o
 
 
 class Reveal:
-    """Of one run on a design; without a layout before, it does something."""
+    """Of one run on a design, or one panel; without a layout before, it does something."""
 
     def __init__(self, design: Any):
         self._first = state_of(design, "Layout")[0] == "empty"
@@ -23,10 +23,14 @@ class Reveal:
 
     def begin(self, design: Any) -> None:
         """There is a picture to show."""
-        source = getattr(design.Target, "Source", None)
-        if self._first and source is not None and source.Visibility:
-            self._hidden, source.Visibility = source, False
+        self.uncover(design)
         self.fit(design)
+
+    def uncover(self, design: Any) -> None:
+        """Hides the surface until the end."""
+        source = getattr(design.Target, "Source", None)
+        if self._first and self._hidden is None and source is not None and source.Visibility:
+            self._hidden, source.Visibility = source, False
 
     def end(self) -> None:
         """What was hidden is shown again: a run that ends well hides it in its own transaction."""

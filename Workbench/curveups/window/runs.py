@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs a design from the window, for Check, Solve, Verify, Repair and Build Solids."""
+"""Runs a design from the window, for Check, Solve, Verify, Repair, Build Solids, and for the
+tiles that Cuts needs."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Callable, Optional
 
 from ..base.errors import CurveUpsError
 from ..base.native import problem
@@ -27,15 +28,15 @@ def reason(which: str, design: Any) -> str:
     return ""
 
 
-def start(which: str, design: Any) -> None:
-    """Starts a run on the worker; its results become the document's when it ends. Raises CurveUpsError
-    where it can't start."""
+def start(which: str, design: Any, told: Optional[Callable[[], None]] = None) -> None:
+    """Starts a run on the worker; its results become the document's when it ends, and `told` is called
+    then. Raises CurveUpsError where it can't start."""
     wrong = reason(which, design)
     if wrong:
         raise CurveUpsError(wrong)
     title = translate("CurveUps_" + _camel(which), actions.RUNS[which].title)
     project, work = actions.prepare(which, design)
-    LIVE.start(design, Task(title, work, _finisher(which), project))
+    LIVE.start(design, Task(title, work, _finisher(which), project, told))
 
 
 def _finisher(which: str) -> Any:

@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from ...base.native import problem
-from ..macro import call, named, new_document
+from ..macro import assign, call, named, new_document
 from ..panels.preferences import remembered
 from ..qt import QT_TRANSLATE_NOOP, QtWidgets, translate
 from .command import Command
@@ -51,9 +51,9 @@ def make_design(document: Any, source: str, faces: str = "") -> Any:
         design = next(obj for obj in document.Objects
                       if obj.Name not in before and "CurveUpsVersion" in obj.PropertiesList)
         for name, value in remembered(design).items():
-            FreeCADGui.doCommand(f"{named(design)}.{name} = {value!r}")
+            assign(design, name, value)
         if faces:
-            FreeCADGui.doCommand(f"{named(design)}.Faces = {faces!r}")
+            assign(design, "Faces", faces)
     except BaseException:
         document.abortTransaction()
         raise

@@ -3,10 +3,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import FreeCAD
 
 from ...features import registry
+from ..macro import call
 from ..qt import QT_TRANSLATE_NOOP, translate
+from ..viewproviders.attaching import lacks_view
 from .command import Command
 
 
@@ -19,12 +23,20 @@ class RestoreObjects(Command):
                                 "Restore designs that a FreeCAD without CurveUps saved")
 
     def reason(self) -> str:
-        return "" if FreeCAD.ActiveDocument else translate("CurveUps", "There is no document")
+        if FreeCAD.ActiveDocument is None:
+            return translate("CurveUps", "There is no document")
+        return "" if _lost() else translate("CurveUps", "There is nothing to restore")
 
     def run(self) -> None:
-        mended = registry.restore(FreeCAD.ActiveDocument)
-        said = translate("CurveUps", "objects that were restored: {count}", count=len(mended))
+        count = len(_lost())
+        call("registry.restore", f"FreeCAD.getDocument({FreeCAD.ActiveDocument.Name!r})")
+        said = translate("CurveUps", "objects that were restored: {count}", count=count)
         FreeCAD.Console.PrintMessage(f"{said}\n")
+
+
+def _lost() -> list[Any]:
+    return list(filter(
+        lambda obj: registry.is_lost(obj) or lacks_view(obj), FreeCAD.ActiveDocument.Objects))
 
 
 COMMAND = RestoreObjects()

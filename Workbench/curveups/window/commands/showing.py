@@ -7,6 +7,7 @@ from typing import Any
 
 import FreeCADGui
 
+from ...features.document import state_of
 from ..macro import named
 from ..overlays import overlay_of
 from ..qt import translate
@@ -36,8 +37,12 @@ def missing(design: Any, layout: bool) -> str:
         scene = overlay_of(design).scene
     except KeyError:
         scene = None
-    if scene is None:
-        return translate("CurveUps", "There are no tiles yet: run Solve")
-    if layout and scene.flat is None:
+    if scene is None:  # a hidden design may have none yet
+        there = state_of(design, "Layout" if layout else "Target")[0] != "empty"
+    else:
+        there = not layout or scene.flat is not None
+    if there:
+        return ""
+    if layout:
         return translate("CurveUps", "There is no layout yet: run Solve")
-    return ""
+    return translate("CurveUps", "There are no tiles yet: run Solve")

@@ -52,8 +52,8 @@ class Field:
         if self.limit is None or not self.bad or self.on == MEMBRANE:
             return np.empty(0, int)
         limit = np.asarray(self.limit() if callable(self.limit) else self.limit, float)
-        over, slack = self.values - limit, 1e-6 * np.maximum(1.0, np.abs(limit))
-        with np.errstate(invalid="ignore"):
+        with np.errstate(invalid="ignore"):  # values and limits may be infinite
+            over, slack = self.values - limit, 1e-6 * np.maximum(1.0, np.abs(limit))
             found = over < -slack if self.bad == "low" else over > slack
         return np.flatnonzero(found.reshape(len(found), -1).any(axis=1))
 

@@ -159,7 +159,7 @@ class Overlay:
     def _refresh(self) -> None:
         self._waiting = False
         try:
-            if not self._iterating and self._view.Visibility:
+            if not self._iterating and (self._view.Visibility or self.observers):
                 self.show_design()
         except ReferenceError:  # deleted meanwhile
             pass

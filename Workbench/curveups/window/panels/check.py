@@ -6,8 +6,6 @@ from __future__ import annotations
 from html import escape
 from typing import Any, Optional
 
-import FreeCADGui
-
 from ...base.errors import CurveUpsError, tile_name
 from ...features import actions, document, properties
 from ...features.actions import transaction
@@ -17,7 +15,7 @@ from ...report import check as words
 from ...stages import asked_by
 from ...stages.sizes import Recommendation
 from .. import runs
-from ..macro import call, named
+from ..macro import assign, call, named
 from ..notice import errors_shown, show_line, shown
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE, Task
@@ -77,6 +75,8 @@ class CheckPanel(Panel):
     def show(self) -> None:
         """The overlay has changed, which it does with every change of the design."""
         scene, note = self._overlay.scene, self._overlay.note
+        if scene is not None:
+            self._reveal.uncover(self.design)
         if self._drawn is None or self._drawn[0] is not scene or self._drawn[1] != note:
             self._drawn = scene, note
             self._fill()
@@ -181,7 +181,7 @@ class CheckPanel(Panel):
         with errors_shown(translate("CurveUps_Check", "Check")):
             actions.refuse_bound(self.design, (name,))
             with transaction(self.design.Document, translate("CurveUps_Check", "Use {name}", name=called)):
-                FreeCADGui.doCommand(f"{named(self.design)}.{called} = {value!r}")
+                assign(self.design, called, value)
                 self.design.Document.recompute()
             self.check()
 
@@ -231,14 +231,15 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
 
 
 def size_to_use(name: str, found: Results) -> Optional[float]:
-    """What is offered for L, H_body or H_pin: the feasible length that is nearest to the one that is set, the
-    largest thickness; another height of pins only where the one that is set does not do; both where none of
-    these does by itself."""
+    """What is offered for L, H_body or H_pin where those that are set do not do: the feasible length that is
+    nearest to the one that is set, the largest thickness, the nearest height of pins; thickness and height
+    together where none of these does by itself."""
     sizes: Recommendation = found["sizes"]
-    if name == "H_body":
-        return sizes.together[0] if sizes.together else sizes.H_body
-    if name == "H_pin":
-        return sizes.together[1] if sizes.together else None if sizes.as_set else sizes.H_pin
+    if sizes.as_set:
+        return None
+    if name != "L":
+        together = sizes.together or (sizes.H_body, sizes.H_pin)
+        return together[name == "H_pin"]
     if sizes.L is None:
         return None
     low, high = sizes.L

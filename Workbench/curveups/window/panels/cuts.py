@@ -14,6 +14,7 @@ from ...features import document
 from ...features.actions import transaction
 from ...project.worker import Status
 from ...stages.cut_request import CutRequest
+from .. import runs
 from ..cut_paths import CutPaths, Edge, groups
 from ..macro import call, named
 from ..notice import errors_shown
@@ -74,6 +75,8 @@ class CutsPanel(Panel):
 
     def show(self) -> None:
         """The overlay has changed: lines go along."""
+        if self._overlay.scene is not None:
+            self._reveal.uncover(self.design)
         self._draw()
 
     # The target whose edges are picked.
@@ -84,15 +87,7 @@ class CutsPanel(Panel):
         if project.out_of_date("fairing") == ():
             self._begin(project)
             return
-        twin = project.copy()
-
-        def finish(design: Any, results: Any) -> None:
-            with transaction(design.Document, translate("CurveUps_Cuts", "Target")):
-                document.take(design, results)
-            self._begin(document.project_of(design))
-
-        LIVE.start(self.design, Task(translate("CurveUps_Cuts", "Cuts"),
-                                     lambda job: twin.run(("fairing",), job), finish, twin))
+        runs.start("divide", self.design, lambda: self._begin(document.project_of(self.design)))
 
     def _begin(self, project: Any) -> None:
         self._paths = CutPaths(project.latest("fairing").V, project.latest("target").F)

@@ -5,8 +5,12 @@ from __future__ import annotations
 
 from typing import Any, Iterable
 
+import FreeCADGui
+
 from ...features.actions import transaction
 from ...features.properties import same, value_of
+from ..macro import assign, named
+from .preferences import plain
 
 
 class Edits:
@@ -14,7 +18,7 @@ class Edits:
 
     def __init__(self, design: Any, names: Iterable[str]):
         self._design = design
-        self._values = {name: getattr(design, name) for name in names}
+        self._values = {name: plain(getattr(design, name)) for name in names}
         self._numbers = {name: value_of(design, name) for name in self._values}
         self._expressions = self._bound()
 
@@ -32,8 +36,9 @@ class Edits:
             return
         with transaction(self._design.Document, title):
             for name in names:
-                self._design.setExpression(name, self._expressions.get(name))
-                setattr(self._design, name, self._values[name])
+                FreeCADGui.doCommand(f"{named(self._design)}.setExpression({name!r}, "
+                                     f"{self._expressions.get(name)!r})")
+                assign(self._design, name, self._values[name])
             self._design.Document.recompute()
 
     def _bound(self) -> dict[str, str]:

@@ -13,6 +13,7 @@ from ...base.errors import CurveUpsError
 from ...base.native import native
 from ...features import actions
 from ...features.document import settings_of
+from ...features.proxy import HIDDEN
 from ...project.worker import Status
 from ...report.exports import Choice, choices, file_names, other_report
 from ..macro import call, named
@@ -24,7 +25,7 @@ from .panel import Panel
 
 
 class ExportPanel(Panel):
-    """It changes nothing of the document. What is being written is written to its end."""
+    """It changes nothing of the design. What is being written is written to its end."""
 
     TOPIC = "Export Print Files"
 
@@ -75,7 +76,7 @@ class ExportPanel(Panel):
             work = actions.export_work(self.design, folder, choice)
             self._written_to = folder, choice
             LIVE.start(self.design, Task(translate("CurveUpsExport", "Export"), work, self._written))
-            preferences.set_export_folder(folder)
+            self._keep_folder(folder)
             preferences.set_export_mask(choice.mask)
 
     def _written(self, design: Any, names: list[str]) -> None:
@@ -111,9 +112,21 @@ class ExportPanel(Panel):
             self.form.files.addTopLevelItem(item)
 
     def _folder(self) -> str:
+        """Where the design's files went last; beside its document at first, or where that folder is of
+        another machine."""
+        kept = Path(getattr(self.design.ViewObject, "ExportFolder", ""))
+        if kept.name and kept.parent.is_dir():
+            return str(kept)
         saved = self.design.Document.FileName
-        return preferences.export_folder() or str(
-            (Path(saved).parent if saved else Path.home()) / f"{actions.file_name(self.design)}-print")
+        return str((Path(saved).parent if saved else Path.home()) / f"{actions.file_name(self.design)}-print")
+
+    def _keep_folder(self, folder: str) -> None:
+        """With the view of the design, as what the overlay shows: no step of undo."""
+        view = self.design.ViewObject
+        if "ExportFolder" not in view.PropertiesList:
+            view.addProperty("App::PropertyString", "ExportFolder", "Overlay", "Where files went last.",
+                             HIDDEN)
+        view.ExportFolder = folder
 
     def _browse(self) -> None:
         folder = QtWidgets.QFileDialog.getExistingDirectory(

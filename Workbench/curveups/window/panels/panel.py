@@ -14,6 +14,7 @@ from ...project.worker import Status
 from ..notice import follow_link, show_in
 from ..overlays import overlay_of
 from ..qt import QtCore, QtWidgets, load_ui, translate
+from ..revealing import Reveal
 from ..run import LIVE
 
 _current: Optional["Panel"] = None
@@ -66,6 +67,7 @@ class Panel(ABC):
         self.form.setWindowTitle(title)
         self.form.setProperty("CurveUpsTopic", self.TOPIC)
         self._overlay = overlay_of(design)
+        self._reveal = Reveal(design)
         self._line: Any = getattr(self.form, "line", None)
         for name in ("line", "verdict", "doubts"):
             if hasattr(self.form, name):
@@ -78,6 +80,8 @@ class Panel(ABC):
     def _follow(self) -> None:
         """To be called once the form is ready."""
         self._overlay.observers.append(self._changed)
+        if self._overlay.scene is None:  # of a design that is hidden
+            self._overlay.refresh()
         if self._line is not None:
             self._say("")
             show_in(self._say)
@@ -120,6 +124,7 @@ class Panel(ABC):
         if self._line is not None:
             LIVE.forget(self._run_changed)
             show_in(None)
+        self._reveal.end()
         if _current is self:
             _current = None
 

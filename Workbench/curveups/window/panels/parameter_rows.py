@@ -11,6 +11,7 @@ from typing import Any, Callable, Mapping
 import FreeCADGui
 
 from ...features.actions import transaction
+from ..macro import assign
 from ..notice import errors_shown
 from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, translate
@@ -79,7 +80,7 @@ class ParameterRows:
         with errors_shown(""):
             with transaction(document, translate("CurveUpsSolve", "Edit the design")):
                 for name, value in pending.items():
-                    setattr(self._object, name, value)
+                    assign(self._object, name, value)
                 document.recompute()
             self._changed()
         self.refresh()

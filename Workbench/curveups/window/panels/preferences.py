@@ -23,13 +23,13 @@ def set_draws_live(value: bool) -> None:
     _group().SetBool("DrawLive", value)
 
 
-def export_folder() -> str:
-    """Where files went last."""
-    return _group().GetString("ExportFolder", "")
+def shows_all() -> bool:
+    """Whether panels show parameters that are seldom needed as well."""
+    return _group().GetBool("AllParameters", False)
 
 
-def set_export_folder(folder: str) -> None:
-    _group().SetString("ExportFolder", folder)
+def set_shows_all(value: bool) -> None:
+    _group().SetBool("AllParameters", value)
 
 
 def export_mask() -> str:
@@ -48,7 +48,7 @@ def remember(design: Any, names: list[str]) -> None:
     """New designs begin with the values that these properties have; lengths in mm."""
     store = _group("Defaults")
     for name in names:
-        value = _plain(getattr(design, name))
+        value = plain(getattr(design, name))
         getattr(store, _WRITERS[type(value)])(name, value)
 
 
@@ -57,10 +57,11 @@ def remembered(design: Any) -> dict[str, Any]:
     units."""
     found = {}
     for _, name, value in _group("Defaults").GetContents() or ():
-        if name in design.PropertiesList and _plain(getattr(design, name)) != value:
+        if name in design.PropertiesList and plain(getattr(design, name)) != value:
             found[name] = value
     return found
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
+    """A property's value as a number of FreeCAD's own units, a text or a switch."""
     return value.Value if hasattr(value, "getValueAs") else value

@@ -111,14 +111,16 @@ class SolvePanel(Panel):
     def _prepare_parameters(self) -> None:
         form = self.form
         self._groups: dict[str, list[str]] = {}
-        for name in self.design.PropertiesList:
-            if properties.parameter_of(name):
-                group = self.design.getGroupOfProperty(name)
-                self._groups.setdefault(group, []).append(name)
-        for group in sorted(self._groups):
-            title = group.split(" ", 1)[-1]
-            form.group.addItem(translate("CurveUpsSolve", _GROUPS.get(title, title)), group)
+        known = set(self.design.PropertiesList)
+        for row in properties.rows():
+            name = properties.property_name(row.name)
+            if name in known:
+                self._groups.setdefault(row.group, []).append(name)
+        for group in filter(self._groups.get, properties.GROUPS):
+            form.group.addItem(translate("CurveUpsSolve", _GROUPS[group]), group)
         form.group.currentIndexChanged.connect(lambda *_: self._show_group())
+        form.all.setChecked(preferences.shows_all())
+        form.all.toggled.connect(lambda value: self._show_all(bool(value)))
         names = [name for group in self._groups.values() for name in group]
         self._edits = Edits(self.design, names)
         form.revert.clicked.connect(lambda: self._revert())
@@ -165,8 +167,7 @@ class SolvePanel(Panel):
 
     def turn_to(self, name: str) -> None:
         """Turns to a group of parameters; one that there is not is no harm."""
-        number = next((k for k in range(self.form.group.count())
-                       if self.form.group.itemData(k).endswith(f" {name}")), -1)
+        number = self.form.group.findData(name)
         if number >= 0:
             self.form.group.setCurrentIndex(number)
 
@@ -175,8 +176,20 @@ class SolvePanel(Panel):
             self._rows.flush()
             self._rows.close()
         names = self._groups.get(self.form.group.currentData(), [])
+        basic = [name for name in names if self._is_basic(name)]
+        self.form.all.setVisible(0 < len(basic) < len(names))
+        if basic and not self.form.all.isChecked():
+            names = basic
         beside = {properties.property_name(name): partial(self._automatic, name) for name in AUTOMATIC}
         self._rows = ParameterRows(self.form.rows, self.design, names, self.show, beside)
+
+    def _is_basic(self, name: str) -> bool:
+        row = properties.parameter_of(name)
+        return row is not None and row.basic
+
+    def _show_all(self, value: bool) -> None:
+        preferences.set_shows_all(value)
+        self._show_group()
 
     def _revert(self) -> None:
         if self._rows:

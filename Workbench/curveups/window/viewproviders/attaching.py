@@ -22,15 +22,20 @@ _waiting: list[tuple[str, str, type]] = []  # document, object, the class of its
 # What FreeCAD gives a view that lost its Python, after it has shown it: some FreeCADs without this
 # workbench store no view of ours.
 _SHOWN_BY_FREECAD = 1
+_KINDS = {"CurveUps::Design": DesignView, "CurveUps::Cuts": CutsView, "CurveUps::Layout": LayoutView,
+          "CurveUps::Verification": VerificationView, "CurveUps::Target": ShapeView,
+          "CurveUps::Bodies": ShapeView}
+
+
+def lacks_view(obj: Any) -> bool:
+    """Whether an object of ours has lost its view."""
+    return type_of(obj) in _KINDS and obj.ViewObject.Proxy in (None, _SHOWN_BY_FREECAD)
 
 
 def attach(obj: Any) -> None:
     """Gives an object of ours its view, where it has a Python one and lacks it."""
     following.install()
-    kinds = {"CurveUps::Design": DesignView, "CurveUps::Cuts": CutsView,
-             "CurveUps::Layout": LayoutView, "CurveUps::Verification": VerificationView,
-             "CurveUps::Target": ShapeView, "CurveUps::Bodies": ShapeView}
-    view, kind = getattr(obj, "ViewObject", None), kinds.get(type_of(obj))
+    view, kind = getattr(obj, "ViewObject", None), _KINDS.get(type_of(obj))
     if view is None or kind is None or "Proxy" not in view.PropertiesList:
         return
     if kind is ShapeView and view.Proxy == _SHOWN_BY_FREECAD:

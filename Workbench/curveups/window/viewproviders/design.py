@@ -34,9 +34,14 @@ class DesignView(OverlayView, View):
         return [part for slot in SLOTS if (part := getattr(self.object, slot, None)) is not None]
 
     def onDelete(self, view: Any, names: Any) -> bool:
-        """Takes along what is below it, unless another design uses that."""
+        """Takes along what is below it, unless something else is made from that."""
         obj = view.Object
         for part in self.claimChildren():
-            if all(other == obj for other in part.InList):
+            if all(other == obj or _only_names(other) for other in part.InList):
                 obj.Document.removeObject(part.Name)
         return True
+
+
+def _only_names(obj: Any) -> bool:
+    """Whether an object may lose what it links to: a group, or a sheet that reads it."""
+    return obj.hasExtension("App::GroupExtension") or obj.TypeId == "Spreadsheet::Sheet"
