@@ -366,6 +366,10 @@
       <translation>CurveUps: Volumenkörper werden gebaut ({seconds:.0f} s); eine Änderung beendet es</translation>
     </message>
     <message>
+      <source>Nothing is at work</source>
+      <translation>Es läuft nichts</translation>
+    </message>
+    <message>
       <source>There are no solids yet: run Build Solids</source>
       <translation>Es gibt noch keine Volumenkörper: „Volumenkörper bauen“ macht sie</translation>
     </message>
@@ -450,6 +454,10 @@
     <message>
       <source>Support</source>
       <translation>Stützkörper</translation>
+    </message>
+    <message>
+      <source>The design is doubtful: insist on its files</source>
+      <translation>Der Entwurf ist zweifelhaft: bestehen Sie auf den Dateien</translation>
     </message>
     <message>
       <source>Tiles</source>
@@ -596,6 +604,10 @@
     <message>
       <source>Mending</source>
       <translation>Ausbessern</translation>
+    </message>
+    <message>
+      <source>Nothing was edited since the panel opened</source>
+      <translation>Seit der Aufgabenbereich offen ist, wurde nichts geändert</translation>
     </message>
     <message>
       <source>Other sizes</source>
@@ -846,8 +858,16 @@
       <translation>Schnitt zurücknehmen</translation>
     </message>
     <message>
+      <source>The next click begins a new cut as it is</source>
+      <translation>Der nächste Klick beginnt ohnehin einen neuen Schnitt</translation>
+    </message>
+    <message>
       <source>The rim is open already: click an edge inside</source>
       <translation>Der Rand ist schon offen: eine innere Kante anklicken</translation>
+    </message>
+    <message>
+      <source>There are no cuts</source>
+      <translation>Es gibt keine Schnitte</translation>
     </message>
     <message>
       <source>run Solve first</source>

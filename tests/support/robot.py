@@ -148,7 +148,7 @@ def choose(start, *texts):
         try:
             settle(200)
             for text in texts:
-                menu = QtGui.QApplication.activePopupWidget()
+                menu = until(QtGui.QApplication.activePopupWidget, 3, f"the menu with {text}")
                 names = [one.text().replace("&", "") for one in menu.actions()]
                 entry = next((one for one, name in zip(menu.actions(), names) if name.startswith(text)), None)
                 assert entry is not None and entry.isEnabled(), (text, names)

@@ -126,8 +126,9 @@ def test_exports_that_can_not_be(made, tmp_path):
         text = refused(actions.export, design, folder, mask=mask)
         assert words in text, text
     assert "mesh_deviation" in refused(actions.export, design, folder, deviation=99.0)
-    other = made.addObject("Part::Box", "Box")
-    assert "one design" in refused(file_export.export, [other], folder + ".step")
+    other = document.new_design(made, "disc")
+    assert "one design" in refused(file_export.export, [design, other], folder + ".step")
+    assert "not written as .ast" in refused(file_export.export, [design], folder + ".ast")
     assert not os.path.exists(folder) and not os.path.exists(folder + ".step")
 
 

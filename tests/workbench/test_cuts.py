@@ -94,6 +94,10 @@ def test_a_click_on_a_cut_takes_it_back_and_suggestions_are_accepted(pictures):
     settle(400)
     assert not edges(design), (first, edges(design))
     assert not LIVE.busy
+    for name, why in (("stop", "Nothing is at work"), ("accept", "Click Suggest first"),
+                      ("remove", "There are no cuts")):
+        button = widget(name)
+        assert not button.isEnabled() and why in button.toolTip(), (name, button.toolTip())
     click(widget("suggest"))
     until(lambda: not LIVE.busy, 120, "the search")
     settle(300)

@@ -21,7 +21,7 @@ from robot import (QtCore, QtGui, choose, click, click_at, close_panel, fill, in
                    picture, press, report, settle, tree_entry, until, widget, window, write)
 from steps import LIVE, begin, click_edge, enter, example, panel
 
-pytestmark = pytest.mark.freecad(window=True)
+pytestmark = pytest.mark.freecad(window=True, timeout=600)
 
 
 def entry(name):
@@ -156,10 +156,14 @@ def test_every_button_of_the_toolbar(prepared, known, pages):
 
 
 def test_every_entry_of_the_menus_in_the_tree(prepared, pages):
+    """Each command by the first object that offers it; of others one entry."""
+    tried: set[str] = set()
     for obj in [prepared, *prepared.ViewObject.Proxy.claimChildren()]:
-        names = obj.ViewObject.Proxy.MENU
-        assert names, obj.Name
+        menu = obj.ViewObject.Proxy.MENU
+        names = [name for name in menu if name not in tried] or menu[:1]
+        tried.update(names)
         for name in names:
+            settle(500)  # the tree comes back after a panel
             check(name, lambda: choose(lambda: click_at(tree_entry(obj), 3), entry(name)), prepared, pages)
 
 

@@ -24,7 +24,7 @@ from ..overlay.picking import Pick
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from .cut_layout import CutLayout
-from .panel import Panel
+from .panel import Panel, enable
 
 _INTERVAL = 150  # ms between looks at whether the cuts have changed elsewhere, by undo above all
 
@@ -54,6 +54,7 @@ class CutsPanel(Panel):
         form.cuts.itemSelectionChanged.connect(lambda: self._draw())
         form.suggested.itemSelectionChanged.connect(lambda: self._show_suggestion())
         form.suggested.setVisible(False)
+        self._show_buttons(LIVE.runs_on(design))
         self._follow()
         self._timer = QtCore.QTimer(form)
         self._timer.timeout.connect(lambda: self._look_at_cuts())
@@ -180,7 +181,7 @@ class CutsPanel(Panel):
             item = QtWidgets.QTreeWidgetItem([str(number), str(len(group)), length.UserString])
             item.setData(0, QtCore.Qt.UserRole, group)
             tree.addTopLevelItem(item)
-        self.form.remove.setEnabled(bool(edges))
+        enable(self.form.remove, "" if edges else translate("CurveUps_Cuts", "There are no cuts"))
 
     def _selected(self) -> list[Edge]:
         return [(a, b) for item in self.form.cuts.selectedItems()
@@ -195,6 +196,7 @@ class CutsPanel(Panel):
     def _draw(self) -> None:
         if self._paths is None or self._overlay.closed:
             return
+        self._show_buttons(LIVE.runs_on(self.design))
         kinds = {"hovered": self._preview, "selected": self._selected(),
                  "suggested": [edge for cut in self._chosen() for edge in cut.edges.tolist()],
                  "cut": self._edges()}
@@ -237,6 +239,7 @@ class CutsPanel(Panel):
     def _show_suggestion(self) -> None:
         """What it is predicted to gain, in full."""
         chosen = self._chosen()
+        self._show_buttons(LIVE.runs_on(self.design))
         self.form.gain.setText(str(chosen[-1]) if chosen else "")
         self._draw()
 
@@ -247,11 +250,7 @@ class CutsPanel(Panel):
         return list(self._search.cuts[:max(rows) + 1]) if rows and self._search is not None else []
 
     def _accept(self) -> None:
-        chosen = self._chosen()
-        if not chosen:
-            self._say(translate("CurveUps_Cuts", "Click Suggest first, then select a cut"))
-            return
-        added = [(min(edge), max(edge)) for cut in chosen for edge in cut.edges.tolist()]
+        added = [(min(edge), max(edge)) for cut in self._chosen() for edge in cut.edges.tolist()]
         self._search = None
         self._list_suggestions()
         self._set([*self._edges(), *added], translate("CurveUps_Cuts", "Accept suggested cuts"))
@@ -289,10 +288,18 @@ class CutsPanel(Panel):
             return  # that it was cancelled for the next cut is no news
         super()._say(text)
 
+    def _show_buttons(self, mine: bool) -> None:
+        idle, chosen = translate("CurveUps", "Nothing is at work"), bool(self._chosen())
+        enable(self.form.stop, "" if mine else idle)
+        self.form.suggest.setEnabled(not mine)
+        enable(self.form.accept, "" if chosen else translate(
+            "CurveUps_Cuts", "Click Suggest first, then select a cut"))
+        enable(self.form.anew, "" if self._tip is not None else translate(
+            "CurveUps_Cuts", "The next click begins a new cut as it is"))
+
     def _show_run(self, status: Status, goes_on: bool) -> None:
         mine = goes_on and LIVE.runs_on(self.design)
-        self.form.stop.setEnabled(mine)
-        self.form.suggest.setEnabled(not mine)
+        self._show_buttons(mine)
         if mine:
             self.form.doing.setText(f"{status.what}, {status.seconds:.1f} s")
             self._draw()

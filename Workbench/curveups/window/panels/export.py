@@ -21,7 +21,7 @@ from ..notice import errors_shown, shown
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from . import preferences
-from .panel import Panel
+from .panel import Panel, enable
 
 
 class ExportPanel(Panel):
@@ -151,8 +151,10 @@ class ExportPanel(Panel):
     def _show_running(self, running: bool) -> None:
         form = self.form
         refused = bool(actions.doubts(self.design)) and not form.insist.isChecked()
-        form.write.setEnabled(not running and not LIVE.busy and not refused)
-        form.cancel.setEnabled(running)
+        enable(form.write, translate("CurveUps", "CurveUps is at work: stop or cancel that first")
+               if running or LIVE.busy else
+               translate("CurveUpsExport", "The design is doubtful: insist on its files") if refused else "")
+        enable(form.cancel, "" if running else translate("CurveUps", "Nothing is at work"))
         form.files.setEnabled(not running)
 
     def _show_run(self, status: Status, goes_on: bool) -> None:

@@ -51,6 +51,17 @@ def _place(design: Any) -> tuple[str, str]:
     return design.Document.Name, design.Name
 
 
+def enable(button: Any, reason: str = "") -> None:
+    """A button, or grey with the reason why it has nothing to do in its tooltip."""
+    tip = button.property("CurveUpsTip")
+    if tip is None:
+        tip = button.toolTip()
+        button.setProperty("CurveUpsTip", tip)
+    button.setEnabled(not reason)
+    button.setToolTip(f"{tip}<br><i>{reason}</i>" if reason else tip)
+    button.setStatusTip(reason)
+
+
 class Panel(ABC):
     """FreeCAD's task dialog for a design: `form` is its widget, and None once FreeCAD has closed it without
     asking. Where the form has a `line`, messages come there and the panel is told how runs go."""

@@ -26,7 +26,7 @@ from . import preferences
 from .check import choose_sizes
 from .curves import Curves
 from .edits import Edits
-from .panel import Panel
+from .panel import Panel, enable
 from .parameter_rows import ParameterRows
 
 _GROUPS = {
@@ -205,18 +205,17 @@ class SolvePanel(Panel):
         state = self.design.Status
         head = translate("CurveUpsSolve", self.design.Verdict if state == "current" else state)
         lines = "<br>".join(shown(self.design, reason) for reason in reasons_of(self.design)[:6])
+        enable(self.form.revert, "" if self._edits.edited() else translate(
+            "CurveUpsSolve", "Nothing was edited since the panel opened"))
         self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"
                                   + (f"<br>{lines}" if lines else ""))
 
     def _show_running(self, running: bool) -> None:
         form = self.form
         for which in ("solve", "verify", "repair"):
-            button = getattr(form, which)
-            reason = "" if running else runs.reason(which, self.design)
-            button.setEnabled(not running and not reason)
-            button.setStatusTip(reason)
-        form.stop.setEnabled(running)
-        form.cancel.setEnabled(running)
+            enable(getattr(form, which), runs.reason(which, self.design))
+        for button in (form.stop, form.cancel):
+            enable(button, "" if running else translate("CurveUps", "Nothing is at work"))
         form.parameters.setEnabled(not running)
         form.progress.setTextVisible(running)
         if not running:
