@@ -2,6 +2,7 @@
 """Mesh files are read whole, or refused: no line is passed over in silence."""
 
 import struct
+import zipfile
 
 import numpy as np
 import pytest
@@ -184,3 +185,19 @@ def test_a_line_that_goes_on_for_hundreds_of_thousands(tmp_path):
     path = tmp_path / "long.obj"
     path.write_text("v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 \\\n" + " \\\n" * 300_000 + "2 3\n")
     assert read_target(path, 0.1).F.tolist() == [[0, 1, 2]]
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("number", ["1e300", "inf", "nan"])
+def test_a_3mf_whose_places_overflow_is_refused_without_a_warning(tmp_path, number):
+    model = ('<model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">'
+             '<resources><object id="1"><mesh><vertices><vertex x="0" y="0" z="1e200"/>'
+             '<vertex x="9" y="0" z="0"/><vertex x="0" y="9" z="0"/></vertices>'
+             '<triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object><object id="2"><components><component objectid="1" '
+             f'transform="{number} 0 0 0 {number} 0 0 0 {number} 0 0 0"/></components></object></resources>'
+             f'<build><item objectid="2" transform="1e300 0 0 0 1 0 0 0 {number} 0 0 0"/></build></model>')
+    with zipfile.ZipFile(tmp_path / "far.3mf", "w") as archive:
+        archive.writestr("3D/3dmodel.model", model)
+    with pytest.raises(CurveUpsError) as caught:
+        read_target(tmp_path / "far.3mf", 0.01)
+    assert caught.value.remedy

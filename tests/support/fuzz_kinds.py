@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is fuzzed: good inputs of every reader, and what must hold of whatever is read from a mutated one.
 
-A kind answers `samples()` (good files), and `check(path, number)`, which reads the file and raises
+A kind answers `samples()` (good files), and `check(path, number, lossy)`, which reads the file and raises
 CurveUpsError or one of the native errors where it is refused; anything else that it raises is a failure.
+lossy: the file has lost something, and nothing of it was changed.
 Sound work is cut short: it is the business of other tests."""
 
 import json
@@ -22,13 +23,18 @@ from running import dome
 from curveups.base import freecad_session
 from curveups.project import saved_results
 from curveups.targets import cad_files, target_files
-from curveups.base.errors import CurveUpsError
-from curveups.base.native import native
+from curveups.base.native import native, translated
 from curveups.project.project import Project
 from curveups.stages.design import FinishedDesign
 
 NONE = np.zeros((0, 2), np.int32)
-CAD_SECONDS = 1.0  # sound ones take a tenth of one
+CAD_SECONDS = 5.0  # sound ones take a tenth of one
+ENDLESS = "no end in FreeCAD"
+_areas = {}  # of the good files, by ending
+
+
+class Endless(Exception):
+    """FreeCAD's reader was ended."""
 
 
 def _cap():
@@ -50,7 +56,7 @@ class Briefly:
         return time.monotonic() < self._end
 
 
-def check_mesh(path, number):
+def check_mesh(path, number, lossy):
     found = target_files.read_target(path, 0.01)
     found_V, found_F = found.V, found.F
     assert found_V.shape[1:] == (3,) and found_F.shape[1:] == (3,) and np.isfinite(found_V).all()
@@ -79,19 +85,30 @@ def _forked(path, deflection, choice, answer, go_on, time_limit, where):
         if time.monotonic() > end:
             os.kill(child, signal.SIGKILL)
             os.waitpid(child, 0)
-            raise CurveUpsError("no end", str(where))
+            raise Endless
         time.sleep(0.001)
     return os.waitstatus_to_exitcode(ended[1])
 
 
-def check_cad(path, number):
+def check_cad(path, number, lossy):
+    found_V, found_F = _read_cad(path)
+    if lossy:
+        area = _area(found_V, found_F)
+        assert any(abs(area / known - 1) < 0.02 for known in _areas[path.suffix]), f"{area:g} mm2 are left"
+    assert len(found_F) and np.isfinite(found_V).all() and found_F.min() >= 0 and found_F.max() < len(found_V)
+
+
+def _read_cad(path):
     with mock.patch.object(cad_files, "_run", _forked):
         found = cad_files.read_cad(path, 0.5, time_limit=CAD_SECONDS)
-    found_V, found_F = found.V, found.F
-    assert np.isfinite(found_V).all() and found_F.min() >= 0 and found_F.max() < len(found_V)
+    return found.V, found.F
 
 
-def check_design(path, number):
+def _area(V, F):
+    return np.linalg.norm(np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]]), axis=1).sum() / 2
+
+
+def check_design(path, number, lossy):
     design = native.read_design(path.read_text(encoding="utf-8"))
     assert native.write_design(native.read_design(native.write_design(design))) == native.write_design(design)
     native.tile_shapes(design)
@@ -103,7 +120,7 @@ def check_design(path, number):
         native.make_print_model(design, Briefly())
 
 
-def check_parameters(path, number):
+def check_parameters(path, number, lossy):
     values = json.loads(path.read_text(encoding="utf-8"))
     if not isinstance(values, dict):
         return
@@ -117,7 +134,7 @@ def check_parameters(path, number):
         assert np.isfinite(found.T).all() and np.isfinite(found.q).all()
 
 
-def check_results(path, number):
+def check_results(path, number, lossy):
     """The results that a document stores as text."""
     for name, one in saved_results.from_text(path.read_text(encoding="utf-8"), path.name).items():
         assert isinstance(name, str) and one.result is not None
@@ -180,32 +197,51 @@ def _results():
 
 def _cad(ending):
     def samples():
-        _, part = freecad_session.load("Part")
+        freecad, part = freecad_session.load("Part")
         cap = part.makeSphere(40).common(part.makeBox(60, 60, 60))
-        shapes = [part.makeBox(20, 30, 10).Shells[0], cap.Faces[0]]
+        tower = part.makeCylinder(10, 20).fuse(part.makeCone(10, 5, 10, freecad.Vector(0, 0, 20)))
+        shapes = [part.makeBox(20, 30, 10).Shells[0], cap.Faces[0],
+                  part.Shell(tower.removeSplitter().Faces[:-1])]
         out = []
         for shape in shapes:
             path = Path(f"good.{ending}").resolve()
             getattr(shape, "export" + ending.capitalize())(str(path))
             out.append(path.read_bytes())
+            _areas.setdefault(path.suffix, []).append(_area(*_read_cad(path)))
             path.unlink()
         return out
 
     return samples
 
 
-def _crash(path, number):
+def _warn(path, number, lossy):
+    if number == 3:
+        np.array([1.0]) / np.array([0.0])
+
+
+def _library(path, number, lossy):
+    if number == 3:
+        with translated("somewhere"):
+            raise RuntimeError("of a library")
+
+
+def _endless(path, number, lossy):
+    if number % 3 == 0:
+        raise Endless
+
+
+def _crash(path, number, lossy):
     if number == 3:
         os.kill(os.getpid(), signal.SIGSEGV)
 
 
-def _hang(path, number):
+def _hang(path, number, lossy):
     if number == 3:
         while True:
             time.sleep(1)
 
 
-def _break(path, number):
+def _break(path, number, lossy):
     if number == 3:
         raise KeyError("a name that is not there")
 
@@ -227,4 +263,5 @@ KINDS = {
 }
 # What a fuzzer must notice; for its own test.
 BROKEN = {name: (".txt", lambda: [b"1\n2\n"], check, 1.0)
-          for name, check in (("crash", _crash), ("hang", _hang), ("break", _break))}
+          for name, check in (("crash", _crash), ("hang", _hang), ("break", _break), ("warn", _warn),
+                              ("library", _library), ("endless", _endless))}

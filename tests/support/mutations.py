@@ -9,23 +9,26 @@ import zipfile
 TOKENS = [b"nan", b"-inf", b"1e300", b"-1e-300", b"1e999", b"-1", b"0", b"1", b"2147483648",
           b"-9223372036854775809", b"99999999999999999999", b"0.5", b"1,5", b"foo", b"", b"null", b"\xff\xfe",
           b"\"", b"[", b"{", b"<", b"#", b"\\", b"$1", b"1e", b"0x10", b"+", b"3 3"]
+_DECIMAL = re.compile(rb"[-+]?\d+\.\d*(?:[eE][-+]?\d+)?")
 _NUMBER = re.compile(rb"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 
 
-def mutated(data: bytes, chance: random.Random) -> bytes:
-    """One to four changes; the contents of archives are changed, or their bytes."""
+def mutated(data: bytes, chance: random.Random) -> tuple[bytes, bool]:
+    """One to four changes; the contents of archives are changed, or their bytes. And whether something was
+    lost, and nothing changed: what is read then is all that there was, or less is noticed."""
     if data[:2] == b"PK" and chance.random() < 0.8:
-        return _mutated_archive(data, chance)
-    for _ in range(chance.choice((1, 1, 1, 2, 4))):
-        data = chance.choice(_CHANGES)(data, chance)
-    return data
+        return _mutated_archive(data, chance), False
+    changes = [chance.choice(_CHANGES) for _ in range(chance.choice((1, 1, 1, 2, 4)))]
+    for change in changes:
+        data = change(data, chance)
+    return data, all(change in _LOSSES for change in changes)
 
 
 def _mutated_archive(data: bytes, chance: random.Random) -> bytes:
     out = io.BytesIO()
     with zipfile.ZipFile(io.BytesIO(data)) as source, zipfile.ZipFile(out, "w") as target:
         for entry in source.infolist():
-            target.writestr(entry.filename, mutated(source.read(entry), chance))
+            target.writestr(entry.filename, mutated(source.read(entry), chance)[0])
     return out.getvalue()
 
 
@@ -76,6 +79,21 @@ def _scaled_number(data: bytes, chance: random.Random) -> bytes:
     return data[:begin] + repr(float(data[begin:end]) * 10.0 ** chance.randint(-6, 6)).encode() + data[end:]
 
 
+def _scale_all(data: bytes, chance: random.Random) -> bytes:
+    """Every number with a point: another unit, an overflow, or one place for everything."""
+    by = chance.choice((0.0, 1e-300, 1e-3, 25.4, 1e6, 1e30, 1e300))
+    return _DECIMAL.sub(lambda match: repr(float(match[0]) * by).encode(), data)
+
+
+def _level_line(data: bytes, chance: random.Random) -> bytes:
+    """All numbers of a line become the same."""
+    lines = _lines(data)
+    if lines:
+        at, value = chance.randrange(len(lines)), chance.choice((b"0", b"1", b"0.5"))
+        lines[at] = _NUMBER.sub(value, lines[at])
+    return b"".join(lines)
+
+
 def _lose_bytes(data: bytes, chance: random.Random) -> bytes:
     at = chance.randrange(len(data) + 1)
     return data[:at] + data[at + chance.choice((1, 1, 2, 40)):]
@@ -105,4 +123,5 @@ def _repeat(data: bytes, chance: random.Random) -> bytes:
 
 
 _CHANGES = (_lose_line, _double_line, _swap_lines, _other_number, _other_number, _scaled_number, _lose_bytes,
-            _more_bytes, _flip_bit, _cut_off, _repeat)
+            _more_bytes, _flip_bit, _cut_off, _repeat, _scale_all, _level_line)
+_LOSSES = (_lose_line, _cut_off)

@@ -147,7 +147,7 @@ def _3mf_meshes(root: Any, namespace: str) -> Iterator[Mesh]:
         if depth > 16 or visits > MOST_OBJECTS:
             raise ValueError("components are nested too deeply")
         vertices, faces = own(identity)
-        yield vertices @ transform[:3] + transform[3], faces
+        yield _placed(vertices, transform), faces
         for part in objects[identity].iter(namespace + "component"):
             yield from collect(part.get("objectid"),
                                _compose(_transform(part.get("transform")), transform), depth + 1)
@@ -164,8 +164,14 @@ def _transform(text: str | None) -> np.ndarray:
     return np.array([float(word) for word in text.split()]).reshape(4, 3)
 
 
+@np.errstate(all="ignore")  # what overflows is no number, which is noticed
+def _placed(points: np.ndarray, transform: np.ndarray) -> np.ndarray:
+    return points @ transform[:3] + transform[3]
+
+
+@np.errstate(all="ignore")
 def _compose(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
-    return np.vstack([inner[:3] @ outer[:3], inner[3] @ outer[:3] + outer[3]])
+    return np.vstack([inner[:3] @ outer[:3], _placed(inner[3], outer)])
 
 
 def _lines(path: Path) -> Iterator[tuple[int, str]]:
