@@ -193,7 +193,8 @@ def test_a_3mf_whose_places_overflow_is_refused_without_a_warning(tmp_path, numb
     model = ('<model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">'
              '<resources><object id="1"><mesh><vertices><vertex x="0" y="0" z="1e200"/>'
              '<vertex x="9" y="0" z="0"/><vertex x="0" y="9" z="0"/></vertices>'
-             '<triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object><object id="2"><components><component objectid="1" '
+             '<triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object>'
+             '<object id="2"><components><component objectid="1" '
              f'transform="{number} 0 0 0 {number} 0 0 0 {number} 0 0 0"/></components></object></resources>'
              f'<build><item objectid="2" transform="1e300 0 0 0 1 0 0 0 {number} 0 0 0"/></build></model>')
     with zipfile.ZipFile(tmp_path / "far.3mf", "w") as archive:
