@@ -35,7 +35,8 @@ LIBRARIES = (
 # The same for the rooms of Python. `viewproviders` has the names that old documents store.
 PYTHON: dict[str, tuple[str, ...]] = {
     "base": (), "targets": ("base",), "stages": ("targets",), "project": ("stages",),
-    "report": ("project",), "features": ("report",), "cli": ("features",), "window": ("features",),
+    "report": ("project",), "kit": ("report",), "features": ("kit",), "cli": ("features",),
+    "window": ("features",),
     "viewproviders": ("window",),
 }
 LOOSE = {"__init__.py"}  # modules of no room

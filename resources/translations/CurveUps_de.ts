@@ -642,6 +642,10 @@
       <translation>Die Vorgaben aller Parameter setzen, die ein Profil setzt</translation>
     </message>
     <message>
+      <source>Sheets of latex</source>
+      <translation>Latexfolien</translation>
+    </message>
+    <message>
       <source>Solids</source>
       <translation>Volumenkörper</translation>
     </message>
@@ -1863,6 +1867,17 @@
     <message>
       <source>Guide to CurveUps</source>
       <translation>Anleitung zu CurveUps</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Kit</name>
+    <message>
+      <source>Fabrication Kit</source>
+      <translation>Bausatz</translation>
+    </message>
+    <message>
+      <source>Write the order for the print shop, templates for the latex and the steps of assembly, and open the steps</source>
+      <translation>Schreibt die Bestellung für die Druckerei, Schablonen für das Latex und die Schritte des Zusammenbaus und öffnet diese</translation>
     </message>
   </context>
   <context>

@@ -11,7 +11,7 @@ from running import ROOT
 
 from curveups.features.properties import property_name
 from curveups.base.native import native
-from curveups.base.parameters import table
+from curveups.base.parameters import parameter, table
 from curveups.project.project import Project
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.surface import find_source
@@ -42,7 +42,7 @@ def laid_out():
     return project.run(("layout",))["layout"].design
 
 
-KINDS = next(row.choices for row in native.parameter_table() if row.name == "support")
+KINDS = parameter("support").choices
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -41,7 +41,8 @@ def judged_by(monkeypatch, judge):
     made = native.make_print_model
     monkeypatch.setattr(solids, "native", type("Replaced", (), {
         "make_print_model": staticmethod(lambda *given: CheckedBy(made(*given), judge)),
-        "print_formats": staticmethod(native.print_formats)}))
+        "print_formats": staticmethod(native.print_formats),
+        "support_kind": staticmethod(native.support_kind)}))
 
 
 def waits_for(place, seconds=30.0):

@@ -72,8 +72,8 @@ def check(name, start, design, pages):
     elif short in ("ShowFlat", "ShowActuated"):
         until(lambda: design.Visibility and not design.Tiles.Visibility, 10, "the overlay")
         until(lambda: design.ViewObject.Morph == (short == "ShowActuated"), 10, name)
-    elif short == "Report":
-        until(lambda: pages, 60, "the page")
+    elif short in ("Report", "Kit"):
+        until(lambda: pages, 120, "the page")
         assert os.path.getsize(pages.pop()) > 50000
     elif short == "Example":
         until(lambda: len(FreeCAD.listDocuments()) == len(documents) + 1, 10, "a document")

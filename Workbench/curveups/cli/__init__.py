@@ -24,6 +24,7 @@ _EPILOG = """exit status: 0 valid, or verification was off; 1 finished, but not 
 nothing written; 3 stopped, the best so far was written; 4 a file could not be written"""
 _NO_MEMORY = "there is not enough memory (this machine): use larger tiles or a smaller target"
 MOST_CUTS = 100
+MOST_PIECES = 1000
 
 
 class _Parser(argparse.ArgumentParser):
@@ -71,7 +72,16 @@ def make_parser() -> argparse.ArgumentParser:
     export = _command(commands, "export", "write print files of a design file")
     export.add_argument("design", type=Path, metavar="DESIGN.json")
     _output_argument(export)
+    export.add_argument("--tiles", metavar="T00012,...", help="write these tiles alone, as spares")
     _set_argument(export)
+
+    kit = _command(commands, "kit", "write all that is needed from the order to the finished shell")
+    kit.add_argument("design", type=Path, metavar="DESIGN.json")
+    _output_argument(kit)
+    _set_argument(kit)
+    kit.add_argument("--quantity", type=_pieces, default=1, metavar="N", help="how many to order")
+    kit.add_argument("--names", default="{name}-{body}", metavar="MASK",
+                     help="names of print files, of {name}, {body}, {material}, {thickness} and {quantity}")
     return parser
 
 
@@ -79,6 +89,13 @@ def _count(text: str) -> int:
     """A whole number that is not negative."""
     if not text.isdecimal() or not text.isascii() or int(text) > MOST_CUTS:
         raise argparse.ArgumentTypeError(f"'{text}' is no number of cuts from 0 to {MOST_CUTS}")
+    return int(text)
+
+
+def _pieces(text: str) -> int:
+    """A number of pieces to order."""
+    if not text.isdecimal() or not text.isascii() or not 1 <= int(text) <= MOST_PIECES:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of pieces from 1 to {MOST_PIECES}")
     return int(text)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Iterator, Sequence, TextIO
 
-from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError
+from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError, Stopped
 from ..base.findings import Finding
 from ..base.native import native, translated
 from ..base.parameters import parameter, table
@@ -16,8 +16,10 @@ from ..base.profiles import ABOUT, profile_path
 from ..base.progress import Interrupt, Reporter
 from ..base.reading import read_text
 from ..features.document_file import write_document
+from ..kit import files as kit_files
 from ..project.project import Project, Results
 from ..report import check as check_report
+from ..report.exports import write_spares
 from ..report.files import Writing, write_check, write_obj, write_verification
 from ..stages import asked_by, sizes
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
@@ -132,6 +134,41 @@ def verify(options: Any, session: Session) -> int:
 def export(options: Any, session: Session) -> int:
     """curveups export"""
     require_folder_name(options.output)
+    project, rebuilt = _design_project(options, session)
+    job = session.job
+    if options.tiles is not None:
+        spares = write_spares(project, options.output, options.tiles, job)
+        session.reporter.say(f"written: {', '.join(spares)}")
+        return VALID
+    note = Finding("unverified.changed" if rebuilt else "unverified.export")
+    with Writing(options.output, job, write_document, session.interrupt.shielded) as writing:
+        results = project.run(asked_by("print"), job, strict=True, note=note, watch=writing.watch,
+                              expect=writing.expect)
+        stopped = writing.end(results)
+    return _finish(results, options.output, session, stopped)
+
+
+def kit(options: Any, session: Session) -> int:
+    """curveups kit"""
+    require_folder_name(options.output)
+    project, _ = _design_project(options, session)
+    job = session.job
+    results = project.run(kit_files.goals(), job, strict=True)
+    if results["check"].print_block:
+        with session.interrupt.shielded():
+            stopped = kit_files.write_kit(results, options.output, job, options.quantity, options.names)
+    else:  # stopped before there was anything to draw
+        raise Stopped
+    return _finish(results, options.output, session, stopped)
+
+
+COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,
+            "verify": verify, "export": export, "kit": kit}
+
+
+def _design_project(options: Any, session: Session) -> tuple[Project, bool]:
+    """The project of a design file with settings that leave the layout alone, and whether these change its
+    geometry."""
     project = Project.of_design(_read_design(options.design), str(options.design))
     values, rebuilt = project.parameters, False
     for name, text in _settings(options.settings):
@@ -141,21 +178,11 @@ def export(options: Any, session: Session) -> int:
             continue
         row = parameter(native.parameter_name(name))
         if row.effect not in ("rebuild", "files"):
-            raise CurveUpsError(f"{name} can't change on export", f"--set {name}",
+            raise CurveUpsError(f"{name} can't change on {options.command}", f"--set {name}",
                                 "run 'curveups design' with it")
         rebuilt |= row.effect == "rebuild" and values.get(name) != before.get(name)
     project.parameters = values
-    job = session.job
-    note = Finding("unverified.changed" if rebuilt else "unverified.export")
-    with Writing(options.output, job, write_document, session.interrupt.shielded) as writing:
-        results = project.run(asked_by("print"), job, strict=True, note=note, watch=writing.watch,
-                              expect=writing.expect)
-        stopped = writing.end(results)
-    return _finish(results, options.output, session, stopped)
-
-
-COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,
-            "verify": verify, "export": export}
+    return project, rebuilt
 
 
 def _finish(results: Results, folder: Path | None, session: Session, stopped: bool) -> int:

@@ -13,9 +13,11 @@ from pathlib import Path
 from typing import Any, Callable, Collection, Iterator, Optional, Sequence
 
 from ..base import profiles
-from ..base.errors import CurveUpsError
+from ..base.errors import CurveUpsError, Stopped
 from ..base.findings import Finding
+from ..base.native import native
 from ..base.output import safe_name
+from ..kit import files as kit_files
 from ..project.project import Project, Results
 from ..report.exports import Choice, File, choices, report as write_report, write_export, write_file
 from ..stages import asked_by, sizes
@@ -214,6 +216,31 @@ def report_work(design: Any, folder: str) -> Callable[[Job], str]:
         project = live.design_project_of(design).copy()
     project.name = file_name(design)
     return lambda job: str(write_report(project, Path(folder), found, job))
+
+
+def kit(design: Any, folder: str) -> str:
+    """Writes the fabrication kit into a folder, unless it holds that of the design as it is; the page of its
+    assembly."""
+    written = _made.pop(("kit", design.Document.Name, design.Name), None)
+    return written if written is not None else kit_work(design, folder)(Job())
+
+
+def kit_work(design: Any, folder: str) -> Callable[[Job], str]:
+    """The same for any thread."""
+    project = live.design_project_of(design).copy()
+    project.name = file_name(design)
+
+    def work(job: Job) -> str:
+        finished = project.latest("design").design.with_parameters(project.parameters)
+        page = Path(folder) / f"{project.name}-assembly.html"
+        if kit_files.is_current(Path(folder), native.write_design(finished)) and page.exists():
+            return str(page)
+        results = project.run(kit_files.goals(), job, strict=True)
+        if job.stopped or kit_files.write_kit(results, Path(folder), job):
+            raise Stopped
+        return str(page)
+
+    return work
 
 
 def doubts(design: Any) -> tuple[Finding, ...]:

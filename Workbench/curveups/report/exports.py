@@ -8,9 +8,10 @@ import json
 import string
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, ClassVar, Iterable, Optional, Sequence
+from types import MappingProxyType
+from typing import Any, Callable, ClassVar, Iterable, Mapping, Optional, Sequence
 
-from ..base.errors import CurveUpsError, Stopped
+from ..base.errors import CurveUpsError, Stopped, tile_name
 from ..base.findings import Finding
 from ..base.native import native, translated
 from ..base.output import Folder, safe_name
@@ -52,24 +53,29 @@ def choices() -> list[File]:
     return [(kind, one.ending) for one in native.print_formats() for kind in one.kinds]
 
 
-def file_names(name: str, choice: Choice) -> dict[File, str]:
-    """The name of each chosen file. Raises CurveUpsError for a mask that does not do."""
-    fields = {"name": safe_name(name), "body": ""}
+def file_names(name: str, choice: Choice, more: Mapping[str, Callable[[str], str]] = MappingProxyType({})
+               ) -> dict[File, str]:
+    """The name of each chosen file. more: other fields that the mask may have, by the kind of bodies. Raises
+    CurveUpsError for a mask that does not do."""
+    fields: dict[str, Callable[[str], str]] = {"name": lambda kind: safe_name(name), "body": str, **more}
+    known = " and ".join(filter(None, (", ".join(f"{{{one}}}" for one in list(fields)[:-1]),
+                                       f"{{{list(fields)[-1]}}}")))
     try:
         used = {part[1] for part in string.Formatter().parse(choice.mask) if part[1] is not None}
     except ValueError as error:
-        raise CurveUpsError(f"the names '{choice.mask}' can't be read: {error}", "",
-                            "use {name} and {body}") from None
+        raise CurveUpsError(f"the names '{choice.mask}' can't be read: {error}", "", f"use {known}") from None
     if used - set(fields):
         raise CurveUpsError(f"the names '{choice.mask}' ask for {{{sorted(used - set(fields))[0]}}}", "",
-                            "use {name} and {body}")
+                            f"use {known}")
     found: dict[File, str] = {}
     for kind, ending in choice.files:
-        stem = choice.mask.replace("{name}", fields["name"]).replace("{body}", kind)
+        stem = choice.mask
+        for one, value in fields.items():
+            stem = stem.replace(f"{{{one}}}", value(kind))
         file = f"{safe_name(stem)}.{ending}"
         if stem != safe_name(stem):
             raise CurveUpsError(f"'{stem}' is no name for a file", "",
-                                "use letters, digits, '-', '_', {name} and {body}")
+                                f"use letters, digits, '-', '_', {known}")
         if file in found.values():
             raise CurveUpsError(f"two files would be called {file}", "", "put {body} into the names")
         found[kind, ending] = file
@@ -100,6 +106,27 @@ def write_export(project: Project, folder: Path, choice: Choice, job: Job) -> Fo
     if choice.reports:
         write_reports(_with(results, choice.doubts), place, stem=safe_name(project.name))
     return place
+
+
+def write_spares(project: Project, folder: Path, tiles: str, job: Job) -> list[str]:
+    """Writes these tiles alone, "T00012,T00345", at their places in the print; the files' names."""
+    count = len(project.latest("design").design.F)
+    names = {name.strip() for name in tiles.split(",")}
+    rows = {tile_name(row): row for row in range(count)}
+    for name in sorted(names - rows.keys()):
+        raise CurveUpsError(f"'{name}' is no tile", "--tiles",
+                            f"give some of T00001 to {tile_name(count - 1)}")
+    model = project.run(("bodies",), job, strict=True)["bodies"].model
+    if model is None:
+        raise Stopped
+    spares = model.only_tiles([rows[name] for name in names])
+    with Folder(folder) as place, translated(project.where):
+        for one in native.print_formats():
+            kind, file = "tiles" if "tiles" in one.kinds else "print", f"{project.name}-spares.{one.ending}"
+            if not job(f"writing {file}"):
+                raise Stopped
+            place.write(file, _writer(spares, kind, one.ending, job))
+    return list(place.files)
 
 
 def other_report(folder: Path, name: str) -> str:

@@ -217,11 +217,15 @@ def write_verification(results: Results, design: Any, path: Path) -> None:
     of this design, and go with the reports where they are of another."""
     with Folder(path) as folder:
         folder.remove(*REPORTS)
-        text = native.write_design(design)
-        if not folder.holds("design.json", text):
-            folder.remove(*_earlier(results, path))
-            folder.write_text("design.json", text)
+        keep_design(folder, results, native.write_design(design))
         write_reports(results, folder)
+
+
+def keep_design(folder: Folder, results: Results, text: str) -> None:
+    """Writes design.json where the folder holds another or none; what was made of that goes first."""
+    if not folder.holds("design.json", text):
+        folder.remove(*REPORTS, *_earlier(results, folder.path))
+        folder.write_text("design.json", text)
 
 
 def write_check(results: Results, path: Path) -> None:

@@ -9,11 +9,12 @@ from html import escape
 from typing import Any, Callable, Iterable, Iterator, Optional, Sequence
 
 from ..base.errors import tile_list, tile_name
-from ..base.native import native
 from ..base.parameters import table as parameter_table
 from ..project.project import Results
-from ..stages.solids import fits_bed, overhangs, read_printer
+from ..stages.stage import Picture
+from .assembly import steps
 from .changes import changes, worst_contacts
+from .shop import latex, print_picture, quote, rules
 from .tables import show, table
 
 _STYLE = """
@@ -38,7 +39,8 @@ figure { margin: 0; } figcaption { color: #6d6454; font-size: .9rem; }
 # Modules and their functions. matplotlib is loaded where the first picture is drawn.
 _VIEWS = {"flat": ("pictures", "flat_layout"), "actuated": ("pictures", "actuated_view"),
           "cuts": ("cut_pictures", "cut_view"), "stretch": ("membrane_pictures", "stretch_view"),
-          "movement": ("pictures", "movement_view"), "blocked": ("pictures", "blocked_view")}
+          "movement": ("pictures", "movement_view"), "blocked": ("pictures", "blocked_view"),
+          "print": ("print_pictures", "print_view")}
 
 
 def view(name: str, **data: Any) -> bytes:
@@ -49,8 +51,14 @@ def view(name: str, **data: Any) -> bytes:
 
 def draw(results: Results) -> Iterator[bytes]:
     """The page's pictures in their order; they are most of its time."""
-    for one in results.pictures():
+    for one in _pictures(results):
         yield view(one.view, **one.data)
+
+
+def _pictures(results: Results) -> list[Picture]:
+    """What is printed belongs to the shop's block, which comes first."""
+    printed = print_picture(results)
+    return [*([printed] if printed else []), *results.pictures()]
 
 
 def pictures_or_note(draw: Callable[[], Iterable[bytes]]) -> tuple[list[bytes], list[str]]:
@@ -66,7 +74,9 @@ def build_html(results: Results, report: dict, drawn: Optional[Sequence[bytes]] 
     """The page for the results of a run and their report; `drawn`: its pictures, where they are there."""
     shown, note = pictures_or_note(lambda: draw(results) if drawn is None else drawn)
     parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report), *note]
-    for one, png in zip(results.pictures(), shown):
+    printed = "print" in report and "sheets" in report
+    parts += _shop(report, results.parameters) if printed else []
+    for one, png in zip(_pictures(results), shown):
         parts += [f"<h2>{escape(one.heading)}</h2>"] if one.heading else []
         parts.append(picture(png, one.caption))
     parts += _cuts(report.get("suggested_cuts", ()))
@@ -74,9 +84,8 @@ def build_html(results: Results, report: dict, drawn: Optional[Sequence[bytes]] 
     parts += worst_contacts(report.get("worst_contacts", ()),
                             report.get("contact_forces", {}).get("f_min", 0.0))
     parts += _pieces(report.get("pieces", ()))
-    if "print" in report:
-        parts += ["<h2>For the print shop</h2>", _quote(report, results.parameters),
-                  "<h2>Assembly</h2>", _assembly(report, results.parameters)]
+    if printed:
+        parts += ["<h2>Assembly</h2>", list_of(steps(report, results.parameters))]
     parts += ["<h2>Figures</h2>", _figures(report)]
     if report["warnings"]:
         parts += ["<h2>Warnings</h2>", _warnings(report["warnings"])]
@@ -145,106 +154,17 @@ def picture(png: bytes, caption: str) -> str:
             f"<figcaption>{escape(caption)}</figcaption></figure>")
 
 
-def _quote(report: dict, parameters: Any) -> str:
-    block, get, name = report["print"], parameters.get, report["name"]
-    x, y, z = block["bbox_mm"]
-    support = native.support_kind(parameters)
-    own = 0.0 if support.soluble else block["support_volume_cm3"]  # of the tiles' own material
-    rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"] + own
-    printer = read_printer(get("printer"))
-    bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
-    moduli = {get("shear_modulus_front"), get("shear_modulus_back")}
-    thicknesses = {get("thickness_front"), get("thickness_back")}
-    rows = [
-        ("To be printed", f"{name}-print.3mf or {name}-print.step: every body with its name, in place; "
-                          "or the files of tiles, anchors and support, which share one origin"),
-        ("Orientation", f"{_SIDES[get('orientation')]}, as the files stand; support is printed with the "
-                        "parts"),
-        ("Size", f"{x:.1f} × {y:.1f} × {z:.1f} mm"),
-        ("Printer compared with", f"{printer['name']}: bed {bed} mm, "
-         + ("the print fits" if fits_bed(block["bbox_mm"], printer) else "the print does not fit")),
-        ("Bodies", f"{block['bodies']}, of which {report['tiles']} tiles; separate pieces: "
-                   f"{block['pieces']}"),
-        ("Rigid material", f"{rigid:.1f} cm³, {rigid * get('density'):.0f} g at "
-                           f"{get('density'):g} g/cm³ (tiles {block['tile_volume_cm3']:.1f} cm³, anchors "
-                           f"{block['anchor_volume_cm3']:.1f} cm³"
-                           + (f", {support.bodies} {own:.1f} cm³)" if own else ")")),
-        ("Support material", f"{block['support_volume_cm3'] - own:.1f} cm³"
-         + (" (soluble)" if support.soluble else "")
-         + ("; the slicer's supports under tiles that reach out come on top"
-            if overhangs(block["overhang_mm"], parameters, printer) else "")),
-        ("Smallest feature", f"{block['smallest_feature_mm']:.3g} mm; the printer makes "
-                             f"{printer['smallest_feature_mm']:g} mm"),
-        ("Least clearance between tiles", f"{show(report['solids']['min_clearance_flat_mm'])} mm; the "
-                                          f"printer needs {printer['smallest_gap_mm']:g} mm"),
-        ("Membranes", f"two sheets of latex, {_either(thicknesses)} mm thick, shear modulus "
-                      f"{_either(moduli)} MPa, stretched to {get('tau'):g} times their length in both "
-                      f"directions: at least {x / get('tau'):.0f} × {y / get('tau'):.0f} mm each before "
-                      "stretching, and what the frame holds"),
-    ]
-    files = [(file, f"{size / 1e6:.2f}") for file, size in sorted(block["files"].items())]
-    return (table(rows) + '<p class="note">Lengths are in millimetres in every file.</p>'
-            + table(files, ("File", "MB")))
+def _shop(report: dict, parameters: Any) -> list[str]:
+    """What the print shop reads first."""
+    rows = [*quote(report, parameters), ("Membranes", latex(report, parameters))]
+    files = [(file, f"{size / 1e6:.2f}") for file, size in sorted(report["print"]["files"].items())]
+    return ["<h2>For the print shop</h2>", list_of(rules(report, parameters), "ul"), table(rows),
+            '<p class="note">Lengths are in millimetres in every file.</p>', table(files, ("File", "MB"))]
 
 
-_SIDES = {"front-up": "front side up", "front-down": "front side down"}
-
-
-def _assembly(report: dict, parameters: Any) -> str:
-    """What is glued in which order, for whoever puts it together."""
-    get, block = parameters.get, report["print"]
-    glue, first = block["glue"], block["glue"]["first"]
-    second = "back" if first == "front" else "front"
-    on_bed = "back" if get("orientation") == "front-up" else "front"
-    level = f"the slab lies level with the pins ({glue[f'{second}_support_mm2']:.0f} mm²)"
-    away = native.support_kind(parameters).removal.format(second=second)
-    before = ""
-    if overhangs(block["overhang_mm"], parameters, read_printer(get("printer"))):
-        level = "the slicer's supports lie level with the pins"
-        if on_bed == second:
-            away = f"peel the slicer's supports off the {on_bed}" + (f", {away}" if away else "")
-        else:
-            before = (f"Peel the slicer's supports off the {on_bed}, tile by tile: {level} there. Bridges "
-                      "alone hold the tiles meanwhile, and break easily.")
-    steps = [
-        f"Stretch both membranes to {get('tau'):g} times their length.",
-        before,
-        f"Glue the {first} first: its pins and anchors alone stand out there "
-        f"({glue[f'{first}_pins_mm2'] + glue[f'{first}_anchors_mm2']:.0f} mm²)"
-        + (f"; on the {second} {level} and would be glued along."
-           if glue[f"{second}_support_mm2"] or "peel" in away else "."),
-        f"Once the glue holds, turn the sheet over{', ' * bool(away)}{away}.",
-        f"Glue the {second} pins and the other end of the anchors ("
-        f"{glue[f'{second}_pins_mm2'] + glue[f'{second}_anchors_mm2']:.0f} mm²), lay the second membrane on.",
-        "Take the sheet off the plates when the glue holds: it pulls itself into shape.",
-        "Cut the anchors off with the surplus membrane; trim along rims, holes and cuts.",
-        *_joining(block["pieces"], report.get("joints")),
-    ]
-    printed = "FRONT" if get("orientation") == "front-up" else "BACK"
-    note = (f"The label beside an anchor of each piece says {printed} on that side."
-            if get("anchors") and get("engrave") else "")
-    return ("<ol>" + "".join(f"<li>{escape(step)}</li>" for step in steps if step) + "</ol>"
-            + (f'<p class="note">{note}</p>' if note else ""))
-
-
-def _joining(pieces: int, joints: Optional[dict]) -> Sequence[str]:
-    """The steps after those of one piece."""
-    if pieces < 2:
-        return ()
-    apart = f"Cut the {pieces} pieces apart where the membranes join them: each holds its shape by itself."
-    if not joints or not joints["holes"]:
-        return (apart, "Nothing joins the pieces: tape or glue them along their borders.")
-    return (apart,
-            "Bring pieces together in shape and sew them along their borders: through the membrane into "
-            f"a stitching hole ({joints['hole_mm']:g} mm), out at its other side, and back through the hole "
-            f"that faces it in the other piece; {joints['holes']} holes in all. "
-            "A drop of glue around a hole keeps the membrane from tearing on. Pull the thread tight when all "
-            "stitches are in.")
-
-
-def _either(values: set[float]) -> str:
-    """One number, or the front's and the back's."""
-    return " and ".join(f"{value:g}" for value in sorted(values))
+def list_of(lines: Iterable[object], kind: str = "ol") -> str:
+    """A numbered list, or one with dots."""
+    return f"<{kind}>" + "".join(f"<li>{escape(str(line))}</li>" for line in lines) + f"</{kind}>"
 
 
 # Units that names of figures do not end in.

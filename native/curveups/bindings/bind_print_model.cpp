@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The print model: figures, solids and files.
+#include "curveups/bindings/arrays.hpp"
 #include "curveups/bindings/bindings.hpp"
 #include "curveups/bindings/part_shape.hpp"
 #include "curveups/bodies/body_reasons.hpp"
+#include "curveups/fabrication/body_mesh.hpp"
 #include "curveups/fabrication/palette.hpp"
 #include "curveups/fabrication/print_files.hpp"
 #include "curveups/fabrication/print_solids.hpp"
@@ -27,6 +29,27 @@ py::list pairs(const std::vector<UnsoundSolid>& unsound) {
   py::list out;
   for (const UnsoundSolid& solid : unsound) out.append(py::make_tuple(solid.body, solid.reason));
   return out;
+}
+
+py::tuple joined(const std::vector<BodyMesh>& meshes) {
+  Eigen::Index points = 0, triangles = 0;
+  for (const BodyMesh& mesh : meshes) {
+    points += static_cast<Eigen::Index>(mesh.points.size());
+    triangles += static_cast<Eigen::Index>(mesh.triangles.size());
+  }
+  Points3 V(points, 3);
+  Triangles F(triangles, 3);
+  std::vector<int> body;
+  Eigen::Index point = 0;
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    for (const auto& [a, b, c] : meshes[k].triangles) {
+      F.row(static_cast<Eigen::Index>(body.size())) << a + static_cast<int>(point),
+          b + static_cast<int>(point), c + static_cast<int>(point);
+      body.push_back(static_cast<int>(k));
+    }
+    for (const Vec3& p : meshes[k].points) V.row(point++) = p;
+  }
+  return py::make_tuple(V, F, py::array_t<int>(py::cast(body)));
 }
 
 }  // namespace
@@ -154,6 +177,25 @@ void bind_print_model(py::module_& module) {
           },
           py::arg("kind"), py::arg("direct") = true, py::arg("progress") = py::none(),
           "A compound of the kind's solids as a Part.Shape. direct=False goes through a file.")
+      .def(
+          "mesh",
+          [](const PrintModel& m, const std::string& kind) {
+            const auto meshes = without_gil(py::none(), [&](const Progress& sink) {
+              return mesh_bodies(m.bodies(kind), {0.1, false}, sink);
+            });
+            return joined(meshes);
+          },
+          py::arg("kind"),
+          "Triangles of a kind's bodies, without bumps, for pictures: points (n x 3), triangles (m "
+          "x "
+          "3, counter-clockwise seen from outside) and the body of each triangle, from 0.")
+      .def(
+          "only_tiles",
+          [](const PrintModel& m, const std::vector<int>& tiles) {
+            require_tiles(tiles, static_cast<Eigen::Index>(m.tiles.size()), "tiles");
+            return HeldModel(new PrintModel(only_tiles(m, tiles)));
+          },
+          py::arg("tiles"), "These tiles (rows of F) alone, at their places: spares.")
       .def(
           "write",
           [](const PrintModel& m, const std::string& ending, const std::string& kind,

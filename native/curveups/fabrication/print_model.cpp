@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "curveups/bodies/tile_print.hpp"
 #include "curveups/core/checkpoint.hpp"
@@ -250,6 +251,22 @@ PrintModel make_print_model(const Design& design, const std::string& version) {
         "bring tiles that lie far away back to the others");
   }
   return Builder(design, version).run();
+}
+
+PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows) {
+  PrintModel out = model;
+  out.solids = std::make_shared<KeptSolids>();
+  out.supports.clear();
+  out.anchors.clear();
+  out.labels.clear();
+  out.loose_anchors = 0;
+  out.tiles.clear();
+  out.box = {};
+  for (const int row : std::set<int>(rows.begin(), rows.end())) {
+    out.tiles.push_back(model.tiles[row]);
+    out.box.add(bounding_box(out.tiles.back()));
+  }
+  return out;
 }
 
 GluedAreas glued_areas(const PrintModel& model, Side side) {

@@ -81,4 +81,7 @@ GluedAreas glued_areas(const PrintModel& model, Side side);
 // layout is wider than 10 m; SolverFailure where a slab's outline falls apart.
 PrintModel make_print_model(const Design& design, const std::string& version);
 
+// These tiles (rows of F) alone, at their places, each once and in the order of the rows.
+PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows);
+
 }  // namespace curveups

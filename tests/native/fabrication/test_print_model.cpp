@@ -518,5 +518,17 @@ TEST(PrintModel, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(volumes[0], volumes[1]);
 }
 
+TEST(PrintModelOf, SomeTilesAreTheseAtTheirPlaces) {
+  const PrintModel all = make_print_model(test::sample_design(), "0.1");
+  solids_of(all, "tiles", {});  // what is built of all tiles is not theirs
+  const PrintModel some = only_tiles(all, {7, 2, 7});
+  ASSERT_EQ(some.bodies("print").size(), 2u);
+  EXPECT_EQ(some.tiles[0].name, "T00003");
+  EXPECT_EQ(some.tiles[1].points, all.tiles[7].points);
+  EXPECT_NEAR(some.volume("print"), volume(all.tiles[2]) + volume(all.tiles[7]), 1e-9);
+  EXPECT_LT((some.box.high - some.box.low).norm(), (all.box.high - all.box.low).norm());
+  EXPECT_NE(solids_of(some, "tiles", {}), solids_of(all, "tiles", {}));
+}
+
 }  // namespace
 }  // namespace curveups

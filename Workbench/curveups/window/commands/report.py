@@ -39,11 +39,11 @@ class Report(DesignCommand):
         LIVE.start(design, Task(translate(self.name, self.text), work, opened))
 
 
-def folder_of(design: Any) -> Path:
+def folder_of(design: Any, what: str = "report") -> Path:
     """Beside the document; in a temporary folder where that was never saved."""
     saved = design.Document.FileName
     place = Path(saved).parent if saved else Path(tempfile.mkdtemp(prefix="curveups-"))
-    return place / f"{actions.file_name(design)}-report"
+    return place / f"{actions.file_name(design)}-{what}"
 
 
 COMMAND = Report()

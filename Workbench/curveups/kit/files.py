@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Writes a kit: what the print shop gets, the sheets for whoever builds the shell, and kit.json."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from importlib import import_module
+from pathlib import Path
+from typing import Any, Callable, Mapping
+
+from ..base.errors import Stopped
+from ..base.native import native
+from ..base.output import Folder
+from ..project.project import Results
+from ..report.assembly import GLUE_LAYER, glue_volumes, steps
+from ..report.data import build_report, to_text
+from ..report.exports import Choice, file_names
+from ..report.files import keep_design
+from ..report.shop import latex, quote, rules
+from ..stages import asked_by
+from ..stages.stage import Job
+from .kit import Kit
+from .ring import rings
+
+FORMAT, VERSION = "curveups-kit", 1
+KIT = "kit.json"
+
+# What follows NAME- in files, with the module, its function and what that is given. matplotlib is loaded
+# with the first of them.
+_SHEETS: Mapping[str, tuple[str, ...]] = {
+    "shop.pdf": ("shop_sheet", "make"),
+    **{f"latex-{side}.{kind}": ("latex", "make", side, kind)
+       for side in ("front", "back") for kind in ("pdf", "svg", "dxf")},
+    **{f"ring-{side}.dxf": ("ring_sheet", "make", side) for side in ("front", "back")},
+    **{f"assembly.{kind}": ("assembly_sheet", "make", kind) for kind in ("html", "pdf")},
+    "tiles.svg": ("tile_map", "make"),
+    **{f"trim.{kind}": ("trim", "make", kind) for kind in ("dxf", "svg")},
+}
+
+
+def goals() -> tuple[str, ...]:
+    """The stages whose results a kit is made from."""
+    return ("figures", *asked_by("verify"), *asked_by("print"), "anchoring")
+
+
+def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: str = "{name}-{body}") -> bool:
+    """Writes all files of a kit; whether that was stopped. kit.json goes first and comes last: what it does
+    not list, this run did not write. mask: names of print files (exports.py)."""
+    design = native.write_design(results.design)
+    wanted = tuple((kind, one.ending) for one in native.print_formats() for kind in one.wanted
+                   if kind in (*results["solids"].kinds, "print"))
+    names = file_names(results.name, Choice(wanted, mask), _fields(results, quantity))
+    report = build_report(results, results.rows(), False, {}, {})
+    kit = Kit(results, report, quantity)
+    stopped = results.stopped
+    with Folder(path) as folder:
+        folder.remove(KIT, *(f"{results.name}-{ending}" for ending in _SHEETS))
+        keep_design(folder, results, design)
+
+        def go_on() -> None:
+            if not job(f"writing {doing}"):
+                raise Stopped
+
+        def listed() -> None:
+            kit.files[doing] = {"bytes": folder.files[doing],
+                                "sha256": _sum((folder.path / doing).read_bytes())}
+
+        kit.go_on = go_on
+        try:
+            for (kind, ending), doing in names.items():
+                go_on()
+                folder.write(doing, lambda place: kit.model.write(ending, kind, str(place), job))
+                listed()
+            for ending, (module, function, *given) in _SHEETS.items():
+                doing = f"{results.name}-{ending}"
+                go_on()
+                make = getattr(import_module(f".{module}", __package__), function)
+                folder.write(doing, lambda place: place.write_bytes(make(kit, *given)))
+                listed()
+        except (Stopped, native.Cancelled):
+            stopped = True
+        folder.write_text(KIT, to_text(_contents(kit, design, stopped)))
+    return stopped
+
+
+def _fields(results: Results, quantity: int) -> Mapping[str, Callable[[str], str]]:
+    """What masks of file names may ask for besides the name, by the kind of bodies."""
+    parameters = results.parameters
+    soluble = native.support_kind(parameters).soluble
+    return {"material": lambda kind: "soluble" if kind == "support" and soluble else "rigid",
+            "thickness": lambda kind: f"{results['solids'].model.bbox[2]:g}mm",
+            "quantity": lambda kind: f"{quantity}x"}
+
+
+def _contents(kit: Kit, design: str, stopped: bool) -> dict[str, Any]:
+    """kit.json."""
+    report, parameters = kit.report, kit.results.parameters
+    printed = {name: value for name, value in report["print"].items() if name != "files"}
+    blocks = ("area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts", "joints")
+    return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.results.title,
+            "status": "stopped" if stopped else "complete", "design_sha256": _sum(design.encode("utf-8")),
+            "valid": report["valid"], "reasons": report["reasons"], "quantity": kit.quantity,
+            "tiles": report["tiles"], "contacts": report["contacts"], "cuts": report["cuts"],
+            "print": printed, **{name: report[name] for name in blocks if name in report},
+            "rings": rings(report["sheets"]),
+            "glue": {"layer_mm": GLUE_LAYER, "volume_cm3": glue_volumes(printed["glue"])},
+            "shop": {"rules": rules(report, parameters),
+                     "quote": {**dict(quote(report, parameters, kit.quantity)),
+                               "Membranes": latex(report, parameters)}},
+            "steps": [{"title": step.title, "text": step.text} for step in steps(report, parameters)],
+            "files": kit.files}
+
+
+def _sum(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
+
+
+def is_current(folder: Path, design: str) -> bool:
+    """Whether the kit in a folder is whole and of this design (the text of design.json)."""
+    try:
+        found = json.loads((folder / KIT).read_text("utf-8"))
+        return bool(found["design_sha256"] == _sum(design.encode("utf-8")) and found["status"] == "complete")
+    except (OSError, ValueError, KeyError, TypeError):
+        return False

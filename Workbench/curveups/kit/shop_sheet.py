@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The print shop's page: rules, what to quote by, files, and a picture of all that is printed."""
+
+from __future__ import annotations
+
+from ..report.print_pictures import draw_print
+from ..report.shop import quote, rules
+from ..stages.solids import read_printer
+from .drawing import BORDER, PAPERS, saved, sheet, write
+from .kit import Kit
+
+LABELS = 48.0  # mm, width of the column of labels
+
+
+def make(kit: Kit) -> bytes:
+    """A PDF of one page."""
+    width, height = PAPERS["A4"]
+    figure, page = sheet(width, height)
+    parameters = kit.results.parameters
+    top = write(page, BORDER, height - BORDER, [f"{kit.title}: order for a 3D print"], 15)
+    top = write(page, BORDER, top - 1, [f"•  {rule}" for rule in rules(kit.report, parameters)], 9.5) - 1
+    for label, value in quote(kit.report, parameters, kit.quantity):
+        page.plot([BORDER, width - BORDER], [top - 0.4] * 2, color="#cccccc", linewidth=0.4)
+        write(page, BORDER, top, [label], 8, LABELS - 2)
+        top = write(page, BORDER + LABELS, top, [value], 8)
+    top = write(page, BORDER, top - 1, ["Files, in mm, with bytes and SHA-256:"], 8)
+    for name, about in kit.files.items():
+        top = write(page, BORDER, top, [f"{name}   {about['bytes']}   {about['sha256']}"], 5.5)
+    room = top - BORDER
+    axes = figure.add_axes([BORDER / width, BORDER / height, 1 - 2 * BORDER / width, room / height])
+    draw_print(axes, kit.model, read_printer(parameters.get("printer"))["bed_mm"])
+    return saved(figure, "pdf")

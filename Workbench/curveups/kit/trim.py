@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the surplus membrane is cut off: along rims, holes and cuts, on the stretched sheet seen from the
+front, at full size."""
+
+from __future__ import annotations
+
+from typing import Any, Iterator
+
+import numpy as np
+
+from ..report.assembly import TRIM
+from .drawing import Drawing, dxf, svg
+from .kit import Kit
+
+STOP = 1.0  # mm, radius of a hole that keeps a slit in the membrane from tearing on
+MARGIN = 5.0
+CORNER = 0.3  # of the distance; does for corners of up to 67 degrees
+Edge = tuple[int, int]  # tile, edge
+
+
+def make(kit: Kit, kind: str) -> bytes:
+    """The marks as svg or dxf."""
+    return (svg if kind == "svg" else dxf)(marks(kit))
+
+
+def marks(kit: Kit) -> Drawing:
+    """Layer cut: closed lines and stop holes; layer grid: the outer pins, to lay it on."""
+    pins = kit.shapes.flat_pins[:, :, :3, :2]  # tiles, front and back, corners, x and y
+    loops = list(boundary(kit.shapes, len(pins)))
+    outlines = [_outline(pins, loop) for loop in loops]
+    holes = _ends_of_cuts(kit.results.design)
+    points = np.concatenate(outlines)
+    low, high = points.min(0) - MARGIN, points.max(0) + MARGIN
+    drawing = Drawing(f"{kit.title}, trim", (float(high[0] - low[0]), float(high[1] - low[1])))
+    for outline in outlines:
+        drawing.line("cut", *(np.vstack([outline, outline[:1]]) - low))
+    for x, y in holes:
+        drawing.circle("cut", float(x - low[0]), float(y - low[1]), STOP)
+    for tile in sorted({tile for loop in loops for tile, _ in loop}):
+        drawing.line("grid", *(pins[tile, 0][[0, 1, 2, 0]] - low))
+    return drawing
+
+
+def boundary(shapes: Any, count: int) -> Iterator[list[Edge]]:
+    """Edges of tiles that touch no other, in the order of their loops. shapes: native TileShapes."""
+    across: dict[Edge, Edge] = {}
+    for (a, b), (i, j) in zip(shapes.contacts.tolist(), shapes.contact_sides.tolist()):
+        across[a, i], across[b, j] = (b, j), (a, i)
+    open_edges = {(tile, edge) for tile in range(count) for edge in range(3)} - across.keys()
+    while open_edges:
+        here = start = min(open_edges)
+        loop = []
+        while True:
+            loop.append(here)
+            open_edges.discard(here)
+            here = here[0], (here[1] + 1) % 3
+            while here in across:  # around the vertex
+                tile, edge = across[here]
+                here = tile, (edge + 1) % 3
+            if here == start:
+                break
+        yield loop
+
+
+def _outline(pins: np.ndarray, loop: list[Edge]) -> np.ndarray:
+    """Pin edges along a loop, moved outwards; halfway to what is nearer than two margins."""
+    tiles, edges = np.array(loop).T
+    ends = np.stack([pins[tiles, 0, edges], pins[tiles, 0, (edges + 1) % 3]], axis=1)
+    along = ends[:, 1] - ends[:, 0]
+    along = along / np.linalg.norm(along, axis=1)[:, None]
+    out = np.stack([along[:, 1], -along[:, 0]], axis=1)
+    # The back's pin may reach out further than the front's.
+    further = np.einsum("nck,nk->nc", pins[tiles, 1] - ends[:, :1], out).max(1).clip(0)
+    middle = ends.mean(1) + further[:, None] * out
+    away = middle[None] - middle[:, None]
+    distance = np.linalg.norm(away, axis=2)
+    ahead = np.einsum("nmk,nk->nm", away, out) > 0.5 * np.maximum(distance, 1e-9)
+    room = np.where(ahead, distance, np.inf).min(1)
+    move = further + np.minimum(TRIM, 0.45 * room)
+    # Ends are drawn out, so that the line keeps its distance around corners of the layout, too.
+    drawn = CORNER * np.array([-1, 1])[None, :, None] * along[:, None]
+    return np.asarray((ends + move[:, None, None] * (out[:, None] + drawn)).reshape(-1, 2))
+
+
+def _ends_of_cuts(design: Any) -> np.ndarray:
+    """Where cuts end inside of the sheet, by the mean of the corners that meet there."""
+    cuts, F, T = np.asarray(design.cuts), np.asarray(design.F), np.asarray(design.T)
+    ends, times = np.unique(cuts, return_counts=True)
+    edges = np.sort(np.stack([F, np.roll(F, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+    edges, sides = np.unique(edges, axis=0, return_counts=True)
+    rim = np.unique(edges[sides == 1])
+    found = [T[F == vertex].mean(0) for vertex in ends[times == 1] if vertex not in rim]
+    return np.array(found).reshape(-1, 2)

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Draws all that is printed, from above, with its dimensions."""
+
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+
+from ..base.native import native
+from . import pictures
+
+KINDS = ("support", "anchors", "tiles")
+LINE = "#6d6454"
+BAND = 1.3  # mm
+
+
+def print_view(model: Any, bed: Sequence[float], width: float = 9.0) -> bytes:
+    """model: native PrintModel. bed: x and y, mm."""
+    x, y, _ = (float(side) for side in model.bbox)
+    height = float(np.clip(width * (y + 60) / (x + 30), 3, 14))
+    figure = Figure(figsize=(width, height))
+    draw_print(figure.add_axes([0, 0, 1, 1]), model, bed)
+    return pictures._png(figure)
+
+
+def draw_print(axes: Any, model: Any, bed: Sequence[float] = ()) -> None:
+    """What lies on top, lit, in the colours of the files; dimensions below and beside."""
+    corners, colours = _seen(model)
+    axes.add_collection(PolyCollection(corners, facecolors=colours, linewidths=0, antialiaseds=False,
+                                       rasterized=True))
+    x, y, z = (float(side) for side in model.bbox)
+    gap = 0.04 * max(x, y)
+    _dimension(axes, (-x / 2, -y / 2 - gap), (x / 2, -y / 2 - gap), f"{x:.1f} mm")
+    _dimension(axes, (x / 2 + gap, -y / 2), (x / 2 + gap, y / 2), f"{y:.1f} mm", 90)
+    axes.text(x / 2, -y / 2 - 2.2 * gap, f"{z:g} mm high", va="top", ha="right", color=LINE)
+    below = 6 * gap if len(bed) else 2 * gap
+    if len(bed):
+        inner = axes.inset_axes([-x / 2, -y / 2 - 2 * gap - below, 0.5 * x, below - gap],
+                                transform=axes.transData)
+        _draw_bed(inner, (x, y), sorted(map(float, bed[:2]), reverse=x >= y))
+    axes.set_xlim(-x / 2 - 1.5 * gap, x / 2 + 3 * gap)
+    axes.set_ylim(-y / 2 - 2 * gap - below, y / 2 + 1.5 * gap)
+    axes.set_aspect("equal")
+    axes.axis("off")
+
+
+def _draw_bed(axes: Any, size: tuple[float, float], bed: Sequence[float]) -> None:
+    """How much of the bed the print takes, as two rectangles."""
+    for (w, h), style in (((bed[0], bed[1]), {"fill": False, "linestyle": "--"}),
+                          (size, {"facecolor": "#d9cfb8"})):
+        axes.add_patch(Rectangle((-w / 2, -h / 2), w, h, edgecolor=LINE, linewidth=0.8, **style))
+    axes.set_title(f"on a bed of {bed[0]:g} × {bed[1]:g} mm", size=7, color=LINE, pad=2)
+    axes.set_xlim(*(side * 0.51 * max(bed[0], size[0]) for side in (-1, 1)))
+    axes.set_ylim(*(side * 0.51 * max(bed[1], size[1]) for side in (-1, 1)))
+    axes.set_aspect("equal")
+    axes.axis("off")
+
+
+def _seen(model: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Triangles (n x 3 x 2) that face up, the lowest first, and their colours."""
+    corners, colours = [], []
+    for kind in KINDS:
+        if model.volumes[kind] > 0:
+            V, F, _ = model.mesh(kind)
+            found = V[F]
+            normal = np.cross(found[:, 1] - found[:, 0], found[:, 2] - found[:, 0])
+            found = found[normal[:, 2] > 0.05 * np.linalg.norm(normal, axis=1)]
+            # Darker with depth, in bands: engraved letters contrast with what they are engraved into.
+            below = found[:, :, 2].max() - found[:, :, 2].mean(1)
+            corners.append(found)
+            colours.append(np.array(native.COLOURS[kind]) / 255
+                           * (1 - 0.6 * (below % BAND) / BAND)[:, None])
+    found, colour = np.concatenate(corners), np.concatenate(colours)
+    order = np.argsort(found[:, :, 2].mean(1), kind="stable")
+    return found[order][:, :, :2], colour[order]
+
+
+def _dimension(axes: Any, start: tuple[float, float], end: tuple[float, float], text: str,
+               turned: float = 0) -> None:
+    axes.annotate("", start, end, arrowprops={"arrowstyle": "<->", "color": LINE, "linewidth": 0.8})
+    axes.annotate(text, ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2), ha="center", va="center",
+                  rotation=turned, color=LINE, bbox={"facecolor": "white", "edgecolor": "none", "pad": 1})

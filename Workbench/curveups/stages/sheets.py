@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Computes the membranes' sheets: how large they are cut, how they are marked, what holds them stretched.
+
+A sheet is held by rows of teeth around an open window, which is as large as the anchors' box and a margin.
+The sheet carries a grid of lines, as far apart as the teeth over tau: stretched rightly, each tooth meets a
+crossing. Outside the outer teeth, hands hold the grip. The load on a side is the tension of a sheet stretched
+alike in both directions (anchoring.py) times the window's length there.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any, Mapping, Sequence
+
+from .anchoring import SIDES, surplus_tension
+from .stage import Inputs, Job, Result, Stage
+
+TOOTH_PITCH = 15.0  # mm, from tooth to tooth of a stretching ring
+TOOTH_ROWS = 2      # on each side of the window
+MARGIN = 10.0       # mm, from the anchors' box to the window, stretched
+GRIP = 20.0         # mm of sheet beyond the outer teeth, not stretched
+CONTROL = 10.0      # mm, side of a control square, not stretched
+ROUND = 5.0         # mm, to which cutting sizes are rounded up
+
+
+@dataclass(frozen=True)
+class Sheets(Result):
+    """Lengths in mm, x and y of the print; nothing where there are no bodies."""
+
+    block: Mapping[str, Any] = field(default_factory=dict)
+
+    def report(self) -> dict[str, Any]:
+        return {"sheets": dict(self.block)} if self.block else {}
+
+
+def sheets(box: Sequence[float], tau: float, moduli: Sequence[float], thicknesses: Sequence[float]
+           ) -> dict[str, Any]:
+    """The block of report.json for what is glued, of this box."""
+    window = [math.ceil((side + 2 * MARGIN) / TOOTH_PITCH) * TOOTH_PITCH for side in box]
+    marked = [(side + 2 * TOOTH_ROWS * TOOTH_PITCH) / tau for side in window]
+    tension = [surplus_tension(modulus, thickness, tau) for modulus, thickness in zip(moduli, thicknesses)]
+    return {"count": 2, "box_mm": list(box), "window_mm": window, "marked_mm": marked,
+            "cut_mm": [math.ceil((side + 2 * GRIP) / ROUND) * ROUND for side in marked],
+            "grip_mm": GRIP, "grid_mm": TOOTH_PITCH / tau, "tooth_pitch_mm": TOOTH_PITCH,
+            "tooth_rows": TOOTH_ROWS, "control_square_mm": CONTROL,
+            "control_square_stretched_mm": CONTROL * tau, "tau": tau,
+            "thickness_mm": list(thicknesses),
+            # The tension along a side pulls the sides that end there: x by the window's height.
+            "load_n": {side: [pull * window[1], pull * window[0]] for side, pull in zip(SIDES, tension)}}
+
+
+def _run(inputs: Inputs, job: Job) -> Sheets:
+    model, get = inputs["bodies"].model, inputs.parameters.get
+    if model is None:
+        return Sheets()
+    anchors = model.volumes["anchors"] > 0
+    points, _, body = model.mesh("anchors" if anchors else "tiles")
+    # The print lies about the origin, and so does the window: what lies furthest out decides.
+    x, y = (2 * float(abs(points[:, axis]).max()) for axis in (0, 1))
+    moduli, thicknesses = (tuple(get(f"{what}_{side}") for side in SIDES)
+                           for what in ("shear_modulus", "thickness"))
+    return Sheets({"anchors": int(body.max()) + 1 if anchors else 0,
+                   **sheets((x, y), get("tau"), moduli, thicknesses)})
+
+
+STAGE = Stage("sheets", ("bodies",), frozenset({"layout", "physics"}), _run,
+              on_stop=lambda stage, inputs: Sheets(), label="Sheets of latex", asked_by=("print",))

@@ -1,0 +1,408 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`curveups kit`: what the print shop and whoever builds the shell get, read by other programs."""
+
+import hashlib
+import io
+import json
+import re
+import subprocess
+from types import SimpleNamespace
+
+import ezdxf
+import numpy as np
+import pytest
+from matplotlib.image import imread
+
+from curveups.base.errors import Stopped
+from curveups.kit import drawing, files, latex, tile_map
+from curveups.kit.kit import Kit
+from curveups.kit.ring import rings
+from curveups.project.project import Project
+from curveups.report.data import build_report
+from curveups.report.exports import Choice, file_names
+from curveups.stages.sheets import sheets
+from curveups.stages.stage import Job
+
+LATEX = [f"latex-{side}.{kind}" for side in ("front", "back") for kind in ("pdf", "svg", "dxf")]
+
+
+@pytest.fixture(scope="module")
+def kit(curveups, printed, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("kit")
+    ran = curveups("kit", printed.folder / "design.json", "-o", folder)
+    assert ran.status == 0, ran.err
+    return SimpleNamespace(folder=folder, json=json.loads((folder / "kit.json").read_text("utf-8")))
+
+
+def pdf_text(path):
+    return subprocess.run(["pdftotext", "-layout", path, "-"], check=True, capture_output=True,
+                          encoding="utf-8").stdout
+
+
+def pages_of(path):
+    found = subprocess.run(["pdfinfo", path], check=True, capture_output=True, text=True).stdout
+    return int(re.search(r"Pages:\s+(\d+)", found)[1])
+
+
+def rendered(path, page, folder, dpi=254):
+    """A page in pixels of 0.1 mm, 0 is black."""
+    subprocess.run(["pdftoppm", "-r", str(dpi), "-gray", "-png", "-singlefile", "-f", str(page), path,
+                    folder / "page"], check=True)
+    pixels = imread(folder / "page.png")
+    return pixels if pixels.ndim == 2 else pixels[:, :, 0]
+
+
+def test_the_folder_holds_what_kit_json_lists(kit):
+    assert kit.json["format"] == "curveups-kit" and kit.json["status"] == "complete"
+    assert kit.json["valid"] is True and kit.json["tiles"] == 24
+    listed = set(kit.json["files"])
+    assert {p.name for p in kit.folder.iterdir()} == listed | {"kit.json", "design.json"}
+    assert {f"small-cap-{ending}" for ending in ("shop.pdf", "print.3mf", "tiles.stl", *LATEX)} <= listed
+    for name, about in kit.json["files"].items():
+        data = (kit.folder / name).read_bytes()
+        assert about == {"bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
+    design = (kit.folder / "design.json").read_text("utf-8")
+    assert files.is_current(kit.folder, design) and not files.is_current(kit.folder, design + " ")
+
+
+def test_print_files_and_design_are_those_of_the_design_command(kit, printed):
+    for name in ("design.json", "small-cap-print.3mf", "small-cap-tiles.stl", "small-cap-print.step"):
+        assert (kit.folder / name).read_bytes() == (printed.folder / name).read_bytes()
+
+
+def test_the_same_design_gives_the_same_bytes(curveups, kit, tmp_path):
+    assert curveups("kit", kit.folder / "design.json", "-o", tmp_path).status == 0
+    for path in kit.folder.iterdir():
+        assert path.read_bytes() == (tmp_path / path.name).read_bytes(), path.name
+
+
+def test_the_shop_sheet_is_one_page_with_rules_before_figures(kit):
+    path = kit.folder / "small-cap-shop.pdf"
+    assert pages_of(path) == 1
+    text = pdf_text(path)
+    words = ["Leave supports and bridges in", "Do not scale, turn or arrange", "Quantity", "Rigid material ",
+             kit.json["files"]["small-cap-print.3mf"]["sha256"], "5 mm high"]
+    places = [text.index(one) for one in words]
+    assert places == sorted(places)
+    x, y, _ = kit.json["print"]["bbox_mm"]
+    assert f"{x:.1f} mm" in text and f"{y:.1f} mm" in text
+
+
+@pytest.mark.parametrize("settings, said, unsaid", [
+    (("support=breakaway", "printer=fdm"), ("do not break them", "PLA or PETG", "Do not scale, turn"),
+     ("wash them off", "two materials", "Tilt")),
+    (("support=breakaway", "printer=resin"), ("Tilt the whole", "cure with the bridges on"), ("turn or",)),
+    (("support=none",), ("Nothing joins the tiles",), ("Leave supports",))])
+def test_the_shop_sheet_fits_support_and_printer(curveups, printed, tmp_path, settings, said, unsaid):
+    ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path,
+                   *(word for one in settings for word in ("--set", one)))
+    assert ran.status in (0, 1), ran.err
+    text = " ".join(pdf_text(tmp_path / "small-cap-shop.pdf").split())
+    assert all(one in text for one in said) and not any(one in text for one in unsaid)
+
+
+def test_the_report_begins_with_what_the_shop_needs(printed):
+    page = (printed.folder / "report.html").read_text(encoding="utf-8")
+    places = [page.index(one) for one in ("For the print shop", "Leave supports and bridges in", "Quantity",
+                                          "All that is printed", "<h2>Flat layout")]
+    assert places == sorted(places) and page.index("<img") > places[2]
+
+
+def test_names_of_print_files_have_what_shops_ask_for(curveups, printed, tmp_path):
+    ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path, "--quantity", 3, "--names",
+                   "{quantity}-{name}-{body}-{material}-{thickness}")
+    assert ran.status == 0, ran.err
+    assert (tmp_path / "3x-small-cap-tiles-rigid-5mm.stl").exists()
+    assert (tmp_path / "3x-small-cap-support-soluble-5mm.stl").exists()
+    assert "3, each of" in pdf_text(tmp_path / "small-cap-shop.pdf")
+    refused = curveups("kit", printed.folder / "design.json", "-o", tmp_path / "no", "--names", "{colour}")
+    assert refused.status == 2 and "{quantity}" in refused.err and not (tmp_path / "no").exists()
+    assert curveups("kit", printed.folder / "design.json", "-o", tmp_path / "no", "--quantity", 0).status == 2
+    assert file_names("a", Choice((("tiles", "stl"),))) == {("tiles", "stl"): "a-tiles.stl"}
+
+
+def test_a_layout_can_not_change_in_a_kit(curveups, printed, tmp_path):
+    ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path / "no", "--set", "tau=2")
+    assert ran.status == 2 and "tau can't change on kit" in ran.err and not (tmp_path / "no").exists()
+
+
+def test_a_kit_of_another_design_takes_the_place_of_the_last(curveups, printed, tmp_path):
+    first = curveups("design", printed.folder.parent / "none.obj", "-o", tmp_path)
+    assert first.status == 2
+    for name in ("report.json", "small-cap-actuated.step", "small-cap-shop.pdf"):
+        (tmp_path / name).write_text("of an earlier run")
+    assert curveups("kit", printed.folder / "design.json", "-o", tmp_path).status == 0
+    assert not (tmp_path / "report.json").exists() and not (tmp_path / "small-cap-actuated.step").exists()
+    assert (tmp_path / "small-cap-shop.pdf").read_bytes().startswith(b"%PDF")
+
+
+@pytest.fixture(scope="module")
+def results(printed):
+    from curveups.base.native import native
+    design = native.read_design((printed.folder / "design.json").read_text("utf-8"))
+    return Project.of_design(design).run(files.goals(), Job(), strict=True)
+
+
+def test_a_stop_between_files_is_said_and_leaves_none_half_written(results, tmp_path):
+    job = Job(lambda what, fraction: "latex-front.svg" not in what)
+    assert files.write_kit(results, tmp_path, job)
+    found = json.loads((tmp_path / "kit.json").read_text("utf-8"))
+    assert found["status"] == "stopped" and "small-cap-latex-front.pdf" in found["files"]
+    assert {p.name for p in tmp_path.iterdir()} == {*found["files"], "kit.json", "design.json"}
+    assert not files.is_current(tmp_path, (tmp_path / "design.json").read_text("utf-8"))
+
+
+def test_a_kit_that_fails_leaves_no_list_of_it(results, tmp_path, monkeypatch):
+    (tmp_path / "kit.json").write_text("{}")
+
+    def fail(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(latex, "make", fail)
+    with pytest.raises(Exception, match="latex-front.pdf could not be written: No space left"):
+        files.write_kit(results, tmp_path, Job())
+    assert not (tmp_path / "kit.json").exists() and (tmp_path / "small-cap-shop.pdf").exists()
+
+
+def test_the_assembly_sheet_has_a_page_a_step_with_its_picture(kit):
+    page = (kit.folder / "small-cap-assembly.html").read_text("utf-8")
+    titles = [one["title"] for one in kit.json["steps"]]
+    assert titles[3] == "Glue the front first" and titles[-1] == "Cut the surplus off"
+    assert page.count("<img") == len(titles) + 1 and "src=\"http" not in page
+    path = kit.folder / "small-cap-assembly.pdf"
+    assert pages_of(path) == len(titles) + 2
+    pages = pdf_text(path).split("\f")
+    for number, (title, text) in enumerate(zip(titles, pages[1:]), 1):
+        assert text.split("\n")[0].strip().startswith(f"{number}. {title[:40]}")
+    block = kit.json["print"]["glue"]
+    volume = kit.json["glue"]["volume_cm3"]["front"]
+    assert volume == pytest.approx(1e-4 * (block["front_pins_mm2"] + block["front_anchors_mm2"]))
+    assert f"{volume:.2f} cm³" in page and "stays on its ring while it is washed and dries" in page
+    anchors = kit.json["sheets"]["anchors"]
+    assert f"24 tiles, {anchors} anchors and 1 of what holds" in page
+    assert kit.json["print"]["bodies"] == 24 + anchors + 1
+
+
+@pytest.mark.parametrize("settings, said", [
+    (("support=breakaway", "printer=fdm"), ("slicer&#x27;s supports off the back, break the bridges",)),
+    (("support=none",), ("once the glue holds. The membrane stays",))])
+def test_the_assembly_sheet_fits_the_support(curveups, printed, tmp_path, settings, said):
+    ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path,
+                   *(word for one in settings for word in ("--set", one)))
+    assert ran.status in (0, 1), ran.err
+    page = (tmp_path / "small-cap-assembly.html").read_text("utf-8").replace("Once", "once")
+    assert all(one in page for one in said)
+
+
+def test_every_tile_has_its_number_on_the_map_twice(results):
+    found = tile_map.tile_map(Kit(results, build_report(results, [], False, {}, {})))
+    numbers = sorted(int(text) for *_, text in found.texts if text.isdigit())
+    assert numbers == sorted([*range(1, 25)] * 2)
+    lines = [line for layer in found.lines.values() for line in layer]
+    assert len(lines) == 48
+    areas = [0.5 * (np.cross(line[1] - line[0], line[2] - line[0])) for line in lines]
+    assert sorted(np.sign(areas)) == [-1] * 24 + [1] * 24  # the back's are mirrored
+    worst = results["verification"].report()["worst_contacts"]
+    assert len(found.lines["cut"]) == 2 * len({tile for one in worst for tile in one["tiles"]})
+
+
+def inside(point, outline):
+    (x, y), a, b = point, outline, np.roll(outline, -1, axis=0)
+    crossing = (a[:, 1] > y) != (b[:, 1] > y)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        at = a[:, 0] + (y - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 0] - a[:, 0])
+    return np.count_nonzero(crossing & (x < at)) % 2 == 1
+
+
+def test_trim_marks_go_around_all_pins_at_their_distance(kit):
+    space = ezdxf.readfile(kit.folder / "small-cap-trim.dxf").modelspace()
+    outline, = (np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="cut"]'))
+    pins = [np.array([p[:2] for p in line])[:3] for line in space.query('LWPOLYLINE[layer=="grid"]')]
+    assert len(pins) == 12 and np.allclose(outline[0], outline[-1])
+    corners = np.concatenate(pins)
+    assert all(inside(corner, outline[:-1]) for corner in corners)
+    ends = outline[:-1]
+    along = np.roll(ends, -1, axis=0) - ends
+    share = np.einsum("pnk,nk->pn", corners[:, None] - ends, along) / np.einsum("nk,nk->n", along, along)
+    distance = np.linalg.norm(corners[:, None] - ends - share.clip(0, 1)[..., None] * along, axis=2).min(1)
+    assert distance.min() > 1.499 and np.median(np.sort(distance)[:len(pins)]) < 1.7
+
+
+def test_cuts_end_in_stop_holes(curveups, tmp_path):
+    """A slit from the rim to the middle of a disk."""
+    cuts = tmp_path / "cuts.json"
+    cuts.write_text(json.dumps({"polylines": [[[0, 0, 0], [60, 0, 0]]]}))
+    ran = curveups("design", "disc", "-o", tmp_path / "d", "--cuts", cuts, "--set", "L=14", "verify=off",
+                   "--no-solids")
+    assert ran.status == 0, ran.err
+    assert curveups("kit", tmp_path / "d" / "design.json", "-o", tmp_path / "k").status == 0
+    space = ezdxf.readfile(tmp_path / "k" / "disc-trim.dxf").modelspace()
+    assert len(space.query("CIRCLE")) == 1 and len(space.query('LWPOLYLINE[layer=="cut"]')) == 1
+
+
+def test_spares_are_the_tiles_that_were_named(curveups, printed, tmp_path):
+    ran = curveups("export", printed.folder / "design.json", "-o", tmp_path, "--tiles", "T00012, T00003")
+    assert ran.status == 0, ran.err
+    assert {p.name for p in tmp_path.iterdir()} == {f"small-cap-spares.{e}" for e in ("step", "stl", "3mf")}
+    step = (tmp_path / "small-cap-spares.step").read_text()
+    assert set(re.findall(r"'(T\d{5})'", step)) == {"T00003", "T00012"}
+    for name in ("T00025", "12", ""):
+        refused = curveups("export", printed.folder / "design.json", "-o", tmp_path / "no", "--tiles", name)
+        assert refused.status == 2 and "T00001 to T00024" in refused.err and not (tmp_path / "no").exists()
+
+
+# Rings.
+
+
+def test_rings_hold_their_teeth_in_wood_and_these_do_not_meet(kit):
+    block, ring = kit.json["sheets"], kit.json["rings"]
+    places = {}
+    for side in ("front", "back"):
+        space = ezdxf.readfile(kit.folder / f"small-cap-ring-{side}.dxf").modelspace()
+        outer, window = (np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="cut"]'))
+        assert np.allclose(np.ptp(outer, axis=0), ring["outer_mm"])
+        assert np.allclose(np.ptp(window, axis=0), block["window_mm"])
+        assert len(space.query('CIRCLE[layer=="cut"]')) == 4
+        holes = np.array([tuple(c.dxf.center)[:2] for c in space.query('CIRCLE[layer=="control"]')])
+        assert len(holes) == ring["teeth"]
+        for box, sign in ((outer, 1), (window, -1)):  # inside of the outline, outside of the window
+            depth = np.minimum(holes - box.min(0), box.max(0) - holes).min(1) * sign
+            assert depth.min() > ring["dowel_mm"] / 2 + 2
+        places[side] = holes
+    for mirrored in ((-1, 1), (1, -1)):  # the back's ring is turned over onto the front's
+        middle = np.array(ring["outer_mm"]) / 2
+        back = (places["back"] - middle) * mirrored + middle
+        assert np.linalg.norm(places["front"][:, None] - back, axis=2).min() > 2 * ring["dowel_mm"]
+
+
+@pytest.mark.parametrize("box", [(195.4, 194.3), (510.0, 395.0)])  # Half-Sphere and Spot
+def test_a_ring_bends_as_a_beam_of_finite_elements_does(box):
+    block = sheets(box, 3.0, (0.72, 0.72), (0.5, 0.5))
+    found = rings(block)
+    count, stiffness = 40, 6000 * found["thickness_mm"] * found["width_mm"] ** 3 / 12
+    for axis, span in enumerate(block["window_mm"]):
+        h, load = span / count, 0.36 * (1 - 3 ** -6)  # N/mm
+        beam = np.array([[12, 6, -12, 6], [6, 4, -6, 2], [-12, -6, 12, -6], [6, 2, -6, 4]])
+        beam = beam * stiffness / h ** 3
+        beam = beam * np.outer([1, h, 1, h], [1, h, 1, h])
+        K, f = np.zeros((2 * count + 2,) * 2), np.zeros(2 * count + 2)
+        for k in range(count):
+            K[2 * k:2 * k + 4, 2 * k:2 * k + 4] += beam
+            f[2 * k:2 * k + 4] += load * h * np.array([0.5, h / 12, 0.5, -h / 12])
+        bent = np.linalg.solve(K[2:-2, 2:-2], f[2:-2])[::2].max()
+        assert found["front"]["bends_mm"][axis] == pytest.approx(bent, rel=1e-3) and bent < 1
+    assert found["front"]["tooth_n"] == pytest.approx(15 * load)
+    assert found["front"]["tooth_mpa"] < 20  # beech breaks at more than 100
+
+
+# Templates.
+
+BLOCK = sheets((195.4, 194.3), 3.0, (0.72, 0.36), (0.5, 0.5))
+
+
+def test_the_load_is_the_slope_of_the_sheets_energy():
+    """A square of rest side 1 mm has the energy h G / 2 (2 l^2 + l^-4 - 3); half of its slope by l is the
+    force on a side, which is l mm long then."""
+    def energy(stretch, modulus=0.72, thickness=0.5):
+        return 0.5 * modulus * thickness * (2 * stretch ** 2 + stretch ** -4 - 3)
+
+    tension = (energy(3 + 1e-6) - energy(3 - 1e-6)) / 2e-6 / 2 / 3
+    assert BLOCK["window_mm"] == [225, 225]
+    assert BLOCK["load_n"]["front"] == pytest.approx([225 * tension] * 2, rel=1e-6)
+    assert BLOCK["load_n"]["back"] == pytest.approx([112.5 * tension] * 2, rel=1e-6)
+    assert BLOCK["load_n"]["front"][0] == pytest.approx(80, rel=0.02)  # N, Half-Sphere
+
+
+def test_sheets_hold_the_print_its_margin_teeth_and_grip():
+    for box, tau in (((195.4, 100.0), 3.0), ((30.0, 31.0), 2.5), ((510.0, 395.0), 1.05)):
+        block = sheets(box, tau, (0.7, 0.7), (0.5, 0.5))
+        for axis in (0, 1):
+            window, pitch = block["window_mm"][axis], block["tooth_pitch_mm"]
+            assert box[axis] + 20 <= window < box[axis] + 20 + pitch and window % pitch == 0
+            assert block["marked_mm"][axis] * tau == pytest.approx(window + 2 * block["tooth_rows"] * pitch)
+            assert 0 <= block["cut_mm"][axis] - block["marked_mm"][axis] - 2 * block["grip_mm"] < 5
+            assert block["grid_mm"] * tau == pytest.approx(pitch)
+
+
+def test_the_template_as_dxf(kit):
+    data = (kit.folder / "small-cap-latex-front.dxf").read_text()
+    document = ezdxf.read(io.StringIO(data))
+    assert not document.audit().errors
+    assert document.dxfversion == "AC1015" and document.units == ezdxf.units.MM
+    space, block = document.modelspace(), kit.json["sheets"]
+    cut, = (np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="cut"]'))
+    assert np.allclose(np.ptp(cut, axis=0), block["cut_mm"])
+    squares = [np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="control"]')]
+    assert len(squares) == 5 and all(np.allclose(np.ptp(one, axis=0), 10) for one in squares)
+    grid = [np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="grid"]')]
+    upright = sorted(line[0, 0] for line in grid if line[0, 0] == line[1, 0])
+    assert np.allclose(np.diff(upright), block["grid_mm"])
+    assert upright[-1] - upright[0] == pytest.approx(block["marked_mm"][0])
+    # The first two rows of crossings from each side come to teeth, and no square lies on them.
+    teeth = {(round(c.dxf.center.x, 6), round(c.dxf.center.y, 6)) for c in space.query("CIRCLE")}
+    columns = len(upright)
+    assert len(teeth) == columns ** 2 - (columns - 4) ** 2
+    assert all(one.min() > cut.min() + 20 for one in squares)
+
+
+def test_the_template_as_svg_has_its_size(kit):
+    text = (kit.folder / "small-cap-latex-back.svg").read_text()
+    cut = kit.json["sheets"]["cut_mm"]
+    width, height = (float(re.search(rf'{one}="([\d.]+)pt"', text)[1]) * 25.4 / 72
+                     for one in ("width", "height"))
+    assert (width, height) == pytest.approx((cut[0] + 16, cut[1] + 16), abs=0.01)
+    assert {'id="cut"', 'id="grid"', 'id="control"'} <= set(re.findall(r'id="\w+"', text))
+    assert "<dc:date>" not in text
+
+
+def longest_run(line):
+    """The longest run of dark pixels of a row."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], line < 0.6, [0]]).astype(int)))
+    return max(edges[1::2] - edges[::2], default=0)
+
+
+def test_rulers_measure_100_mm_and_squares_their_size_on_paper(kit, tmp_path):
+    path = kit.folder / "small-cap-latex-front.pdf"
+    text = pdf_text(path)
+    assert pages_of(path) == 6  # a cover and a page for each of three papers
+    assert text.count("Print at 100 %") == 3 and text.count("100 mm long") == 3
+    for page, paper in zip((2, 4, 6), drawing.PAPERS.values()):
+        pixels = rendered(path, page, tmp_path)
+        assert pixels.shape == pytest.approx((paper[1] * 10, paper[0] * 10), abs=2)
+        foot = pixels[-int(10 * (drawing.BORDER + drawing.FOOT)):]
+        assert max(map(longest_run, foot)) / 10 == pytest.approx(100, abs=0.3)
+        body = pixels[:-int(10 * (drawing.BORDER + drawing.FOOT))]
+        assert max(map(longest_run, body)) / 10 == pytest.approx(kit.json["sheets"]["cut_mm"][0], abs=0.3)
+
+
+@pytest.mark.parametrize("paper", list(drawing.PAPERS))
+def test_large_sheets_are_tiled_whole_with_crosses_on_crosses(paper):
+    whole = latex.template("large", sheets((510, 495), 1.2, (0.7, 0.7), (0.5, 0.5)))
+    parts = drawing.tiles(whole, paper)
+    assert len(parts) > 3
+    covered = np.zeros((int(whole.size[1]), int(whole.size[0])), bool)
+    for column, row, (x, y, width, height) in parts:
+        assert width == drawing.PAPERS[paper][0] - 2 * drawing.BORDER
+        covered[max(0, round(y)):round(y + height), max(0, round(x)):round(x + width)] = True
+        for other in parts:
+            if other[:2] == (column + 1, row):
+                assert x + width - other[2][0] == pytest.approx(drawing.OVERLAP)
+            if other[:2] == (column, row + 1):
+                assert other[2][1] + height - y == pytest.approx(drawing.OVERLAP)
+    assert covered.all()
+
+
+def test_pages_without_a_line_are_left_out():
+    whole = drawing.Drawing("two corners", (900, 900))
+    whole.box("cut", 0, 0, 20, 20)
+    whole.circle("grid", 850, 850, 10)
+    found = drawing.tiles(whole, "A4")
+    assert len(found) == 2 and found[0][1] == 0 and found[1][0] == 0
+
+
+def test_a_stop_between_pages_ends_the_pdf():
+    def stop():
+        raise Stopped
+
+    with pytest.raises(Stopped):
+        drawing.tiled_pdf(latex.template("a", BLOCK), [], stop)
