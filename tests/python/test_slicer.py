@@ -93,6 +93,32 @@ def test_it_can_be_sliced(print_files):
     assert 4.5 < max(heights) < 12  # the print is 5 mm high; the nozzle is lifted between parts
 
 
+def test_materials_arrive_in_prusaslicers_own_project(curveups, printed, tmp_path):
+    """The slab is of the second extruder: tools change in every layer that has both."""
+    assert curveups("kit", printed.folder / "design.json", "-o", tmp_path).status == 0
+    code = tmp_path / "a.gcode"
+    slicer(tmp_path, "--export-gcode", "--nozzle-diameter", "0.4,0.4", "--filament-diameter", "1.75,1.75",
+           "--layer-height", "0.3", "--first-layer-height", "0.3", *IN_PLACE, "--output", code,
+           "small-cap-prusa.3mf")
+    text = code.read_text("utf-8")
+    assert set(re.findall("^T[0-9]$", text, re.MULTILINE)) == {"T0", "T1"}
+    assert len(re.findall("^T[0-9]$", text, re.MULTILINE)) > 10
+    assert "manifold = no" not in slicer(tmp_path, "--info", "small-cap-prusa.3mf")
+    with zipfile.ZipFile(tmp_path / "small-cap-prusa.3mf") as archive:
+        assert archive.read("Metadata/thumbnail.png").startswith(b"\x89PNG")
+    assert not (tmp_path / "small-cap-print-fused.stl").exists()  # two materials are no shell
+
+
+def test_a_fused_print_is_one_sound_body(curveups, printed, tmp_path):
+    assert curveups("kit", printed.folder / "design.json", "-o", tmp_path, "--set",
+                    "support=breakaway").status == 0
+    for ending in ("stl", "3mf"):
+        said = slicer(tmp_path, "--info", f"small-cap-print-fused.{ending}")
+        assert said.count("manifold = yes") == 1 and "manifold = no" not in said
+        assert re.findall(r"^number_of_parts *= *(\d+)", said, re.MULTILINE) == ["1"]
+        assert [round(float(z), 2) for z in re.findall(r"^size_z = (\S+)", said, re.MULTILINE)] == [5.0]
+
+
 # As resources/profiles/fdm.json tells, but without supports, which take most of the time.
 FDM = ("--nozzle-diameter", "0.4", "--layer-height", "0.2", "--first-layer-height", "0.2",
        "--fill-density", "100%", "--fill-pattern", "rectilinear", "--filament-diameter", "1.75",

@@ -27,9 +27,11 @@ FORMAT, VERSION = "curveups-kit", 1
 KIT = "kit.json"
 
 # What follows NAME- in files, with the module, its function and what that is given. matplotlib is loaded
-# with the first of them.
+# with the first of them. A function gives None where a design has no such file.
 _SHEETS: Mapping[str, tuple[str, ...]] = {
     "shop.pdf": ("shop_sheet", "make"),
+    "prusa.3mf": ("print_shop", "project"),
+    **{f"print-fused.{ending}": ("print_shop", "fused", ending) for ending in ("stl", "3mf")},
     **{f"latex-{side}.{kind}": ("latex", "make", side, kind)
        for side in ("front", "back") for kind in ("pdf", "svg", "dxf")},
     **{f"ring-{side}.dxf": ("ring_sheet", "make", side) for side in ("front", "back")},
@@ -75,9 +77,10 @@ def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: s
             for ending, (module, function, *given) in _SHEETS.items():
                 doing = f"{results.name}-{ending}"
                 go_on()
-                make = getattr(import_module(f".{module}", __package__), function)
-                folder.write(doing, lambda place: place.write_bytes(make(kit, *given)))
-                listed()
+                data = getattr(import_module(f".{module}", __package__), function)(kit, *given)
+                if data is not None:
+                    folder.write(doing, lambda place: place.write_bytes(data))
+                    listed()
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(KIT, to_text(_contents(kit, design, stopped)))

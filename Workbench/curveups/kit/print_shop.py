@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files that print shops and slicers ask for besides STEP, STL and 3MF: pieces on bridges as one shell, and
+the print as PrusaSlicer's own project, whose parts have their extruder. PrusaSlicer takes materials of the
+3MF standard for colours."""
+
+from __future__ import annotations
+
+import io
+import struct
+import tempfile
+import zipfile
+from pathlib import Path
+from typing import Any, Optional
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from ..base.native import native
+from ..report.pictures import _png
+from ..report.print_pictures import draw_print
+from .kit import Kit
+
+_TYPES = """<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
+<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
+<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
+<Default Extension="png" ContentType="image/png"/>
+</Types>
+"""
+_RELATIONS = """<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Target="/3D/3dmodel.model" Id="rel-1"
+ Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+<Relationship Target="/Metadata/thumbnail.png" Id="rel-2"
+ Type="http://schemas.openxmlformats.org/package/2006/relationships/metadata/thumbnail"/>
+</Relationships>
+"""
+_MODEL = """<?xml version="1.0" encoding="UTF-8"?>
+<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+ xmlns:slic3rpe="http://schemas.slic3r.org/3mf/2017/06">
+<metadata name="slic3rpe:Version3mf">1</metadata>
+<resources><object id="1" type="model"><mesh><vertices>
+{vertices}
+</vertices><triangles>
+{triangles}
+</triangles></mesh></object></resources>
+<build><item objectid="1"/></build>
+</model>
+"""
+_CONFIG = """<?xml version="1.0" encoding="UTF-8"?>
+<config><object id="1" instances_count="1"><metadata type="object" key="name" value={title}/>
+{parts}</object></config>
+"""
+_PART = """<volume firstid="{first}" lastid="{last}"><metadata type="volume" key="name" value="{name}"/>
+<metadata type="volume" key="volume_type" value="ModelPart"/>
+<metadata type="volume" key="extruder" value="{extruder}"/></volume>
+"""
+
+
+def fused(kit: Kit, ending: str) -> Optional[bytes]:
+    """Each piece as one closed shell; None where there are no bridges."""
+    support = native.support_kind(kit.results.parameters)
+    return None if support.soluble or not support.bodies else _written(kit.model, ending, "fused")
+
+
+def project(kit: Kit) -> bytes:
+    """A 3MF with PrusaSlicer's settings of parts and a thumbnail: a soluble slab is of extruder 2."""
+    model, soluble = kit.model, native.support_kind(kit.results.parameters).soluble
+    vertices: list[str] = []
+    triangles: list[str] = []
+    parts = ""
+    for kind in ("tiles", "support", "anchors"):
+        if not model.volumes[kind] > 0:
+            continue
+        kit.go_on()
+        points, corners = np.unique(_facets(model, kind).reshape(-1, 3), axis=0, return_inverse=True)
+        corners = corners.reshape(-1, 3) + len(vertices)
+        first = len(triangles)
+        triangles += ['<triangle v1="%d" v2="%d" v3="%d"/>' % tuple(row) for row in corners.tolist()]
+        vertices += ['<vertex x="%.9g" y="%.9g" z="%.9g"/>' % tuple(row) for row in points.tolist()]
+        parts += _PART.format(first=first, last=len(triangles) - 1, name=kind,
+                              extruder=2 if kind == "support" and soluble else 1)
+    figure = Figure(figsize=(4, 4))
+    draw_print(figure.add_axes([0, 0, 1, 1]), model)
+    config = _CONFIG.format(title=quoteattr(kit.title), parts=parts)
+    members = {"[Content_Types].xml": _TYPES.encode(), "_rels/.rels": _RELATIONS.encode(),
+               "3D/3dmodel.model": _MODEL.format(vertices="\n".join(vertices),
+                                                 triangles="\n".join(triangles)).encode(),
+               "Metadata/Slic3r_PE_model.config": config.encode("utf-8"),
+               "Metadata/thumbnail.png": _png(figure)}
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as zipped:
+        for name, data in members.items():
+            zipped.writestr(zipfile.ZipInfo(name), data, zipfile.ZIP_DEFLATED)
+    return archive.getvalue()
+
+
+def _facets(model: Any, kind: str) -> np.ndarray:
+    """Corners of a kind's facets as they are printed, n x 3 x 3: those of its STL."""
+    data = _written(model, "stl", kind)
+    facet = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
+    return np.frombuffer(data, facet, offset=84, count=struct.unpack_from("<I", data, 80)[0])["corners"]
+
+
+def _written(model: Any, ending: str, kind: str) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"print.{ending}"
+        model.write(ending, kind, str(path))
+        return path.read_bytes()
