@@ -124,6 +124,26 @@ def test_deviation_is_from_what_was_given(run):
     assert report["deviation"]["mean_mm"] < 0.3
 
 
+def mended(V, F, **values):
+    """A surface as mending leaves it: results of a project."""
+    parameters = native.Parameters()
+    for name, value in {"mend": "on", **values}.items():
+        parameters.set(name, value)
+    source = Source("made", stamp="made", read=lambda deflection, choice: Read(V, F))
+    given = {"source": source, "cut request": CutRequest()}
+    return Project("made", parameters, given, "made").run(("fairing",), Job())
+
+
+def test_a_surface_that_ends_too_far_from_the_target_is_named():
+    """A bump that tiles are too large for, without an edge that could stay."""
+    V, F = sheet(lambda x, y: 4 * math.exp(-(x * x + y * y) / 18), 40, 60)
+    found = [one for one in mended(V, F, L=14.0, mend_max=0.5)["fairing"].warnings()
+             if one.kind == "mending.far"]
+    assert len(found) == 1 and 0.5 < found[0].figures["distance"] < 4
+    assert "more than mend_max (0.5 mm)" in str(found[0])
+    assert not [one for one in mended(V, F, L=4.0)["fairing"].warnings() if one.kind == "mending.far"]
+
+
 def test_without_mending_all_of_these_are_refused_with_a_way_out(run):
     for surface in (fin, thorn):
         ran, report, _ = run(surface())
