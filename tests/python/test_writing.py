@@ -21,6 +21,10 @@ from curveups.stages.stage import Job
 
 GOALS = asked_by("print")
 
+# As the native module says it.
+UNSOUND = SimpleNamespace(kind="unsound", tiles=[0], figures={"solids": [
+    SimpleNamespace(kind="unsound.solid", tiles=[], figures={"body": "T00001", "why": "open"})]})
+
 
 @pytest.fixture
 def project(printed):
@@ -92,14 +96,11 @@ def run(project, folder, job):
 def test_print_files_come_while_solids_are_checked(project, monkeypatch, tmp_path):
     out, found = tmp_path / "out", {}
 
-    solid = SimpleNamespace(kind="unsound.solid", tiles=[], figures={"body": "T00001", "why": "open"})
-    unsound = SimpleNamespace(kind="unsound", tiles=[0], figures={"solids": [solid]})
-
     def judge(job):
         waits_for(out / "small-cap-print.3mf")
         found["meanwhile"] = {path.name for path in out.iterdir() if not path.name.startswith(".")}
         waits_for(out / "small-cap-anchors.stl")
-        return [("T00001", "open")], [unsound]
+        return [("T00001", "open")], [UNSOUND]
 
     judged_by(monkeypatch, judge)
     assert run(project, out, Job()) is False
@@ -144,7 +145,7 @@ def test_document_and_page_are_made_anew_where_the_checks_find_faults(project, m
 
     def judge(job):
         wait_until(lambda: pages)
-        return [("T00001", "open")], [reason]
+        return [("T00001", "open")], [UNSOUND]
 
     judged_by(monkeypatch, judge)
     assert run(project, out, Job()) is False

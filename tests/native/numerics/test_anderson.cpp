@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/numerics/anderson.hpp"
+#include <gtest/gtest.h>
 
 #include <Eigen/QR>
 
-#include <gtest/gtest.h>
+#include "curveups/numerics/anderson.hpp"
 
 namespace curveups {
 namespace {
