@@ -523,8 +523,20 @@
       <translation>Höhe eines Zapfens</translation>
     </message>
     <message>
+      <source>Names of print files</source>
+      <translation>Namen der Druckdateien</translation>
+    </message>
+    <message>
       <source>New designs begin with</source>
       <translation>Neue Entwürfe beginnen mit</translation>
+    </message>
+    <message>
+      <source>Panels</source>
+      <translation>Aufgabenbereiche</translation>
+    </message>
+    <message>
+      <source>Show parameters that are seldom needed, too</source>
+      <translation>Auch Parameter zeigen, die man selten braucht</translation>
     </message>
     <message>
       <source>Thickness of a tile</source>
@@ -533,6 +545,10 @@
     <message>
       <source>While solving</source>
       <translation>Während des Lösens</translation>
+    </message>
+    <message>
+      <source>{name} is the design's, {body} what the file holds</source>
+      <translation>{name} ist der des Entwurfs, {body} das, was die Datei enthält</translation>
     </message>
   </context>
   <context>
@@ -1174,6 +1190,10 @@
       <translation>sie geht durch {other}, einen anderen Teil der Zielfläche, und keine Ebene trennt sie</translation>
     </message>
     <message>
+      <source>it was not verified: Verify judges it</source>
+      <translation>der Entwurf wurde nicht geprüft: „Prüfen“ beurteilt ihn</translation>
+    </message>
+    <message>
       <source>its hollows would break into another face</source>
       <translation>ihre Mulden brächen in eine andere Fläche durch</translation>
     </message>
@@ -1506,6 +1526,10 @@
       <translation>Der Rand berührt sich selbst in einzelnen Ecken (Ecken {vertices:#5})</translation>
     </message>
     <message>
+      <source>the cuts changed since the layout was solved: Solve brings it up to date</source>
+      <translation>die Schnitte haben sich seit der Abwicklung geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
       <source>the design could not be verified: {error}</source>
       <translation>Der Entwurf konnte nicht geprüft werden: {error}</translation>
     </message>
@@ -1534,6 +1558,10 @@
       <translation>Die Beschriftung von Stück {piece} sagt nur „{said}“: nicht den ganzen Namen</translation>
     </message>
     <message>
+      <source>the layout changed since this was built: BuildSolids brings it up to date</source>
+      <translation>die Abwicklung hat sich geändert, seit dies gebaut wurde: „Volumenkörper bauen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
       <source>the layout did not converge in {iterations} iterations</source>
       <translation>Das Layout konvergierte nicht in {iterations} Iterationen</translation>
     </message>
@@ -1546,12 +1574,20 @@
       <translation>Das Layout ist stark verzerrt: seine flache Karte skaliert Kacheln {spread:.3g}-fach verschieden, und die Membran ist an {slack} Stellen schlaff</translation>
     </message>
     <message>
+      <source>the layout's lists were changed by hand: Solve brings it up to date</source>
+      <translation>die Listen der Abwicklung wurden von Hand geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
       <source>the membranes do not press the tiles together</source>
       <translation>Die Membranen drücken die Kacheln nicht aneinander</translation>
     </message>
     <message>
       <source>the membranes' equilibrium was not reached (residual {residual:.3g})</source>
       <translation>Das Gleichgewicht der Membranen wurde nicht erreicht (Residuum {residual:.3g})</translation>
+    </message>
+    <message>
+      <source>the object that gave the target was deleted: choose another with Target</source>
+      <translation>das Objekt, von dem das Ziel kam, wurde gelöscht: mit „Ziel ändern“ ein anderes wählen</translation>
     </message>
     <message>
       <source>the part is drawn {wall:.3g} mm thick, tiles are {H_body:g} mm thick</source>
@@ -1582,6 +1618,10 @@
       <translation>Die lösliche Platte ist ein zweites Material; ein {printer} druckt eines</translation>
     </message>
     <message>
+      <source>the stored results are damaged or were changed by hand: Solve brings it up to date</source>
+      <translation>die gespeicherten Ergebnisse sind beschädigt oder wurden von Hand geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
       <source>the surface has no faces</source>
       <translation>Die Fläche hat keine Dreiecke</translation>
     </message>
@@ -1610,8 +1650,20 @@
       <translation>Die Zielfläche besteht aus {count} Stücken, {asked} sind verlangt</translation>
     </message>
     <message>
+      <source>the target was deleted: choose another with Target</source>
+      <translation>das Ziel wurde gelöscht: mit „Ziel ändern“ ein anderes wählen</translation>
+    </message>
+    <message>
+      <source>the target's source {name} changed since the layout was solved: Solve brings it up to date</source>
+      <translation>die Vorlage {name} des Ziels hat sich seit der Abwicklung geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
       <source>the tiles touch along their front edge only</source>
       <translation>die Kacheln berühren sich nur an der vorderen Kante</translation>
+    </message>
+    <message>
+      <source>the verification's lists were changed by hand: Verify brings it up to date</source>
+      <translation>die Listen der Prüfung wurden von Hand geändert: „Prüfen“ bringt es auf den neuesten Stand</translation>
     </message>
     <message>
       <source>the {side} membrane is slack beside {beside:8}</source>
@@ -1628,6 +1680,10 @@
     <message>
       <source>the {side} pin has {area_mm2:.3g} mm2, less than A_pin_min</source>
       <translation>Der Zapfen ({side}) hat {area_mm2:.3g} mm2, weniger als A_pin_min</translation>
+    </message>
+    <message>
+      <source>there is no layout yet: Solve makes it</source>
+      <translation>es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
     </message>
     <message>
       <source>through the weak contact {contact}</source>
@@ -1680,6 +1736,10 @@
     <message>
       <source>walls stand back by {set:g} mm for what prints grow; a {printer} grows walls by {grows:g} mm: raise wall_growth</source>
       <translation>Wände stehen um {set:g} mm zurück für das, was Drucke wachsen; ein {printer} lässt Wände um {grows:g} mm wachsen: wall_growth erhöhen</translation>
+    </message>
+    <message>
+      <source>what was said of the layout's making is damaged or gone: Solve makes it</source>
+      <translation>was über die Entstehung der Abwicklung gesagt war, ist beschädigt oder fehlt: „Lösen“ berechnet sie</translation>
     </message>
     <message>
       <source>whether pushing forces at bumps' tips within friction {mu:.3g} balance the tiles could not be shown{more}</source>
@@ -1828,6 +1888,22 @@
     <message>
       <source>{count} vertices are not finite (vertices {vertices:#5})</source>
       <translation>{count} Ecken sind nicht endlich (Ecken {vertices:#5})</translation>
+    </message>
+    <message>
+      <source>{names} changed since the design was judged: Verify brings it up to date</source>
+      <translation>{names} hat sich geändert, seit der Entwurf beurteilt wurde: „Prüfen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
+      <source>{names} changed since the layout was solved: Solve brings it up to date</source>
+      <translation>{names} hat sich seit der Abwicklung geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
+      <source>{names} changed since the target was divided: Solve brings it up to date</source>
+      <translation>{names} hat sich geändert, seit das Ziel geteilt wurde: „Lösen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
+      <source>{names} changed since this was built: BuildSolids brings it up to date</source>
+      <translation>{names} hat sich geändert, seit dies gebaut wurde: „Volumenkörper bauen“ bringt es auf den neuesten Stand</translation>
     </message>
     <message>
       <source>{name} to {value:g}</source>

@@ -73,6 +73,24 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "stopped.unchecked": "stopped before all solids were checked",
     "said": "{said}",
     "doubt": "the design is {state}: {reasons:; }",
+    # What a document says of a design that its results are not of.
+    "changed.divided": "{names} changed since the target was divided: Solve brings it up to date",
+    "changed.solved": "{names} changed since the layout was solved: Solve brings it up to date",
+    "changed.built": "{names} changed since this was built: BuildSolids brings it up to date",
+    "changed.judged": "{names} changed since the design was judged: Verify brings it up to date",
+    "changed.layout": "the layout changed since this was built: BuildSolids brings it up to date",
+    "changed.source": "the target's source {name} changed since the layout was solved: Solve brings it up to "
+                      "date",
+    "changed.cuts": "the cuts changed since the layout was solved: Solve brings it up to date",
+    "changed.layout_lists": "the layout's lists were changed by hand: Solve brings it up to date",
+    "changed.verification_lists": "the verification's lists were changed by hand: Verify brings it up to "
+                                  "date",
+    "changed.results": "the stored results are damaged or were changed by hand: Solve brings it up to date",
+    "no_layout": "there is no layout yet: Solve makes it",
+    "no_layout.lost": "what was said of the layout's making is damaged or gone: Solve makes it",
+    "no_target": "the target was deleted: choose another with Target",
+    "no_target.source": "the object that gave the target was deleted: choose another with Target",
+    "unjudged": "it was not verified: Verify judges it",
     # A surface that is given.
     "empty": ("the surface has no faces", "check the file and its format"),
     "index-out-of-range": ("{count} faces name vertices that do not exist", "repair the file"),

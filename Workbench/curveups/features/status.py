@@ -39,23 +39,22 @@ def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
     source, cuts = _source_changes(obj, keys), _cut_changes(obj, keys)
     records = {**keys.records, **({"source": _CHANGED} if source else {}),
                **({"cut request": _CHANGED} if cuts else {})}
-    target = source + _words(changes("target", records, values, _GIVEN), "the target was divided")
-    lists = [] if layouts.is_intact(obj.Layout) else ["the layout's lists were changed by hand"]
+    target = source + _changed("changed.divided", changes("target", records, values, _GIVEN))
+    lists = [] if layouts.is_intact(obj.Layout) else [Finding("changed.layout_lists")]
     if solved and not are_intact(obj, keys):
-        lists.append(SPOILT)
-    layout = (source + cuts + _remedied(lists, "Solve") + _words(
-        _of_layout(changes("design", records, values, _GIVEN)), "the layout was solved"))
+        lists.append(Finding("changed.results"))
+    layout = source + cuts + lists + _changed(
+        "changed.solved", _of_layout(changes("design", records, values, _GIVEN)))
     verification = verdict_changes(keys, values)
     if not verifications.is_intact(obj.Verification):
-        verification += _remedied(["the verification's lists were changed by hand"], "Verify")
+        verification.append(Finding("changed.verification_lists"))
     if not solved:
-        lost = "what was said of the layout's making is damaged or gone" if getattr(
-            obj, "Results", "") else "there is no layout yet"
-        state, verdict, reasons = EMPTY, VERDICTS[None], _said([f"{lost}: Solve makes it"])
+        lost = Finding("no_layout.lost" if getattr(obj, "Results", "") and not records else "no_layout")
+        state, verdict, reasons = EMPTY, VERDICTS[None], [lost]
     else:
         state, verdict, reasons = _judgement(obj, keys, values, layout, verification)
     if refused:
-        state, verdict, reasons = INVALID, VERDICTS[False], _said([refused])
+        state, verdict, reasons = INVALID, VERDICTS[False], [Finding.read(refused)]
     parts = {
         "Target": _part(solved or (is_target(obj.Target) and obj.Target.Mesh.CountFacets > 0), target),
         "Cuts": _part(solved or bool(_edges(obj)), cuts),
@@ -81,8 +80,8 @@ def known_of_values(obj: Any, keys: Keys, values: Mapping[str, Any]) -> Keys:
     return NONE if body_changes(found, keys, values) else found
 
 
-def body_changes(built: Keys, keys: Keys, values: Mapping[str, Any]) -> Optional[list[str]]:
-    """What has changed since bodies were built, as sentences; None where none were."""
+def body_changes(built: Keys, keys: Keys, values: Mapping[str, Any]) -> Optional[list[Finding]]:
+    """What has changed since bodies were built; None where none were."""
     if not built.records or "design" not in keys.records:
         return None
     records = {**built.records, "design": keys.records["design"]}
@@ -90,41 +89,37 @@ def body_changes(built: Keys, keys: Keys, values: Mapping[str, Any]) -> Optional
     for stage in built.records:
         names.update(dict.fromkeys(changes(stage, records, values, ("design",)) or ()))
     if "design" in names:
-        return _remedied(["the layout changed since this was built"], "BuildSolids")
+        return [Finding("changed.layout")]
     rebuilt = tuple(name for name in names if not _is_result(name) and parameter(name).effect != "files")
-    return _words(rebuilt, "this was built", "BuildSolids")
+    return _changed("changed.built", rebuilt)
 
 
-def verdict_changes(keys: Keys, values: Mapping[str, Any]) -> list[str]:
-    """What has changed since the design was judged, as sentences."""
+def verdict_changes(keys: Keys, values: Mapping[str, Any]) -> list[Finding]:
+    """What has changed since the design was judged."""
     names: dict[str, None] = {}
     for stage in keys.records:
         if stage in BY_NAME and BY_NAME[stage].judges:
             found = changes(stage, keys.records, values, ("design",)) or ()
             names.update((name, None) for name in found if not _is_result(name))
-    return _words(tuple(names), "the design was judged", "Verify")
+    return _changed("changed.judged", tuple(names))
 
 
-def _judgement(obj: Any, keys: Keys, values: Mapping[str, Any], layout: list[str],
-               verification: list[str]) -> tuple[str, str, list[Finding]]:
+def _judgement(obj: Any, keys: Keys, values: Mapping[str, Any], layout: list[Finding],
+               verification: list[Finding]) -> tuple[str, str, list[Finding]]:
     known = known_of_values(obj, keys, values)
     if known.failure:
-        return INVALID, VERDICTS[False], _said([known.failure])
+        return INVALID, VERDICTS[False], [Finding.read(known.failure)]
     broken = list(known.reasons) if verification else []
     if layout:
-        return OUT_OF_DATE, OUT_OF_DATE, _said(layout) + broken
+        return OUT_OF_DATE, OUT_OF_DATE, layout + broken
     if broken:
         return INVALID, VERDICTS[False], broken
     if verification and keys.valid is not None:
-        return OUT_OF_DATE, OUT_OF_DATE, _said(verification)
+        return OUT_OF_DATE, OUT_OF_DATE, verification
     reasons = list(keys.reasons)
     if keys.valid is None and not reasons:
-        reasons = _said(["it was not verified: Verify judges it"])
+        reasons = [Finding("unjudged")]
     return (INVALID if keys.valid is False else CURRENT), VERDICTS[keys.valid], reasons
-
-
-def _said(texts: list[str]) -> list[Finding]:
-    return [Finding.read(text) for text in texts]
 
 
 def _of_layout(names: Optional[tuple[str, ...]]) -> Optional[tuple[str, ...]]:
@@ -135,48 +130,44 @@ def _is_result(name: str) -> bool:
     return name in BY_NAME or name in _GIVEN
 
 
-def _words(names: Optional[tuple[str, ...]], since: str, command: str = "Solve") -> list[str]:
+def _changed(kind: str, names: Optional[tuple[str, ...]]) -> list[Finding]:
     """Of parameters, or else of results; what was given has sentences of its own."""
     others = [name for name in names or () if name not in _GIVEN]
     known = [properties.property_name(name) for name in others
              if not _is_result(name) and parameter(name).level != "switch"]
     known = known or [label_of(name) for name in others if name in BY_NAME]
-    return _remedied([f"{', '.join(known)} changed since {since}"], command) if known else []
+    return [Finding.about(kind, names=", ".join(known))] if known else []
 
 
-def _remedied(texts: list[str], command: str) -> list[str]:
-    return [f"{text}: {command} brings it up to date" for text in texts]
-
-
-def _source_changes(obj: Any, keys: Keys) -> list[str]:
+def _source_changes(obj: Any, keys: Keys) -> list[Finding]:
     if "design" not in keys.records and "target" not in keys.records:
         return []
     if obj.Target is None:
-        return ["the target was deleted: choose another with Target"]
+        return [Finding("no_target")]
     if not is_target(obj.Target) or "source" not in keys.records:
         return []
     if keys.linked and obj.Target.Source is None and not (obj.Target.File or obj.Target.BuiltIn):
-        return ["the object that gave the target was deleted: choose another with Target"]
+        return [Finding("no_target.source")]
     if getattr(obj.Target, "Stamp", "") != keys.stamp:
         name = obj.Target.Source.Label if obj.Target.Source else obj.Target.File or obj.Target.BuiltIn
-        return _remedied([f"the target's source {name} changed since the layout was solved"], "Solve")
+        return [Finding.about("changed.source", name=name)]
     return []
 
 
-def _cut_changes(obj: Any, keys: Keys) -> list[str]:
+def _cut_changes(obj: Any, keys: Keys) -> list[Finding]:
     if "design" not in keys.records or _edges(obj) == keys.cuts:
         return []
-    return _remedied(["the cuts changed since the layout was solved"], "Solve")
+    return [Finding("changed.cuts")]
 
 
 def _edges(obj: Any) -> str:
     return digest_of_edges(obj.Cuts.Edges) if obj.Cuts is not None else ""
 
 
-def _part(there: bool, changed: list[str]) -> tuple[str, str]:
+def _part(there: bool, changed: list[Finding]) -> tuple[str, str]:
     if not there:
         return EMPTY, ""
-    return (OUT_OF_DATE, "; ".join(changed)) if changed else (CURRENT, "")
+    return (OUT_OF_DATE, "; ".join(map(str, changed))) if changed else (CURRENT, "")
 
 
 def _body(body: Any, keys: Keys, values: Mapping[str, Any]) -> tuple[str, str]:
