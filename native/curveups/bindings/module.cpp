@@ -17,5 +17,6 @@ PYBIND11_MODULE(_native, module) {
   bind_targets(module);
   bind_layout(module);
   bind_verification(module);
+  bind_settled(module);
   bind_print_model(module);
 }

@@ -44,7 +44,8 @@ MotionDerivatives<2> ContactEnergy::of_pair(const TouchingPair& pair, const Pose
       if (push > 0) by_y_twice = touch.stiffness * touch.normal * touch.normal.transpose();
       Eigen::Matrix2d plane = k * Eigen::Matrix2d::Identity();
       if (slips) {
-        plane = touch.cap / length * (Eigen::Matrix2d::Identity() - along * along.transpose());
+        plane *= touch.cap / (k * length);
+        if (!careful) plane -= touch.cap / length * along * along.transpose();
       }
       by_y_twice += touch.tangents * plane * touch.tangents.transpose();
     }

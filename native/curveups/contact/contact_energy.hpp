@@ -27,6 +27,10 @@ class ContactEnergy : public MotionEnergy {
   std::vector<TouchingPair> pairs;
   std::vector<std::array<int, 2>> near;  // that a pair's coupling counts
   double friction_coefficient = 0.5;
+  // Second derivatives of points that slip as if their friction, which has no stiffness along the
+  // way, were a spring through its present force: a convex bound from above, which keeps Newton's
+  // steps from leaping to and fro across the kinks where slipping turns round.
+  bool careful = false;
 
   std::string_view name() const override { return "contact"; }
   void couple(std::vector<Coupling>& couplings) const override;

@@ -84,11 +84,8 @@ class PairSearch {
     if (before && before->face == out.face && good(*before)) return *before;
 
     const BodySurface& facing = of(second).faces[out.face[second]];
-    if (reference.tips.empty() && facing.tips.empty()) {
-      clip_outlines(first, reference, facing, out);
-    } else {
-      take_tips(first, reference, facing, out);
-    }
+    take_tips(first, reference, facing, out);
+    if (out.touches.empty()) clip_outlines(first, reference, facing, out);
     for (Touch& touch : out.touches) {
       touch.reference = touch.built = touch.tangents.transpose() * seen(touch);
       if (before) inherit(*before, touch);

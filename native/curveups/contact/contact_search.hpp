@@ -2,7 +2,7 @@
 // Where convex bodies touch. Of each pair that is near, the face that separates the two best and
 // the face of the other that looks at it touch; what their outlines have in common, clipped in the
 // plane of the first, is where. Its corners are points of either body against the plane of the
-// other (both directions), or the tips that stand on the faces are. (C. Ericson, Real-Time
+// other (both directions); where tips stand on the faces, these are. (C. Ericson, Real-Time
 // Collision Detection, 2005: separating axes and face clipping.)
 #pragma once
 

@@ -115,6 +115,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
                cone = options_.cone_tolerance * scale;
   const double lever = options_.lever;
   AndersonIteration fixed_point;
+  contacts_.careful = false;
   Motions g, way;
   double before = -1;  // the residual before the last step, where it was a whole one
   bool factorized = false;
@@ -135,7 +136,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
     const double error = contacts_.cone_error(x);
     report.cone_error = error / scale;
     if (residual <= tolerance && error <= cone) return true;
-    if (residual <= std::max(tolerance, 0.01 * error)) {
+    if (residual <= std::max(tolerance, 0.3 * error)) {
       const Eigen::VectorXd caps = contacts_.caps();
       const Eigen::VectorXd wanted = contacts_.caps_at(x);
       contacts_.set_caps(caps.allFinite() ? fixed_point.next(caps, wanted) : wanted);
@@ -185,6 +186,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
     }
     before = residual;
     factorized = whole && halved == 0;
+    contacts_.careful = halved > 0;
     checkpoint();
   }
 }
@@ -205,7 +207,7 @@ StepReport ContactWorld::step() {
     scale += given.row(i).norm();
     ++free;
   }
-  scale = std::max(scale / std::max(free, 1), contacts_.mean_push(poses_));
+  scale = std::max({scale / std::max(free, 1), contacts_.mean_push(poses_), options_.least_unit});
   if (scale == 0) scale = 1;
   g = given;
   energy += contacts_.derivatives(poses_, options_.lever, g, nullptr, first_.back());
@@ -228,7 +230,7 @@ StepReport ContactWorld::step() {
     x = poses_;
     report.converged = minimise(weight_, scale, x, report);
     report.motion = largest_row(between(poses_, x, options_.lever));
-    if ((report.converged && report.motion <= 1.5 * options_.step_limit) || attempt == 8) break;
+    if ((report.converged && report.motion <= 1.5 * options_.step_limit) || attempt == 4) break;
     weight_ *= 8;
   }
   fresh_ = false;
@@ -240,6 +242,12 @@ StepReport ContactWorld::step() {
   weight_ = std::max(weight_, 1e-7 * scale / options_.step_limit);
   ++steps_;
   return report;
+}
+
+Motions ContactWorld::given_forces() const {
+  Motions out = Motions::Zero(poses_.size(), 6);
+  for (const auto& energy : energies_) energy->derivatives(poses_, 1, out, nullptr, 0);
+  return -out;
 }
 
 StepReport ContactWorld::settle(int max_steps,

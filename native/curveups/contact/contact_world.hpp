@@ -17,7 +17,10 @@ namespace curveups {
 struct WorldOptions {
   double lever = 3;       // mm: turns times this are lengths (rigid_body.hpp)
   double step_limit = 1;  // mm: how far a body may move in a step
-  // Forces left on a body, and friction beyond its cone, over the mean normal force.
+  // The unit of forces is the mean normal force, the mean given force on a body, or this where it
+  // is larger, N.
+  double least_unit = 0;
+  // Forces left on a body, and friction beyond its cone, in that unit.
   double tolerance = 1e-7, cone_tolerance = 1e-6;
   int max_iterations = 60;  // of Newton's method, a step
   SearchOptions search;
@@ -51,6 +54,8 @@ class ContactWorld {
   const std::vector<RigidBody>& bodies() const { return bodies_; }
   const ContactEnergy& contacts() const { return contacts_; }
   std::vector<TouchForce> forces() const { return contacts_.forces(poses_); }
+  // What the given energies do to each body: force (N), and torque about its origin (N mm).
+  Motions given_forces() const;
   int steps() const { return steps_; }
 
  private:

@@ -31,15 +31,16 @@ struct MotionDerivatives {
   Eigen::Matrix<double, 6 * K, 1> gradient = Eigen::Matrix<double, 6 * K, 1>::Zero();
   Eigen::Matrix<double, 6 * K, 6 * K> hessian = Eigen::Matrix<double, 6 * K, 6 * K>::Zero();
 
-  // Adds what belongs to these bodies; coupling: the number of the element's first one, for pairs
-  // (0, 1), (0, 2), (1, 2) and so on.
+  // Adds what belongs to these bodies (-1: none, and none after it); coupling: the number of the
+  // element's first one, for pairs (0, 1), (0, 2), (1, 2) and so on.
   void add_to(const std::array<int, K>& body, Motions& sum, BlockMatrix<6>* matrix,
               int coupling) const {
-    for (int k = 0; k < K; ++k) {
+    for (int k = 0; k < K && body[k] >= 0; ++k) {
       sum.row(body[k]) += gradient.template segment<6>(6 * k).transpose();
     }
     if (!matrix) return;
     for (int k = 0; k < K; ++k) {
+      if (body[k] < 0) break;
       const BlockSlot own = matrix->pattern().diagonal(body[k]);
       if (own.stored()) matrix->add(own, hessian.template block<6, 6>(6 * k, 6 * k));
       for (int l = k + 1; l < K; ++l, ++coupling) {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A membrane reduced to what tiles feel of it while they move: per contact the quadrilateral
+// between the facing pin edges, triangulated along both diagonals at half weight each (one alone
+// is biased), and per closed polygon round a vertex a fan about one free node. The density is that
+// of the design's membranes.
+#pragma once
+
+#include "curveups/contact/motion_energy.hpp"
+#include "curveups/physics/membrane_energy.hpp"
+#include "curveups/physics/membrane_solution.hpp"
+
+namespace curveups {
+
+class ReducedMembrane : public MotionEnergy {
+ public:
+  // corners: 3 x tiles pin corners as points of their tiles; flat: where they are in the layout.
+  // Bodies 0 to tile_count - 1 are the tiles; nodes follow from first_node on, in the order of the
+  // domain's vertex polygons.
+  ReducedMembrane(const MembraneDomain& domain, const Points2& flat, const Points3& corners,
+                  double tau, const MembraneMaterial& material, int first_node);
+
+  std::string_view name() const override { return "membrane"; }
+  void couple(std::vector<Coupling>& couplings) const override;
+  double value(const Poses& poses) const override;
+  double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
+                     int first) const override;
+
+  // Polygons that have a node each, as pin corner numbers.
+  const std::vector<std::vector<int>>& polygons() const { return polygons_; }
+
+ private:
+  struct Triangle {
+    std::array<int, 3> slot;    // which of the element's bodies each corner belongs to
+    std::array<Vec3, 3> point;  // of that body
+    Eigen::Matrix2d inverse;    // of the rest edge matrix
+    double weight;              // kappa h times the rest area, times its share; N mm
+  };
+  struct Element {
+    std::array<int, 3> body;  // -1: none
+    std::vector<Triangle> triangles;
+  };
+  void add(const std::array<int, 3>& slot, const std::array<Vec3, 3>& point,
+           const std::array<Vec2, 3>& flat, double share, Element& element) const;
+  double evaluate(const Element& element, const Poses& poses, double lever, bool second,
+                  MotionDerivatives<3>* out) const;
+
+  MembraneMaterial material_;
+  double tau_;
+  std::vector<Element> elements_;
+  std::vector<std::vector<int>> polygons_;
+};
+
+}  // namespace curveups

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/contact/tile_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "curveups/bodies/convex_distance.hpp"
+#include "curveups/contact/given_forces.hpp"
+#include "curveups/contact/reduced_membrane.hpp"
+#include "curveups/core/parallel.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr double poisson_ratio = 0.35;  // of printed polymers
+
+// Of a sphere of radius R against a plane (Hertz): the secant stiffness under this force, N / mm.
+double sphere_stiffness(double modulus, double R, double force) {
+  const double both = modulus / (2 * (1 - poisson_ratio * poisson_ratio));
+  return std::pow(4.0 / 3 * both * std::sqrt(R), 2.0 / 3) * std::cbrt(force);
+}
+
+// Per tile and wall the number of its contact, or -1.
+std::vector<std::array<int, 3>> contacts_of_walls(const TileMesh& tiles) {
+  std::vector<std::array<int, 3>> out(tiles.tile_count(), {-1, -1, -1});
+  for (std::size_t k = 0; k < tiles.contacts.size(); ++k) {
+    const Contact& contact = tiles.contacts[k];
+    for (int s = 0; s < 2; ++s) out[contact.tile[s]][contact.side[s]] = static_cast<int>(k);
+  }
+  return out;
+}
+
+class Builder {
+ public:
+  Builder(const TileBodies& bodies, const SolvedDesign& solved, double modulus)
+      : bodies_(bodies),
+        solved_(solved),
+        modulus_(modulus),
+        tiles_(bodies.geometry.tiles),
+        count_(tiles_.tile_count()),
+        centres_(tile_centres(tiles_)) {
+    options_.least_unit = force_scale(solved);
+    options_.lever = 0.4 * bodies.parameters.L;
+    options_.step_limit = bodies.parameters.L / 7;
+    options_.search.reach = std::max(0.5, 1.5 * bodies.parameters.bump_height);
+  }
+
+  TileWorld run() {
+    add_tiles();
+    add_nodes();
+    TileWorld out;
+    out.tile_count = count_;
+    std::vector<std::unique_ptr<MotionEnergy>> energies;
+    for (int s = 0; s < 2; ++s) energies.push_back(membrane(static_cast<Side>(s)));
+    energies.push_back(std::make_unique<PairLoads>(corrections(energies)));
+    energies.push_back(std::make_unique<PointLoads>(weights()));
+    add_ground();
+    for (int held : held_tiles(bodies_.geometry, bodies_.parameters)) list_[held].fixed = true;
+    out.world = std::make_unique<ContactWorld>(std::move(list_), std::move(poses_), options_);
+    for (auto& energy : energies) out.world->add(std::move(energy));
+    out.world->set_friction(bodies_.parameters.friction_coefficient);
+    return out;
+  }
+
+ private:
+  void add_tiles() {
+    std::vector<char> at_tips;  // interfaces that touch at bumps, not with their walls
+    std::size_t tips = 0, interfaces = 0;
+    for (const Points3& points : bump_tips(bodies_.bumps, tiles_)) {
+      at_tips.push_back(points.rows() > 0);
+      tips += points.rows();
+      interfaces += points.rows() > 0;
+    }
+    // About what a tip carries: an interface has four contact points.
+    const double force = tips == 0 ? 1
+                                   : force_scale(solved_) * 4 * static_cast<double>(interfaces) /
+                                         static_cast<double>(tips);
+    const Parameters& p = bodies_.parameters;
+    const double R = sphere_radius(0.5 * p.bump_diameter, p.bump_height);
+    const double tip_stiffness = sphere_stiffness(modulus_, R, force);
+    const std::vector<std::array<int, 3>> contact_of = contacts_of_walls(tiles_);
+    list_.resize(count_);
+    poses_.resize(count_);
+    parallel_ranges(count_, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        std::array<double, 3> recess = {0, 0, 0};
+        for (int t = 0; t < 3; ++t) {
+          const int contact = contact_of[i][t];
+          if (contact >= 0 && at_tips[contact]) recess[t] = bodies_.bumps.recess(i, t);
+        }
+        const ConvexBody body = tile_body(tiles_, bodies_.geometry.truncation, i, recess);
+        const Vec3 centre = centres_.row(i);
+        RigidMotion motion = actuated_motion(tiles_.frame[i]);
+        motion.t -= centre;
+        // A wall gives way as a layer of the material does, as deep as the tile's middle.
+        const double depth = 2 * tiles_.area(i) / tiles_.length.row(i).sum();
+        list_[i] = make_rigid_body(moved(body, motion), Vec3::Zero(), modulus_ / depth);
+        poses_[i].t = centre;
+        for (const WallCap& cap : bodies_.bumps.of_tile[i]) {
+          if (!cap.bump || !at_tips[cap.contact]) continue;
+          for (std::size_t f = 0; f < body.faces.size(); ++f) {
+            if (body.faces[f].tag != body_tag::wall + cap.wall) continue;
+            list_[i].faces[f].tips.push_back(motion(cap.centre + cap.height * cap.axis));
+            list_[i].faces[f].tip_stiffness = tip_stiffness;
+          }
+        }
+      }
+    });
+  }
+
+  // The free nodes of both membranes.
+  void add_nodes() {
+    for (int s = 0; s < 2; ++s) {
+      domain_[s] = make_membrane_domain(tiles_, static_cast<Side>(s));
+      corners_[s] =
+          actuated_pin_corners(tiles_, bodies_.q, static_cast<Side>(s), bodies_.parameters.H_pin);
+      first_node_[s] = static_cast<int>(list_.size());
+      for (const MembranePatch& patch : domain_[s].patches) {
+        if (patch.vertex < 0) continue;
+        RigidMotion place;
+        for (int c : patch.corners) {
+          place.t += corners_[s].row(c).transpose() / static_cast<double>(patch.corners.size());
+        }
+        list_.emplace_back();
+        poses_.push_back(place);
+      }
+    }
+  }
+
+  std::unique_ptr<MotionEnergy> membrane(Side side) const {
+    const int s = static_cast<int>(side);
+    Points3 own = corners_[s];
+    for (int c = 0; c < own.rows(); ++c) own.row(c) -= centres_.row(c / 3);
+    return std::make_unique<ReducedMembrane>(
+        domain_[s], flat_pin_corners(tiles_, bodies_.poses, bodies_.q, side), own,
+        bodies_.parameters.tau, membrane_material(bodies_.parameters, side), first_node_[s]);
+  }
+
+  // The nodes come to rest while the tiles stand still; then what the tiles feel less than by the
+  // finite elements is shared out to the corners of interfaces, by the least forces.
+  std::vector<PairLoad> corrections(const std::vector<std::unique_ptr<MotionEnergy>>& membranes) {
+    std::vector<RigidBody> still(list_.size());
+    for (int i = 0; i < count_; ++i) still[i].fixed = true;
+    ContactWorld nodes(std::move(still), poses_, options_);
+    for (int s = 0; s < 2; ++s) nodes.add(membrane(static_cast<Side>(s)));
+    nodes.settle(40);
+    poses_ = nodes.poses();
+    Motions pull = Motions::Zero(list_.size(), 6);
+    for (const auto& energy : membranes) energy->derivatives(poses_, 1, pull, nullptr, 0);
+    const Wrenches missing = solved_.elastic + pull.topRows(count_);
+    BalanceSystem system(interface_points(tiles_, bodies_.geometry.patches), centres_,
+                         bodies_.parameters.L, {});
+    const ContactForces forces = solve_contact_forces(system, missing);
+    std::vector<PairLoad> loads;
+    for (int p = 0; p < system.point_count(); ++p) {
+      const ContactPoint& point = system.points()[p];
+      loads.push_back({point.tile, point.position - centres_.row(point.tile[1]).transpose(),
+                       -(system.basis(p) * forces.force.row(p).transpose())});
+    }
+    return loads;
+  }
+
+  std::vector<PointLoad> weights() const {
+    std::vector<PointLoad> out;
+    const Wrenches weight = solved_.loads - solved_.elastic;
+    for (int i = 0; i < count_; ++i) {
+      const Vec3 force = weight.row(i).head<3>(), torque = weight.row(i).tail<3>();
+      if (force.squaredNorm() > 0) {
+        out.push_back({i, force.cross(torque) / force.squaredNorm(), force});
+      }
+    }
+    return out;
+  }
+
+  void add_ground() {
+    const std::vector<ContactPoint> points = ground_points(bodies_.geometry, bodies_.parameters);
+    if (points.empty()) return;
+    const Vec3 up = points[0].normal;
+    const Vec3 along = up.unitOrthogonal(), across = up.cross(along);
+    const double far =
+        10 * (tiles_.mesh.V.colwise().maxCoeff() - tiles_.mesh.V.colwise().minCoeff()).norm();
+    const ContactPoint* lowest = &points[0];
+    for (const ContactPoint& p : points) {
+      if (up.dot(p.position) < up.dot(lowest->position)) lowest = &p;
+    }
+    BodySurface top{up, 0, {}};
+    for (const auto& [a, b] : {std::pair(-far, -far), {far, -far}, {far, far}, {-far, far}}) {
+      top.outline.push_back(a * along + b * across);
+    }
+    top.stiffness = 10 * modulus_;
+    list_.push_back({{top}, true});
+    poses_.push_back({Eigen::Matrix3d::Identity(), lowest->position});
+  }
+
+  const TileBodies& bodies_;
+  const SolvedDesign& solved_;
+  double modulus_;
+  const TileMesh& tiles_;
+  int count_;
+  Points3 centres_;
+  WorldOptions options_;
+  std::vector<RigidBody> list_;
+  Poses poses_;
+  std::array<MembraneDomain, 2> domain_;
+  std::array<Points3, 2> corners_;
+  std::array<int, 2> first_node_{};
+};
+
+}  // namespace
+
+TileWorld make_tile_world(const TileBodies& bodies, const SolvedDesign& solved,
+                          double tile_modulus) {
+  return Builder(bodies, solved, tile_modulus).run();
+}
+
+}  // namespace curveups

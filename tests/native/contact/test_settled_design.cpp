@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include "curveups/contact/settled_design.hpp"
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
+#include "support/designs.hpp"
+
+namespace curveups::test {
+namespace {
+
+struct Sample {
+  Design design;
+  TileBodies bodies;
+  SolvedDesign solved;
+
+  explicit Sample(Design of) : design(std::move(of)) {
+    bodies = make_tile_bodies(design);
+    solved = solve_design(bodies.geometry, design, {});
+  }
+};
+
+Design dome(const std::string& bumps = "bumps") {
+  Parameters parameters;
+  parameters.mesh_size = 2;
+  parameters.bumps = bumps;
+  return sample_design(parameters);
+}
+
+TEST(TileWorld, StartsWithTheWrenchesOfTheElements) {
+  const Sample sample(dome());
+  const TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+  const Motions forces = built.world->given_forces();
+  const double mean = sample.solved.elastic.leftCols<3>().rowwise().norm().mean();
+  ASSERT_GT(mean, 0.1);
+  for (int i = 0; i < built.tile_count; ++i) {
+    EXPECT_LT((forces.row(i) - sample.solved.elastic.row(i)).norm(), 1e-5 * mean) << i;
+  }
+  // Nothing pushes yet, nothing overlaps.
+  EXPECT_NEAR(built.world->contacts().mean_push(built.world->poses()), 0, 1e-6);
+}
+
+TEST(TileWorld, MembranesAndTheirCorrectionsExertNoForceOnTheWhole) {
+  const Sample sample(dome());
+  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+  Poses poses = built.world->poses();
+  Motions motions = 0.05 * Motions::Random(poses.size(), 6);
+  built.world->set_poses(moved(poses, motions, 3));
+  const Motions forces = built.world->given_forces();
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  double mean = 0;
+  for (Eigen::Index i = 0; i < forces.rows(); ++i) {
+    const Vec3 f = forces.row(i).head<3>(), m = forces.row(i).tail<3>();
+    force += f;
+    torque += m + built.world->poses()[i].t.cross(f);
+    mean += f.norm() / static_cast<double>(forces.rows());
+  }
+  EXPECT_LT(force.norm(), 1e-9 * mean);
+  EXPECT_LT(torque.norm(), 1e-9 * mean * 100);
+}
+
+TEST(SettledDesign, ContactsCarryWhatMembranesPull) {
+  for (const char* bumps : {"bumps", "dimples"}) {
+    const Sample sample(dome(bumps));
+    TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+    built.world->set_friction(0.8);
+    ASSERT_TRUE(built.world->settle(100).at_rest) << bumps;
+    Motions left = built.world->given_forces();
+    const double mean = left.topRows(built.tile_count).leftCols<3>().rowwise().norm().mean();
+    const double mean_push = built.world->contacts().mean_push(built.world->poses());
+    ASSERT_GT(mean_push, 0);
+    for (const TouchForce& touch : built.world->forces()) {
+      EXPECT_LE(touch.friction.norm(), 0.8 * touch.push + 1e-5 * mean_push);
+      const Vec3 f = touch.push * touch.normal + touch.friction;
+      for (int s = 0; s < 2; ++s) {
+        const Vec3 own = s == 1 ? f : Vec3(-f);
+        const Vec3 arm = touch.position - built.world->poses()[touch.body[s]].t;
+        left.row(touch.body[s]).head<3>() += own.transpose();
+        left.row(touch.body[s]).tail<3>() += arm.cross(own).transpose();
+      }
+    }
+    EXPECT_LT(left.rowwise().norm().maxCoeff(), 1e-4 * mean) << bumps;
+  }
+}
+
+TEST(SettledDesign, IsTheSameWithAnyNumberOfThreads) {
+  const Design design = dome();
+  std::vector<SettledDesign> found;
+  for (int threads : {1, 2, 4}) {
+    set_thread_count(threads);
+    found.push_back(settle_design(design, nullptr, {}, {}));
+  }
+  set_thread_count(1);
+  for (const SettledDesign& other : found) {
+    EXPECT_EQ(other.corners, found[0].corners);
+    EXPECT_EQ(other.contact_force, found[0].contact_force);
+    EXPECT_EQ(other.holding_friction, found[0].holding_friction);
+    EXPECT_EQ(other.iterations, found[0].iterations);
+  }
+  EXPECT_GT(found[0].iterations, 0);
+}
+
+TEST(SettledDesign, AScanIsOfTheShapeThatSettled) {
+  const SettledDesign found = settle_design(dome(), nullptr, {}, {});
+  EXPECT_GT(found.scan.mean, 0);
+  EXPECT_LE(found.scan.mean, found.scan.rms);
+  EXPECT_LE(found.scan.rms, found.scan.largest);
+  EXPECT_LE(found.scan.p95, found.scan.largest);
+  EXPECT_LE(found.scan.largest, found.scan.hausdorff);
+  EXPECT_NEAR(found.deviation.mean(), found.scan.mean, 1e-12);
+  EXPECT_EQ(found.holds,
+            found.converged && found.open_contacts.empty() && found.drift <= found.hold_tolerance);
+}
+
+TEST(SettledDesign, StopsWhereItIsAskedTo) {
+  EXPECT_THROW(settle_design(dome(), nullptr, {},
+                             [](const std::string& what, double) { return what != "settle"; }),
+               Cancelled);
+}
+
+}  // namespace
+}  // namespace curveups::test
