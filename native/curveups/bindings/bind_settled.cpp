@@ -42,13 +42,15 @@ void bind_settled(py::module_& module) {
       .def_property_readonly("block", &block, "The figures, as report.json has them.")
       .def_readonly("contact_force", &SettledDesign::contact_force,
                     "Normal force of each contact, N.")
-      .def_readonly("corners", &SettledDesign::corners,
-                    "3 M x 3: settled front corners of the tiles, fitted to the design, mm.")
+      .def_readonly(
+          "corners", &SettledDesign::corners,
+          "Settled front corners of the tiles, three rows a tile, fitted to the design, mm.")
       .def_readonly("deviation", &SettledDesign::deviation,
                     "Mean distance of each tile from the design's surface, mm.")
-      .def_readonly("poses", &SettledDesign::poses,
-                    "M x 7: by how much each tile's centre has moved (mm), and the quaternion (x, "
-                    "y, z, w) that it has turned by.")
+      .def_readonly(
+          "poses", &SettledDesign::poses,
+          "A row a tile, how far its centre has moved (mm) and the quaternion (x, y, z, w) "
+          "that it has turned by.")
       .def_readonly("steps", &SettledDesign::steps)
       .def_readonly("iterations", &SettledDesign::iterations)
       .def_readonly("factorizations", &SettledDesign::factorizations);

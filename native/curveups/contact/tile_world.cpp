@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "curveups/bodies/convex_distance.hpp"
@@ -163,7 +164,8 @@ class Builder {
 
   std::vector<PointLoad> weights() const {
     std::vector<PointLoad> out;
-    const Wrenches weight = solved_.loads - solved_.elastic;
+    const Wrenches weight =
+        curveups::weights(bodies_.geometry, bodies_.poses, bodies_.q, bodies_.parameters);
     for (int i = 0; i < count_; ++i) {
       const Vec3 force = weight.row(i).head<3>(), torque = weight.row(i).tail<3>();
       if (force.squaredNorm() > 0) {
@@ -173,24 +175,29 @@ class Builder {
     return out;
   }
 
+  // A table that only pushes, where the piece rests on one.
   void add_ground() {
-    const std::vector<ContactPoint> points = ground_points(bodies_.geometry, bodies_.parameters);
-    if (points.empty()) return;
-    const Vec3 up = points[0].normal;
+    const Parameters& p = bodies_.parameters;
+    if (p.gravity != "resting") return;
+    const Vec3 up = -Vec3(p.gravity_x, p.gravity_y, p.gravity_z).normalized();
     const Vec3 along = up.unitOrthogonal(), across = up.cross(along);
-    const double far =
-        10 * (tiles_.mesh.V.colwise().maxCoeff() - tiles_.mesh.V.colwise().minCoeff()).norm();
-    const ContactPoint* lowest = &points[0];
-    for (const ContactPoint& p : points) {
-      if (up.dot(p.position) < up.dot(lowest->position)) lowest = &p;
+    double lowest = std::numeric_limits<double>::infinity(), far = 0;
+    for (int i = 0; i < count_; ++i) {
+      far = std::max(far, 10 * (poses_[i].t - poses_[0].t).norm() + 100);
+      for (const BodySurface& face : list_[i].faces) {
+        for (const Vec3& corner : face.outline) {
+          lowest = std::min(lowest, up.dot(poses_[i](corner)));
+        }
+      }
     }
     BodySurface top{up, 0, {}};
     for (const auto& [a, b] : {std::pair(-far, -far), {far, -far}, {far, far}, {-far, far}}) {
       top.outline.push_back(a * along + b * across);
     }
-    top.stiffness = 10 * modulus_;
+    top.stiffness = modulus_ / p.H_body;
     list_.push_back({{top}, true});
-    poses_.push_back({Eigen::Matrix3d::Identity(), lowest->position});
+    const Vec3 middle = poses_[0].t;
+    poses_.push_back({Eigen::Matrix3d::Identity(), middle + (lowest - up.dot(middle)) * up});
   }
 
   const TileBodies& bodies_;

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "contact/blocks.hpp"
+#include "curveups/contact/reduced_membrane.hpp"
+#include "support/designs.hpp"
 
 namespace curveups::test {
 namespace {
@@ -109,6 +111,38 @@ TEST(MotionEnergy, ReportedForcesAreThoseOfTheEnergy) {
   }
   EXPECT_LT((force + gradient.row(1).head<3>().transpose()).norm(), 1e-9 * force.norm());
   EXPECT_LT((torque + 3 * gradient.row(1).tail<3>().transpose()).norm(), 1e-9 * torque.norm());
+}
+
+TEST(MotionEnergy, MembranesHaveExactDerivativesAndBalance) {
+  const Design design = sample_design();
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  const TileMesh& tiles = geometry.tiles;
+  const Points3 centres = tile_centres(tiles);
+  for (const DensityModel& model : density_models()) {
+    const Side side = model.convex ? Side::front : Side::back;
+    const MembraneDomain domain = make_membrane_domain(tiles, side);
+    const Points3 corners = actuated_pin_corners(tiles, design.q, side, design.parameters.H_pin);
+    Points3 own = corners;
+    for (int c = 0; c < own.rows(); ++c) own.row(c) -= centres.row(c / 3);
+    MembraneMaterial material;
+    material.model = &model;
+    const ReducedMembrane membrane(
+        domain, flat_pin_corners(tiles, fit_poses(tiles, design.T), design.q, side), own,
+        design.parameters.tau, material, tiles.tile_count());
+    Poses poses(tiles.tile_count());
+    for (int i = 0; i < tiles.tile_count(); ++i) poses[i].t = centres.row(i).transpose();
+    for (const std::vector<int>& polygon : membrane.polygons()) {
+      poses.emplace_back();
+      for (int c : polygon) {
+        poses.back().t += corners.row(c).transpose() / static_cast<double>(polygon.size());
+      }
+    }
+    ASSERT_GT(membrane.polygons().size(), 0u);
+    const Motions away = 0.1 * Motions::Random(poses.size(), 6);
+    poses = moved(poses, away, 3);
+    expect_derivatives(membrane, poses);
+    expect_balance(membrane, poses);
+  }
 }
 
 TEST(MotionEnergy, GivenForcesHaveExactDerivatives) {
