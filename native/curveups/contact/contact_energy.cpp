@@ -8,6 +8,9 @@
 namespace curveups {
 namespace {
 
+// mm: points that are no farther than this from a face touch it where all that touches sticks.
+constexpr double bond_gap = 0.02;
+
 Vec3 seen(const Poses& poses, const TouchingPair& pair, const Touch& touch) {
   return seen_from(poses[pair.body[1 - touch.of]], poses[pair.body[touch.of]], touch.point);
 }
@@ -76,6 +79,7 @@ double ContactEnergy::derivatives(const Poses& poses, double lever, Motions& gra
 }
 
 double ContactEnergy::cone_error(const Poses& poses) const {
+  if (is_bonded()) return 0;
   double error = 0;
   for (const TouchingPair& pair : pairs) {
     for (const Touch& touch : pair.touches) {
@@ -127,14 +131,24 @@ void ContactEnergy::stick() {
   }
 }
 
+void ContactEnergy::bond(const Poses& poses) {
+  for (TouchingPair& pair : pairs) {
+    for (Touch& touch : pair.touches) {
+      touch.cap = touch.gap(seen(poses, pair, touch)) <= bond_gap
+                      ? std::numeric_limits<double>::infinity()
+                      : 0.0;
+    }
+  }
+}
+
 void ContactEnergy::remember(const Poses& poses) {
   for (TouchingPair& pair : pairs) {
     for (Touch& touch : pair.touches) {
       const Vec3 y = seen(poses, pair, touch);
       const Vec2 reach = touch.reach(y);
-      const double length = reach.norm(),
-                   held = hold(touch, length, friction_coefficient * touch.push(y)) /
-                          touch.tangent_stiffness;
+      const double length = reach.norm();
+      const double limit = is_bonded() ? touch.cap : friction_coefficient * touch.push(y);
+      const double held = hold(touch, length, limit) / touch.tangent_stiffness;
       if (held < length) {
         if (touch.push(y) > 0) touch.slip += length - held;
         touch.stretch = held / length * reach;

@@ -8,6 +8,8 @@
 // has its spring to return to: no creep, and nothing holds where nothing pushes.
 #pragma once
 
+#include <cmath>
+
 #include "curveups/contact/contact_search.hpp"
 #include "curveups/contact/motion_energy.hpp"
 
@@ -26,7 +28,10 @@ class ContactEnergy : public MotionEnergy {
  public:
   std::vector<TouchingPair> pairs;
   std::vector<std::array<int, 2>> near;  // that a pair's coupling counts
+  // Infinite: what touches when a step begins sticks in it, however little it pushes, and the rest
+  // slides. (A finite limit of almost nothing would let points stick and slip by turns.)
   double friction_coefficient = 0.5;
+  bool is_bonded() const { return std::isinf(friction_coefficient); }
   // Second derivatives of points that slip as if their friction, which has no stiffness along the
   // way, were a spring through its present force: a convex bound from above, which keeps Newton's
   // steps from leaping to and fro across the kinks where slipping turns round.
@@ -48,6 +53,8 @@ class ContactEnergy : public MotionEnergy {
   void set_caps(const Eigen::VectorXd& caps);
   // Lets all points stick, however little they push: a first guess.
   void stick();
+  // Lets the points stick that touch at these poses, and no others.
+  void bond(const Poses& poses);
   // Ends a step: what slipped stays slipped, what does not push forgets.
   void remember(const Poses& poses);
 

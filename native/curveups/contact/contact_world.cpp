@@ -224,7 +224,11 @@ StepReport ContactWorld::step() {
   }
 
   if (weight_ < 0) weight_ = scale / options_.step_limit;
-  if (fresh_) contacts_.stick();
+  if (contacts_.is_bonded()) {
+    contacts_.bond(poses_);
+  } else if (fresh_) {
+    contacts_.stick();
+  }
   Poses x;
   for (int attempt = 0;; ++attempt) {
     x = poses_;

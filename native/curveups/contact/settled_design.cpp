@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "curveups/core/checkpoint.hpp"
@@ -36,9 +37,6 @@ RigidMotion best_fit(const Points3& from, const Points3& to) {
   const Eigen::Matrix3d R = svd.matrixV() * mirror * svd.matrixU().transpose();
   return {R, b.transpose() - R * a.transpose()};
 }
-
-// As good as endless: nothing that pushes slips.
-constexpr double sticking = 1e6;
 
 // Corners, edge midpoints and middle of a tile.
 constexpr int samples = 7;
@@ -91,7 +89,7 @@ class Settling {
 
   SettledDesign run() {
     ContactWorld& world = *built_.world;
-    world.set_friction(sticking);
+    world.set_friction(std::numeric_limits<double>::infinity());
     const bool still = settle().at_rest;
     stuck_.emplace(fitted());
     world.set_friction(out_.friction_coefficient);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
+#include <limits>
 
 #include "contact/blocks.hpp"
 
@@ -40,6 +41,24 @@ TEST(KnownAnswers, BlockOnASlopeSlipsWhereFrictionIsTheTangentOfItsAngle) {
       EXPECT_LT(moved, 1e-3);
     } else {
       EXPECT_FALSE(report.at_rest);
+      EXPECT_GT(moved, 10);
+    }
+  }
+}
+
+TEST(KnownAnswers, UnlimitedFrictionHoldsWhateverTouches) {
+  // On a slope of 75 degrees no coefficient below 3.7 does. A block above the slope falls past it.
+  for (const double gap : {0.0, 5.0}) {
+    Scene scene = slope(75 * pi / 180, gap);
+    scene.loads.front().force *= 0.01;  // barely pushes
+    auto world = scene.world(std::numeric_limits<double>::infinity());
+    const Vec3 start = world->poses()[1].t;
+    const StepReport report = world->settle(40);
+    const double moved = (world->poses()[1].t - start).norm();
+    EXPECT_EQ(report.at_rest, gap == 0);
+    if (gap == 0) {
+      EXPECT_LT(moved, 1e-3);
+    } else {
       EXPECT_GT(moved, 10);
     }
   }
