@@ -17,7 +17,6 @@ from PySide import QtCore, QtGui
 window = FreeCADGui.getMainWindow()
 _pictures = tempfile.gettempdir()
 _size = (1440, 900)
-_tops = []
 
 
 def keep_pictures_in(folder):
@@ -106,10 +105,14 @@ def widget(name, seconds=10):
     """The visible widget of that object name, in the window or in a dialog."""
 
     def find():
-        global _tops  # PySide drops what it knows of the widgets in a dialog together with the dialog
-        _tops = QtGui.QApplication.topLevelWidgets()
-        found = [w for top in _tops if top.isVisible() for w in top.findChildren(QtGui.QWidget, name)]
-        return next((w for w in found if w.isVisible()), None)
+        for top in QtGui.QApplication.topLevelWidgets():
+            for found in top.findChildren(QtGui.QWidget, name) if top.isVisible() else ():
+                if found.isVisible():
+                    # PySide drops what it knows of the widgets in a dialog together with the dialog. Nobody
+                    # else keeps that: it would take later widgets at its address for those that are gone.
+                    found.dialog = top
+                    return found
+        return None
 
     return until(find, seconds, f"a widget {name}")
 

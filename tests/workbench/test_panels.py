@@ -36,6 +36,7 @@ def test_legends_of_two_designs_stand_side_by_side(dome_document, pictures):
     tidy()
     for one in (design, other):
         one.Tiles.ViewObject.Visibility = one.Anchors.ViewObject.Visibility = False
+        one.ViewObject.Visibility = True
     settle(500)
     second = overlay_of(other)
     left, right = first.legend, second.legend
@@ -138,6 +139,8 @@ def test_all_edits_since_the_panel_opened_are_taken_back_at_once(dome_document, 
 def test_a_script_that_asks_for_membranes_gets_them(dome_document, tmp_path, pictures):
     copy = str(tmp_path / "copy.FCStd")
     document, design = opened(dome_document)
+    design.ViewObject.Visibility = True
+    settle(300)
     assert not overlay_of(design).scene.membranes
     design.ViewObject.Membranes = True
     assert LIVE.busy
