@@ -227,7 +227,7 @@ def test_a_brep_file_without_one_curve_on_a_surface_keeps_its_shape_or_is_refuse
 
 def test_curves_that_are_not_those_of_their_faces_are_noticed(curved, tmp_path):
     """Numbers of a file that reads: FreeCAD covers another part of the surface, whose area it gives."""
-    text = (curved / "cylinder.brep").read_text()
+    text = (curved / "cylinder.brep").read_text("utf-8")
     path, whole = tmp_path / "cylinder.brep", area_of(curved / "cylinder.brep")
     uses = list(re.finditer(r"\n2  (\d+) (\d+) 0 ", text))
     refused = 0

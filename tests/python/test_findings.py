@@ -75,15 +75,15 @@ def test_an_entry_of_a_report_has_its_figures():
 
 def test_every_kind_has_a_sentence():
     """Those that the native module makes, by its sources, and those of Python; and none is left over."""
-    made = {kind for path in (ROOT / "native").rglob("*.cpp") if "Finding" in (text := path.read_text())
-            or "add_rows" in text or "bump" in path.name
+    made = {kind for path in (ROOT / "native").rglob("*.cpp")
+            if "Finding" in (text := path.read_text("utf-8")) or "add_rows" in text or "bump" in path.name
             for found in _NATIVE.findall(text) for kind in found if kind}
     assert {"weak_points.pulling", "membrane.cuts", "degenerate-faces", "cut.tip", "gap.somewhere",
             "inconsistent-orientation", "bodies_meet", "no_balance", "in_the_air.held"} <= made
     python = {kind for path in (ROOT / "Workbench").rglob("*.py")
-              for kind in _PYTHON.findall(path.read_text())}
+              for kind in _PYTHON.findall(path.read_text("utf-8"))}
     assert python <= set(SENTENCES), python - set(SENTENCES)
-    sources = "".join(path.read_text() for folder, ending in (("native", "cpp"), ("Workbench", "py"))
+    sources = "".join(path.read_text("utf-8") for folder, ending in (("native", "cpp"), ("Workbench", "py"))
                       for path in (ROOT / folder).rglob(f"*.{ending}") if path.name != "sentences.py")
     stems = {kind for kind in SENTENCES if f'"{kind}"' not in sources}
     assert not {kind for kind in stems if f'"{kind.rpartition(".")[0]}' not in sources}, stems

@@ -244,7 +244,7 @@ def test_spares_are_the_tiles_that_were_named(curveups, printed, tmp_path):
     ran = curveups("export", printed.folder / "design.json", "-o", tmp_path, "--tiles", "T00012, T00003")
     assert ran.status == 0, ran.err
     assert {p.name for p in tmp_path.iterdir()} == {f"small-cap-spares.{e}" for e in ("step", "stl", "3mf")}
-    step = (tmp_path / "small-cap-spares.step").read_text()
+    step = (tmp_path / "small-cap-spares.step").read_text("utf-8")
     assert set(re.findall(r"'(T\d{5})'", step)) == {"T00003", "T00012"}
     for name in ("T00025", "12", ""):
         refused = curveups("export", printed.folder / "design.json", "-o", tmp_path / "no", "--tiles", name)
@@ -325,7 +325,7 @@ def test_sheets_hold_the_print_its_margin_teeth_and_grip():
 
 
 def test_the_template_as_dxf(kit):
-    data = (kit.folder / "small-cap-latex-front.dxf").read_text()
+    data = (kit.folder / "small-cap-latex-front.dxf").read_text("utf-8")
     document = ezdxf.read(io.StringIO(data))
     assert not document.audit().errors
     assert document.dxfversion == "AC1015" and document.units == ezdxf.units.MM
@@ -346,7 +346,7 @@ def test_the_template_as_dxf(kit):
 
 
 def test_the_template_as_svg_has_its_size(kit):
-    text = (kit.folder / "small-cap-latex-back.svg").read_text()
+    text = (kit.folder / "small-cap-latex-back.svg").read_text("utf-8")
     cut = kit.json["sheets"]["cut_mm"]
     width, height = (float(re.search(rf'{one}="([\d.]+)pt"', text)[1]) * 25.4 / 72
                      for one in ("width", "height"))

@@ -26,12 +26,14 @@ from .ring import rings
 FORMAT, VERSION = "curveups-kit", 1
 KIT = "kit.json"
 
+_OF_BRIDGES = ("print-fused.stl", "print-fused.3mf")
+
 # What follows NAME- in files, with the module, its function and what that is given. matplotlib is loaded
-# with the first of them. A function gives None where a design has no such file.
+# with the first of them.
 _SHEETS: Mapping[str, tuple[str, ...]] = {
     "shop.pdf": ("shop_sheet", "make"),
     "prusa.3mf": ("print_shop", "project"),
-    **{f"print-fused.{ending}": ("print_shop", "fused", ending) for ending in ("stl", "3mf")},
+    **{ending: ("print_shop", "fused", ending[-3:]) for ending in _OF_BRIDGES},
     **{f"latex-{side}.{kind}": ("latex", "make", side, kind)
        for side in ("front", "back") for kind in ("pdf", "svg", "dxf")},
     **{f"ring-{side}.dxf": ("ring_sheet", "make", side) for side in ("front", "back")},
@@ -75,16 +77,23 @@ def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: s
                 folder.write(doing, lambda place: kit.model.write(ending, kind, str(place), job))
                 listed()
             for ending, (module, function, *given) in _SHEETS.items():
+                if ending in _OF_BRIDGES and not _has_bridges(kit):
+                    continue
                 doing = f"{results.name}-{ending}"
                 go_on()
-                data = getattr(import_module(f".{module}", __package__), function)(kit, *given)
-                if data is not None:
-                    folder.write(doing, lambda place: place.write_bytes(data))
-                    listed()
+                make = getattr(import_module(f".{module}", __package__), function)
+                folder.write(doing, lambda place: place.write_bytes(make(kit, *given)))
+                listed()
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(KIT, to_text(_contents(kit, design, stopped)))
     return stopped
+
+
+def _has_bridges(kit: Kit) -> bool:
+    """Whether breakaway bridges join the tiles of the print."""
+    support = native.support_kind(kit.results.parameters)
+    return bool(support.bodies) and not support.soluble
 
 
 def _fields(results: Results, quantity: int) -> Mapping[str, Callable[[str], str]]:

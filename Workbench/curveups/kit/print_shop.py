@@ -10,7 +10,7 @@ import struct
 import tempfile
 import zipfile
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
@@ -58,10 +58,9 @@ _PART = """<volume firstid="{first}" lastid="{last}"><metadata type="volume" key
 """
 
 
-def fused(kit: Kit, ending: str) -> Optional[bytes]:
-    """Each piece as one closed shell; None where there are no bridges."""
-    support = native.support_kind(kit.results.parameters)
-    return None if support.soluble or not support.bodies else _written(kit.model, ending, "fused")
+def fused(kit: Kit, ending: str) -> bytes:
+    """Each piece as one closed shell; on bridges alone."""
+    return _written(kit.model, ending, "fused")
 
 
 def project(kit: Kit) -> bytes:
