@@ -4,6 +4,7 @@ nothing of the user's is lost."""
 
 import json
 import os
+import threading
 import zipfile
 from pathlib import Path
 from types import SimpleNamespace
@@ -367,3 +368,14 @@ def test_a_report_is_built_once_and_lists_the_page(project_of_cap, monkeypatch, 
     assert len(calls) == 1
     assert report["print"]["files"] == {
         "report.html": os.path.getsize(tmp_path / "out" / "report.html")}
+
+
+def test_commands_run_in_any_thread(tmp_path, capfd):
+    """Only the main thread can take signals."""
+    status = []
+    command = ["verify", str(tmp_path / "none.json")]
+    thread = threading.Thread(target=lambda: status.append(main(command)))
+    thread.start()
+    thread.join()
+    said = capfd.readouterr().err
+    assert status == [2] and "none.json" in said and "unexpected" not in said, said

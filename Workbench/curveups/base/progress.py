@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import signal
 import sys
+import threading
 import time
 from contextlib import contextmanager
 from types import FrameType
@@ -31,6 +32,8 @@ class Interrupt:
         self._before: dict[int, Any] = {}
 
     def __enter__(self) -> "Interrupt":
+        if threading.current_thread() is not threading.main_thread():
+            return self  # no other thread gets signals
         for number in STOPPING:
             if number == signal.SIGINT or signal.getsignal(number) is not signal.SIG_IGN:  # nohup ignores
                 self._before[number] = signal.signal(number, self._handle)

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "curveups/core/checkpoint.hpp"
+#include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/geometry/closest_points.hpp"
 
@@ -224,6 +225,12 @@ class Settling {
 
 SettledDesign settle_design(const Design& design, SolutionStore* store,
                             const SettleOptions& options, const Progress& progress) {
+  if (!std::isfinite(options.hold_tolerance) || options.hold_tolerance < 0) {
+    throw InvalidInput("hold_tolerance is no length", "give mm, or 0 for 1 % of L");
+  }
+  if (!std::isfinite(options.tile_modulus) || !(options.tile_modulus > 0)) {
+    throw InvalidInput("tile_modulus is no modulus", "give more than 0 MPa, such as 2000");
+  }
   const ProgressScope scope(progress);
   const TileBodies bodies = make_tile_bodies(design);
   SolvedDesign solved = take_or_solve(store, bodies.geometry, design, progress);

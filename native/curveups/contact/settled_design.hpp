@@ -54,7 +54,8 @@ struct SettledDesign {
               // centre has moved, and the quaternion (w last) it has turned by
 };
 
-// store: as verify_design has it. Throws what make_tile_bodies and take_or_solve throw, Cancelled.
+// store: as verify_design has it. Throws InvalidInput for options that are no numbers, what
+// make_tile_bodies and take_or_solve throw, Cancelled.
 SettledDesign settle_design(const Design& design, SolutionStore* store,
                             const SettleOptions& options, const Progress& progress);
 
