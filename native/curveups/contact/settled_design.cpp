@@ -42,8 +42,8 @@ RigidMotion best_fit(const Points3& from, const Points3& to) {
 // Corners, edge midpoints and middle of a tile.
 constexpr int samples = 7;
 Vec3 sample(const TriangleMesh& mesh, int tile, int k) {
-  const Vec3 a = mesh.V.row(mesh.F(tile, 0)), b = mesh.V.row(mesh.F(tile, 1)),
-             c = mesh.V.row(mesh.F(tile, 2));
+  Vec3 a = mesh.V.row(mesh.F(tile, 0)), b = mesh.V.row(mesh.F(tile, 1)),
+       c = mesh.V.row(mesh.F(tile, 2));
   switch (k) {
     case 0:
       return a;

@@ -154,12 +154,15 @@ std::string plain_zip(const std::string& zip) {
     append(directory, 0, 10);  // no comment, first disk, no attributes
     append(directory, out.size(), 4);
     directory += name;
-    out += "PK\3\4" + common + name;
+    out += "PK\3\4";
+    out += common;
+    out += name;
     out.append(zip, data, packed);
     at += 46 + name_size + extra_size + number(zip, at + 32, 2);
   }
   const std::size_t begin = out.size();
-  out += directory + "PK\5\6";
+  out += directory;
+  out += "PK\5\6";
   append(out, 0, 4);
   append(out, entries, 2);
   append(out, entries, 2);
