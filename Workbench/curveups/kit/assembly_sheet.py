@@ -50,8 +50,7 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
              f"glued in, {ring['tooth_height_mm']:g} mm of them stick out, their ends rounded and sanded; 4 "
              "longer ones at the corners align the rings"),
             ("Glue", f"{glue['front']:.2f} cm³ for the front and {glue['back']:.2f} cm³ for the back, and "
-                     "half as "
-             "much again for the roller; a flexible glue for rubber on hard plastic"),
+                     "half as much again for the roller; a flexible glue for rubber on hard plastic"),
             ("Tools", "scissors, a pen whose ink stays on latex, a roller, a ruler, gloves")]
 
 
@@ -112,8 +111,7 @@ def _pdf(kit: Kit) -> bytes:
 
 
 _MAP = ("Numbers of tiles from the front, and mirrored from the back: 12 is T00012. Red: tiles of the "
-        "weakest "
-        "contacts. The file -tiles.svg has it large enough to read.")
+        "weakest contacts. The file -tiles.svg has it large enough to read.")
 
 
 def _sentence(step: Step) -> str:

@@ -187,8 +187,8 @@ def _cover(drawing: Drawing, paper: str, parts: Sequence[Any], notes: Sequence[s
     top = write(page, BORDER, top - 2, [
         f"For {paper} paper: print at 100 % (“actual size”), not fitted to the page, and measure the ruler. "
         + (f"{len(parts)} pages follow, which overlap by {OVERLAP:g} mm: lay cross on cross. This page "
-           "shows the "
-           "whole, and which page has which part." if len(parts) > 1 else "One page follows."), *notes], 9.5)
+           "shows the whole, and which page has which part." if len(parts) > 1 else "One page follows."),
+        *notes], 9.5)
     room = (width - 2 * BORDER, top - 2 * BORDER)
     scale = min(room[0] / drawing.size[0], room[1] / drawing.size[1])
     inner = figure.add_axes([BORDER / width, BORDER / height, drawing.size[0] * scale / width,

@@ -31,9 +31,9 @@ _OF_BRIDGES = ("print-fused.stl", "print-fused.3mf")
 # What follows NAME- in files, with the module, its function and what that is given. matplotlib is loaded
 # with the first of them.
 _SHEETS: Mapping[str, tuple[str, ...]] = {
-    "shop.pdf": ("shop_sheet", "make"),
     "prusa.3mf": ("print_shop", "project"),
     **{ending: ("print_shop", "fused", ending[-3:]) for ending in _OF_BRIDGES},
+    "shop.pdf": ("shop_sheet", "make"),  # lists what comes before it
     **{f"latex-{side}.{kind}": ("latex", "make", side, kind)
        for side in ("front", "back") for kind in ("pdf", "svg", "dxf")},
     **{f"ring-{side}.dxf": ("ring_sheet", "make", side) for side in ("front", "back")},

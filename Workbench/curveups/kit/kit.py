@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+import tempfile
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
 
+from ..base.errors import Stopped
 from ..base.native import native
 from ..project.project import Results
 
@@ -30,14 +33,32 @@ class Kit:
 
     @property
     def title(self) -> str:
-        """What every sheet says of the design, in any letters; one that should not be printed says so "
-          "first."""
+        """What every sheet says of the design, in any letters, and first whether it is not valid."""
         return ("NOT VALID " if self.report["valid"] is False else "") + self.results.title
 
     @property
     def model(self) -> Any:
         """The native PrintModel."""
         return self.results["solids"].model
+
+    def stl(self, kind: str) -> bytes:
+        """The STL of a kind of bodies, or of the "fused" print. Raises Stopped, native.Cancelled."""
+        def asked(*_: Any) -> bool:
+            try:
+                self.go_on()
+            except Stopped:
+                return False
+            return True
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "print.stl"
+            self.model.write("stl", kind, str(path), asked)
+            return path.read_bytes()
+
+    @cached_property
+    def fused_stl(self) -> bytes:
+        """All that is printed, each piece as one closed shell."""
+        return self.stl("fused")
 
     @cached_property
     def shapes(self) -> Any:

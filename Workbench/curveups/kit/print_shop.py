@@ -7,10 +7,8 @@ from __future__ import annotations
 
 import io
 import struct
-import tempfile
 import zipfile
-from pathlib import Path
-from typing import Any
+from typing import Sequence
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
@@ -60,50 +58,46 @@ _PART = """<volume firstid="{first}" lastid="{last}"><metadata type="volume" key
 
 def fused(kit: Kit, ending: str) -> bytes:
     """Each piece as one closed shell; on bridges alone."""
-    return _written(kit.model, ending, "fused")
+    return kit.fused_stl if ending == "stl" else _threemf(kit, [("print", kit.fused_stl, 1)])
 
 
 def project(kit: Kit) -> bytes:
-    """A 3MF with PrusaSlicer's settings of parts and a thumbnail: a soluble slab is of extruder 2."""
-    model, soluble = kit.model, native.support_kind(kit.results.parameters).soluble
+    """The parts with their extruders: a soluble slab is of extruder 2."""
+    soluble = native.support_kind(kit.results.parameters).soluble
+    return _threemf(kit, [(kind, kit.stl(kind), 2 if kind == "support" and soluble else 1)
+                          for kind in ("tiles", "support", "anchors") if kit.model.volumes[kind] > 0])
+
+
+def _threemf(kit: Kit, parts: Sequence[tuple[str, bytes, int]]) -> bytes:
+    """A 3MF of one object with PrusaSlicer's settings of parts and a thumbnail. parts: their name, STL and
+    extruder."""
     vertices: list[str] = []
     triangles: list[str] = []
-    parts = ""
-    for kind in ("tiles", "support", "anchors"):
-        if not model.volumes[kind] > 0:
-            continue
+    volumes = ""
+    for name, data, extruder in parts:
         kit.go_on()
-        points, corners = np.unique(_facets(model, kind).reshape(-1, 3), axis=0, return_inverse=True)
+        points, corners = np.unique(_facets(data).reshape(-1, 3), axis=0, return_inverse=True)
         corners = corners.reshape(-1, 3) + len(vertices)
         first = len(triangles)
         triangles += ['<triangle v1="%d" v2="%d" v3="%d"/>' % tuple(row) for row in corners.tolist()]
         vertices += ['<vertex x="%.9g" y="%.9g" z="%.9g"/>' % tuple(row) for row in points.tolist()]
-        parts += _PART.format(first=first, last=len(triangles) - 1, name=kind,
-                              extruder=2 if kind == "support" and soluble else 1)
+        volumes += _PART.format(first=first, last=len(triangles) - 1, name=name, extruder=extruder)
     figure = Figure(figsize=(4, 4))
-    draw_print(figure.add_axes([0, 0, 1, 1]), model)
-    config = _CONFIG.format(title=quoteattr(kit.title), parts=parts)
+    draw_print(figure.add_axes([0, 0, 1, 1]), kit.model)
+    model = _MODEL.format(vertices="\n".join(vertices), triangles="\n".join(triangles))
     members = {"[Content_Types].xml": _TYPES.encode(), "_rels/.rels": _RELATIONS.encode(),
-               "3D/3dmodel.model": _MODEL.format(vertices="\n".join(vertices),
-                                                 triangles="\n".join(triangles)).encode(),
-               "Metadata/Slic3r_PE_model.config": config.encode("utf-8"),
+               "3D/3dmodel.model": model.encode(),
+               "Metadata/Slic3r_PE_model.config":
+                   _CONFIG.format(title=quoteattr(kit.title), parts=volumes).encode("utf-8"),
                "Metadata/thumbnail.png": _png(figure)}
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as zipped:
-        for name, data in members.items():
-            zipped.writestr(zipfile.ZipInfo(name), data, zipfile.ZIP_DEFLATED)
+        for name, content in members.items():
+            zipped.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
     return archive.getvalue()
 
 
-def _facets(model: Any, kind: str) -> np.ndarray:
-    """Corners of a kind's facets as they are printed, n x 3 x 3: those of its STL."""
-    data = _written(model, "stl", kind)
+def _facets(data: bytes) -> np.ndarray:
+    """Corners of an STL's facets, n x 3 x 3."""
     facet = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
     return np.frombuffer(data, facet, offset=84, count=struct.unpack_from("<I", data, 80)[0])["corners"]
-
-
-def _written(model: Any, ending: str, kind: str) -> bytes:
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / f"print.{ending}"
-        model.write(ending, kind, str(path))
-        return path.read_bytes()

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/mesh_files.hpp"
 #include "curveups/fabrication/step_file.hpp"
@@ -13,7 +14,10 @@ namespace curveups {
 namespace {
 
 // Of each piece one shell: breakaway bridges reach into tiles and anchors.
-std::vector<BodyMesh> fused(const std::vector<BodyMesh>& bodies, const PrintModel& model) {
+std::vector<BodyMesh> fused(const std::vector<BodyMesh>& bodies, const PrintModel& model,
+                            const Progress& progress) {
+  const ProgressScope scope(progress);
+  checkpoint("uniting bodies");
   if (support_kind(model.parameters).soluble) {
     throw InvalidInput("tiles and a soluble slab are of two materials, which can't be one shell",
                        "set support to breakaway");
@@ -44,7 +48,9 @@ std::vector<BodyMesh> fused(const std::vector<BodyMesh>& bodies, const PrintMode
 std::vector<BodyMesh> meshes_of(const PrintModel& model, const std::string& kind,
                                 const Progress& progress) {
   const MeshingOptions options{model.parameters.mesh_deviation, model.parameters.mesh_bumps};
-  if (kind == "fused") return fused(mesh_bodies(model.bodies("print"), options, progress), model);
+  if (kind == "fused") {
+    return fused(mesh_bodies(model.bodies("print"), options, progress), model, progress);
+  }
   return mesh_bodies(model.bodies(kind), options, progress);
 }
 

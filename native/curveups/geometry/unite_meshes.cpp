@@ -21,6 +21,25 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
+// The points of a mesh as corefinement asks for them: what it does all the time and is ours, so
+// that it can be stopped.
+struct WatchedPoints {
+  using key_type = Mesh::Vertex_index;
+  using value_type = Kernel::Point_3;
+  using reference = const value_type&;
+  using category = boost::read_write_property_map_tag;
+  Mesh* mesh;
+  std::size_t* asked;
+
+  friend reference get(const WatchedPoints& points, key_type vertex) {
+    checkpoint_now_and_then(++*points.asked);
+    return points.mesh->point(vertex);
+  }
+  friend void put(const WatchedPoints& points, key_type vertex, const value_type& point) {
+    points.mesh->point(vertex) = point;
+  }
+};
+
 // Groups of solids whose boxes do not touch: what is united with the rest in one go must not cut
 // itself.
 std::vector<std::vector<int>> disjoint_groups(const std::vector<TriangleMesh>& solids) {
@@ -79,6 +98,7 @@ TriangleMesh taken_from(const Mesh& mesh) {
 
 TriangleMesh unite_meshes(const std::vector<TriangleMesh>& solids) {
   Mesh all;
+  std::size_t asked = 0;
   for (const std::vector<int>& group : disjoint_groups(solids)) {
     checkpoint();
     Mesh next;
@@ -91,8 +111,12 @@ TriangleMesh unite_meshes(const std::vector<TriangleMesh>& solids) {
     Mesh both;
     bool united = false;
     try {
-      united = pmp::corefine_and_compute_union(all, next, both,
-                                               CGAL::parameters::throw_on_self_intersection(true));
+      using CGAL::parameters::vertex_point_map;
+      united = pmp::corefine_and_compute_union(
+          all, next, both,
+          vertex_point_map(WatchedPoints{&all, &asked}).throw_on_self_intersection(true),
+          vertex_point_map(WatchedPoints{&next, &asked}),
+          vertex_point_map(WatchedPoints{&both, &asked}));
     } catch (const pmp::Corefinement::Self_intersection_exception&) {
       united = false;
     }

@@ -148,6 +148,9 @@ TEST_F(Files, APieceOnBridgesIsOneClosedShellWhereItIsFused) {
                           parameters.bridge_thickness * static_cast<double>(s.supports.size());
   EXPECT_GT(volume_of(facets), apart - 3 * overlaps);
   EXPECT_THROW(write_stl(model(), "fused", path("b.stl"), {}), InvalidInput);
+  const Progress stop = [](const std::string& what, double) { return what != "uniting bodies"; };
+  EXPECT_THROW(write_stl(s, "fused", path("c.stl"), stop), Cancelled);
+  EXPECT_FALSE(fs::exists(path("b.stl")) || fs::exists(path("c.stl")));
 }
 
 // Readers that know no ZIP64 see an empty scene otherwise.
