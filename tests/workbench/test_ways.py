@@ -286,7 +286,7 @@ def test_the_first_layout_of_ones_own_part_comes_into_view(pictures):
     camera = look()
     # A run that is cancelled leaves all as it was. Such small tiles take longer than the way to the button.
     press("CurveUps_Solve")
-    until(lambda: LIVE._drawn, 60, "a picture of the run")
+    until(lambda: LIVE._drawn, 300, "a picture of the run")
     assert not shown(part)
     click(panel().form.cancel)
     at_rest()

@@ -11,7 +11,7 @@ from typing import Any, Optional
 
 import FreeCADGui
 
-from .qt import RESOURCES, QtCore, QtGui, QtWidgets, translate
+from .qt import RESOURCES, EventFilter, QtCore, QtGui, QtWidgets, translate
 
 GUIDE = RESOURCES / "docs" / "guide.md"
 SCHEME = "guide:"  # of links to a topic
@@ -91,17 +91,14 @@ def install() -> None:
     """Gives F1 and the links of What's This to the guide, where they are about CurveUps. Once a session."""
     global _keys
     if _keys is None:
-        _keys = _Keys(FreeCADGui.getMainWindow())
+        window = FreeCADGui.getMainWindow()
+        _keys = _Keys(window, window)
 
 
-class _Keys(QtCore.QObject):
+class _Keys(EventFilter):
     """Sees what nobody took before FreeCAD's window gets it."""
 
-    def __init__(self, window: Any):
-        super().__init__(window)
-        window.installEventFilter(self)
-
-    def eventFilter(self, window: Any, event: Any) -> bool:
+    def takes(self, event: Any) -> bool:
         kind = event.type()
         if kind == QtCore.QEvent.WhatsThisClicked and event.href().startswith(SCHEME):
             show_guide(event.href()[len(SCHEME):])

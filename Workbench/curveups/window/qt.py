@@ -15,7 +15,7 @@ try:
 except ImportError:
     QtWidgets = QtGui
 
-__all__ = ("QtCore", "QtGui", "QtWidgets", "QT_TRANSLATE_NOOP", "load_ui", "translate")
+__all__ = ("EventFilter", "QtCore", "QtGui", "QtWidgets", "QT_TRANSLATE_NOOP", "load_ui", "translate")
 
 RESOURCES = Path(__file__).parents[3] / "resources"
 
@@ -34,3 +34,23 @@ def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
 def load_ui(name: str) -> Any:
     """The widget that resources/ui/`name`.ui describes, with its children as attributes."""
     return FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
+
+
+class EventFilter(QtCore.QObject):
+    """Sees the events of widgets before they do. PySide2 may hand over a deleted object that had the event's
+    address: what is no event is not filtered."""
+
+    def __init__(self, parent: Any, *widgets: Any):
+        super().__init__(parent)
+        for widget in widgets:
+            widget.installEventFilter(self)
+
+    def takes(self, event: Any) -> bool:
+        """Whether nobody else gets the event."""
+        raise NotImplementedError
+
+    def eventFilter(self, widget: Any, event: Any) -> bool:
+        try:
+            return isinstance(event, QtCore.QEvent) and self.takes(event)
+        except (RuntimeError, ReferenceError):  # a view or a design is going
+            return False

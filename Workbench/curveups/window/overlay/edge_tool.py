@@ -8,7 +8,7 @@ from typing import Any, Callable, Optional
 
 import FreeCADGui
 
-from ..qt import QtCore
+from ..qt import EventFilter, QtCore
 from .picking import Pick, pick
 
 _SECONDS_BETWEEN_LOOKS = 0.03
@@ -30,17 +30,15 @@ class EdgeTool:
         self._filters = []
 
 
-class _Filter(QtCore.QObject):
+class _Filter(EventFilter):
     """Sees the mouse of one view before FreeCAD does."""
 
     def __init__(self, view: Any, design: Any, hover: Callable, click: Callable, escape: Callable):
         self._widget = view.graphicsView().viewport()
-        super().__init__(self._widget)
+        super().__init__(self._widget, self._widget, view.graphicsView())  # keys go to the latter
         self._view, self._design = view, design
         self._hover, self._click, self._escape = hover, click, escape
         self._looked, self._pressed = 0.0, False
-        for widget in (self._widget, view.graphicsView()):  # keys go to the latter
-            widget.installEventFilter(self)
 
     def close(self) -> None:
         try:
@@ -50,13 +48,7 @@ class _Filter(QtCore.QObject):
         except (RuntimeError, ReferenceError):  # the view was closed meanwhile
             pass
 
-    def eventFilter(self, widget: Any, event: Any) -> bool:
-        try:
-            return self._taken(event)
-        except (RuntimeError, ReferenceError):  # the view or the design is going
-            return False
-
-    def _taken(self, event: Any) -> bool:
+    def takes(self, event: Any) -> bool:
         kind = event.type()
         if kind == QtCore.QEvent.MouseMove and not event.buttons():
             now = time.perf_counter()

@@ -15,7 +15,7 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
-from ..qt import QtCore, QtGui, QtWidgets
+from ..qt import EventFilter, QtCore, QtGui, QtWidgets
 from ..units import short, user_unit
 from . import colours
 from .nodes import Markers, fill
@@ -239,17 +239,16 @@ def _polygon(corners: Sequence[tuple], colour: Sequence[float], transparency: fl
     return group
 
 
-class Dragging(QtCore.QObject):
+class Dragging(EventFilter):
     """Lets the mouse drag the ends of a legend's range in one view."""
 
     def __init__(self, view: Any, legend: Legend, visible: Callable[[], bool],
                  set_range: Callable[[Optional[tuple[float, float]]], None]):
         """view: of a 3D window. set_range: gets the new range, or None for the automatic one."""
         self._widget = view.graphicsView().viewport()
-        super().__init__(self._widget)
+        super().__init__(self._widget, self._widget)
         self._legend, self._visible, self._set_range = legend, visible, set_range
         self._dragged: Optional[tuple[str, float, float]] = None  # which end, and the range at the start
-        self._widget.installEventFilter(self)
 
     def is_of(self, view: Any) -> bool:
         """Whether it is this view's mouse."""
@@ -263,13 +262,7 @@ class Dragging(QtCore.QObject):
         except RuntimeError:
             return False
 
-    def eventFilter(self, widget: Any, event: Any) -> bool:
-        try:
-            return self._taken(event)
-        except RuntimeError:  # the view is being closed
-            return False
-
-    def _taken(self, event: Any) -> bool:
+    def takes(self, event: Any) -> bool:
         kind = event.type()
         if kind == QtCore.QEvent.MouseMove and self._dragged:
             self._move(event)
