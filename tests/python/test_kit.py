@@ -6,6 +6,7 @@ import io
 import json
 import re
 import subprocess
+import zipfile
 from types import SimpleNamespace
 
 import ezdxf
@@ -16,7 +17,6 @@ from matplotlib.image import imread
 from curveups.base.errors import Stopped
 from curveups.kit import drawing, files, latex, tile_map
 from curveups.kit.kit import Kit
-from curveups.kit.ring import rings
 from curveups.project.project import Project
 from curveups.report.data import build_report
 from curveups.report.exports import Choice, file_names
@@ -119,6 +119,30 @@ def test_names_of_print_files_have_what_shops_ask_for(curveups, printed, tmp_pat
     assert refused.status == 2 and "{quantity}" in refused.err and not (tmp_path / "no").exists()
     assert curveups("kit", printed.folder / "design.json", "-o", tmp_path / "no", "--quantity", 0).status == 2
     assert file_names("a", Choice((("tiles", "stl"),))) == {("tiles", "stl"): "a-tiles.stl"}
+
+
+@pytest.mark.parametrize("name, value, status, title", [
+    ("friction_coefficient", 0.01, 1, "NOT VALID small cap"), ("verify", False, 0, "NOT VERIFIED small cap")])
+def test_a_kit_says_everywhere_that_it_is_not_valid(curveups, printed, tmp_path, name, value, status, title):
+    data = json.loads((printed.folder / "design.json").read_text("utf-8"))
+    data["parameters"][name] = value
+    (tmp_path / "doubtful.json").write_text(json.dumps(data))
+    ran = curveups("kit", tmp_path / "doubtful.json", "-o", tmp_path / "kit")
+    assert ran.status == status, ran.err
+    folder = tmp_path / "kit"
+    for file in ("shop.pdf", "assembly.pdf", "latex-back.pdf"):
+        assert title in pdf_text(folder / f"small-cap-{file}")
+    assert f"Do not order it as it is: the design is {title[:-10].lower()}." in " ".join(
+        pdf_text(folder / "small-cap-shop.pdf").split())
+    assert title in (folder / "small-cap-print.step").read_text("utf-8")
+    assert title.encode() in (folder / "small-cap-tiles.stl").read_bytes()[:80]
+    for file, member in (("print", "3D/3dmodel.model"), ("prusa", "Metadata/Slic3r_PE_model.config")):
+        with zipfile.ZipFile(folder / f"small-cap-{file}.3mf") as archive:
+            assert title in archive.read(member).decode("utf-8")
+    found = json.loads((folder / "kit.json").read_text("utf-8"))
+    assert found["valid"] is (None if status == 0 else False) and found["title"] == "small cap"
+    design = (folder / "design.json").read_text("utf-8")
+    assert json.loads(design)["name"] == "small cap" and files.is_current(folder, design)
 
 
 def test_a_layout_can_not_change_in_a_kit(curveups, printed, tmp_path):
@@ -249,50 +273,6 @@ def test_spares_are_the_tiles_that_were_named(curveups, printed, tmp_path):
     for name in ("T00025", "12", ""):
         refused = curveups("export", printed.folder / "design.json", "-o", tmp_path / "no", "--tiles", name)
         assert refused.status == 2 and "T00001 to T00024" in refused.err and not (tmp_path / "no").exists()
-
-
-# Rings.
-
-
-def test_rings_hold_their_teeth_in_wood_and_these_do_not_meet(kit):
-    block, ring = kit.json["sheets"], kit.json["rings"]
-    places = {}
-    for side in ("front", "back"):
-        space = ezdxf.readfile(kit.folder / f"small-cap-ring-{side}.dxf").modelspace()
-        outer, window = (np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="cut"]'))
-        assert np.allclose(np.ptp(outer, axis=0), ring["outer_mm"])
-        assert np.allclose(np.ptp(window, axis=0), block["window_mm"])
-        assert len(space.query('CIRCLE[layer=="cut"]')) == 4
-        holes = np.array([tuple(c.dxf.center)[:2] for c in space.query('CIRCLE[layer=="control"]')])
-        assert len(holes) == ring["teeth"]
-        for box, sign in ((outer, 1), (window, -1)):  # inside of the outline, outside of the window
-            depth = np.minimum(holes - box.min(0), box.max(0) - holes).min(1) * sign
-            assert depth.min() > ring["dowel_mm"] / 2 + 2
-        places[side] = holes
-    for mirrored in ((-1, 1), (1, -1)):  # the back's ring is turned over onto the front's
-        middle = np.array(ring["outer_mm"]) / 2
-        back = (places["back"] - middle) * mirrored + middle
-        assert np.linalg.norm(places["front"][:, None] - back, axis=2).min() > 2 * ring["dowel_mm"]
-
-
-@pytest.mark.parametrize("box", [(195.4, 194.3), (510.0, 395.0)])  # Half-Sphere and Spot
-def test_a_ring_bends_as_a_beam_of_finite_elements_does(box):
-    block = sheets(box, 3.0, (0.72, 0.72), (0.5, 0.5))
-    found = rings(block)
-    count, stiffness = 40, 6000 * found["thickness_mm"] * found["width_mm"] ** 3 / 12
-    for axis, span in enumerate(block["window_mm"]):
-        h, load = span / count, 0.36 * (1 - 3 ** -6)  # N/mm
-        beam = np.array([[12, 6, -12, 6], [6, 4, -6, 2], [-12, -6, 12, -6], [6, 2, -6, 4]])
-        beam = beam * stiffness / h ** 3
-        beam = beam * np.outer([1, h, 1, h], [1, h, 1, h])
-        K, f = np.zeros((2 * count + 2,) * 2), np.zeros(2 * count + 2)
-        for k in range(count):
-            K[2 * k:2 * k + 4, 2 * k:2 * k + 4] += beam
-            f[2 * k:2 * k + 4] += load * h * np.array([0.5, h / 12, 0.5, -h / 12])
-        bent = np.linalg.solve(K[2:-2, 2:-2], f[2:-2])[::2].max()
-        assert found["front"]["bends_mm"][axis] == pytest.approx(bent, rel=1e-3) and bent < 1
-    assert found["front"]["tooth_n"] == pytest.approx(15 * load)
-    assert found["front"]["tooth_mpa"] < 20  # beech breaks at more than 100
 
 
 # Templates.

@@ -31,6 +31,7 @@ V, F = _cap()
 PARAMETERS = native.Parameters()
 FOUND = native.solve_layout(V, F, NONE, PARAMETERS)
 DESIGN = native.Design("cap", PARAMETERS, V, F, FOUND.T, FOUND.q, NONE)
+SQUARE = np.array([(0, 0), (9, 0), (9, 9), (0, 9)], float)
 FOLDER = Path(tempfile.mkdtemp())
 
 
@@ -147,6 +148,13 @@ VALUES = {
     "kind": ("tiles", TEXTS + ["", "x", "TILES", "\0"], []),
     "ending": ("stl", TEXTS + ["", "x", "../stl"], []),
     "path": (str(FOLDER / "x"), TEXTS[:2] + ["", str(FOLDER), str(FOLDER / "no" / "x"), "a\0b"], []),
+    "parts": ([(SQUARE, [], [(5.0, 5.0)], [(2.0, 2.0)])],
+              [None, "x", [], [()], [(SQUARE[:2], [], [], [])], [(SQUARE, SQUARE[:1], [], [])],
+               [(SQUARE, [], [(np.nan, 0.0)], [])], [(put(SQUARE, (0, 0), np.inf), [], [], [])]],
+              [[(SQUARE * 0, SQUARE, [(0.0, 0.0)] * 9, [])]]),
+    "thickness": (12.0, [None, "x", np.nan, np.inf, 0.0, -1.0, 1e300], [1e-300]),
+    "tooth_radius": (2.5, [None, "x", np.nan, np.inf, 0.0, -1.0, 1e300], [1e-300]),
+    "tooth_height": (4.5, [None, "x", np.nan, np.inf, 0.0, -1.0, 1e300], [2.5 + 1e-15]),
     "direct": (False, ["x"], [True]),
     "arg0": (PARAMETERS, OBJECTS, []),
 }
@@ -159,7 +167,7 @@ LENIENT = {
     **{(entry, name): "for check_mesh to tell of" for entry in ("clean_mesh", "check_mesh", "mend_mesh")
        for name in "VF"},
     ("Parameters.get", "name"): "", ("Design", "name"): "any text is a name",
-    ("Design.with_name", "name"): "any text is a name",
+    ("Design.with_name", "name"): "any text is a name", ("make_ring", "name"): "any text is a name",
 }
 
 

@@ -153,7 +153,7 @@ def kit(options: Any, session: Session) -> int:
     require_folder_name(options.output)
     project, _ = _design_project(options, session)
     job = session.job
-    results = project.run(kit_files.goals(), job, strict=True)
+    results = kit_files.make(project, job)
     if results["check"].print_block:
         with session.interrupt.shielded():
             stopped = kit_files.write_kit(results, options.output, job, options.quantity, options.names)

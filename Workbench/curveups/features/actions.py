@@ -235,7 +235,7 @@ def kit_work(design: Any, folder: str) -> Callable[[Job], str]:
         page = Path(folder) / f"{project.name}-assembly.html"
         if kit_files.is_current(Path(folder), native.write_design(finished)) and page.exists():
             return str(page)
-        results = project.run(kit_files.goals(), job, strict=True)
+        results = kit_files.make(project, job)
         if job.stopped or kit_files.write_kit(results, Path(folder), job):
             raise Stopped
         return str(page)

@@ -8,7 +8,7 @@ import io
 from functools import partial
 from html import escape
 from types import SimpleNamespace
-from typing import Any, Callable, Iterator
+from typing import Any, Callable, Iterator, Mapping
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -20,10 +20,8 @@ from ..report.html import page, picture
 from ..report.print_pictures import print_view
 from ..report.shop import latex
 from ..report.tables import table
-from ..stages.solids import read_printer
 from . import drawing, latex as template
 from .kit import Kit
-from .ring import rings
 from .tile_map import tile_map
 from .trim import marks
 
@@ -37,27 +35,35 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
     """What has to be there before the first step."""
     block, parameters = kit.report["print"], kit.results.parameters
     glue, sheets = glue_volumes(block["glue"]), kit.report["sheets"]
-    ring = rings(sheets)
+    ring = kit.rings
     (width, height), (outer, high) = sheets["window_mm"], ring["outer_mm"]
     return [("Print", f"{block['bodies']} bodies, {kit.report['tiles']} of them tiles, as on "
                       f"{kit.name}-shop.pdf"),
             ("Latex", latex(kit.report, parameters)),
             ("Templates", f"{kit.name}-latex-front.pdf and {kit.name}-latex-back.pdf, printed at 100 %"),
             ("Stretching rings",
-             f"two frames of {ring['thickness_mm']:g} mm plywood, {outer:.0f} × {high:.0f} mm, with a window "
-             f"of {width:.0f} × {height:.0f} mm ({kit.name}-ring-front.dxf and -back.dxf), and "
-             f"{2 * ring['teeth']} dowels of {ring['dowel_mm']:g} × {ring['dowel_length_mm']:g} mm as teeth: "
-             f"glued in, {ring['tooth_height_mm']:g} mm of them stick out, their ends rounded and sanded; 4 "
-             "longer ones at the corners align the rings"),
+             f"two frames of {outer:.0f} × {high:.0f} × {ring['thickness_mm']:g} mm around a window of "
+             f"{width:.0f} × {height:.0f} mm. Print {kit.name}-ring-front.step and -back.step, or their STL, "
+             f"of rigid plastic{_of_parts(ring)}; or saw plywood as thick ({kit.name}-ring-front.dxf and "
+             f"-back.dxf) and glue in {2 * ring['teeth']} dowels of {ring['dowel_mm']:g} × "
+             f"{ring['dowel_length_mm']:g} mm as teeth, of which {ring['tooth_height_mm']:g} mm stick out, "
+             f"their ends rounded and sanded. 4 rods of {ring['dowel_mm']:g} × "
+             f"{2 * ring['thickness_mm'] + ring['apart_mm']:g} mm at the corners align the rings"),
             ("Glue", f"{glue['front']:.2f} cm³ for the front and {glue['back']:.2f} cm³ for the back, and "
                      "half as much again for the roller; a flexible glue for rubber on hard plastic"),
             ("Tools", "scissors, a pen whose ink stays on latex, a roller, a ruler, gloves")]
 
 
+def _of_parts(ring: Mapping[str, Any]) -> str:
+    counts = [ring[side]["parts"] for side in ("front", "back")]
+    return (f", in {counts[0]} and {counts[1]} parts for the bed, which are glued at their dovetails on "
+            "a flat table" if max(counts) > 1 else "")
+
+
 def _pictures(kit: Kit) -> dict[str, Callable[[], bytes]]:
     """How the pictures of steps are drawn, by their names."""
     design, block = kit.results.design, kit.report["sheets"]
-    bed = read_printer(kit.results.parameters.get("printer"))["bed_mm"]
+    bed = kit.printer["bed_mm"]
     return {"template": lambda: _drawn(template.template(kit.title, block)),
             "stretched": lambda: _drawn(template.template(kit.title, block, True)),
             "print": partial(print_view, kit.model, bed),

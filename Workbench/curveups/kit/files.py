@@ -12,16 +12,15 @@ from typing import Any, Callable, Mapping
 from ..base.errors import Stopped
 from ..base.native import native
 from ..base.output import Folder
-from ..project.project import Results
+from ..project.project import Project, Results
 from ..report.assembly import GLUE_LAYER, glue_volumes, steps
 from ..report.data import build_report, to_text
-from ..report.exports import Choice, file_names
+from ..report.exports import Choice, doubtful, file_names, plain, run_under
 from ..report.files import keep_design
 from ..report.shop import latex, quote, rules
 from ..stages import asked_by
 from ..stages.stage import Job
 from .kit import Kit
-from .ring import rings
 
 FORMAT, VERSION = "curveups-kit", 1
 KIT = "kit.json"
@@ -36,7 +35,8 @@ _SHEETS: Mapping[str, tuple[str, ...]] = {
     "shop.pdf": ("shop_sheet", "make"),  # lists what comes before it
     **{f"latex-{side}.{kind}": ("latex", "make", side, kind)
        for side in ("front", "back") for kind in ("pdf", "svg", "dxf")},
-    **{f"ring-{side}.dxf": ("ring_sheet", "make", side) for side in ("front", "back")},
+    **{f"ring-{side}.{kind}": ("ring_sheet", "make", side, kind)
+       for side in ("front", "back") for kind in ("step", "stl", "dxf")},
     **{f"assembly.{kind}": ("assembly_sheet", "make", kind) for kind in ("html", "pdf")},
     "tiles.svg": ("tile_map", "make"),
     **{f"trim.{kind}": ("trim", "make", kind) for kind in ("dxf", "svg")},
@@ -48,10 +48,19 @@ def goals() -> tuple[str, ...]:
     return ("figures", *asked_by("verify"), *asked_by("print"), "anchoring")
 
 
+def make(project: Project, job: Job) -> Results:
+    """What a kit is made from. Where the design is not known to be valid, labels, solids and files say so."""
+    results = project.run(goals(), job, strict=True)
+    if results.verdict.valid or results.stopped:
+        return results
+    name = doubtful(results.title, results.verdict.valid)
+    return run_under(project, results.design.with_name(name), results.parameters, goals(), job)
+
+
 def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: str = "{name}-{body}") -> bool:
     """Writes all files of a kit; whether that was stopped. kit.json goes first and comes last: what it does
     not list, this run did not write. mask: names of print files (exports.py)."""
-    design = native.write_design(results.design)
+    design = native.write_design(results.design.with_name(plain(results)))
     wanted = tuple((kind, one.ending) for one in native.print_formats() for kind in one.wanted
                    if kind in (*results["solids"].kinds, "print"))
     names = file_names(results.name, Choice(wanted, mask), _fields(results, quantity))
@@ -110,12 +119,12 @@ def _contents(kit: Kit, design: str, stopped: bool) -> dict[str, Any]:
     report, parameters = kit.report, kit.results.parameters
     printed = {name: value for name, value in report["print"].items() if name != "files"}
     blocks = ("area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts", "joints")
-    return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.results.title,
+    return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.plain_title,
             "status": "stopped" if stopped else "complete", "design_sha256": _sum(design.encode("utf-8")),
             "valid": report["valid"], "reasons": report["reasons"], "quantity": kit.quantity,
             "tiles": report["tiles"], "contacts": report["contacts"], "cuts": report["cuts"],
             "print": printed, **{name: report[name] for name in blocks if name in report},
-            "rings": rings(report["sheets"]),
+            "rings": kit.rings,
             "glue": {"layer_mm": GLUE_LAYER, "volume_cm3": glue_volumes(printed["glue"])},
             "shop": {"rules": rules(report, parameters),
                      "quote": {**dict(quote(report, parameters, kit.quantity)),

@@ -14,6 +14,9 @@ import numpy as np
 from ..base.errors import Stopped
 from ..base.native import native
 from ..project.project import Results
+from ..report.exports import doubtful, plain
+from ..stages.solids import read_printer
+from .ring import rings
 
 
 @dataclass
@@ -34,7 +37,11 @@ class Kit:
     @property
     def title(self) -> str:
         """What every sheet says of the design, in any letters, and first whether it is not valid."""
-        return ("NOT VALID " if self.report["valid"] is False else "") + self.results.title
+        return doubtful(self.plain_title, self.report["valid"])
+
+    @property
+    def plain_title(self) -> str:
+        return plain(self.results)
 
     @property
     def model(self) -> Any:
@@ -43,6 +50,10 @@ class Kit:
 
     def stl(self, kind: str) -> bytes:
         """The STL of a kind of bodies, or of the "fused" print. Raises Stopped, native.Cancelled."""
+        return self.written(self.model, "stl", kind)
+
+    def written(self, model: Any, ending: str, kind: str) -> bytes:
+        """A file of a native PrintModel. Raises Stopped, native.Cancelled."""
         def asked(*_: Any) -> bool:
             try:
                 self.go_on()
@@ -51,9 +62,19 @@ class Kit:
             return True
 
         with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "print.stl"
-            self.model.write("stl", kind, str(path), asked)
+            path = Path(folder) / f"print.{ending}"
+            model.write(ending, kind, str(path), asked)
             return path.read_bytes()
+
+    @cached_property
+    def printer(self) -> dict[str, Any]:
+        """The printer's file."""
+        return read_printer(self.results.parameters.get("printer"))
+
+    @cached_property
+    def rings(self) -> dict[str, Any]:
+        """Sizes and strength of the stretching rings."""
+        return rings(self.report["sheets"], self.report["print"]["bbox_mm"][2], self.printer["bed_mm"])
 
     @cached_property
     def fused_stl(self) -> bytes:

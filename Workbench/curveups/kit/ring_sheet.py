@@ -1,35 +1,91 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The plywood of a stretching ring, for a laser or a saw and a drill, at full size."""
+"""The files of a stretching ring: solids for a printer, and plywood for a laser or a saw and a drill, at full
+size."""
 
 from __future__ import annotations
 
-from typing import Any, Mapping
+from typing import Any, Mapping, Sequence
 
 import numpy as np
+from matplotlib.path import Path as Outline
 
+from ..base.native import native
 from .drawing import Drawing, dxf
 from .kit import Kit
-from .ring import DOWEL, RIM, THICKNESS, frame_width, teeth
+from .ring import DOWEL, FLARE, RIM, TONGUE, Cut, cuts, frame_width, outer_size, teeth, tongues
 
 
-def make(kit: Kit, side: str) -> bytes:
-    """The plywood of a side's ring, as DXF."""
-    return dxf(frame(f"{kit.title}, {side} ring", kit.report["sheets"], side))
+Part = tuple[Any, Any, Any, Any]  # outline, window, teeth, holes: n x 2
 
 
-def frame(title: str, block: Mapping[str, Any], side: str) -> Drawing:
+def make(kit: Kit, side: str, kind: str) -> bytes:
+    """A side's ring as step, stl or dxf (plywood)."""
+    block, ring = kit.report["sheets"], kit.rings
+    title = f"{kit.title}, {side} ring"
+    if kind == "dxf":
+        return dxf(frame(title, block, side, ring["thickness_mm"]))
+    return kit.written(solids(title, block, side, ring, kit.printer), kind, "print")
+
+
+def solids(title: str, block: Mapping[str, Any], side: str, ring: Mapping[str, Any],
+           printer: Mapping[str, Any]) -> Any:
+    """A native PrintModel of the parts at their places."""
+    made = parts(block, side, printer["bed_mm"], printer["tolerance_mm"])
+    return native.make_ring(title, made, ring["thickness_mm"], DOWEL / 2, ring["tooth_height_mm"])
+
+
+def parts(block: Mapping[str, Any], side: str, bed: Sequence[float], fit: float
+          ) -> list[Part]:
+    """Outline, window, teeth and holes of each part. fit: mm that stay free between parts."""
+    places, holes = teeth(block, side), np.array(_corners(outer_size(block), RIM / 2))
+    outer, width = outer_size(block), frame_width(block)
+    made = cuts(block, side, bed)
+    if not made:
+        return [(np.array(_corners(outer)), np.array(_corners(outer, width)), places, holes)]
+    found = []
+    for one, following in zip(made, made[1:] + made[:1]):
+        # Corners between the two cuts; the inner ones are passed on the way back.
+        between = [k % 4 for k in range(one[0] + 1, following[0] + 1 + 4 * (following <= one))]
+        inner = [_corners(outer, width)[k] for k in reversed(between)]
+        line = np.array([*(_corners(outer)[k] for k in between), *_profile(block, places, following, 0.0),
+                         *inner, *_profile(block, places, one, fit)[::-1]])
+        inside = Outline(line).contains_points
+        found.append((line, np.zeros((0, 2)), places[inside(places)], holes[inside(holes)]))
+    return found
+
+
+def _corners(size: Sequence[float], inset: float = 0.0) -> list[tuple[float, float]]:
+    """Of a rectangle, counter-clockwise from the lower left."""
+    x, y = size[0] - inset, size[1] - inset
+    return [(inset, inset), (x, inset), (x, y), (inset, y)]
+
+
+def _profile(block: Mapping[str, Any], places: np.ndarray, cut: Cut, fit: float) -> list[np.ndarray]:
+    """A cut's line from the outer edge to the window, with dovetails in the direction of going around."""
+    corners = np.array(_corners(outer_size(block)))
+    start, along = corners[cut[0]], np.roll(corners, -1, axis=0)[cut[0]] - corners[cut[0]]
+    along = along / np.linalg.norm(along)
+    inwards, width = np.array([-along[1], along[0]]), frame_width(block)
+    s, t = (places - start) @ along - cut[1], (places - start) @ inwards
+    rows = sorted(set(np.round(t[(abs(s) < block["tooth_pitch_mm"]) & (t < width)], 6)))
+    line = [(fit, 0.0)]
+    for middle, wide in tongues(rows, width):
+        neck, tip = wide / 2 - FLARE + fit, wide / 2 + fit
+        line += [(fit, middle - neck), (TONGUE + fit, middle - tip), (TONGUE + fit, middle + tip),
+                 (fit, middle + neck)]
+    return [start + (cut[1] + s) * along + t * inwards for s, t in [*line, (fit, width)]]
+
+
+def frame(title: str, block: Mapping[str, Any], side: str, thickness: float) -> Drawing:
     """The face with the teeth. Layer cut: outline, window and holes at the corners for dowels that align both
     rings; layer control: holes of teeth."""
-    width = frame_width(block)
-    window = np.array(block["window_mm"])
-    outer = window + 2 * width
-    drawing = Drawing(title, (float(outer[0]), float(outer[1])))
-    drawing.box("cut", 0, 0, *map(float, outer))
-    drawing.box("cut", width, width, *map(float, window))
-    for x in (RIM / 2, float(outer[0]) - RIM / 2):
-        for y in (RIM / 2, float(outer[1]) - RIM / 2):
-            drawing.circle("cut", x, y, DOWEL / 2)
-    for tooth in teeth(block, side) + width:
+    width, outer = frame_width(block), outer_size(block)
+    drawing = Drawing(title, (outer[0], outer[1]))
+    drawing.box("cut", 0, 0, *outer)
+    drawing.box("cut", width, width, *map(float, block["window_mm"]))
+    for x, y in _corners(outer, RIM / 2):
+        drawing.circle("cut", x, y, DOWEL / 2)
+    for tooth in teeth(block, side):
         drawing.circle("control", float(tooth[0]), float(tooth[1]), DOWEL / 2)
-    drawing.text(RIM, 2.0, 5.0, f"{title}: {THICKNESS:g} mm plywood, holes {DOWEL:g} mm")
+    drawing.text(RIM, 2.0, 5.0, f"{title}: {thickness:g} mm plywood, holes {DOWEL:g} mm")
     return drawing

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from ..report.print_pictures import draw_print
 from ..report.shop import quote, rules
-from ..stages.solids import read_printer
 from .drawing import BORDER, PAPERS, saved, sheet, write
 from .kit import Kit
 
 LABELS = 48.0  # mm, width of the column of labels
+MOST_REASONS = 3
 
 
 def make(kit: Kit) -> bytes:
@@ -18,7 +18,8 @@ def make(kit: Kit) -> bytes:
     figure, page = sheet(width, height)
     parameters = kit.results.parameters
     top = write(page, BORDER, height - BORDER, [f"{kit.title}: order for a 3D print"], 15)
-    top = write(page, BORDER, top - 1, [f"•  {rule}" for rule in rules(kit.report, parameters)], 9.5) - 1
+    said = (*_doubts(kit), *rules(kit.report, parameters))
+    top = write(page, BORDER, top - 1, [f"•  {rule}" for rule in said], 9.5) - 1
     for label, value in quote(kit.report, parameters, kit.quantity):
         page.plot([BORDER, width - BORDER], [top - 0.4] * 2, color="#cccccc", linewidth=0.4)
         write(page, BORDER, top, [label], 8, LABELS - 2)
@@ -28,5 +29,13 @@ def make(kit: Kit) -> bytes:
         top = write(page, BORDER, top, [f"{name}   {about['bytes']}   {about['sha256']}"], 5.5)
     room = top - BORDER
     axes = figure.add_axes([BORDER / width, BORDER / height, 1 - 2 * BORDER / width, room / height])
-    draw_print(axes, kit.model, read_printer(parameters.get("printer"))["bed_mm"])
+    draw_print(axes, kit.model, kit.printer["bed_mm"])
     return saved(figure, "pdf")
+
+
+def _doubts(kit: Kit) -> list[str]:
+    """Why nobody should print it; none where the design is valid."""
+    if kit.report["valid"]:
+        return []
+    word = "not valid" if kit.report["valid"] is False else "not verified"
+    return [f"Do not order it as it is: the design is {word}.", *kit.report["reasons"][:MOST_REASONS]]

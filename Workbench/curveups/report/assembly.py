@@ -20,10 +20,10 @@ of the templates only then. Wear gloves. Keep the sheets away from oil, from sun
 allergic to latex."""
 _STRETCH = """Stretch both membranes to {tau:g} times their length, each on its ring around a window of
 {window[0]:.0f} × {window[1]:.0f} mm: every crossing of the grid comes to a tooth, {pitch:g} mm from the
-next. Each of the five control squares of {square:g} mm must read {stretched:g} ± {slack:.1f} mm in both
-directions, once more just before gluing: latex creeps. The front sheet pulls at the sides of its ring with
-{front[0]:.0f} N and {front[1]:.0f} N, the back sheet with {back[0]:.0f} N and {back[1]:.0f} N: a ring that
-lets go snaps back."""
+next. Begin in the middles of opposite sides, and end at the corners. Each of the five control squares of
+{square:g} mm must read {stretched:g} ± {slack:.1f} mm in both directions, once more just before gluing: latex
+creeps. The front sheet pulls at the sides of its ring with {front[0]:.0f} N and {front[1]:.0f} N, the back
+sheet with {back[0]:.0f} N and {back[1]:.0f} N: a ring that lets go snaps back."""
 _LOOK = """{label}There are {bodies} bodies: {tiles} tiles, {anchors} anchors and {others} of what holds
 them together. Take a tile that is missing or broken from the spares (curveups export --tiles), by its
 number.{weak}"""
@@ -38,7 +38,8 @@ their places now."""
 _NOTHING_AWAY = """once the glue holds. The membrane stays on its ring: it alone keeps the tiles in their
 places."""
 _SECOND = """{second_mm2:.0f} mm², {second_cm3:.2f} cm³ of glue. Lay the second membrane on, stretched on
-its ring: the teeth of the two rings stand half a pitch apart."""
+its ring: the rings close face to face, {height:g} mm apart, and their teeth stand half a pitch beside one
+another. Rods in the holes at the corners align them. Press through the windows, as long as before."""
 _RELEASE = """when the glue holds, side by side. It pulls itself into shape. Help with your hands where it
 stays flat, from the middle outwards."""
 _TRIM = """trim the anchors off with the surplus membrane, {trim:g} mm outside of the outer pins, along
@@ -104,6 +105,7 @@ def _values(report: Mapping[str, Any], parameters: Any) -> dict[str, Any]:
             "second": second, "second_mm2": _area(glue, second), "second_cm3": glue_volumes(glue)[second],
             "behind": f"; on the {second} {level} and would be glued along" if along else "",
             "on_bed": on_bed, "peel_first": reach_out and on_bed == first,
+            "height": block["bbox_mm"][2],
             "pieces": block["pieces"], "hole": joints.get("hole_mm", 0), "holes": joints.get("holes", 0)}
 
 

@@ -155,9 +155,17 @@ def write_file(project: Project, path: str, file: File, doubts: tuple[Finding, .
         results["solids"].model.write(ending, kind, path, job)
 
 
-def titled(design: Any, doubts: Sequence[Finding]) -> Any:
-    """The design under the title that files carry inside: one that should not be printed says so first."""
-    return design.with_name(f"NOT VALID {design.name}") if doubts else design
+def doubtful(title: str, valid: Optional[bool]) -> str:
+    """The title that files carry inside: of a design that should not be printed it says so first."""
+    return f"{_DOUBTS[valid]}{title}"
+
+
+def plain(results: Results) -> str:
+    """The design's title without that."""
+    return results.title.removeprefix(_DOUBTS[results.verdict.valid])
+
+
+_DOUBTS = {True: "", False: "NOT VALID ", None: "NOT VERIFIED "}
 
 
 def _doubtful(why: Finding, project: Project) -> CurveUpsError:
@@ -166,19 +174,27 @@ def _doubtful(why: Finding, project: Project) -> CurveUpsError:
 
 def _printed(project: Project, choice: Choice, job: Job) -> Results:
     """Solids under the title and deviation of the files; verification as far as it is current."""
-    finished, parameters = project.latest("design"), project.parameters
+    parameters = project.parameters
     if choice.deviation is not None:
         with translated("mesh_deviation"):
             parameters.set("mesh_deviation", choice.deviation)
-    design = titled(finished.design, choice.doubts)
-    known = {name: made for name, made in project.made().items()
-             if name not in (*asked_by("print"), "design")}
-    twin = Project(design.name, parameters, {"design": FinishedDesign(design, None, finished.unsettled)},
-                   project.where, known)
-    goals = (*_current(twin, asked_by("verify")), *asked_by("print"))
-    results = twin.run(goals, job, strict=True, note=Finding("unverified.export"))
+    design = project.latest("design").design
+    named = design.with_name(doubtful(design.name, False)) if choice.doubts else design
+    goals = (*_current(project, asked_by("verify")), *asked_by("print"))
+    results = run_under(project, named, parameters, goals, job, Finding("unverified.export"))
     if job.stopped:
         raise Stopped
+    return results
+
+
+def run_under(project: Project, design: Any, parameters: Any, goals: Sequence[str], job: Job,
+              note: Optional[Finding] = None) -> Results:
+    """Results of a project's design under the title that `design` has, which labels, solids and files carry;
+    what does not depend on it is taken over. Files are named as before."""
+    known = {name: made for name, made in project.made().items()
+             if name not in (*asked_by("print"), "design")}
+    given = {"design": FinishedDesign(design, None, project.latest("design").unsettled)}
+    results = Project(design.name, parameters, given, project.where, known).run(goals, job, True, note)
     return replace(results, name=safe_name(project.name))
 
 

@@ -8,6 +8,7 @@
 #include "curveups/fabrication/palette.hpp"
 #include "curveups/fabrication/print_files.hpp"
 #include "curveups/fabrication/print_solids.hpp"
+#include "curveups/fabrication/ring.hpp"
 #include "curveups/fabrication/supports.hpp"
 
 namespace curveups::bindings {
@@ -250,6 +251,25 @@ void bind_print_model(py::module_& module) {
       },
       py::arg("design"), py::arg("progress") = py::none(),
       "The print of a design; raises InfeasibleDesign, naming tiles, where it can't be made.");
+  using Points = std::vector<Vec2>;
+  module.def(
+      "make_ring",
+      [](const std::string& name,
+         const std::vector<std::tuple<Points, Points, Points, Points>>& parts, double thickness,
+         double tooth_radius, double tooth_height) {
+        std::vector<RingPart> made;
+        for (const auto& [outline, window, teeth, holes] : parts) {
+          made.push_back({outline, window, teeth, holes});
+        }
+        return HeldModel(
+            new PrintModel(make_ring(name, made, thickness, tooth_radius, tooth_height)));
+      },
+      py::arg("name"), py::arg("parts"), py::arg("thickness"), py::arg("tooth_radius"),
+      py::arg("tooth_height"),
+      "A ring that holds a stretched sheet, as bodies of kind tiles: plates from z = 0 to "
+      "thickness, with teeth that are round on top. Of each part, seen from the teeth: outline and "
+      "window (empty: none), both counter-clockwise, places of teeth, places of holes as wide as "
+      "these.");
   py::dict colours;
   for (int k = 0; k < 3; ++k) {
     const Colour c = body_colour(static_cast<BodyKind>(k));

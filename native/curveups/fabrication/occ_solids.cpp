@@ -2,11 +2,14 @@
 #include "curveups/fabrication/occ_solids.hpp"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -106,9 +109,8 @@ class SolidBuilder {
     builder_.Add(shell_, out);
   }
 
-  // Keeps the circle at `centre` of a curved face for the planar face that shares it, where it has
-  // the opposite orientation.
-  void keep_circle(const TopoDS_Face& face, int circle) {
+  // The circle of a curved face around a centre.
+  TopoDS_Edge find_circle(const TopoDS_Face& face, int circle) const {
     const BodyCircle& c = body_.circles[circle];
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge e = TopoDS::Edge(it.Current());
@@ -117,12 +119,27 @@ class SolidBuilder {
       const Handle(Geom_Curve) curve = BRep_Tool::Curve(e, first, last);
       const gp_Pnt a = curve->Value(first), b = curve->Value(0.5 * (first + last));
       const gp_Pnt middle((a.XYZ() + b.XYZ()) * 0.5);
-      if (middle.Distance(point(c.centre)) > 1e-6) continue;
-      circle_[circle] = TopoDS::Edge(e.Reversed());
-      return;
+      if (middle.Distance(point(c.centre)) <= 1e-6) return e;
     }
     throw SolverFailure("a circular edge of " + body_.name + " was not made",
                         "report this with the design file");
+  }
+
+  // Keeps a circle of a curved face for the face that shares it, where it has the opposite
+  // orientation.
+  void keep_circle(const TopoDS_Face& face, int circle) {
+    circle_[circle] = TopoDS::Edge(find_circle(face, circle).Reversed());
+  }
+
+  // A cylinder's face with the circle of the cap above it in place of its own at this height.
+  TopoDS_Face under_cap(const TopoDS_Face& face, int circle, double height) {
+    const TopoDS_Shape own = find_circle(face, circle).Oriented(TopAbs_FORWARD);
+    const TopoDS_Edge kept = TopoDS::Edge(circle_[circle].Oriented(TopAbs_FORWARD));
+    builder_.UpdateEdge(kept, new Geom2d_Line({0, height}, {1, 0}), face, Precision::Confusion());
+    const Handle(BRepTools_ReShape) shared = new BRepTools_ReShape;
+    shared->Replace(TopExp::FirstVertex(TopoDS::Edge(own)), TopExp::FirstVertex(kept));
+    shared->Replace(own, kept);
+    return TopoDS::Face(shared->Apply(face));
   }
 
   void add_curved(TopoDS_Face face, bool forward) {
@@ -145,9 +162,12 @@ class SolidBuilder {
     const BodyCircle& bottom = body_.circles[wall.bottom];
     const Vec3 up = body_.circles[wall.top].centre - bottom.centre;
     const gp_Cylinder cylinder(gp_Ax3(point(bottom.centre), direction(up)), bottom.radius);
-    add_curved(BRepBuilderAPI_MakeFace(cylinder, 0, 2 * pi, 0, up.norm()).Face(), wall.outward);
+    TopoDS_Face face = BRepBuilderAPI_MakeFace(cylinder, 0, 2 * pi, 0, up.norm()).Face();
+    const bool capped = !circle_[wall.top].IsNull();
+    if (capped) face = under_cap(face, wall.top, up.norm());
+    add_curved(face, wall.outward);
     keep_circle(added_, wall.bottom);
-    keep_circle(added_, wall.top);
+    if (!capped) keep_circle(added_, wall.top);
   }
 
   const PrintBody& body_;

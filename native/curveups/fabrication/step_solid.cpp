@@ -107,6 +107,7 @@ class SolidWriter {
   const Circle& make_circle(int i, const Vec3& axis) {
     const BodyCircle& c = body_.circles[i];
     Circle& made = circle_[i];
+    if (made.edge != StepId{}) return made;  // of the cap on a cylinder
     made.axis = axis;
     made.x = axis.unitOrthogonal();
     made.start = make_vertex(c.centre + c.radius * made.x);

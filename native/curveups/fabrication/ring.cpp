@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/fabrication/ring.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "curveups/core/errors.hpp"
+
+namespace curveups {
+namespace {
+
+constexpr double largest = 1e4;  // mm
+
+// Loops of a polygon as the faces below and above see it.
+struct Prism {
+  BodyLoop below, above;
+};
+
+// Walls from z = 0 to `thickness`. sense: 1 where the material is inside of the polygon, -1 for a
+// hole.
+Prism add_prism(PrintBody& body, Polygon polygon, double thickness, int sense) {
+  if (sense < 0) std::reverse(polygon.begin(), polygon.end());
+  std::vector<int> base(polygon.size());
+  std::iota(base.begin(), base.end(), static_cast<int>(body.points.size()));
+  for (const Vec2& p : polygon) body.points.emplace_back(p.x(), p.y(), 0);
+  Prism prism;
+  prism.above.points = extrude(body, base, thickness * Vec3::UnitZ(), FaceRole::plain);
+  prism.below.points = std::move(base);
+  std::reverse(prism.below.points.begin(), prism.below.points.end());
+  return prism;
+}
+
+void require_part(const RingPart& part) {
+  if (part.outline.size() < 3 || (!part.window.empty() && part.window.size() < 3)) {
+    throw InvalidInput("a part of a ring has less than three corners", "give it an outline");
+  }
+  for (const Polygon* points : {&part.outline, &part.window, &part.teeth, &part.holes}) {
+    for (const Vec2& p : *points) {
+      if (!(p.cwiseAbs().maxCoeff() <= largest)) {
+        throw InvalidInput("a ring has a point that is not finite or beyond 10 m",
+                           "give places in mm");
+      }
+    }
+  }
+}
+
+PrintBody make_part(const RingPart& part, double thickness, double radius, double height) {
+  PrintBody body;
+  PlanarFace below, above;
+  below.normal = -Vec3::UnitZ();
+  above.normal = Vec3::UnitZ();
+  Prism prism = add_prism(body, part.outline, thickness, 1);
+  below.outer = std::move(prism.below);
+  above.outer = std::move(prism.above);
+  if (!part.window.empty()) {
+    prism = add_prism(body, part.window, thickness, -1);
+    below.inner.push_back(std::move(prism.below));
+    above.inner.push_back(std::move(prism.above));
+  }
+  const auto add_circles = [&](const Vec2& p, double low, double high) {
+    const int first = static_cast<int>(body.circles.size());
+    for (const double z : {low, high}) {
+      body.circles.push_back({Vec3(p.x(), p.y(), z), Vec3::UnitZ(), radius});
+    }
+    return first;
+  };
+  for (const Vec2& tooth : part.teeth) {
+    const int foot = add_circles(tooth, thickness, thickness + height - radius);
+    above.inner.push_back({{}, foot});
+    body.cylinders.push_back({foot, foot + 1, true});
+    body.caps.push_back({foot + 1, Vec3::UnitZ(), radius, true});
+  }
+  for (const Vec2& hole : part.holes) {
+    const int foot = add_circles(hole, 0, thickness);
+    below.inner.push_back({{}, foot});
+    above.inner.push_back({{}, foot + 1});
+    body.cylinders.push_back({foot, foot + 1, false});
+  }
+  body.faces.push_back(std::move(below));
+  body.faces.push_back(std::move(above));
+  return body;
+}
+
+}  // namespace
+
+PrintModel make_ring(const std::string& name, const std::vector<RingPart>& parts, double thickness,
+                     double tooth_radius, double tooth_height) {
+  if (!(thickness > 0 && tooth_radius > 0 && tooth_height > tooth_radius &&
+        std::max(thickness, tooth_height) <= largest)) {
+    throw InvalidInput("a ring's sizes make no teeth", "give teeth that are higher than wide");
+  }
+  if (parts.empty()) throw InvalidInput("a ring has no part", "give its outline");
+  PrintModel model;
+  model.name = name;
+  model.piece_count = 1;
+  for (const RingPart& part : parts) {
+    require_part(part);
+    model.tiles.push_back(make_part(part, thickness, tooth_radius, tooth_height));
+    model.tiles.back().name = "Ring P" + std::to_string(model.tiles.size());
+    model.box.add(bounding_box(model.tiles.back()));
+  }
+  return model;
+}
+
+}  // namespace curveups
