@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "curveups/core/checkpoint.hpp"
+
 namespace curveups {
 namespace {
 
@@ -11,6 +13,7 @@ namespace {
 using Above = std::vector<std::vector<int>>;
 Above neighbours_above(const std::vector<int>& number, int count,
                        const std::vector<Coupling>& couplings) {
+  checkpoint();
   Above above(count);
   for (const auto& [i, j] : couplings) {
     if (i < 0 || j < 0 || number[i] < 0 || number[j] < 0 || i == j) continue;
@@ -49,6 +52,7 @@ BlockPattern::BlockPattern(const std::vector<char>& free, const std::vector<Coup
     below_.insert(below_.end(), list.begin(), list.end());
     start_.push_back(static_cast<int>(below_.size()));
   }
+  checkpoint();
   slots_.resize(couplings.size());
   for (std::size_t k = 0; k < couplings.size(); ++k) {
     const auto [i, j] = couplings[k];

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "curveups/core/checkpoint.hpp"
+
 namespace curveups {
 namespace {
 
@@ -64,6 +66,7 @@ class Dissection {
       const auto [first, second] = longest_axes(vertices);
       Division best;
       for (int k = 0; k < tried_; ++k) {
+        checkpoint();
         const double angle = M_PI * k / tried_;
         Division tried = divide_along(vertices, std::cos(angle) * first + std::sin(angle) * second);
         if (k == 0 || tried.cost() < best.cost()) best = std::move(tried);
@@ -129,6 +132,7 @@ class Dissection {
     // What a search has reached without success leads nowhere for the others of the same round.
     bool found = true;
     while (found) {
+      checkpoint();
       found = false;
       ++round_;
       for (int v : starts) {

@@ -70,6 +70,7 @@ struct SparseCholesky::Impl {
     analyze(lower, order.data());
   }
   void analyze(const SparseMatrix& lower, int* order = nullptr) {
+    checkpoint();
     const OneThread guard;
     cholmod_free_factor(&factor, &common);
     cholmod_sparse a = view(lower);

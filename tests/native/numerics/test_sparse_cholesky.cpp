@@ -298,5 +298,19 @@ TEST(NestedDissection, TakesGraphsInPiecesAndThoseThatCanNotBeDivided) {
   for (int part : dissected_parts(all, Places::Random(300, 3))) EXPECT_GE(part, 0);
 }
 
+TEST(NestedDissection, CanBeStopped) {
+  const Squares graph;
+  bool stopped = false;
+  const ProgressScope scope([&](const std::string&, double) { return !stopped; });
+  EXPECT_EQ(dissected_parts(graph.above, graph.places).size(), graph.above.size());
+  stopped = true;
+  EXPECT_THROW(
+      {
+        for (int k = 0; k < 1000; ++k) dissected_parts(graph.above, graph.places);
+      },
+      Cancelled);
+}
+
 }  // namespace
+
 }  // namespace curveups
