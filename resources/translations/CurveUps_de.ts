@@ -1010,6 +1010,10 @@
       <translation> oder </translation>
     </message>
     <message>
+      <source>'curveups check' tries them with mending, too</source>
+      <translation>„curveups check“ probiert sie auch mit Ausbessern</translation>
+    </message>
+    <message>
       <source>; dimples stop what slides after {play:.3g} mm at most</source>
       <translation>; Mulden halten nach höchstens {play:.3g} mm auf, was gleitet</translation>
     </message>

@@ -212,6 +212,13 @@ def test_errors_of_design_say_which_size_would_do():
             assert project(V, F, **values).run(("feasibility",))["feasibility"].feasible
 
 
+def test_errors_of_design_with_mending_say_which_size_would_do_without():
+    V, F = sheet(lambda x, y: -3.5 * abs(x), 8, 8)
+    with pytest.raises(CurveUpsError) as told:
+        project(V, F, H_body=8, mend="on", mend_max=0.1).run(("layout",))
+    assert told.value.remedy.endswith("'curveups check' tries them with mending, too"), told.value.remedy
+
+
 def test_series_are_round_and_ascending():
     values = sizes.series(0.2, 14)
     assert values == sorted(set(values)) and values[0] >= 0.2 and values[-1] == 14

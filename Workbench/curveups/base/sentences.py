@@ -272,6 +272,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "advice.sizes": "of {tried} other sizes that were tried, {sizes: or } does",
     "advice.no_sizes": "none of {tried} other sizes that were tried does",
     "advice.mend": "so does mend=on, which moves vertices by up to {moved:.2g} mm",
+    "advice.check": "'curveups check' tries them with mending, too",
     "advice.mend_surface": "set mend=on ({actions})",
     "size": "{name}={value:g}",
     "size.both": "H_body={H_body:g} with H_pin={H_pin:g}",

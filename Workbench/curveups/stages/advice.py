@@ -56,12 +56,14 @@ def tried_sizes(sizes: Optional[Sizes], tried: int) -> tuple[Finding, ...]:
         Finding.about("size", name=name, value=value) for name, value in sizes))),)
 
 
-def other_sizes(options: Sequence[Sizes], tried: int, mending: Optional[float]) -> str:
-    """For an error: each of the options does; mending: mm by which mend=on would move vertices."""
+def other_sizes(options: Sequence[Sizes], tried: int, mending: Optional[float], mended: bool) -> str:
+    """For an error: each of the options does; mending: mm by which mend=on would move vertices; mended: it is
+    on, and sizes were tried without it."""
     sizes = (Finding.about("advice.sizes", sizes=tuple(map(as_sizes, options)), tried=tried) if options
              else Finding.about("advice.no_sizes", tried=tried))
     moved = [Finding.about("advice.mend", moved=mending)] if mending is not None else []
-    return "; ".join(map(str, (sizes, *moved)))
+    more = [Finding("advice.check")] if mended else []
+    return "; ".join(map(str, (sizes, *moved, *more)))
 
 
 def for_joints(possible: Mapping[str, float], parameters: Any) -> Finding:

@@ -287,7 +287,9 @@ def with_advice(inputs: Inputs, cuts: CutRequest, job: Job) -> Iterator[None]:
 def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
     target, parameters = inputs["target"], inputs.parameters
     L, H_body = parameters.get("L"), parameters.get("H_body")
-    trials = _trials(target, cuts, parameters, job)
+    unmended = native.Parameters(parameters)  # with mending all sizes take a minute
+    unmended.set("mend", "off")
+    trials = _trials(target, cuts, unmended, job)
     found = {"H_body": trials.largest_thickness(L, H_body)}
     if _can_remesh(target, cuts):
         found["L"] = trials.nearest_length(L, H_body)
@@ -297,7 +299,8 @@ def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
         together = trials.thinner_with_pins(L, H_body, found["H_body"])
         options += [tuple(zip(("H_body", "H_pin"), together))] if together else []
     edges = all_cuts(cuts, target.V, target.F, parameters, job)
-    return other_sizes(options, len(trials.made), mending(target.V, target.F, edges, parameters, job))
+    return other_sizes(options, len(trials.made), mending(target.V, target.F, edges, parameters, job),
+                       parameters.get("mend") == "on")
 
 
 def _trials(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> Trials:
