@@ -682,6 +682,10 @@
       <translation>Zielfläche</translation>
     </message>
     <message>
+      <source>The fabrication kit is out of date</source>
+      <translation>Der Bausatz ist veraltet</translation>
+    </message>
+    <message>
       <source>Tiles</source>
       <translation>Kacheln</translation>
     </message>

@@ -178,3 +178,26 @@ def test_a_step_of_undo_is_in_its_own_document_alone(made):
     actions.apply_profile(design, "fdm")
     assert made.UndoNames[0] == "Apply Profile" and other.UndoNames == []
     assert FreeCAD.ActiveDocument == other
+
+
+def test_a_kit_goes_out_of_date_with_its_design(dome_document, tmp_path):
+    design = FreeCAD.openDocument(str(dome_document)).Design
+    assert design.Kit == "empty"
+    folder = tmp_path / "kit"
+    page = actions.kit(design, str(folder))
+    assert design.Kit == "current" and os.path.getsize(page) > 50000
+    written = (folder / "kit.json").stat().st_mtime_ns
+    assert actions.kit(design, str(folder)) == page
+    assert (folder / "kit.json").stat().st_mtime_ns == written  # it was there
+    before = design.AnchorSpacing.Value
+    design.AnchorSpacing = before + 1
+    assert design.Kit.startswith("out of date: ") and "AnchorSpacing" in design.Kit
+    design.AnchorSpacing = before
+    assert design.Kit == "current"
+    design.MeshDeviation = 2 * design.MeshDeviation.Value  # of files alone
+    assert design.Kit.startswith("out of date: ")
+    actions.kit(design, str(folder))
+    assert design.Kit == "current" and (folder / "kit.json").stat().st_mtime_ns != written
+    design.Document.saveAs(str(tmp_path / "saved.FCStd"))
+    FreeCAD.closeDocument(design.Document.Name)
+    assert FreeCAD.openDocument(str(tmp_path / "saved.FCStd")).Design.Kit == "current"

@@ -74,6 +74,7 @@ def check(name, start, design, pages):
         until(lambda: design.ViewObject.Morph == (short == "ShowActuated"), 10, name)
     elif short in ("Report", "Kit"):
         until(lambda: pages, 120, "the page")
+        assert short == "Report" or design.Kit == "current", design.Kit
         assert os.path.getsize(pages.pop()) > 50000
     elif short == "Example":
         until(lambda: len(FreeCAD.listDocuments()) == len(documents) + 1, 10, "a document")

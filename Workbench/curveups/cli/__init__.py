@@ -82,6 +82,12 @@ def make_parser() -> argparse.ArgumentParser:
     kit.add_argument("--quantity", type=_pieces, default=1, metavar="N", help="how many to order")
     kit.add_argument("--names", default="{name}-{body}", metavar="MASK",
                      help="names of print files, of {name}, {body}, {material}, {thickness} and {quantity}")
+
+    compare = _command(commands, "compare", "compare a scan of a built piece with its design")
+    compare.add_argument("design", type=Path, metavar="DESIGN.json")
+    compare.add_argument("scan", type=Path, metavar="SCAN",
+                         help="a mesh, or points as text: x y z a line, of markers T00012 x y z")
+    _output_argument(compare)
     return parser
 
 

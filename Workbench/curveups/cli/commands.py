@@ -16,7 +16,7 @@ from ..base.profiles import ABOUT, profile_path
 from ..base.progress import Interrupt, Reporter
 from ..base.reading import read_text
 from ..features.document_file import write_document
-from ..kit import files as kit_files
+from ..kit import files as kit_files, scan
 from ..project.project import Project, Results
 from ..report import check as check_report
 from ..report.exports import write_spares
@@ -162,8 +162,21 @@ def kit(options: Any, session: Session) -> int:
     return _finish(results, options.output, session, stopped)
 
 
+def compare(options: Any, session: Session) -> int:
+    """curveups compare"""
+    require_folder_name(options.output)
+    design = _read_design(options.design)
+    with translated(str(options.scan)):
+        found = scan.compare(design, scan.read_scan(options.scan, len(design.F)), session.job)
+    with session.interrupt.shielded():
+        scan.write_comparison(design, found, options.output)
+    for line in scan.said(found):
+        session.answer(line)
+    return VALID
+
+
 COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,
-            "verify": verify, "export": export, "kit": kit}
+            "verify": verify, "export": export, "kit": kit, "compare": compare}
 
 
 def _design_project(options: Any, session: Session) -> tuple[Project, bool]:

@@ -25,7 +25,7 @@ from ..stages.layout import Layout
 from ..stages.stage import Job
 from . import live, properties, rebuild, status
 from .document import reasons_of, state_of, take, take_bodies
-from .keys import read_keys
+from .keys import Keys, read_keys, write_keys
 
 Work = Callable[[Job], Results]
 
@@ -218,27 +218,42 @@ def report_work(design: Any, folder: str) -> Callable[[Job], str]:
     return lambda job: str(write_report(project, Path(folder), found, job))
 
 
+@dataclass(frozen=True)
+class WrittenKit:
+    """page: of its assembly. keys: what it was made from; none where it was there already."""
+
+    page: str
+    keys: Optional[Keys] = None
+
+
 def kit(design: Any, folder: str) -> str:
     """Writes the fabrication kit into a folder, unless it holds that of the design as it is; the page of its
     assembly."""
     written = _made.pop(("kit", design.Document.Name, design.Name), None)
-    return written if written is not None else kit_work(design, folder)(Job())
+    if written is None:
+        written = kit_work(design, folder)(Job())
+    if written.keys is not None:
+        write_keys(design, written.keys, "KitKeys")
+        design.Proxy.refresh(design)
+    return str(written.page)
 
 
-def kit_work(design: Any, folder: str) -> Callable[[Job], str]:
+def kit_work(design: Any, folder: str) -> Callable[[Job], WrittenKit]:
     """The same for any thread."""
     project = live.design_project_of(design).copy()
     project.name = file_name(design)
+    current = status.status_of(design).kit[0] == status.CURRENT
 
-    def work(job: Job) -> str:
+    def work(job: Job) -> WrittenKit:
         finished = project.latest("design").design.with_parameters(project.parameters)
         page = Path(folder) / f"{project.name}-assembly.html"
-        if kit_files.is_current(Path(folder), native.write_design(finished)) and page.exists():
-            return str(page)
+        if current and kit_files.is_current(Path(folder), native.write_design(finished)) and page.exists():
+            return WrittenKit(str(page))
         results = kit_files.make(project, job)
         if job.stopped or kit_files.write_kit(results, Path(folder), job):
             raise Stopped
-        return str(page)
+        records = {name: results.made[name].record for name in kit_files.goals()}
+        return WrittenKit(str(page), Keys(records))
 
     return work
 

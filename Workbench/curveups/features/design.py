@@ -40,11 +40,14 @@ class DesignProxy(Proxy):
         add(obj, "App::PropertyStringList", "Reasons", result, "Why.", READ_ONLY | OUTPUT)
         add(obj, "App::PropertyString", "Status", result,
             "empty, current, out of date, invalid or running.", READ_ONLY | OUTPUT)
+        add(obj, "App::PropertyString", "Kit", result,
+            "Of the fabrication kit: empty, current, or out of date and why.", READ_ONLY | OUTPUT)
         figures.add_figures(obj, with_units=False)
         hidden = READ_ONLY | HIDDEN | OUTPUT
         add(obj, "App::PropertyString", "Results", "Base", "Everything that was computed.", hidden)
         add(obj, "App::PropertyString", "Keys", "Base", "What results were made from.", hidden)
         add(obj, "App::PropertyString", "RebuiltKeys", "Base", "What solids were made from.", hidden)
+        add(obj, "App::PropertyString", "KitKeys", "Base", "What the fabrication kit was made from.", hidden)
         add(obj, "App::PropertyString", "CurveUpsVersion", "Base", "The version that made this object.",
             READ_ONLY)
         if not obj.CurveUpsVersion:
@@ -94,6 +97,8 @@ class DesignProxy(Proxy):
             write(obj, "Verdict", found.verdict)
             write(obj, "Reasons", [properties.as_properties(obj, str(reason)) for reason in found.reasons])
             write(obj, "Status", found.state)
+            if "Kit" in obj.PropertiesList:
+                write(obj, "Kit", properties.as_properties(obj, ": ".join(filter(None, found.kit))))
             for slot, (state, reason) in found.parts.items():
                 part = getattr(obj, slot)
                 if part is not None and {"Status", "Reason"} <= set(part.PropertiesList):
@@ -128,4 +133,4 @@ class DesignProxy(Proxy):
 
 
 # A change of these is a change of state, whoever makes it.
-_WATCHED = (*SLOTS, "Verdict", "Reasons", "Status", "Results", "Keys", "RebuiltKeys")
+_WATCHED = (*SLOTS, "Verdict", "Reasons", "Status", "Results", "Keys", "RebuiltKeys", "KitKeys")

@@ -24,12 +24,13 @@ _GIVEN = ("source", "cut request")
 
 @dataclass(frozen=True)
 class Status:
-    """`parts`: (state, reason) by slot."""
+    """`parts`: (state, reason) by slot; `kit`: those of the fabrication kit."""
 
     state: str
     verdict: str
     reasons: tuple[Finding, ...]
     parts: Mapping[str, tuple[str, str]]
+    kit: tuple[str, str]
 
 
 def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
@@ -65,7 +66,8 @@ def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
         parts["Verification"] = (INVALID, "; ".join(map(str, keys.reasons)))
     if running:
         state = RUNNING
-    return Status(state, verdict, tuple(reasons), parts)
+    kit = body_changes(read_keys(obj, "KitKeys"), keys, values, of_files=True)
+    return Status(state, verdict, tuple(reasons), parts, _part(kit is not None, layout + (kit or [])))
 
 
 def are_intact(obj: Any, keys: Optional[Keys] = None) -> bool:
@@ -80,8 +82,9 @@ def known_of_values(obj: Any, keys: Keys, values: Mapping[str, Any]) -> Keys:
     return NONE if body_changes(found, keys, values) else found
 
 
-def body_changes(built: Keys, keys: Keys, values: Mapping[str, Any]) -> Optional[list[Finding]]:
-    """What has changed since bodies were built; None where none were."""
+def body_changes(built: Keys, keys: Keys, values: Mapping[str, Any], of_files: bool = False
+                 ) -> Optional[list[Finding]]:
+    """What has changed since bodies were built, and with `of_files` written; None where none were."""
     if not built.records or "design" not in keys.records:
         return None
     records = {**built.records, "design": keys.records["design"]}
@@ -90,7 +93,8 @@ def body_changes(built: Keys, keys: Keys, values: Mapping[str, Any]) -> Optional
         names.update(dict.fromkeys(changes(stage, records, values, ("design",)) or ()))
     if "design" in names:
         return [Finding("changed.layout")]
-    rebuilt = tuple(name for name in names if not _is_result(name) and parameter(name).effect != "files")
+    rebuilt = tuple(name for name in names if not _is_result(name)
+                    and (of_files or parameter(name).effect != "files"))
     return _changed("changed.built", rebuilt)
 
 

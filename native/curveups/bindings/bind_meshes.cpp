@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Built-in targets, and what makes a target of a mesh.
 #include "curveups/bindings/arrays.hpp"
+#include "curveups/core/parallel.hpp"
 #include "curveups/geometry/builtin_targets.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
+#include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/conformal_map.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/divide_surface.hpp"
@@ -14,6 +16,22 @@
 #include "curveups/geometry/surface_deviation.hpp"
 
 namespace curveups::bindings {
+namespace {
+
+std::vector<ClosestPoint> closest_points(const PointsIn& points, const PointsIn& V,
+                                         const TrianglesIn& F) {
+  const Points3 from = read_points(points, "points");
+  const TriangleMesh mesh = read_mesh(V, F);
+  const py::gil_scoped_release release;
+  const ClosestPoints closest(mesh);
+  std::vector<ClosestPoint> found(static_cast<std::size_t>(from.rows()));
+  parallel_ranges(static_cast<int>(from.rows()), [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) found[k] = closest(from.row(k));
+  });
+  return found;
+}
+
+}  // namespace
 
 void bind_meshes(py::module_& module) {
   module.def(
@@ -49,16 +67,22 @@ void bind_meshes(py::module_& module) {
   module.def(
       "closest_points",
       [](const PointsIn& points, const PointsIn& V, const TrianglesIn& F) {
-        const Points3 from = read_points(points, "points");
-        const TriangleMesh mesh = read_mesh(V, F);
-        const py::gil_scoped_release release;
-        const ClosestPoints closest(mesh);
-        Points3 out(from.rows(), 3);
-        for (Eigen::Index k = 0; k < from.rows(); ++k) out.row(k) = closest(from.row(k)).point;
+        const std::vector<ClosestPoint> found = closest_points(points, V, F);
+        Points3 out(static_cast<Eigen::Index>(found.size()), 3);
+        for (Eigen::Index k = 0; k < out.rows(); ++k) out.row(k) = found[k].point;
         return out;
       },
       py::arg("points"), py::arg("V"), py::arg("F"),
       "The nearest points of a surface, one a point.");
+  module.def(
+      "closest_faces",
+      [](const PointsIn& points, const PointsIn& V, const TrianglesIn& F) {
+        std::vector<int> out;
+        for (const ClosestPoint& one : closest_points(points, V, F)) out.push_back(one.face);
+        return py::array_t<int>(py::cast(out));
+      },
+      py::arg("points"), py::arg("V"), py::arg("F"),
+      "The faces (rows of F) on which the nearest points of a surface lie, one a point.");
   module.def(
       "surface_deviation",
       [](const PointsIn& V, const TrianglesIn& F, const PointsIn& target_V,

@@ -30,10 +30,10 @@ class Kit(DesignCommand):
     def work(self, design: Any) -> None:
         folder = folder_of(design, "kit")
 
-        def opened(design: Any, page: str) -> None:
-            actions.hand_over("kit", design, page)
+        def opened(design: Any, written: actions.WrittenKit) -> None:
+            actions.hand_over("kit", design, written)
             call("actions.kit", named(design), repr(str(folder)))
-            QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(page))
+            QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(written.page))
 
         work = actions.kit_work(design, str(folder))
         LIVE.start(design, Task(translate(self.name, self.text), work, opened))

@@ -14,6 +14,7 @@ import FreeCAD
 from ...base import profiles
 from ...features import properties
 from ...features.document import reasons_of
+from ...features.status import OUT_OF_DATE
 from ...project.worker import Status
 from ...stages import label_of
 from ...stages.sizes import AUTOMATIC
@@ -205,6 +206,8 @@ class SolvePanel(Panel):
         state = self.design.Status
         head = translate("CurveUpsSolve", self.design.Verdict if state == "current" else state)
         lines = "<br>".join(shown(self.design, reason) for reason in reasons_of(self.design)[:6])
+        if getattr(self.design, "Kit", "").startswith(OUT_OF_DATE):
+            lines += "<br>" * bool(lines) + translate("CurveUpsSolve", "The fabrication kit is out of date")
         enable(self.form.revert, "" if self._edits.edited() else translate(
             "CurveUpsSolve", "Nothing was edited since the panel opened"))
         self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Compares a scanned piece with its design: a mesh, a cloud of points, or markers of tiles. Deviations are
+those of scanned points from the design's actuated front faces."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..base.errors import CurveUpsError, Stopped, tile_name
+from ..base.native import native
+from ..base.output import Folder
+from ..base.reading import read_text
+from ..report import html, pictures
+from ..report.data import to_text
+from ..report.tables import table
+from ..stages.stage import Job
+from ..targets.target_files import read_target
+from .registration import register, rigid_motion
+
+FORMAT, VERSION = "curveups-compare", 1
+POINTS = (".xyz", ".txt", ".csv")
+LEAST = 12        # points or markers that a registration needs
+MOST = 1_000_000  # points
+PER_TILE = 3      # points of a tile, for a figure of its own
+FILES = ("compare.json", "compare.html", "deviation.csv")
+
+
+@dataclass(frozen=True)
+class Scan:
+    """points: n x 3, mm. tiles: of markers, the row of F that each is on; none of others."""
+
+    points: np.ndarray
+    tiles: np.ndarray
+
+
+def read_scan(path: Path, tile_count: int) -> Scan:
+    """Corners of a mesh, or a text with a point a line, "x y z"; with a tile's name before it,
+    "T00012 x y z", it is a marker on the middle of that tile's front."""
+    if path.suffix.lower() not in POINTS:
+        read = read_target(path, 0.1)
+        points, tiles = read.V[np.unique(read.F)], np.zeros(0, int)
+    else:
+        points, tiles = _read_points(path, tile_count)
+    if len(points) < LEAST or np.linalg.matrix_rank(points - points.mean(0), tol=1e-3) < 2:
+        raise CurveUpsError(f"{len(points)} points can't be laid onto a surface", str(path),
+                            f"give {LEAST} or more that are not on a line")
+    if len(points) > MOST:
+        raise CurveUpsError(f"the scan has more than {MOST} points", str(path), "thin it out")
+    return Scan(points, tiles)
+
+
+def _read_points(path: Path, tile_count: int) -> tuple[np.ndarray, np.ndarray]:
+    try:
+        text = read_text(path)
+    except OSError as error:
+        raise CurveUpsError(f"the scan can't be read: {error.strerror}", str(path),
+                            "check its name and permissions") from None
+    except ValueError:
+        raise CurveUpsError("the scan is no text", str(path), "give points, one a line") from None
+    rows = {tile_name(row): row for row in range(tile_count)}
+    points, tiles = [], []
+    for number, line in enumerate(text.splitlines(), 1):
+        words = re.split(r"[\s,;]+", line.split("#")[0].strip())
+        if words == [""]:
+            continue
+        marker = words[0].startswith("T")
+        try:
+            if marker:
+                tiles.append(rows[words[0]])
+            point = [float(word) for word in words[marker:][:3]]
+            if len(point) < 3 or not np.isfinite(point).all():
+                raise ValueError
+        except (KeyError, ValueError):
+            raise CurveUpsError(f"'{line[:60]}' is no point of a scan", f"{path}, line {number}",
+                                "give x y z in mm, of markers with the tile's name before it") from None
+        points.append(point)
+    if tiles and len(tiles) < len(points):
+        raise CurveUpsError("some points have a tile's name and others have none", str(path),
+                            "name the tiles of all markers, or of none")
+    return np.array(points, float).reshape(-1, 3), np.array(tiles, int)
+
+
+def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
+    """compare.json; "points" in it, for the other files: x, y, z and the deviation, mm."""
+    V, F = np.asarray(design.V), np.asarray(design.F)
+    edge = float(native.mean_edge_length(V, F))
+
+    def go_on(done: float) -> None:
+        if not job("registering the scan", done):
+            raise Stopped
+
+    if len(scan.tiles):
+        middles = V[F].mean(1)[scan.tiles]
+        R, t = rigid_motion(scan.points, middles)
+        points = scan.points @ R.T + t
+        away, others = np.linalg.norm(points - middles, axis=1), 0
+        owners = scan.tiles
+        spread = float(np.sqrt((away ** 2).mean()))
+    else:
+        laid = register(scan.points, V, F, edge, go_on)
+        R, t, others, spread = laid.R, laid.t, laid.others, laid.spread
+        points = laid(scan.points)
+        owners = native.closest_faces(points, V, F)
+        away = native.distances(points, V, F)
+    corners = V[F[owners]]
+    out = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    signed = np.copysign(away, ((points - corners[:, 0]) * out).sum(1))
+    back = [np.linalg.norm(points - middle, axis=1).min() for middle in V[F].mean(1)]
+    counts = np.bincount(owners, minlength=len(F))
+    of_tile = np.split(signed[np.argsort(owners, kind="stable")], np.cumsum(counts)[:-1])
+    named = len(scan.tiles) > 0
+    found = {"format": FORMAT, "version": VERSION, "name": design.name,
+             "by": "markers" if named else "surface", "points_given": len(points),
+             "transform": np.vstack([np.c_[R, t], [0, 0, 0, 1]]).tolist(),
+             "typical_distance_mm": spread, "turn_fixed": not others, "other_turns": others,
+             "deviation": {"mean_mm": float(away.mean()), "signed_mean_mm": float(signed.mean()),
+                           "rms_mm": float(np.sqrt((away ** 2).mean())),
+                           **{f"p{share}_mm": float(np.percentile(away, share))
+                              for share in (50, 90, 95, 99)},
+                           "max_mm": float(away.max()),
+                           "hausdorff_mm": float(max(away.max(), *back))},
+             "covered": float((counts > 0).mean()), "points": np.c_[points, signed]}
+    if not others:
+        found["tiles"] = [{"tile": tile_name(row), "median_mm": float(np.median(of_tile[row])),
+                           "points": int(counts[row])}
+                          for row in np.flatnonzero(counts >= (1 if named else PER_TILE))]
+    return found
+
+
+def write_comparison(design: Any, found: dict[str, Any], path: Path) -> None:
+    """compare.json comes last."""
+    rows = found.pop("points")
+    with Folder(path) as folder:
+        folder.remove(*FILES)
+        folder.write_text("deviation.csv", "x,y,z,deviation_mm\n" + "".join(
+            "%.4f,%.4f,%.4f,%.4f\n" % tuple(row) for row in rows.tolist()))
+        folder.write_text("compare.html", _page(design, found))
+        folder.write_text("compare.json", to_text(found))
+
+
+def said(found: dict[str, Any]) -> list[str]:
+    """Lines for a terminal and the page."""
+    block = found["deviation"]
+    lines = [f"mean {block['mean_mm']:.3f} mm, RMS {block['rms_mm']:.3f} mm, 95 % below "
+             f"{block['p95_mm']:.3f} mm, largest {block['max_mm']:.3f} mm, Hausdorff "
+             f"{block['hausdorff_mm']:.3f} mm",
+             f"{found['points_given']} points cover {100 * found['covered']:.0f} % of the tiles"]
+    if not found["turn_fixed"]:
+        lines.append(f"the shape does not fix how the scan is turned: {found['other_turns']} other turns "
+                     "or more fit as well, so there is nothing to say of single tiles; mark some tiles, and "
+                     "give the markers")
+    return lines
+
+
+def _page(design: Any, found: dict[str, Any]) -> str:
+    title = f"{design.name}: scan beside the design"
+    parts = [f"<h1>{title}</h1>", html.list_of(said(found), "ul"),
+             table([(name[:-3].replace("_", " ") + ", mm", f"{value:.4f}")
+                    for name, value in found["deviation"].items()])]
+    if found["turn_fixed"]:
+        values = np.full(len(design.F), np.nan)
+        for one in found["tiles"]:
+            values[int(one["tile"][1:]) - 1] = one["median_mm"]
+        parts.append(html.picture(pictures.flat_layout(design, values, "median deviation, mm"),
+                                  "Median deviation of each tile, on the flat layout. Tiles without "
+                                  "colour have no points."))
+    return html.page(title, parts)
