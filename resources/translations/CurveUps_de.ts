@@ -24,6 +24,10 @@
       <translation>Wählen, was von einem geschlossenen CAD-Teil wegfällt: seine größte ebene Fläche (auto, largest), die Flächen in einer Ebene (z=0), alles unter einer Ebene (z&gt;0), alles darüber (z&lt;0) oder nichts (none). Wirkt mit „Lösen“.</translation>
     </message>
     <message>
+      <source>Choose what a design must bear beyond its own values: nothing (off), margin_mismatch and margin_friction where it can (aim), or these in any case (require). Takes effect with Verify.</source>
+      <translation>Was ein Entwurf über seine eigenen Werte hinaus ertragen muss: nichts (off), margin_mismatch und margin_friction, wo er es kann (aim), oder diese in jedem Fall (require). Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
       <source>Choose what carries the weight of the tiles: nothing (off leaves it out), the held tiles (held), or a plane below the piece (resting). Takes effect with Verify.</source>
       <translation>Wählen, was das Gewicht der Kacheln trägt: nichts (off lässt es weg), die gehaltenen Kacheln (held) oder eine Ebene unter dem Stück (resting). Wirkt mit „Prüfen“.</translation>
     </message>
@@ -104,6 +108,10 @@
       <translation>Name, Stück, Version und Seite in eine Lasche an einem Anker jedes Stücks gravieren. Wirkt sofort.</translation>
     </message>
     <message>
+      <source>Find how far membranes, friction, glue and the print's growth may change, each alone, until the shape no longer holds. Takes effect with Verify.</source>
+      <translation>Findet, wie weit Membranen, Reibung, Kleber und das Wachsen des Drucks sich ändern dürfen, jedes für sich, bis die Form nicht mehr hält. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
       <source>Half the depth of the notches at which a bridge breaks. From 0 to 10 mm. Takes effect at once.</source>
       <translation>Halbe Tiefe der Kerben, an denen eine Brücke bricht. Von 0 bis 10 mm. Wirkt sofort.</translation>
     </message>
@@ -114,6 +122,10 @@
     <message>
       <source>Height of the pins. The membranes are glued to the tops of the pins. From 0.05 to 50 mm. Takes effect at once.</source>
       <translation>Höhe der Zapfen. Die Membranen werden auf die Enden der Zapfen geklebt. Von 0.05 bis 50 mm. Wirkt sofort.</translation>
+    </message>
+    <message>
+      <source>How much harder than the other either membrane may pull within the margin. From 0 to 90 %. Takes effect with Verify.</source>
+      <translation>Um wie viel stärker als die andere jede Membran innerhalb der Reserve ziehen darf. Von 0 bis 90 %. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Include the bumps in STL and 3MF files. Takes effect with the next export.</source>
@@ -142,6 +154,10 @@
     <message>
       <source>Least area of a pin's top. It makes the glue hold. From 0 to 1000 mm2. Takes effect with Solve.</source>
       <translation>Kleinste Fläche eines Zapfenendes. Sie lässt den Kleber halten. Von 0 bis 1000 mm2. Wirkt mit „Lösen“.</translation>
+    </message>
+    <message>
+      <source>Least coefficient of friction within the margin. From 0.01 to 10. Takes effect with Verify.</source>
+      <translation>Kleinster Reibungskoeffizient innerhalb der Reserve. Von 0.01 bis 10. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Least distance between two tiles in the flat layout. Bumps on walls that are not recessed stand in this gap. From 0 to 20 mm. Takes effect with Solve.</source>
@@ -236,6 +252,10 @@
       <translation>Vorder- und Rückseite vertauschen, für Zielflächen, deren Normalen nach innen zeigen. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
+      <source>The shape holds where friction lets it drift by this at most, in the mean. 0 stands for 1 % of L. From 0 to 100 mm. Takes effect with Verify.</source>
+      <translation>Die Form hält, wo die Reibung sie im Mittel höchstens um so viel abdriften lässt. 0 steht für 1 % von L. Von 0 bis 100 mm. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
       <source>Thickness of a breakaway bridge. From 0.1 to 20 mm. Takes effect at once.</source>
       <translation>Dicke einer Brücke zum Abbrechen. Von 0.1 bis 20 mm. Wirkt sofort.</translation>
     </message>
@@ -274,6 +294,10 @@
     <message>
       <source>Write STEP files as an assembly with one part per body, or as one part with one solid per body. Takes effect with the next export.</source>
       <translation>STEP-Dateien als Baugruppe mit einem Teil je Körper schreiben oder als ein Teil mit einem Volumenkörper je Körper. Wirkt mit dem nächsten Export.</translation>
+    </message>
+    <message>
+      <source>Young's modulus of the tiles' material. It says how far walls and bumps give way where tiles settle. From 10 to 1e+06 MPa. Takes effect with Verify.</source>
+      <translation>Elastizitätsmodul des Materials der Kacheln. Er sagt, wie weit Wände und Noppen nachgeben, wo Kacheln sich setzen. Von 10 bis 1e+06 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>x component of the direction of gravity. From -1 to 1. Takes effect with Verify.</source>
@@ -658,6 +682,10 @@
       <translation>Die Vorgaben aller Parameter setzen, die ein Profil setzt</translation>
     </message>
     <message>
+      <source>Settled forces</source>
+      <translation>Kräfte nach dem Setzen</translation>
+    </message>
+    <message>
       <source>Sheets of latex</source>
       <translation>Latexfolien</translation>
     </message>
@@ -702,8 +730,16 @@
       <translation>Prüfung auf feinerem Netz</translation>
     </message>
     <message>
+      <source>does not hold</source>
+      <translation>hält nicht</translation>
+    </message>
+    <message>
       <source>empty</source>
       <translation>leer</translation>
+    </message>
+    <message>
+      <source>holds</source>
+      <translation>hält</translation>
     </message>
     <message>
       <source>invalid</source>
@@ -712,6 +748,10 @@
     <message>
       <source>not judged</source>
       <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+      <source>not settled</source>
+      <translation>nicht gesetzt</translation>
     </message>
     <message>
       <source>not valid</source>
@@ -1064,6 +1104,10 @@
     <message>
       <source>back pin</source>
       <translation>hinterer Zapfen</translation>
+    </message>
+    <message>
+      <source>beyond the margin, where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}: {reason}</source>
+      <translation>Jenseits der Reserve, wo die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist: {reason}</translation>
     </message>
     <message>
       <source>body</source>
@@ -1422,6 +1466,10 @@
       <translation>dimple_clearance erhöhen oder bumps auf none setzen</translation>
     </message>
     <message>
+      <source>raise friction_coefficient, or choose bumps=dimples</source>
+      <translation>friction_coefficient erhöhen oder bumps=dimples wählen</translation>
+    </message>
+    <message>
       <source>raise support_drop</source>
       <translation>support_drop erhöhen</translation>
     </message>
@@ -1554,6 +1602,10 @@
       <translation>die flache Karte skaliert sie mit {stretch:.2f}; {low:.2f} bis {high:.2f} gingen: Schnitte glichen das aus</translation>
     </message>
     <message>
+      <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear</source>
+      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g} MPa Schub</translation>
+    </message>
+    <message>
       <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear, more than glue_strength ({limit:.3g} MPa): raise A_pin_min or lower tau</source>
       <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g} MPa Schub, mehr als glue_strength ({limit:.3g} MPa): A_pin_min erhöhen oder tau verringern</translation>
     </message>
@@ -1586,6 +1638,14 @@
       <translation>die Listen der Abwicklung wurden von Hand geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
     </message>
     <message>
+      <source>the margin is not met: {reason}</source>
+      <translation>Die Reserve ist nicht erfüllt: {reason}</translation>
+    </message>
+    <message>
+      <source>the margin is required, and the tiles did not settle: set settle and verify on</source>
+      <translation>Die Reserve ist verlangt, und die Kacheln haben sich nicht gesetzt: settle und verify einschalten</translation>
+    </message>
+    <message>
       <source>the membranes do not press the tiles together</source>
       <translation>Die Membranen drücken die Kacheln nicht aneinander</translation>
     </message>
@@ -1612,6 +1672,14 @@
     <message>
       <source>the print can't be made: {error}</source>
       <translation>Der Druck lässt sich nicht machen: {error}</translation>
+    </message>
+    <message>
+      <source>the shape does not hold: friction lets it drift by {drift:.3g} mm, more than hold_tolerance ({most:.3g} mm)</source>
+      <translation>Die Form hält nicht: die Reibung lässt sie um {drift:.3g} mm abdriften, mehr als hold_tolerance ({most:.3g} mm)</translation>
+    </message>
+    <message>
+      <source>the shape does not hold: the contacts {contacts:8} open as the tiles settle</source>
+      <translation>Die Form hält nicht: die Kontakte {contacts:8} öffnen sich, wenn die Kacheln sich setzen</translation>
     </message>
     <message>
       <source>the slab is level with the {side} pins, which are glued first: glue takes it, too</source>
@@ -1756,6 +1824,18 @@
     <message>
       <source>whether pushing forces within friction {mu:.3g} balance the tiles could not be shown{more}</source>
       <translation>Ob drückende Kräfte mit der Reibung {mu:.3g} die Kacheln im Gleichgewicht halten, ließ sich nicht zeigen{more}</translation>
+    </message>
+    <message>
+      <source>whether the margin is met is not known: the tiles do not come to rest at its corners</source>
+      <translation>Ob die Reserve erfüllt ist, ist nicht bekannt: die Kacheln kommen an ihren Ecken nicht zur Ruhe</translation>
+    </message>
+    <message>
+      <source>whether the shape holds is not known: the tiles do not come to rest</source>
+      <translation>Ob die Form hält, ist nicht bekannt: die Kacheln kommen nicht zur Ruhe</translation>
+    </message>
+    <message>
+      <source>whether the shape holds is not known: {error}</source>
+      <translation>Ob die Form hält, ist nicht bekannt: {error}</translation>
     </message>
     <message>
       <source>with H_body = {H_body:g} mm, L from {low:g} to {high:g} mm does</source>

@@ -82,6 +82,7 @@ def main() -> None:
         "relieve_pins": lambda sink: native.relieve_pins(V, F, cuts, p, sink),
         "suggest_cuts": lambda sink: native.suggest_cuts(V, F, cuts, p, 1, [], sink),
         "verify_design": lambda sink: native.verify_design(design, None, sink),
+        "settle_design": lambda sink: native.settle_design(design, None, sink),
         "repair_design": lambda sink: native.repair_design(design, None, sink),
         "make_print_model": lambda sink: native.make_print_model(design, sink),
         "build_solids": solids,

@@ -12,7 +12,7 @@ FILES = {"design.json", "report.json", "report.html", "NAME.FCStd", "NAME-tiles.
 
 REPORT = {
     "format": TEXT, "version": COUNT, "name": TEXT, "title": TEXT, "status": TEXT, "tiles": COUNT,
-    "contacts": COUNT, "cuts": COUNT, "valid": None, "reasons": list, "warnings": list,
+    "contacts": COUNT, "cuts": COUNT, "valid": None, "holds": None, "reasons": list, "warnings": list,
     "area": {"actuated_cm2": NUMBER, "flat_cm2": NUMBER, "ratio": NUMBER},
     "constraints": {"max_rigidity_mm": NUMBER, "max_gap_violation_mm": NUMBER,
                     "max_pin_bound_violation_mm": NUMBER, "pin_sides_below_area": COUNT,
@@ -35,6 +35,12 @@ OPTIONAL = {
     "solids": {"tiles": COUNT, "invalid": COUNT, "volume_cm3": NUMBER,
                "min_clearance_flat_mm": None, "max_overlap_actuated_mm3": NUMBER},
     "clearances": {"min_flat_mm": None, "max_overlap_actuated_mm3": NUMBER},
+    "settled": {"friction_coefficient": NUMBER, "hold_tolerance_mm": NUMBER, "converged": bool,
+                "normal_mean": NUMBER, "normal_min": NUMBER, "open_contacts": list,
+                "largest_slip_mm": NUMBER, "drift_mm": NUMBER,
+                "scan": {name: NUMBER for name in ("mean_mm", "rms_mm", "p95_mm", "max_mm",
+                                                   "hausdorff_mm")}},
+    "margin": {"mode": TEXT, "mismatch_percent": NUMBER, "friction_coefficient": NUMBER, "met": None},
     "unchecked_files": dict,
     "print": {"bbox_mm": list, "bodies": COUNT, "tile_volume_cm3": NUMBER,
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
@@ -45,7 +51,7 @@ OPTIONAL = {
 STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}
 STAGES = ("remesh", "fairing", "pieces", "cuts", "relief", "flatten", "layout", "verify", "refine", "recheck",
-          "solids", "check", "export")
+          "settle", "solids", "check", "export")
 
 
 def check(value, expected, where):
@@ -81,7 +87,8 @@ def check_report(report):
             "status_at_bump_tips" not in report["unilateral"])
     assert report["format"] == "curveups-report" and report["version"] == 1
     assert report["status"] in ("complete", "stopped")
-    assert report["valid"] in (True, False, None)
+    assert report["valid"] in (True, False, None) and report["holds"] in (True, False, None)
+    assert report["holds"] is None or "settled" in report
     assert (report["valid"] is True) == (report["reasons"] == [])
     for warning in report["warnings"]:
         assert warning["what"] and isinstance(warning["tiles"], list)

@@ -46,7 +46,7 @@ def test_an_example_is_solved_while_one_watches(pictures):
     assert any("Layout" in text for text in shown), shown
     assert all(text.startswith("\u2713") for text in shown), shown
     assert made.UndoNames[0] == "Solve", made.UndoNames
-    assert "valid" in panel().form.verdict.text()
+    assert "valid, holds" in panel().form.verdict.text() and design.Holds == "holds"
     made.undo()
     settle(300)
     assert design.Verdict == "not judged" and not list(design.Layout.Poses)
@@ -212,10 +212,11 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
     enter(form, "FrictionCoefficient", "0.4")
     until(lambda: abs(design.FrictionCoefficient - 0.4) < 1e-9, 5, "the edit to arrive")
     assert design.Verdict == "out of date" and made.UndoNames[0] == "Edit the design", made.UndoNames
-    assert "out of date" in form.verdict.text()
+    assert "out of date, not settled" in form.verdict.text()
     click(form.verify)
     at_rest()
     picture("verified")
+    assert "valid, holds" in form.verdict.text()
     assert design.Verdict == "valid" and made.UndoNames[0] == "Verify", design.Reasons
     click(form.repair)
     at_rest()

@@ -9,7 +9,7 @@ import Mesh
 import Part
 import pytest
 from curveups.base.errors import CurveUpsError
-from curveups.features import document as documents
+from curveups.features import actions, document as documents
 
 pytestmark = pytest.mark.freecad
 
@@ -36,11 +36,13 @@ def check_parts(design, *stale):
 
 def check_judged(design):
     assert (design.Verdict, design.Status, list(design.Reasons)) == ("valid", "current", [])
+    assert design.Holds == "holds"
     check_parts(design)
 
 
 def check_stale(design, name, command):
     assert (design.Verdict, design.Status) == ("out of date", "out of date"), (design.Verdict, name)
+    assert design.Holds == "not settled"
     assert len(design.Reasons) == 1 and name in design.Reasons[0] and command in design.Reasons[0]
     assert documents.state_of(design) == ("out of date", design.Reasons[0])
 
@@ -93,12 +95,36 @@ def test_an_edit_of_each_tier(dome_document, tmp_path, name, value, command, par
     check_judged(design)
 
 
+def test_what_concerns_settling_alone_leaves_valid_as_it_is(dome_document, tmp_path):
+    document, design = opened(dome_document)
+    assert design.SettledDeviation > 0 and design.HoldingFriction > 0 and design.LargestSlip >= 0
+    for name, value in (("HoldTolerance", "0.5 mm"), ("TileModulus", "3000 MPa"), ("MarginMismatch", 5)):
+        before = getattr(design, name)
+        setattr(design, name, value)
+        assert (design.Verdict, design.Holds) == ("valid", "not settled"), name
+        setattr(design, name, before)
+        check_judged(design)
+    design.TileModulus = "3000 MPa"
+    document, design = reopened(document, tmp_path / "copy.FCStd")
+    assert (design.Verdict, design.Holds) == ("valid", "not settled")
+    actions.verify(design)
+    assert (design.Verdict, design.Holds) == ("valid", "holds")
+    # A margin that is required has a say in the verdict.
+    design.Margin = "require"
+    assert (design.Verdict, design.Holds) == ("out of date", "not settled")
+    design.MarginMismatch, design.MarginFriction = 90, 0.01
+    actions.verify(design)
+    assert (design.Verdict, design.Holds) == ("not valid", "holds") and "margin" in design.Reasons[0]
+    design.Margin = "aim"
+    assert design.Verdict == "out of date"
+
+
 def test_expressions_and_forgeries(dome_document):
     document, design = opened(dome_document)
     design.setExpression("Tau", "1 + 1.5")
     document.recompute()
     check_stale(design, "Tau", "Solve")
-    for name, value in (("Verdict", "valid"), ("Status", "current"), ("Reasons", [])):
+    for name, value in (("Verdict", "valid"), ("Holds", "holds"), ("Status", "current"), ("Reasons", [])):
         setattr(design, name, value)
         check_stale(design, "Tau", "Solve")
     document.Layout.Status = "current"

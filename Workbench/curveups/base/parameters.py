@@ -13,7 +13,7 @@ from typing import Any
 from .errors import CurveUpsError
 
 _FILE = Path(__file__).with_name("parameters.json")
-_SOLIDS, _PHYSICS = {"tiles", "bodies", "support"}, {"physics", "recheck"}
+_SOLIDS, _PHYSICS = {"tiles", "bodies", "support"}, {"physics", "recheck", "settle"}
 
 
 @dataclass(frozen=True)

@@ -63,6 +63,19 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "piece_weak": "piece {piece} by itself: a contact point of {contact} has {least:.3g} N, less than f_min "
                   "= {f_min:.3g} N of this piece",
     "recheck": "on a membrane mesh of half the size: {reason}",
+    # Settled forces.
+    "settled_open": "the shape does not hold: the contacts {contacts:8} open as the tiles settle",
+    "settled_drift": ("the shape does not hold: friction lets it drift by {drift:.3g} mm, more than "
+                      "hold_tolerance ({most:.3g} mm)",
+                      "raise friction_coefficient, or choose bumps=dimples"),
+    "settled_restless": "whether the shape holds is not known: the tiles do not come to rest",
+    "settle_failed": "whether the shape holds is not known: {error}",
+    "unsettled_design": "the margin is required, and the tiles did not settle: set settle and verify on",
+    "glue_carries": "the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear",
+    "margin": "beyond the margin, where the {side} membrane pulls {percent:.3g} % harder and friction is "
+              "{mu:.3g}: {reason}",
+    "margin.design": "the margin is not met: {reason}",
+    "margin.unknown": "whether the margin is met is not known: the tiles do not come to rest at its corners",
     "verification_failed": "the design could not be verified: {error}",
     # Why there is no verdict.
     "unverified": "the design was not verified",

@@ -60,7 +60,8 @@ def design(options: Any, session: Session) -> int:
     job = session.job
     if cuts.suggested:
         project.give("cut request", cuts.accept(project.run(("cut search",), job)["cut search"]))
-    goals = (*asked_by("solve"), *(() if options.no_solids else asked_by("print")))
+    # Files of solids are written while the tiles settle.
+    goals = (*asked_by("solve"), *asked_by("settle", *(() if options.no_solids else ("print",))))
     with Writing(options.output, job, write_document, session.interrupt.shielded) as writing:
         results = project.run(goals, job, watch=writing.watch, expect=writing.expect)
         stopped = writing.end(results)

@@ -59,7 +59,7 @@ def _repaired(design: Any) -> Project:
 RUNS = {
     "divide": Run("Divide", ("fairing",), live.project_of),
     "check": Run("Check", asked_by("check"), live.project_of),
-    "solve": Run("Solve", asked_by("solve"), live.project_of, anew=True),
+    "solve": Run("Solve", asked_by("solve", "settle"), live.project_of, anew=True),
     "verify": Run("Verify", asked_by("verify"), live.design_project_of),
     "repair": Run("Repair", ("design", *asked_by("verify")), _repaired),
     "build_solids": Run("Build Solids", rebuild.GOALS, live.design_project_of, strict=True),

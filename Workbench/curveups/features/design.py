@@ -37,6 +37,8 @@ class DesignProxy(Proxy):
         result = properties.RESULT
         add(obj, "App::PropertyString", "Verdict", result,
             "valid, not valid, not judged, or out of date.", READ_ONLY | OUTPUT)
+        add(obj, "App::PropertyString", "Holds", result,
+            "holds, does not hold, or not settled: whether the settled shape stays.", READ_ONLY | OUTPUT)
         add(obj, "App::PropertyStringList", "Reasons", result, "Why.", READ_ONLY | OUTPUT)
         add(obj, "App::PropertyString", "Status", result,
             "empty, current, out of date, invalid or running.", READ_ONLY | OUTPUT)
@@ -95,6 +97,7 @@ class DesignProxy(Proxy):
             relink(obj)
             found = status.status_of(obj, self.refused(obj), self.running)
             write(obj, "Verdict", found.verdict)
+            write(obj, "Holds", found.holds)
             write(obj, "Reasons", [properties.as_properties(obj, str(reason)) for reason in found.reasons])
             write(obj, "Status", found.state)
             if "Kit" in obj.PropertiesList:
@@ -133,4 +136,4 @@ class DesignProxy(Proxy):
 
 
 # A change of these is a change of state, whoever makes it.
-_WATCHED = (*SLOTS, "Verdict", "Reasons", "Status", "Results", "Keys", "RebuiltKeys", "KitKeys")
+_WATCHED = (*SLOTS, "Verdict", "Holds", "Reasons", "Status", "Results", "Keys", "RebuiltKeys", "KitKeys")

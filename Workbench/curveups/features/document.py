@@ -19,7 +19,7 @@ from ..base.native import translated
 from ..project import saved_results
 from ..project.keys import changes
 from ..project.project import Made, Results
-from ..stages import BY_NAME, VERDICT
+from ..stages import BY_NAME, SETTLED, VERDICT
 from ..stages.stage import Job
 from . import live, properties, rebuild, status, target
 from .bodies import KINDS, BodiesProxy
@@ -216,6 +216,8 @@ def _keys_with(obj: Any, results: Results, before: Keys, solved: bool) -> Keys:
                 or changes(name, keys.records, values, ("design",)) == ()}
         verdict = results.verdict
         keys = replace(keys, records=kept, valid=verdict.valid, reasons=tuple(verdict.reasons))
+    if SETTLED in made:
+        keys = replace(keys, holds=results[SETTLED].holds)
     if solved or "design" not in before.records:
         linked = is_target(obj.Target) and obj.Target.Source is not None
         keys = replace(keys, stamp=getattr(obj.Target, "Stamp", ""), linked=linked,

@@ -17,7 +17,8 @@ from .proxy import write
 
 @dataclass(frozen=True)
 class Keys:
-    """records: of results by their stage. valid and reasons: the verdict of the run that ended with them.
+    """records: of results by their stage. valid and reasons: the verdict of the run that ended with them;
+    holds: whether the shape does, by settled forces.
     stamp, linked and cuts: the source, whether it is an object, and the cuts that were asked for. results: a
     digest of the results' text. failure: why no solids can be made."""
 
@@ -29,10 +30,12 @@ class Keys:
     cuts: str = ""
     results: str = ""
     failure: str = ""
+    holds: Optional[bool] = None
 
 
 NONE = Keys()
-_KINDS = {one.name: type(getattr(NONE, one.name)) for one in dataclasses.fields(Keys) if one.name != "valid"}
+_KINDS = {one.name: type(getattr(NONE, one.name)) for one in dataclasses.fields(Keys)
+          if one.name not in ("valid", "holds")}
 
 
 def write_keys(obj: Any, keys: Keys, name: str = "Keys") -> None:
@@ -66,7 +69,7 @@ def digest_of_edges(edges: Any) -> str:
 
 
 def _sound(keys: Keys) -> bool:
-    return (keys.valid in (True, False, None)
+    return (keys.valid in (True, False, None) and keys.holds in (True, False, None)
             and all(isinstance(getattr(keys, name), kind) for name, kind in _KINDS.items())
             and all(isinstance(one.content, str) and isinstance(one.settles, dict)
                     and isinstance(one.key, dict) and all(isinstance(part, str) for part in one.key.values())

@@ -10,7 +10,8 @@ from typing import Any, Mapping, Optional
 from ..base.findings import Finding
 from ..base.parameters import parameter
 from ..project.keys import Record, changes
-from ..stages import BY_NAME, label_of
+from ..project.verdict import HOLDS
+from ..stages import BY_NAME, SETTLED, label_of
 from . import layout as layouts, properties, verification as verifications
 from .keys import NONE, Keys, digest_of_edges, digest_of_text, read_keys
 from .target import is_target
@@ -28,6 +29,7 @@ class Status:
 
     state: str
     verdict: str
+    holds: str
     reasons: tuple[Finding, ...]
     parts: Mapping[str, tuple[str, str]]
     kit: tuple[str, str]
@@ -67,7 +69,14 @@ def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
     if running:
         state = RUNNING
     kit = body_changes(read_keys(obj, "KitKeys"), keys, values, of_files=True)
-    return Status(state, verdict, tuple(reasons), parts, _part(kit is not None, layout + (kit or [])))
+    return Status(state, verdict, _holds(keys, records, values, bool(layout or verification or refused)),
+                  tuple(reasons), parts, _part(kit is not None, layout + (kit or [])))
+
+
+def _holds(keys: Keys, records: Mapping[str, Record], values: Mapping[str, Any], edited: bool) -> str:
+    """Whether the shape holds by settled forces; that is open after any edit."""
+    current = not edited and changes(SETTLED, records, values, ("design",)) == ()
+    return HOLDS[keys.holds if current else None]
 
 
 def are_intact(obj: Any, keys: Optional[Keys] = None) -> bool:
@@ -101,8 +110,9 @@ def body_changes(built: Keys, keys: Keys, values: Mapping[str, Any], of_files: b
 def verdict_changes(keys: Keys, values: Mapping[str, Any]) -> list[Finding]:
     """What has changed since the design was judged."""
     names: dict[str, None] = {}
-    for stage in keys.records:
-        if stage in BY_NAME and BY_NAME[stage].judges:
+    for stage, record in keys.records.items():
+        made_from = {name: text.strip("'") for name, text in record.key.items()}
+        if stage in BY_NAME and any(map(BY_NAME[stage].has_a_say, (values, made_from))):
             found = changes(stage, keys.records, values, ("design",)) or ()
             names.update((name, None) for name in found if not _is_result(name))
     return _changed("changed.judged", tuple(names))

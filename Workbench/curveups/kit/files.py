@@ -121,9 +121,10 @@ def _contents(kit: Kit, design: str, stopped: bool) -> dict[str, Any]:
     blocks = ("area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts", "joints")
     return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.plain_title,
             "status": "stopped" if stopped else "complete", "design_sha256": _sum(design.encode("utf-8")),
-            "valid": report["valid"], "reasons": report["reasons"], "quantity": kit.quantity,
-            "tiles": report["tiles"], "contacts": report["contacts"], "cuts": report["cuts"],
-            "print": printed, **{name: report[name] for name in blocks if name in report},
+            "valid": report["valid"], "holds": report["holds"], "reasons": report["reasons"],
+            "quantity": kit.quantity, "tiles": report["tiles"], "contacts": report["contacts"],
+            "cuts": report["cuts"], "print": printed,
+            **{name: report[name] for name in blocks if name in report},
             "rings": kit.rings,
             "glue": {"layer_mm": GLUE_LAYER, "volume_cm3": glue_volumes(printed["glue"])},
             "shop": {"rules": rules(report, parameters),

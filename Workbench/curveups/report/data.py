@@ -24,7 +24,7 @@ def build_report(results: Results, rows: Sequence[Row], stopped: bool, files: di
     report: dict[str, Any] = {
         "format": FORMAT, "version": VERSION, "name": results.name, "title": results.title,
         "status": "stopped" if stopped else "complete",
-        "tiles": 0, "contacts": 0, "cuts": 0, "valid": verdict.valid,
+        "tiles": 0, "contacts": 0, "cuts": 0, "valid": verdict.valid, "holds": verdict.holds,
         "reasons": list(map(str, verdict.reasons)),
         "causes": [{"kind": reason.group, "tiles": list(reason.tiles)} for reason in verdict.reasons],
         "warnings": [found.entry() for found in results.warnings()],

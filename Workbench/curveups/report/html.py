@@ -11,6 +11,7 @@ from typing import Any, Callable, Iterable, Iterator, Optional, Sequence
 from ..base.errors import tile_list, tile_name
 from ..base.parameters import table as parameter_table
 from ..project.project import Results
+from ..project.verdict import HOLDS
 from ..stages.stage import Picture
 from .assembly import steps
 from .changes import changes, worst_contacts
@@ -84,6 +85,7 @@ def build_html(results: Results, report: dict, drawn: Optional[Sequence[bytes]] 
     parts += worst_contacts(report.get("worst_contacts", ()),
                             report.get("contact_forces", {}).get("f_min", 0.0))
     parts += _pieces(report.get("pieces", ()))
+    parts += _window(report.get("window", ()))
     if printed:
         parts += ["<h2>Assembly</h2>", list_of(steps(report, results.parameters))]
     parts += ["<h2>Figures</h2>", _figures(report)]
@@ -105,6 +107,7 @@ def page(name: str, parts: Sequence[str]) -> str:
 def _verdict(report: dict) -> str:
     words = {True: ("valid", "Valid"), False: ("invalid", "Not valid"), None: ("open", "Not judged")}
     kind, text = words[report["valid"]]
+    text += f", {HOLDS[report['holds']]}"
     if report["status"] == "stopped":
         text += ", stopped before the end"
     reasons = "".join(f"<li>{escape(reason)}</li>" for reason in report["reasons"])
@@ -116,6 +119,22 @@ def _verdict(report: dict) -> str:
                       for text in report.get("not_covered", ()))
             + (f'<p class="note">Files of solids that nobody has checked: {escape(unchecked)}.</p>'
                if unchecked else ""))
+
+
+def _window(ranges: Sequence[dict]) -> list[str]:
+    """How far each parameter may be off, and what fails first beyond."""
+    def beyond(end: Optional[dict]) -> str:
+        return f"{end['what']} {tile_list(end['tiles'], 5)}".strip() if end else "nothing"
+
+    rows = [(f"{_words(one['parameter'])}{', ' + one['unit'] if one['unit'] else ''}",
+             *("any" if one[end] is None else one[end] for end in ("low", "high")),
+             " to ".join(map(show, one["searched"])),
+             *(beyond(one[end]) for end in ("fails_low", "fails_high")))
+            for one in ranges]
+    if not rows:
+        return []
+    return ["<h2>Process window</h2>",
+            table(rows, ("Each alone", "From", "To", "Searched", "What fails below", "What fails above"))]
 
 
 def _cuts(cuts: Sequence[dict]) -> list[str]:
@@ -177,12 +196,13 @@ def _figures(report: dict) -> str:
     # Times and memory stay out: the same design gives the same page.
     parts = []
     for block in ("area", "constraints", "target", "deviation", "layout", "truncation", "physics",
-                  "contact_forces", "unilateral", "clearances", "solids"):
+                  "contact_forces", "unilateral", "settled", "margin",
+                  "clearances", "solids"):
         rows = []
         for key, value in report.get(block, {}).items():
             if isinstance(value, dict):
                 rows += [(f"{_words(key)}: {_words(inner)}", item) for inner, item in value.items()]
-            elif key not in ("invalid_contacts", "notes", "unit"):
+            elif key not in ("invalid_contacts", "open_contacts", "notes", "unit"):
                 rows.append(_figure(key, value))
         if rows:
             parts += [f"<h3>{escape(_words(block).capitalize())}</h3>", table(rows)]

@@ -2,16 +2,18 @@
 """Lists the stages of the work, one file each, in the order in which reports show their results."""
 
 from . import (anchoring, clearances, cuts, design, deviation, division, fairing, feasibility, layout, pieces,
-               relief, repair, sheets, sizes, solids, suggestions, surface, target, trials, verification)
+               relief, repair, settle, sheets, sizes, solids, suggestions, surface, target, trials,
+               verification)
 
 STAGES = (surface.STAGE, target.STAGE, fairing.STAGE, division.STAGE, feasibility.STAGE, sizes.STAGE,
           cuts.STAGE, suggestions.SEARCH, relief.STAGE, layout.STAGE, verification.OF_LAYOUT, repair.STAGE,
           design.STAGE, design.FIGURES, deviation.STAGE, clearances.STAGE, verification.STAGE,
           verification.RECHECK, pieces.STAGE, anchoring.STAGE, solids.BODIES, sheets.STAGE, solids.STAGE,
-          solids.CHECK, trials.STAGE, suggestions.STAGE)
+          settle.STAGE, solids.CHECK, trials.STAGE, suggestions.STAGE)
 
 BY_NAME = {stage.name: stage for stage in STAGES}
 VERDICT = verification.STAGE.name  # there is no verdict without it
+SETTLED = settle.STAGE.name
 
 
 def asked_by(*commands: str) -> tuple[str, ...]:

@@ -147,7 +147,8 @@ class Stage:
 
     Its roles. `label`: what users read for it. `asked_by`: the commands that ask for it by name (check, cuts,
     solve, verify, build, print); what it reads is made as well. `judges`: whether it has a say in the
-    verdict. `shown`: whether the picture of a design is drawn from it."""
+    verdict, or a function of the parameters that says so. `shown`: whether the picture of a design is drawn
+    from it."""
 
     name: str
     reads: tuple[str, ...]
@@ -158,12 +159,16 @@ class Stage:
     expected: Optional[Callable[[Inputs], Result]] = None
     label: str = ""
     asked_by: tuple[str, ...] = ()
-    judges: bool = False
+    judges: Union[bool, Callable[[Any], bool]] = False
     shown: bool = False
 
     def parameters(self, values: Any) -> tuple[str, ...]:
         """Names of the parameters that it reads where they have these values, from the one table."""
         return _parameters_of(self.parts(values) if callable(self.parts) else self.parts)
+
+    def has_a_say(self, values: Any) -> bool:
+        """Whether the verdict depends on it where the parameters have these values."""
+        return self.judges(values) if callable(self.judges) else self.judges
 
 
 @lru_cache(maxsize=None)

@@ -142,7 +142,8 @@ def _verify_layout(inputs: Inputs, job: Job) -> LayoutVerification:
 def _verify_design(inputs: Inputs, job: Job) -> Verification:
     finished = inputs["design"]
     found = finished.verification or _verify(finished.design, inputs, job)
-    inputs.store.clear()
+    if not inputs.parameters.get("settle"):  # otherwise the tiles settle by it
+        inputs.store.clear()
     return found
 
 

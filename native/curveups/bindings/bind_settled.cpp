@@ -27,7 +27,8 @@ py::dict block(const SettledDesign& settled) {
   out["open_contacts"] = open;
   out["largest_slip_mm"] = settled.largest_slip;
   out["drift_mm"] = settled.drift;
-  out["holding_friction"] = settled.holding_friction;
+  out["holding_friction"] =
+      settled.holding_friction ? py::cast(settled.holding_friction->value) : py::none();
   out["scan"] = scan;
   return out;
 }
@@ -35,11 +36,39 @@ py::dict block(const SettledDesign& settled) {
 }  // namespace
 
 void bind_settled(py::module_& module) {
+  py::class_<WindowEnd>(module, "WindowEnd", "The last sample at which a verdict stays.")
+      .def_readonly("value", &WindowEnd::value)
+      .def_readonly("failure", &WindowEnd::failure,
+                    "What fails at the next sample; None where nothing does.");
+  py::class_<WindowRange>(module, "WindowRange",
+                          "The range of a parameter in which a verdict stays.")
+      .def_readonly("parameter", &WindowRange::parameter)
+      .def_readonly("unit", &WindowRange::unit)
+      .def_readonly("verdict", &WindowRange::verdict)
+      .def_property_readonly("searched",
+                             [](const WindowRange& range) {
+                               return std::make_pair(range.searched[0], range.searched[1]);
+                             })
+      .def_property_readonly("low", [](const WindowRange& range) { return range.end[0]; })
+      .def_property_readonly("high", [](const WindowRange& range) { return range.end[1]; });
+  py::class_<Margin>(module, "Margin", "Whether a design holds at the corners of its margin.")
+      .def_readonly("mode", &Margin::mode)
+      .def_readonly("mismatch", &Margin::mismatch, "Of the membranes' pull, %.")
+      .def_readonly("friction_coefficient", &Margin::friction_coefficient)
+      .def_readonly("met", &Margin::met)
+      .def_property_readonly(
+          "front_failure", [](const Margin& margin) { return margin.failure[0]; },
+          "What fails where the front pulls harder.")
+      .def_property_readonly(
+          "back_failure", [](const Margin& margin) { return margin.failure[1]; },
+          "What fails where the back pulls harder.");
   py::class_<SettledDesign>(module, "SettledDesign",
                             "What develops where a design's tiles are let go when actuated.")
-      .def_readonly("holds", &SettledDesign::holds)
-      .def_readonly("converged", &SettledDesign::converged)
+      .def_readonly("holds", &SettledDesign::holds, "None where that is not known.")
+      .def_readonly("failure", &SettledDesign::failure, "Why it does not hold.")
       .def_property_readonly("block", &block, "The figures, as report.json has them.")
+      .def_readonly("margin", &SettledDesign::margin)
+      .def_readonly("window", &SettledDesign::window)
       .def_readonly("contact_force", &SettledDesign::contact_force,
                     "Normal force of each contact, N.")
       .def_readonly(
@@ -51,27 +80,18 @@ void bind_settled(py::module_& module) {
           "poses", &SettledDesign::poses,
           "A row a tile, how far its centre has moved (mm) and the quaternion (x, y, z, w) "
           "that it has turned by.")
-      .def_readonly("steps", &SettledDesign::steps)
       .def_readonly("iterations", &SettledDesign::iterations)
       .def_readonly("factorizations", &SettledDesign::factorizations);
   module.def(
       "settle_design",
-      [](const Design& design, SolutionStore* store, py::object progress, bool holding_friction,
-         double hold_tolerance, double tile_modulus) {
-        SettleOptions options;
-        options.find_holding_friction = holding_friction;
-        options.hold_tolerance = hold_tolerance;
-        options.tile_modulus = tile_modulus;
+      [](const Design& design, SolutionStore* store, py::object progress) {
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return settle_design(design, store, options, sink);
+          return settle_design(design, store, sink);
         });
       },
       py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
-      py::arg("holding_friction") = true, py::arg("hold_tolerance") = 0.0,
-      py::arg("tile_modulus") = 2000.0,
-      "Lets the tiles of a design settle from where they stand when actuated. store: as in "
-      "verify_design. holding_friction: whether smaller coefficients are tried as well. "
-      "hold_tolerance: mm, 0 for 1 % of L. tile_modulus: Young's modulus of the tiles, MPa.");
+      "Lets the tiles of a design settle from where they stand when actuated, under its "
+      "parameters. store: as in verify_design.");
 }
 
 }  // namespace curveups::bindings

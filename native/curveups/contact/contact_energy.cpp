@@ -141,6 +141,14 @@ void ContactEnergy::bond(const Poses& poses) {
   }
 }
 
+void ContactEnergy::forget_corners() {
+  for (TouchingPair& pair : pairs) {
+    for (Touch& touch : pair.touches) {
+      touch.built.setConstant(std::numeric_limits<double>::infinity());
+    }
+  }
+}
+
 void ContactEnergy::remember(const Poses& poses) {
   for (TouchingPair& pair : pairs) {
     for (Touch& touch : pair.touches) {

@@ -55,6 +55,8 @@ class ContactEnergy : public MotionEnergy {
   void stick();
   // Lets the points stick that touch at these poses, and no others.
   void bond(const Poses& poses);
+  // Corners are clipped anew in the next search, and remember what the nearest ones did.
+  void forget_corners();
   // Ends a step: what slipped stays slipped, what does not push forgets.
   void remember(const Poses& poses);
 

@@ -11,6 +11,8 @@
 namespace curveups {
 namespace {
 
+constexpr double cone_share = 0.03;
+
 double largest_row(const Motions& rows) {
   double largest = 0;
   for (int i = 0; i < rows.rows(); ++i) {
@@ -49,6 +51,18 @@ void ContactWorld::set_poses(const Poses& poses) {
   poses_ = poses;
   searched_ = false;
   weight_ = -1;
+}
+
+void ContactWorld::set_bodies(std::vector<RigidBody> bodies) {
+  bodies_ = std::move(bodies);
+  contacts_.forget_corners();
+  searched_ = false;
+}
+
+void ContactWorld::restore(State state) {
+  contacts_.pairs = std::move(state.pairs);
+  set_poses(state.poses);
+  weight_ = state.weight;
 }
 
 void ContactWorld::search() {
@@ -111,8 +125,10 @@ double ContactWorld::gradient(const Poses& poses, Motions& out, BlockMatrix<6>* 
 }
 
 bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& report) {
+  // What is left of friction beyond the cone is taken away when the step ends, and must not wake
+  // bodies that would be at rest: they would creep from step to step.
   const double tolerance = std::max(options_.tolerance * scale, rounding_),
-               cone = options_.cone_tolerance * scale;
+               cone = cone_share * options_.cone_tolerance * scale;
   const double lever = options_.lever;
   AndersonIteration fixed_point;
   contacts_.careful = false;

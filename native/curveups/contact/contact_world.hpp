@@ -42,8 +42,24 @@ class ContactWorld {
   // Before the first step.
   void add(std::unique_ptr<MotionEnergy> energy) { energies_.push_back(std::move(energy)); }
   void set_friction(double coefficient) { contacts_.friction_coefficient = coefficient; }
+  // As WorldOptions have them.
+  void set_tolerances(double tolerance, double cone_tolerance) {
+    options_.tolerance = tolerance;
+    options_.cone_tolerance = cone_tolerance;
+  }
   // From here on, with what friction remembers between faces that stay the same.
   void set_poses(const Poses& poses);
+
+  // Other faces of the same bodies, in the same order.
+  void set_bodies(std::vector<RigidBody> bodies);
+  // Where bodies are and what friction remembers: to come back to.
+  struct State {
+    Poses poses;
+    std::vector<TouchingPair> pairs;
+    double weight;
+  };
+  State state() const { return {poses_, contacts_.pairs, weight_}; }
+  void restore(State state);
 
   // Throws Cancelled, with the poses as they were.
   StepReport step();

@@ -82,33 +82,48 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
                                  bool second, MotionDerivatives<3>* out) const {
   double sum = 0;
   for (const Triangle& t : element.triangles) {
+    const Eigen::Matrix2d inverse = stretch * t.inverse;
+    const double weight = pull / (stretch * stretch) * t.weight;
     std::array<Vec3, 3> x;
     for (int k = 0; k < 3; ++k) x[k] = poses[element.body[t.slot[k]]](t.point[k]);
     // F's columns are sums of the corners with these coefficients.
     Eigen::Matrix<double, 3, 2> coefficient;
-    coefficient.bottomRows<2>() = t.inverse;
-    coefficient.row(0) = -t.inverse.colwise().sum();
+    coefficient.bottomRows<2>() = inverse;
+    coefficient.row(0) = -inverse.colwise().sum();
     Gradient32 F = Gradient32::Zero();
     for (int k = 0; k < 3; ++k) F += x[k] * coefficient.row(k);
     const Density density = material_.model->evaluate(F, material_.regularization, second);
-    sum += t.weight * density.value;
+    sum += weight * density.value;
     if (!out) continue;
-    Eigen::Matrix<double, 6, 18> by_motion = Eigen::Matrix<double, 6, 18>::Zero();
+    // By the motion of corner k the gradient of F is (I, turn_k), times its two coefficients.
+    std::array<Eigen::Matrix3d, 3> turn;
     for (int k = 0; k < 3; ++k) {
       const RigidMotion& pose = poses[element.body[t.slot[k]]];
-      const Eigen::Matrix<double, 3, 6> J = point_jacobian(pose, t.point[k], lever);
+      const Vec3 arm = pose.R * t.point[k];
+      turn[k] = skew(arm / -lever);
+      const Vec3 force = weight * (coefficient(k, 0) * density.gradient.head<3>() +
+                                   coefficient(k, 1) * density.gradient.tail<3>());
       const int at = 6 * t.slot[k];
-      by_motion.block<3, 6>(0, at) += coefficient(k, 0) * J;
-      by_motion.block<3, 6>(3, at) += coefficient(k, 1) * J;
-      if (!second) continue;
-      const Vec3 force = t.weight * (coefficient(k, 0) * density.gradient.head<3>() +
-                                     coefficient(k, 1) * density.gradient.tail<3>());
-      out->hessian.block<3, 3>(at + 3, at + 3) += turn_curvature(force, pose.R * t.point[k], lever);
+      out->gradient.segment<3>(at) += force;
+      out->gradient.segment<3>(at + 3) += turn[k].transpose() * force;
+      if (second) out->hessian.block<3, 3>(at + 3, at + 3) += turn_curvature(force, arm, lever);
     }
-    out->gradient += t.weight * (by_motion.transpose() * density.gradient);
-    if (second) {
-      const Eigen::Matrix<double, 6, 18> product = t.weight * density.hessian * by_motion;
-      out->hessian.noalias() += by_motion.transpose() * product;
+    if (!second) continue;
+    for (int k = 0; k < 3; ++k) {
+      for (int l = k; l < 3; ++l) {
+        const Eigen::Matrix3d moves =
+            weight *
+            (coefficient(k, 0) * coefficient(l, 0) * density.hessian.topLeftCorner<3, 3>() +
+             coefficient(k, 0) * coefficient(l, 1) * density.hessian.topRightCorner<3, 3>() +
+             coefficient(k, 1) * coefficient(l, 0) * density.hessian.bottomLeftCorner<3, 3>() +
+             coefficient(k, 1) * coefficient(l, 1) * density.hessian.bottomRightCorner<3, 3>());
+        const Eigen::Matrix3d turned = moves * turn[l];
+        Eigen::Matrix<double, 6, 6> block;
+        block << moves, turned, turn[k].transpose() * moves, turn[k].transpose() * turned;
+        const int row = 6 * t.slot[k], column = 6 * t.slot[l];
+        out->hessian.block<6, 6>(row, column) += block;
+        if (l != k) out->hessian.block<6, 6>(column, row) += block.transpose();
+      }
     }
   }
   if (out) out->value = sum;

@@ -19,6 +19,9 @@ class ReducedMembrane : public MotionEnergy {
   ReducedMembrane(const MembraneDomain& domain, const Points2& flat, const Points3& corners,
                   double tau, const MembraneMaterial& material, int first_node);
 
+  // Factors on how hard it pulls and on how far it is stretched before tiles are glued to it.
+  double pull = 1, stretch = 1;
+
   std::string_view name() const override { return "membrane"; }
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;

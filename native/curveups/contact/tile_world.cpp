@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "curveups/bodies/convex_distance.hpp"
-#include "curveups/contact/given_forces.hpp"
-#include "curveups/contact/reduced_membrane.hpp"
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {
@@ -50,14 +48,27 @@ class Builder {
   TileWorld run() {
     add_tiles();
     add_nodes();
+    settle_nodes();
     TileWorld out;
     out.tile_count = count_;
+    out.is_wall = std::move(is_wall_);
     std::vector<std::unique_ptr<MotionEnergy>> energies;
-    for (int s = 0; s < 2; ++s) energies.push_back(membrane(static_cast<Side>(s)));
-    energies.push_back(std::make_unique<PairLoads>(corrections(energies)));
+    BalanceSystem system(interface_points(tiles_, bodies_.geometry.patches), centres_,
+                         bodies_.parameters.L, {});
+    for (int s = 0; s < 2; ++s) {
+      std::unique_ptr<ReducedMembrane> reduced = membrane(static_cast<Side>(s));
+      out.designed_corrections[s] = corrections(*reduced, solved_.membranes[s], system);
+      auto loads = std::make_unique<PairLoads>(out.designed_corrections[s]);
+      out.membranes[s] = reduced.get();
+      out.corrections[s] = loads.get();
+      energies.push_back(std::move(reduced));
+      energies.push_back(std::move(loads));
+    }
     energies.push_back(std::make_unique<PointLoads>(weights()));
     add_ground();
     for (int held : held_tiles(bodies_.geometry, bodies_.parameters)) list_[held].fixed = true;
+    out.designed_bodies = list_;
+    out.start = poses_;
     out.world = std::make_unique<ContactWorld>(std::move(list_), std::move(poses_), options_);
     for (auto& energy : energies) out.world->add(std::move(energy));
     out.world->set_friction(bodies_.parameters.friction_coefficient);
@@ -82,6 +93,7 @@ class Builder {
     const double tip_stiffness = sphere_stiffness(modulus_, R, force);
     const std::vector<std::array<int, 3>> contact_of = contacts_of_walls(tiles_);
     list_.resize(count_);
+    is_wall_.resize(count_);
     poses_.resize(count_);
     parallel_ranges(count_, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) {
@@ -98,6 +110,9 @@ class Builder {
         const double depth = 2 * tiles_.area(i) / tiles_.length.row(i).sum();
         list_[i] = make_rigid_body(moved(body, motion), Vec3::Zero(), modulus_ / depth);
         poses_[i].t = centre;
+        for (const BodyFace& face : body.faces) {
+          is_wall_[i].push_back(face.tag >= body_tag::wall && face.tag < body_tag::wall + 3);
+        }
         for (const WallCap& cap : bodies_.bumps.of_tile[i]) {
           if (!cap.bump || !at_tips[cap.contact]) continue;
           for (std::size_t f = 0; f < body.faces.size(); ++f) {
@@ -129,7 +144,7 @@ class Builder {
     }
   }
 
-  std::unique_ptr<MotionEnergy> membrane(Side side) const {
+  std::unique_ptr<ReducedMembrane> membrane(Side side) const {
     const int s = static_cast<int>(side);
     Points3 own = corners_[s];
     for (int c = 0; c < own.rows(); ++c) own.row(c) -= centres_.row(c / 3);
@@ -138,20 +153,26 @@ class Builder {
         bodies_.parameters.tau, membrane_material(bodies_.parameters, side), first_node_[s]);
   }
 
-  // The nodes come to rest while the tiles stand still; then what the tiles feel less than by the
-  // finite elements is shared out to the corners of interfaces, by the least forces.
-  std::vector<PairLoad> corrections(const std::vector<std::unique_ptr<MotionEnergy>>& membranes) {
+  // The nodes come to rest while the tiles stand still.
+  void settle_nodes() {
     std::vector<RigidBody> still(list_.size());
     for (int i = 0; i < count_; ++i) still[i].fixed = true;
     ContactWorld nodes(std::move(still), poses_, options_);
     for (int s = 0; s < 2; ++s) nodes.add(membrane(static_cast<Side>(s)));
     nodes.settle(40);
     poses_ = nodes.poses();
+  }
+
+  // What the tiles feel less of a side than by the finite elements, shared out to the corners of
+  // interfaces, by the least forces.
+  std::vector<PairLoad> corrections(const ReducedMembrane& reduced, const MembraneSolution& solved,
+                                    BalanceSystem& system) const {
+    Wrenches fine = Wrenches::Zero(count_, 6), coarse = Wrenches::Zero(count_, 6);
+    add_wrenches(solved.forces, solved.pin_corners, centres_, fine);
+    add_wrenches(solved.coarse_forces, solved.pin_corners, centres_, coarse);
     Motions pull = Motions::Zero(list_.size(), 6);
-    for (const auto& energy : membranes) energy->derivatives(poses_, 1, pull, nullptr, 0);
-    const Wrenches missing = solved_.elastic + pull.topRows(count_);
-    BalanceSystem system(interface_points(tiles_, bodies_.geometry.patches), centres_,
-                         bodies_.parameters.L, {});
+    reduced.derivatives(poses_, 1, pull, nullptr, 0);
+    const Wrenches missing = extrapolate<Wrenches>(fine, coarse) + pull.topRows(count_);
     const ContactForces forces = solve_contact_forces(system, missing);
     std::vector<PairLoad> loads;
     for (int p = 0; p < system.point_count(); ++p) {
@@ -208,13 +229,47 @@ class Builder {
   Points3 centres_;
   WorldOptions options_;
   std::vector<RigidBody> list_;
+  std::vector<std::vector<char>> is_wall_;
   Poses poses_;
   std::array<MembraneDomain, 2> domain_;
   std::array<Points3, 2> corners_;
   std::array<int, 2> first_node_{};
 };
 
+double size_of_forces(const ReducedMembrane& membrane, const Poses& poses) {
+  Motions forces = Motions::Zero(poses.size(), 6);
+  membrane.derivatives(poses, 1, forces, nullptr, 0);
+  return forces.leftCols<3>().norm();
+}
+
 }  // namespace
+
+void TileWorld::set(const Conditions& conditions) {
+  for (int s = 0; s < 2; ++s) {
+    ReducedMembrane& membrane = *membranes[s];
+    membrane.pull = membrane.stretch = 1;
+    const double before = size_of_forces(membrane, start);
+    membrane.pull = conditions.pull[s];
+    membrane.stretch = conditions.stretch;
+    // What the finite elements pull besides changes as the reduced membrane's forces do.
+    const double factor = before > 0 ? size_of_forces(membrane, start) / before : 1;
+    corrections[s]->loads = designed_corrections[s];
+    for (PairLoad& load : corrections[s]->loads) load.force *= factor;
+  }
+  if (conditions.growth == growth) return;
+  growth = conditions.growth;
+  std::vector<RigidBody> bodies = designed_bodies;
+  for (int i = 0; i < tile_count; ++i) {
+    for (std::size_t f = 0; f < bodies[i].faces.size(); ++f) {
+      if (!is_wall[i][f]) continue;
+      BodySurface& face = bodies[i].faces[f];
+      face.offset += growth;
+      for (Vec3& corner : face.outline) corner += growth * face.normal;
+      for (Vec3& tip : face.tips) tip += growth * face.normal;
+    }
+  }
+  world->set_bodies(std::move(bodies));
+}
 
 TileWorld make_tile_world(const TileBodies& bodies, const SolvedDesign& solved,
                           double tile_modulus) {

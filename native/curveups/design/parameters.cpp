@@ -209,6 +209,28 @@ std::vector<ParameterInfo> make_table() {
     {"friction_coefficient", "", "Physics",
      "Coefficient of Coulomb friction between tiles, also at bumps.",
      basic | keeps_layout, physics, &P::friction_coefficient, 0.01, 10},
+    {"tile_modulus", "MPa", "Physics",
+     "Young's modulus of the tiles' material. It says how far walls and bumps give way where "
+     "tiles settle.",
+     keeps_layout, reader::settle, &P::tile_modulus, 10, 1e6},
+    {"hold_tolerance", "mm", "Physics",
+     "The shape holds where friction lets it drift by this at most, in the mean. 0 stands for "
+     "1 % of L.",
+     keeps_layout, reader::settle, &P::hold_tolerance, 0, 100},
+    {"margin", "", "Physics",
+     "Choose what a design must bear beyond its own values: nothing (off), margin_mismatch and "
+     "margin_friction where it can (aim), or these in any case (require).",
+     keeps_layout, reader::settle, &P::margin, 0, 0, {"off", "aim", "require"}},
+    {"margin_mismatch", "%", "Physics",
+     "How much harder than the other either membrane may pull within the margin.",
+     keeps_layout, reader::settle, &P::margin_mismatch, 0, 90},
+    {"margin_friction", "", "Physics",
+     "Least coefficient of friction within the margin.",
+     keeps_layout, reader::settle, &P::margin_friction, 0.01, 10},
+    {"window", "", "Physics",
+     "Find how far membranes, friction, glue and the print's growth may change, each alone, until "
+     "the shape no longer holds.",
+     keeps_layout, reader::settle, &P::window},
     {"f_min_ratio", "", "Physics",
      "Least normal force at each contact point, as a fraction of the mean normal force.",
      keeps_layout, physics, &P::f_min_ratio, 0, 1},
@@ -241,6 +263,10 @@ std::vector<ParameterInfo> make_table() {
     {"recheck", "", "Stages",
      "Verify a second time on membrane meshes of half the size (mesh refinement check).",
      0, reader::recheck, &P::recheck},
+    {"settle", "", "Stages",
+     "Let the tiles settle under their membranes, with friction, and report whether the shape "
+     "holds.",
+     keeps_layout, reader::settle, &P::settle},
   };
 }
 // clang-format on

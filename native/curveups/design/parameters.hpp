@@ -83,6 +83,10 @@ struct Parameters {
   std::string membrane_model = "tension-field";
   double mesh_size = 0.65;
   double friction_coefficient = 0.5;
+  double tile_modulus = 2000.0;
+  double hold_tolerance = 0.0;
+  double margin_mismatch = 10.0;
+  double margin_friction = 0.3;
   double f_min_ratio = 0.1;
   std::string gravity = "off";
   std::string held_tiles;  // as listed_tiles reads them
@@ -96,6 +100,9 @@ struct Parameters {
   bool verify = true;
   bool repair = true;
   bool recheck = false;
+  bool settle = true;
+  std::string margin = "aim";
+  bool window = false;
 };
 
 // Parts of the engine that read a parameter, as a set of flags: what they made of another value is
@@ -113,11 +120,12 @@ enum Part : unsigned {
   recheck = 128,
   files = 256,
   check = 512,
-  pieces = 1024
+  pieces = 1024,
+  settle = 2048
 };
-inline constexpr std::array<std::string_view, 11> names = {
+inline constexpr std::array<std::string_view, 12> names = {
     "target", "tiles",   "layout", "bodies", "support", "physics",
-    "repair", "recheck", "files",  "check",  "pieces"};
+    "repair", "recheck", "files",  "check",  "pieces",  "settle"};
 }  // namespace reader
 
 // What a row says of its parameter besides; the stages' switches have none.

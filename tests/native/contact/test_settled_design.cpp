@@ -84,36 +84,145 @@ TEST(SettledDesign, ContactsCarryWhatMembranesPull) {
 }
 
 TEST(SettledDesign, IsTheSameWithAnyNumberOfThreads) {
-  const Design design = dome();
+  Design design = dome();
+  design.parameters.window = true;
   std::vector<SettledDesign> found;
   for (int threads : {1, 2, 4}) {
     set_thread_count(threads);
-    found.push_back(settle_design(design, nullptr, {}, {}));
+    found.push_back(settle_design(design, nullptr, {}));
   }
   set_thread_count(1);
   for (const SettledDesign& other : found) {
     EXPECT_EQ(other.corners, found[0].corners);
     EXPECT_EQ(other.contact_force, found[0].contact_force);
-    EXPECT_EQ(other.holding_friction, found[0].holding_friction);
+    ASSERT_EQ(other.holding_friction.has_value(), found[0].holding_friction.has_value());
+    ASSERT_EQ(other.window.size(), found[0].window.size());
+    for (std::size_t k = 0; k < other.window.size(); ++k) {
+      for (int e = 0; e < 2; ++e) {
+        EXPECT_EQ(other.window[k].end[e].value, found[0].window[k].end[e].value);
+        EXPECT_EQ(other.window[k].end[e].failure, found[0].window[k].end[e].failure);
+      }
+    }
     EXPECT_EQ(other.iterations, found[0].iterations);
   }
   EXPECT_GT(found[0].iterations, 0);
 }
 
 TEST(SettledDesign, AScanIsOfTheShapeThatSettled) {
-  const SettledDesign found = settle_design(dome(), nullptr, {}, {});
+  const SettledDesign found = settle_design(dome(), nullptr, {});
   EXPECT_GT(found.scan.mean, 0);
   EXPECT_LE(found.scan.mean, found.scan.rms);
   EXPECT_LE(found.scan.rms, found.scan.largest);
   EXPECT_LE(found.scan.p95, found.scan.largest);
   EXPECT_LE(found.scan.largest, found.scan.hausdorff);
   EXPECT_NEAR(found.deviation.mean(), found.scan.mean, 1e-12);
-  EXPECT_EQ(found.holds,
+  EXPECT_EQ(found.holds.value_or(false),
             found.converged && found.open_contacts.empty() && found.drift <= found.hold_tolerance);
 }
 
+TEST(TileWorld, PullsAsHardAsItsConditionsSay) {
+  const Sample sample(dome());
+  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+  const Motions both = built.world->given_forces();
+  Conditions conditions;
+  conditions.pull = {2, 1};
+  built.set(conditions);
+  const Motions front = built.world->given_forces() - both;
+  conditions.pull = {1, 3};
+  built.set(conditions);
+  const Motions back = 0.5 * (built.world->given_forces() - both);
+  const double mean = both.leftCols<3>().rowwise().norm().mean();
+  EXPECT_LT((front + back - both).topRows(built.tile_count).rowwise().norm().maxCoeff(),
+            1e-6 * mean);
+  ASSERT_GT(front.norm(), mean);
+  // A membrane that is stretched further pulls harder; as it was, it pulls as it did.
+  conditions = {};
+  conditions.stretch = 1.1;
+  built.set(conditions);
+  EXPECT_GT(built.world->given_forces().leftCols<3>().norm(), 1.01 * both.leftCols<3>().norm());
+  built.set({});
+  EXPECT_EQ(built.world->given_forces(), both);
+}
+
+TEST(TileWorld, WallsThatHaveGrownPush) {
+  const Sample sample(dome());
+  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+  built.world->set_friction(0.5);
+  built.world->settle(100);
+  const auto size = [&] {
+    Vec3 low = Vec3::Constant(1e9), high = -low;
+    for (int i = 0; i < built.tile_count; ++i) {
+      low = low.cwiseMin(built.world->poses()[i].t);
+      high = high.cwiseMax(built.world->poses()[i].t);
+    }
+    return (high - low).head<2>().norm();
+  };
+  const double before = size();
+  Conditions conditions;
+  conditions.growth = 0.05;
+  built.set(conditions);
+  ASSERT_TRUE(built.world->settle(100).at_rest);
+  EXPECT_GT(size(), before + 0.2);
+  built.set({});
+  ASSERT_TRUE(built.world->settle(100).at_rest);
+  EXPECT_NEAR(size(), before, 0.1);
+}
+
+TEST(Settling, ComesBackToWhereItWas) {
+  const Sample sample(dome());
+  Settling settling(sample.design, sample.bodies, sample.solved);
+  settling.settle({}, 0.8);
+  const Settling::State standing = settling.state();
+  Conditions conditions;
+  conditions.pull[0] = 1.3;
+  const auto corner = [&] {
+    settling.settle(conditions, 0.3);
+    return settling.surface().V;
+  };
+  const Points3 once = corner();
+  const double drift = settling.drift();
+  settling.restore(standing);
+  EXPECT_EQ(settling.contact_force(), standing.contact_force);
+  EXPECT_LT((corner() - once).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_NEAR(settling.drift(), drift, 1e-9);
+}
+
+TEST(SettledDesign, DoesNotHoldWithoutFriction) {
+  Design design = dome();
+  design.parameters.friction_coefficient = 0.01;
+  design.parameters.hold_tolerance = 0.001;
+  const SettledDesign found = settle_design(design, nullptr, {});
+  ASSERT_TRUE(found.holds.has_value());
+  EXPECT_FALSE(*found.holds);
+  ASSERT_TRUE(found.failure.has_value());
+  EXPECT_FALSE(found.holding_friction.has_value());
+  EXPECT_EQ(found.margin.met, std::optional<bool>(false));
+  EXPECT_TRUE(found.window.empty());
+}
+
+TEST(SettledDesign, AWindowsEndsAreWhereItHoldsAndWhatFailsBeyond) {
+  Design design = dome();
+  design.parameters.friction_coefficient = 1;
+  design.parameters.window = true;
+  const SettledDesign found = settle_design(design, nullptr, {});
+  ASSERT_TRUE(found.holds.value_or(false));
+  ASSERT_FALSE(found.window.empty());
+  for (const WindowRange& range : found.window) {
+    for (int e = 0; e < 2; ++e) {
+      const WindowEnd& end = range.end[e];
+      if (range.verdict == "glue") continue;
+      if (end.failure) {
+        EXPECT_NE(end.value, range.searched[e]) << range.parameter;
+      } else {
+        EXPECT_EQ(end.value, range.searched[e]) << range.parameter;
+      }
+      EXPECT_LE(std::abs(end.value), std::abs(range.searched[1]) + 1) << range.parameter;
+    }
+  }
+}
+
 TEST(SettledDesign, StopsWhereItIsAskedTo) {
-  EXPECT_THROW(settle_design(dome(), nullptr, {},
+  EXPECT_THROW(settle_design(dome(), nullptr,
                              [](const std::string& what, double) { return what != "settle"; }),
                Cancelled);
 }

@@ -46,6 +46,9 @@ _STATES = (
     QT_TRANSLATE_NOOP("CurveUpsSolve", "valid"),
     QT_TRANSLATE_NOOP("CurveUpsSolve", "not valid"),
     QT_TRANSLATE_NOOP("CurveUpsSolve", "not judged"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "holds"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "does not hold"),
+    QT_TRANSLATE_NOOP("CurveUpsSolve", "not settled"),
     QT_TRANSLATE_NOOP("CurveUpsSolve", "out of date"),
     QT_TRANSLATE_NOOP("CurveUpsSolve", "empty"),
     QT_TRANSLATE_NOOP("CurveUpsSolve", "invalid"),
@@ -204,7 +207,8 @@ class SolvePanel(Panel):
     def show(self) -> None:
         """The verdict: it changes when solids follow, by undo, and by scripts."""
         state = self.design.Status
-        head = translate("CurveUpsSolve", self.design.Verdict if state == "current" else state)
+        head = ", ".join(translate("CurveUpsSolve", word) for word in (
+            self.design.Verdict if state == "current" else state, self.design.Holds))
         lines = "<br>".join(shown(self.design, reason) for reason in reasons_of(self.design)[:6])
         if getattr(self.design, "Kit", "").startswith(OUT_OF_DATE):
             lines += "<br>" * bool(lines) + translate("CurveUpsSolve", "The fabrication kit is out of date")

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lets the tiles of the finished design settle under their membranes, with friction: whether the shape holds,
+how far materials and print may be off until it does not, and the shape that the piece has then."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Mapping, Optional, Sequence
+
+import numpy as np
+
+from ..base.errors import CurveUpsError
+from ..base.findings import Finding, failed
+from ..base.native import native
+from ..base.value import Value
+from .stage import Inputs, Job, Picture, Result, Row, Stage
+
+
+@dataclass(frozen=True)
+class Range(Value):
+    """The values of a parameter, all others as they are, at which a verdict stays; None at an end where
+    nothing fails in what was searched. `failures`: what fails first beyond either end."""
+
+    parameter: str
+    unit: str
+    verdict: str
+    searched: tuple[float, float]
+    ends: tuple[Optional[float], Optional[float]]
+    failures: tuple[Optional[Finding], Optional[Finding]]
+
+    def report(self) -> dict[str, Any]:
+        (low, high), (fails_low, fails_high) = self.ends, self.failures
+        return {"parameter": self.parameter, "unit": self.unit, "verdict": self.verdict,
+                "searched": list(self.searched), "low": low, "high": high,
+                "fails_low": fails_low and fails_low.entry(), "fails_high": fails_high and fails_high.entry()}
+
+
+@dataclass(frozen=True)
+class Settled(Result):
+    """`holds` is None where that was not asked for, could not be found out or was stopped. `note`: why the
+    verdict has to stay open, where the margin is required."""
+
+    holds: Optional[bool] = None
+    block: Mapping[str, Any] = field(default_factory=dict)  # as report.json has it
+    failure: Optional[Finding] = None  # why it does not hold, or why that is not known though it was wanted
+    margin: Mapping[str, Any] = field(default_factory=dict)
+    beyond: tuple[Finding, ...] = ()   # why the margin is not met
+    window: tuple[Range, ...] = ()
+    note: Optional[Finding] = None
+    iterations: int = 0
+    design: Any = None                 # native Design, for the picture
+    deviation: Any = ()                # per tile, mm
+    contact_force: Any = ()            # per contact, normal, N
+
+    def report(self) -> dict[str, Any]:
+        window = {"window": [one.report() for one in self.window]} if self.window else {}
+        return {"holds": self.holds, **({"settled": self.block, "margin": self.margin} if self.block else {}),
+                **window}
+
+    def reasons(self) -> Sequence[Finding]:
+        return self.beyond if self._required else ()
+
+    def warnings(self) -> Sequence[Finding]:
+        return (*((self.failure,) if self.failure else ()), *(() if self._required else self.beyond))
+
+    @property
+    def _required(self) -> bool:
+        return self.margin.get("mode") == "require"
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("settle", seconds, self.iterations),) if self.block else ()
+
+    def pictures(self) -> Sequence[Picture]:
+        if not self.block:
+            return ()
+        marked = [tuple(pair) for pair in self.block["open_contacts"]]
+        return (Picture("Settled shape", "Virtual scan: mean distance of each tile from the design's surface "
+                        "once the tiles have settled." + (" Open contacts are marked." if marked else ""),
+                        "flat",
+                        {"design": self.design, "values": self.deviation, "label": "mm", "marked": marked}),)
+
+
+def _run(inputs: Inputs, job: Job) -> Settled:
+    values = inputs.parameters
+    if not values.get("settle") or not inputs["verification"].blocks:
+        return Settled(note=_open(inputs, Finding("unsettled_design")))
+    try:
+        design = inputs["design"].design.with_parameters(values)
+        found = native.settle_design(design, inputs.store, job)
+    finally:
+        inputs.store.clear()
+    margin, failure = found.margin, _finding(found.failure)
+    beyond = [Finding.about("margin", one.tiles, side=side, percent=margin.mismatch,
+                            mu=margin.friction_coefficient, reason=Finding.of(one))
+              for side, one in (("front", margin.front_failure), ("back", margin.back_failure))
+              if one and margin.met is False]
+    if margin.met is False and failure:
+        beyond = [Finding.about("margin.design", failure.tiles, reason=failure)]
+    block = {"mode": margin.mode, "mismatch_percent": margin.mismatch,
+             "friction_coefficient": margin.friction_coefficient, "met": margin.met}
+    return Settled(found.holds, found.block, failure, block, tuple(beyond), tuple(map(_range, found.window)),
+                   _open(inputs, failure or Finding("margin.unknown")) if margin.met is None else None,
+                   found.iterations, design, np.asarray(found.deviation), np.asarray(found.contact_force))
+
+
+def _range(found: Any) -> Range:
+    low, high = found.low, found.high
+    return Range(found.parameter, found.unit, found.verdict, found.searched,
+                 (low.value if low.failure else None, high.value if high.failure else None),
+                 (_finding(low.failure), _finding(high.failure)))
+
+
+def _finding(found: Any) -> Optional[Finding]:
+    return Finding.of(found) if found else None
+
+
+def _open(inputs: Inputs, why: Finding) -> Optional[Finding]:
+    return why if inputs.parameters.get("margin") == "require" else None
+
+
+def _failed(error: CurveUpsError, inputs: Inputs) -> Settled:
+    failure = failed("settle_failed", error)
+    return Settled(failure=failure, note=_open(inputs, failure))
+
+
+PARTS = frozenset({"tiles", "bodies", "physics", "settle"})
+STAGE = Stage("settle", ("design", "verification"), PARTS, _run, _failed,
+              lambda stage, inputs: Settled(note=_open(inputs, Finding.about("stopped", stage=stage))),
+              label="Settled forces", asked_by=("settle", "verify"),
+              judges=lambda values: values.get("margin") == "require")

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/contact/process_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "curveups/core/checkpoint.hpp"
+
+namespace curveups {
+namespace {
+
+// Lets the tiles settle with one value of a parameter.
+using Change = std::function<void(Settling&, double)>;
+
+// From one sample to the next until one fails; then between it and its neighbour, so many times.
+WindowEnd walk(Settling& settling, const Settling::State& standing, double from,
+               const std::vector<double>& values, int halvings, const Change& change) {
+  settling.restore(standing);
+  WindowEnd end{from, {}};
+  for (double value : values) {
+    const Settling::State last = settling.state();
+    change(settling, value);
+    end.failure = settling.failure();
+    if (!end.failure) {
+      end.value = value;
+      continue;
+    }
+    double failed = value;
+    Settling::State good = last;
+    for (int k = 0; k < halvings; ++k) {
+      const double middle = 0.5 * (end.value + failed);
+      settling.restore(good);
+      change(settling, middle);
+      if (std::optional<Finding> failure = settling.failure()) {
+        failed = middle;
+        end.failure = std::move(failure);
+      } else {
+        end.value = middle;
+        good = settling.state();
+      }
+    }
+    break;
+  }
+  return end;
+}
+
+// One parameter: its values from the design's own to either end of what is searched.
+struct Axis {
+  const char *parameter, *unit;
+  double own;
+  std::array<std::vector<double>, 2> values;
+  Change change;
+};
+
+Change with(void (*set)(Conditions&, double)) {
+  return [set](Settling& settling, double value) {
+    Conditions conditions;
+    set(conditions, value);
+    settling.settle(conditions, settling.friction());
+  };
+}
+
+std::vector<Axis> axes() {
+  return {
+      {"stretch",
+       "%",
+       0,
+       {{{-5, -10, -15, -20}, {5, 10, 15, 20}}},
+       with([](Conditions& c, double percent) { c.stretch = 1 + percent / 100; })},
+      {"front_over_back",
+       "%",
+       0,
+       {{{-10, -20, -30}, {10, 20, 30}}},
+       with([](Conditions& c, double percent) {
+         c.pull[percent > 0 ? 0 : 1] = 1 + std::abs(percent) / 100;
+       })},
+      {"xy_growth",
+       "mm",
+       0,
+       {{{-0.02, -0.05, -0.1}, {0.02, 0.05, 0.1}}},
+       with([](Conditions& c, double mm) { c.growth = mm; })},
+  };
+}
+
+WindowRange range_of_glue(const LargestGlueLoads& glue, const Parameters& parameters) {
+  WindowRange out{"glue_strength", "%", "glue", {-50, 50}, {}};
+  const GlueLoad& load = glue.shear;
+  const double needed = 100 * (load.shear / parameters.glue_strength - 1);
+  out.end = {WindowEnd{std::max(needed, -50.0), {}}, WindowEnd{std::max(needed, 50.0), {}}};
+  if (needed > -50) {
+    const std::vector<int> tile = {load.tile};
+    out.end[0].failure = Finding{"glue_carries",
+                                 tile,
+                                 {{"side", load.side == Side::front ? "front" : "back"},
+                                  {"tile", tile},
+                                  {"shear", load.shear}}};
+  }
+  return out;
+}
+
+}  // namespace
+
+WindowEnd holding_friction(Settling& settling, const Settling::State& standing, int halvings) {
+  const double mu = standing.friction;
+  return walk(settling, standing, mu, {0.8 * mu, 0.6 * mu, 0.4 * mu, 0.2 * mu}, halvings,
+              [](Settling& tiles, double value) { tiles.settle(tiles.conditions(), value); });
+}
+
+Margin find_margin(Settling& settling, const Settling::State& standing,
+                   const Parameters& parameters) {
+  Margin out{parameters.margin, parameters.margin_mismatch, parameters.margin_friction, {}, {}};
+  if (out.mode == "off") return out;
+  settling.restore(standing);
+  if (!settling.holds()) {
+    if (settling.is_known()) out.met = false;
+    return out;
+  }
+  bool known = true;
+  for (int s = 0; s < 2; ++s) {
+    settling.restore(standing);
+    Conditions corner;
+    corner.pull[s] = 1 + out.mismatch / 100;
+    settling.settle(corner, std::min(out.friction_coefficient, standing.friction));
+    out.failure[s] = settling.failure();
+    known = known && settling.is_known();
+  }
+  const bool fails = out.failure[0] || out.failure[1];
+  if (known || !fails) out.met = !fails;
+  return out;
+}
+
+std::vector<WindowRange> process_window(Settling& settling, const Settling::State& standing,
+                                        const WindowEnd& lowest_friction,
+                                        const LargestGlueLoads& glue,
+                                        const Parameters& parameters) {
+  const double mu = standing.friction;
+  std::vector<Axis> all = axes();
+  all.push_back({"friction_coefficient",
+                 "",
+                 mu,
+                 {{{}, {1.5 * mu, 2 * mu}}},
+                 [](Settling& tiles, double value) { tiles.settle(tiles.conditions(), value); }});
+  std::vector<WindowRange> out;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Axis& axis = all[k];
+    WindowRange range{axis.parameter, axis.unit, "holds", {}, {}};
+    for (int e = 0; e < 2; ++e) {
+      checkpoint("process window", (2.0 * static_cast<double>(k) + e) / (2.0 * all.size()));
+      if (axis.values[e].empty()) {
+        range.end[e] = lowest_friction;
+        range.searched[e] = 0.2 * mu;
+        continue;
+      }
+      range.searched[e] = axis.values[e].back();
+      range.end[e] =
+          walk(settling, standing, axis.own, axis.values[e], window_halvings, axis.change);
+    }
+    out.push_back(std::move(range));
+  }
+  out.push_back(range_of_glue(glue, parameters));
+  return out;
+}
+
+}  // namespace curveups

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/contact/settling.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "curveups/core/checkpoint.hpp"
+
+namespace curveups {
+namespace {
+
+// What has not come to rest by then has no answer.
+constexpr int most_steps = 60, most_iterations = 600;
+// Once the design has settled as it stands, forces left and friction beyond its cone, over the mean
+// normal force: whether it holds elsewhere is a matter of 0.01 mm, and this is worth 1e-5.
+constexpr double sample_tolerance = 1e-3, sample_cone_tolerance = 1e-3;
+
+}  // namespace
+
+Settling::Settling(const Design& design, const TileBodies& bodies, const SolvedDesign& solved)
+    : tiles_(bodies.geometry.tiles),
+      centres_(tile_centres(tiles_)),
+      built_(make_tile_world(bodies, solved, design.parameters.tile_modulus)),
+      hold_tolerance_(design.parameters.hold_tolerance > 0 ? design.parameters.hold_tolerance
+                                                           : 0.01 * design.parameters.L) {}
+
+void Settling::settle(const Conditions& conditions, double friction) {
+  ContactWorld& world = *built_.world;
+  bool still = true;
+  if (!compressed_ || !(conditions == conditions_)) {
+    drift_before_ = drift_;
+    compressed_.reset();
+    built_.set(conditions);
+    world.set_friction(std::numeric_limits<double>::infinity());
+    still = come_to_rest();
+    compressed_ = std::make_shared<ClosestPoints>(surface());
+    conditions_ = conditions;
+  }
+  friction_ = friction;
+  world.set_friction(friction);
+  at_rest_ = come_to_rest() && still;
+  drift_ = measured_drift();
+  measure_forces();
+  world.set_tolerances(sample_tolerance, sample_cone_tolerance);
+}
+
+// Until the tiles are at rest, or are known not to hold.
+bool Settling::come_to_rest() {
+  int iterations = 0;
+  const StepReport last = built_.world->settle(most_steps, [&](const StepReport& step) {
+    iterations += step.iterations;
+    factorizations_ += step.factorizations;
+    checkpoint();
+    return has_left() || iterations > most_iterations;
+  });
+  iterations_ += iterations;
+  return last.at_rest;
+}
+
+// Tiles have moved by more than the tolerance in the mean, and the surface as well.
+bool Settling::has_left() const {
+  if (!compressed_) return false;
+  double moved = 0;
+  for (int i = 0; i < tiles_.tile_count(); ++i) {
+    moved += (built_.world->poses()[i].t - centres_.row(i).transpose()).norm();
+  }
+  return moved > hold_tolerance_ * tiles_.tile_count() && measured_drift() > hold_tolerance_;
+}
+
+TriangleMesh Settling::surface() const {
+  return fitted_surface(tiles_, centres_, built_.world->poses());
+}
+
+double Settling::measured_drift() const {
+  return drift_before_ + scan_distances(surface(), *compressed_).mean();
+}
+
+void Settling::measure_forces() {
+  std::map<std::array<int, 2>, int> contact_of;
+  for (std::size_t k = 0; k < tiles_.contacts.size(); ++k) {
+    contact_of[tiles_.contacts[k].tile] = static_cast<int>(k);
+  }
+  contact_force_.setZero(tiles_.contacts.size());
+  for (const TouchForce& force : built_.world->forces()) {
+    const auto contact = contact_of.find(force.body);
+    if (contact != contact_of.end()) contact_force_(contact->second) += force.push;
+  }
+}
+
+std::vector<std::array<int, 2>> Settling::open_contacts() const {
+  std::vector<std::array<int, 2>> open;
+  for (Eigen::Index k = 0; k < contact_force_.size(); ++k) {
+    if (contact_force_(k) == 0) open.push_back(tiles_.contacts[k].tile);
+  }
+  return open;
+}
+
+std::optional<Finding> Settling::failure() const {
+  if (drift_ > hold_tolerance_) {
+    // The tiles that have gone furthest, of those beyond the tolerance.
+    const Eigen::VectorXd far = scan_distances(surface(), *compressed_);
+    std::vector<std::pair<double, int>> worst;
+    for (int i = 0; i < tiles_.tile_count(); ++i) {
+      const double own = far.segment<scan_samples>(scan_samples * i).mean();
+      if (own > hold_tolerance_) worst.push_back({-own, i});
+    }
+    std::sort(worst.begin(), worst.end());
+    worst.resize(std::min<std::size_t>(worst.size(), 10));
+    Finding found{"settled_drift", {}, {{"drift", drift_}, {"most", hold_tolerance_}}};
+    for (const auto& [_, tile] : worst) found.tiles.push_back(tile);
+    std::sort(found.tiles.begin(), found.tiles.end());
+    return found;
+  }
+  const Finding::Pairs open = open_contacts();
+  if (!open.empty()) {
+    return Finding{"settled_open", tiles_of(open), {{"contacts", open}}};
+  }
+  if (!at_rest_) return Finding{"settled_restless"};
+  return std::nullopt;
+}
+
+Settling::State Settling::state() const {
+  return {built_.world->state(), conditions_, friction_,      drift_,
+          drift_before_,         at_rest_,    contact_force_, compressed_};
+}
+
+void Settling::restore(const State& state) {
+  built_.set(state.conditions);
+  built_.world->restore(state.world);
+  built_.world->set_friction(state.friction);
+  conditions_ = state.conditions;
+  friction_ = state.friction;
+  drift_ = state.drift;
+  drift_before_ = state.drift_before;
+  at_rest_ = state.at_rest;
+  contact_force_ = state.contact_force;
+  compressed_ = state.compressed;
+}
+
+}  // namespace curveups

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/contact/virtual_scan.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+namespace curveups {
+namespace {
+
+TriangleMesh settled_mesh(const TileMesh& tiles, const Points3& centres, const Poses& poses) {
+  TriangleMesh mesh{Points3(3 * tiles.tile_count(), 3), Triangles(tiles.tile_count(), 3)};
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      const Vec3 corner = tiles.mesh.V.row(tiles.mesh.F(i, c)) - centres.row(i);
+      mesh.V.row(3 * i + c) = poses[i](corner).transpose();
+      mesh.F(i, c) = 3 * i + c;
+    }
+  }
+  return mesh;
+}
+
+// The rigid motion of one set of points to where it is nearest to the other (W. Kabsch, 1976).
+RigidMotion best_fit(const Points3& from, const Points3& to) {
+  const Eigen::RowVector3d a = from.colwise().mean(), b = to.colwise().mean();
+  const Eigen::Matrix3d product = (from.rowwise() - a).transpose() * (to.rowwise() - b);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity();
+  mirror(2, 2) = (svd.matrixV() * svd.matrixU().transpose()).determinant() < 0 ? -1 : 1;
+  const Eigen::Matrix3d R = svd.matrixV() * mirror * svd.matrixU().transpose();
+  return {R, b.transpose() - R * a.transpose()};
+}
+
+// Corners, edge midpoints and middle of a tile.
+Vec3 sample(const TriangleMesh& mesh, int tile, int k) {
+  Vec3 a = mesh.V.row(mesh.F(tile, 0)), b = mesh.V.row(mesh.F(tile, 1)),
+       c = mesh.V.row(mesh.F(tile, 2));
+  switch (k) {
+    case 0:
+      return a;
+    case 1:
+      return b;
+    case 2:
+      return c;
+    case 3:
+      return 0.5 * (a + b);
+    case 4:
+      return 0.5 * (b + c);
+    case 5:
+      return 0.5 * (c + a);
+    default:
+      return (a + b + c) / 3;
+  }
+}
+
+}  // namespace
+
+Eigen::VectorXd scan_distances(const TriangleMesh& mesh, const ClosestPoints& surface) {
+  const int count = static_cast<int>(mesh.F.rows());
+  Points3 points(scan_samples * count, 3);
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < scan_samples; ++k) {
+      points.row(scan_samples * i + k) = sample(mesh, i, k).transpose();
+    }
+  }
+  return distances(points, surface);
+}
+
+TriangleMesh fitted_surface(const TileMesh& tiles, const Points3& centres, const Poses& poses) {
+  TriangleMesh mesh = settled_mesh(tiles, centres, poses), designed = mesh;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int c = 0; c < 3; ++c) designed.V.row(3 * i + c) = tiles.mesh.V.row(tiles.mesh.F(i, c));
+  }
+  const RigidMotion fit = best_fit(mesh.V, designed.V);
+  for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+    mesh.V.row(v) = fit(mesh.V.row(v).transpose()).transpose();
+  }
+  return mesh;
+}
+
+VirtualScan describe_scan(Eigen::VectorXd far, const TriangleMesh& scanned,
+                          const TriangleMesh& designed) {
+  VirtualScan scan;
+  scan.mean = far.mean();
+  scan.rms = std::sqrt(far.squaredNorm() / static_cast<double>(far.size()));
+  std::sort(far.begin(), far.end());
+  scan.p95 = far(static_cast<Eigen::Index>(0.95 * static_cast<double>(far.size() - 1)));
+  scan.largest = far(far.size() - 1);
+  scan.hausdorff =
+      std::max(scan.largest, scan_distances(designed, ClosestPoints(scanned)).maxCoeff());
+  return scan;
+}
+
+}  // namespace curveups
