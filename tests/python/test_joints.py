@@ -132,7 +132,7 @@ def test_tiles_of_standard_size_have_holes(curveups, ball_file, tmp_path):
     assert set(small["tiles"]) <= beside
     page = html.unescape((tmp_path / "report.html").read_text(encoding="utf-8"))
     assert "stitching hole (1 mm)" in page and f"{report['joints']['holes']} holes in all" in page
-    assert "Cut the 2 pieces apart" in page
+    assert "So the 2 pieces come apart" in page
 
 
 def test_a_layout_without_holes_is_to_be_made_anew(curveups, ball_file, tmp_path):

@@ -43,8 +43,8 @@ another. Rods in the holes at the corners align them. Press through the windows,
 _RELEASE = """when the glue holds, side by side. It pulls itself into shape. Help with your hands where it
 stays flat, from the middle outwards."""
 _TRIM = """trim the anchors off with the surplus membrane, {trim:g} mm outside of the outer pins, along
-rims, holes and cuts."""
-_APART = """where the membranes join them: each holds its shape by itself."""
+rims, holes and cuts.{apart}"""
+_APART = " So the {pieces} pieces come apart: each holds its shape by itself."
 _TAPE = """nothing joins them: tape or glue them along their borders."""
 _SEW = """through the membrane into a stitching hole ({hole:g} mm), out at its other side, and back through
 the hole that faces it in the other piece; {holes} holes in all. A drop of glue around a hole keeps the
@@ -105,6 +105,7 @@ def _values(report: Mapping[str, Any], parameters: Any) -> dict[str, Any]:
             "second": second, "second_mm2": _area(glue, second), "second_cm3": glue_volumes(glue)[second],
             "behind": f"; on the {second} {level} and would be glued along" if along else "",
             "on_bed": on_bed, "peel_first": reach_out and on_bed == first,
+            "apart": _APART.format(pieces=block["pieces"]) if block["pieces"] > 1 else "",
             "height": block["bbox_mm"][2],
             "pieces": block["pieces"], "hole": joints.get("hole_mm", 0), "holes": joints.get("holes", 0)}
 
@@ -123,7 +124,6 @@ def _steps(report: Mapping[str, Any], parameters: Any, values: Mapping[str, Any]
     yield "Take both sheets off their rings together", _RELEASE, "actuated"
     yield "Cut the surplus off", _TRIM, "trim"
     if values["pieces"] > 1:
-        yield "Cut the {pieces} pieces apart", _APART, "trim"
         if values["holes"]:
             yield "Bring pieces together in shape and sew them along their borders", _SEW, "actuated"
         else:
