@@ -45,14 +45,13 @@ def series(low: float, high: float) -> list[float]:
 
 @dataclass(frozen=True)
 class Trial:
-    """What came of one size; sagitta: largest distance of the surface from its facets, mm."""
+    """What came of one size."""
 
     L: float
     H_body: float
     H_pin: float
     tiles: int
     feasible: bool
-    sagitta: float
 
 
 class Trials:
@@ -66,6 +65,7 @@ class Trials:
         self._parameters = parameters
         self.thinnest = max(value_range("H_body")[0], parameters.get("p_floor"))  # that a printer makes
         self.made: dict[tuple[float, float, float], Trial] = {}
+        self._sagittas: dict[float, float] = {}
         corners = V[F]
         self._area = float(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0],
                                                    corners[:, 2] - corners[:, 0]), axis=1).sum() / 2)
@@ -85,11 +85,25 @@ class Trials:
         pin = float(self._parameters.get("H_pin") if H_pin is None else H_pin)
         known = self.made.get((L, H_body, pin))
         if known is None:
-            self._trying = f"trying L = {L:g} mm, H_body = {H_body:g} mm, H_pin = {pin:g} mm"
-            if not self._tell():
-                raise Stopped
+            self._say(f"trying L = {L:g} mm, H_body = {H_body:g} mm, H_pin = {pin:g} mm")
             known = self.made[L, H_body, pin] = self._try(L, H_body, pin)
         return known
+
+    def sagitta(self, L: float) -> float:
+        """Largest distance of the surface from its facets, mm; NaN where it can't be remeshed."""
+        if L not in self._sagittas:
+            self._say(f"trying L = {L:g} mm")
+            try:
+                with translated():
+                    self._sagittas[L] = self._mesh(L)[2]
+            except CurveUpsError:
+                self._sagittas[L] = math.nan
+        return self._sagittas[L]
+
+    def _say(self, trying: str) -> None:
+        self._trying = trying
+        if not self._tell():
+            raise Stopped
 
     def _tell(self, *_: Any) -> bool:
         """Of a trial's own work nothing is told: its fraction is none of the search, whose end is unknown."""
@@ -99,15 +113,15 @@ class Trials:
         values = native.Parameters(self._parameters)
         for name, value in (("L", L), ("H_body", H_body), ("H_pin", H_pin)):
             values.set(name, value)
-        tiles, sagitta = 0, math.nan
+        tiles = 0
         try:
             with translated():
-                V, F, sagitta = self._mesh(L)
+                V, F, _ = self._mesh(L)
                 tiles = len(F)
                 feasible = sizes_do(V, F, all_cuts(self._cuts, V, F, values, self._job), values, self._job)
         except CurveUpsError:
             feasible = False
-        return Trial(L, H_body, H_pin, tiles, feasible, sagitta)
+        return Trial(L, H_body, H_pin, tiles, feasible)
 
     def _remesh(self, L: float) -> tuple[np.ndarray, np.ndarray, float]:
         made = remesh(*self._surface, L, self._parameters, self._job, self._creases)
@@ -131,10 +145,10 @@ class Trials:
                                 "check its unit (scale, fit)")
 
         def near(value: float) -> bool:
-            return self(value, thickness(value)).sagitta <= fidelity
+            return self.sagitta(value) <= fidelity
 
         # It grows with the square of the length, as long as that is small against the curvature's radius.
-        sagitta = self(L, thickness(L)).sagitta
+        sagitta = self.sagitta(L)
         guess = L * math.sqrt(fidelity / sagitta) if sagitta > 0 else values[-1]
         place = int(np.argmin(np.abs(np.log(np.array(values) / guess))))
         while place > 0 and not near(values[place]):
