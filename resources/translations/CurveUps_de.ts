@@ -2010,6 +2010,10 @@
       <translation>{points} Kontaktpunkte drücken zu schwach: weniger als f_min = {f_min:.3g} N an {contacts:8}; der schwächste hat {least:.3g} N an {weakest}</translation>
     </message>
     <message>
+      <source>{sizes: or }, with which 'curveups check' finds nothing in the way</source>
+      <translation>{sizes: oder }, womit „curveups check“ keine Hindernisse findet</translation>
+    </message>
+    <message>
       <source>{sizes: }, with which it is valid: that was tried</source>
       <translation>{sizes: }, womit er gültig ist: das wurde ausprobiert</translation>
     </message>

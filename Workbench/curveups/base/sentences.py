@@ -285,6 +285,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "advice.sizes": "of {tried} other sizes that were tried, {sizes: or } does",
     "advice.no_sizes": "none of {tried} other sizes that were tried does",
     "advice.mend": "so does mend=on, which moves vertices by up to {moved:.2g} mm",
+    "advice.checked": "{sizes: or }, with which 'curveups check' finds nothing in the way",
     "advice.check": "'curveups check' tries them with mending, too",
     "advice.mend_surface": "set mend=on ({actions})",
     "size": "{name}={value:g}",

@@ -56,6 +56,11 @@ def tried_sizes(sizes: Optional[Sizes], tried: int) -> tuple[Finding, ...]:
         Finding.about("size", name=name, value=value) for name, value in sizes))),)
 
 
+def checked_sizes(options: Sequence[Sizes]) -> tuple[Finding, ...]:
+    """With which check finds nothing in the way."""
+    return (suggested(Finding.about("advice.checked", sizes=tuple(map(as_sizes, options)))),) if options else ()
+
+
 def other_sizes(options: Sequence[Sizes], tried: int, mending: Optional[float], mended: bool) -> str:
     """For an error: each of the options does; mending: mm by which mend=on would move vertices; mended: it is
     on, and sizes were tried without it."""

@@ -300,9 +300,18 @@ def with_advice(inputs: Inputs, cuts: CutRequest, job: Job) -> Iterator[None]:
 
 def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
     target, parameters = inputs["target"], inputs.parameters
-    L, H_body = parameters.get("L"), parameters.get("H_body")
-    unmended = native.Parameters(parameters)  # with mending all sizes take a minute
+    options, tried = sizes_that_do(inputs, cuts, job)
+    edges = all_cuts(cuts, target.V, target.F, parameters, job)
+    return other_sizes(options, tried, mending(target.V, target.F, edges, parameters, job),
+                       parameters.get("mend") == "on")
+
+
+def sizes_that_do(inputs: Inputs, cuts: CutRequest, job: Job) -> tuple[list[Sizes], int]:
+    """Those of thickness, length and height of pins that would do for inputs["target"] without mending, and
+    how many were tried. With mending all would take a minute."""
+    target, unmended = inputs["target"], native.Parameters(inputs.parameters)
     unmended.set("mend", "off")
+    L, H_body = unmended.get("L"), unmended.get("H_body")
     trials = _trials(target, cuts, unmended, job)
     found = {"H_body": trials.largest_thickness(L, H_body)}
     if _can_remesh(target, cuts):
@@ -312,9 +321,7 @@ def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
     if found["H_pin"] is None and found.get("L") is None:
         together = trials.thinner_with_pins(L, H_body, found["H_body"])
         options += [tuple(zip(("H_body", "H_pin"), together))] if together else []
-    edges = all_cuts(cuts, target.V, target.F, parameters, job)
-    return other_sizes(options, len(trials.made), mending(target.V, target.F, edges, parameters, job),
-                       parameters.get("mend") == "on")
+    return options, len(trials.made)
 
 
 def _trials(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> Trials:

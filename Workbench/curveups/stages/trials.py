@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parameter search: makes a design whose membranes cut into tiles anew with other pins and thicknesses. How
-far a membrane passes from a tile only the layout and its equilibrium tell."""
+"""Parameter search for a design that is not valid. Where its sizes are in the way of its target already, others
+are looked for as check does. Where membranes cut into tiles, the design is made anew with other pins and
+thicknesses: how far a membrane passes from a tile only the layout and its equilibrium tell."""
 
 from __future__ import annotations
 
@@ -9,8 +10,10 @@ from typing import Optional, Sequence
 
 from ..base.errors import CurveUpsError, Stopped
 from ..base.findings import Finding
-from .advice import tried_sizes
-from .sizes import MOST_TILES, value_range
+from ..base.native import native
+from .advice import Sizes as Options, checked_sizes, tried_sizes
+from .feasibility import sizes_do
+from .sizes import MOST_TILES, sizes_that_do, value_range
 from .stage import Inputs, Job, Result, Row, Stage
 
 # What is tried, as factors of what is set: each takes as long as the design itself.
@@ -21,27 +24,33 @@ Sizes = tuple[tuple[str, float], ...]
 
 @dataclass(frozen=True)
 class OtherSizes(Result):
-    """What does instead of the values that are set (names, mm); None: nothing of what was tried."""
+    """What does instead of the values that are set (names, mm); None: nothing of what was tried. checked: with
+    which nothing is in the way of the target."""
 
     found: Optional[Sizes] = None
     tried: int = 0
     was_stopped: bool = False
+    checked: Sequence[Options] = ()
 
     @property
     def stopped(self) -> bool:
         return self.was_stopped
 
     def advice(self) -> Sequence[Finding]:
-        return tried_sizes(self.found, self.tried)
+        return (*checked_sizes(self.checked), *tried_sizes(self.found, self.tried))
 
     def rows(self, seconds: float) -> Sequence[Row]:
-        return (Row("trials", seconds, self.tried),) if self.tried else ()
+        return (Row("trials", seconds, self.tried),) if self.tried or self.checked else ()
 
 
 def _run(inputs: Inputs, job: Job) -> OtherSizes:
     verification = inputs["verification"]
     if verification.valid or not verification.judged or verification.failure:
         return OtherSizes()
+    unmended = native.Parameters(inputs.parameters)
+    unmended.set("mend", "off")
+    if not sizes_do(inputs["fairing"].V, inputs["target"].F, inputs["cuts"].edges, unmended, job):
+        return OtherSizes(checked=tuple(sizes_that_do(inputs, inputs["cut request"], job)[0]))
     cut = verification.blocks["physics"]["membrane_clearance_mm"] < 0
     # It takes a while: only for those who want their target made possible.
     if not cut or inputs.parameters.get("mend") != "on" or len(inputs["target"].F) > MOST_TILES:
@@ -77,7 +86,7 @@ def _valid(inputs: Inputs, sizes: Sizes, job: Job) -> bool:
     return bool(found["layout"].converged and found["verification"].valid)
 
 
-STAGE = Stage("trials", ("target", "cuts", "verification"),
+STAGE = Stage("trials", ("target", "fairing", "cut request", "cuts", "verification"),
               frozenset({"target", "tiles", "layout", "bodies", "physics", "repair"}), _run,
               lambda error, inputs: OtherSizes(), lambda stage, inputs: OtherSizes(was_stopped=True),
               label="Other sizes", asked_by=("solve",))
