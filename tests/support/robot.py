@@ -141,14 +141,17 @@ def in_dialog(start, work):
 
 
 def choose(start, *texts):
-    """start() opens a menu by the mouse; entries that begin so are clicked in it, a submenu's after it."""
-    wrong, timer = [], QtCore.QTimer()
+    """start() opens a menu by the mouse; entries that begin so are clicked in it, a submenu's after it. The
+    menu does not come back."""
+    wrong, done, timer = [], [], QtCore.QTimer()
 
     def look():
-        if QtGui.QApplication.activePopupWidget() is None:
+        if not isinstance(QtGui.QApplication.activePopupWidget(), QtGui.QMenu):
             return
         timer.stop()
         try:
+            assert not done, "the menu came back"
+            done.append(True)
             settle(200)
             for text in texts:
                 menu = until(QtGui.QApplication.activePopupWidget, 3, f"the menu with {text}")
@@ -160,11 +163,14 @@ def choose(start, *texts):
             wrong.append(error)
             while QtGui.QApplication.activePopupWidget():
                 QtGui.QApplication.activePopupWidget().close()
+        timer.start(50)
 
     timer.timeout.connect(look)
     timer.start(50)
     start()
-    until(lambda: not timer.isActive(), 30, "a menu")
+    until(lambda: done or wrong, 30, "a menu")
+    settle(100)
+    timer.stop()
     if wrong:
         raise wrong[0]
 

@@ -99,4 +99,4 @@ def click_edge(design, x, y):
 
 
 __all__ = ["LIVE", "begin", "click_edge", "edge_at", "enter", "example", "in_units", "move_to", "opened",
-           "panel"]
+           "panel", "point_in"]

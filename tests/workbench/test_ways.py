@@ -18,8 +18,8 @@ from curveups.window import commands, qt
 from curveups.window.overlay import cameras
 from freecad_process import command as started
 from robot import (QtCore, QtGui, choose, click, click_at, close_panel, fill, in_dialog, keys, menu_bar,
-                   picture, press, report, settle, tree_entry, until, widget, window, write)
-from steps import LIVE, begin, click_edge, enter, example, panel
+                   on_screen, picture, press, report, settle, tree_entry, until, widget, window, write)
+from steps import LIVE, begin, click_edge, edge_at, enter, example, panel, point_in
 
 pytestmark = pytest.mark.freecad(window=True, timeout=600)
 
@@ -170,11 +170,37 @@ def test_every_entry_of_the_menus_in_the_tree(prepared, pages):
 
 def test_every_entry_of_the_menu_of_the_view(prepared, pages):
     names = commands.for_view()
-    assert {"CurveUps_Solve", "CurveUps_Export", "CurveUps_ShowFlat"} <= set(names), names
+    assert {"CurveUps_Solve", "CurveUps_Cuts", "CurveUps_Export", "CurveUps_ShowFlat"} <= set(names), names
     area = window.findChild(QtGui.QMdiArea)
     for name in names:
         corner = area.mapToGlobal(QtCore.QPoint(area.width() - 60, area.height() - 60))
         check(name, lambda: choose(lambda: click_at(corner, 3), "CurveUps", entry(name)), prepared, pages)
+
+
+def test_cuts_by_the_menu_over_a_tile_and_in_a_new_view(prepared, pictures):
+    """The tools that take the mouse begin in the middle of the click that opened the menu."""
+    FreeCADGui.runCommand("Std_ViewCreate")
+    settle(500)
+    for view in (FreeCADGui.ActiveDocument.ActiveView, None):
+        if view is None:  # of the document from its beginning
+            window.findChild(QtGui.QMdiArea).activatePreviousSubWindow()
+            settle(300)
+        view = FreeCADGui.ActiveDocument.ActiveView
+        view.viewTop()
+        view.fitAll()
+        settle(500)
+        pair, places = edge_at(prepared, 5, 5)
+        middle = on_screen(point_in(prepared, pair))
+        choose(lambda: click_at(middle, 3), "CurveUps", "Cuts")
+        until(lambda: type(panel()).__name__ == "CutsPanel", 20, "the panel")
+        at_rest()
+        picture("chosen")
+        assert click_edge(prepared, 5, 5) == pair
+        assert designs.cuts_of(prepared).tolist() == [list(pair)]
+        at_rest()
+        prepared.Document.undo()
+        leave()
+        assert not len(designs.cuts_of(prepared))
 
 
 def recording(start):

@@ -45,10 +45,9 @@ def register() -> None:
 
 
 def for_view() -> list[str]:
-    """Names for the context menu of the 3D view as things stand: what can't run is left out, and Cuts, since
-    it takes the view's mouse while this menu has it: the menu would stay. In the tree objects have their
-    own."""
-    files = ("check", "solve", "overlay", "export", "show_flat", "show_actuated")
+    """Names for the context menu of the 3D view as things stand: what can't run is left out. In the tree
+    objects have their own."""
+    files = ("check", "solve", "cuts", "overlay", "export", "show_flat", "show_actuated")
     found = [_command(file) for file in files]
     return [command.name for command in found if not command.reason()]
 

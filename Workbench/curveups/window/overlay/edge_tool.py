@@ -6,9 +6,8 @@ from __future__ import annotations
 import time
 from typing import Any, Callable, Optional
 
-import FreeCADGui
-
-from ..qt import EventFilter, QtCore
+from ..qt import QtCore
+from . import mouse
 from .picking import Pick, pick
 
 _SECONDS_BETWEEN_LOOKS = 0.03
@@ -20,47 +19,27 @@ class EdgeTool:
 
     def __init__(self, design: Any, hover: Callable[[Optional[Pick]], None], click: Callable[[Pick], None],
                  escape: Callable[[], bool]):
-        document = FreeCADGui.getDocument(design.Document.Name)
-        views = document.mdiViewsOfType("Gui::View3DInventor")
-        self._filters = [_Filter(view, design, hover, click, escape) for view in views]
-
-    def close(self) -> None:
-        for one in self._filters:
-            one.close()
-        self._filters = []
-
-
-class _Filter(EventFilter):
-    """Sees the mouse of one view before FreeCAD does."""
-
-    def __init__(self, view: Any, design: Any, hover: Callable, click: Callable, escape: Callable):
-        self._widget = view.graphicsView().viewport()
-        super().__init__(self._widget, self._widget, view.graphicsView())  # keys go to the latter
-        self._view, self._design = view, design
+        self._design, self._document = design, design.Document.Name
         self._hover, self._click, self._escape = hover, click, escape
         self._looked, self._pressed = 0.0, False
+        mouse.take(self._document, self._taken)
 
     def close(self) -> None:
-        try:
-            for widget in (self._widget, self._view.graphicsView()):
-                widget.removeEventFilter(self)
-            self.deleteLater()
-        except (RuntimeError, ReferenceError):  # the view was closed meanwhile
-            pass
+        mouse.leave(self._document, self._taken)
 
-    def takes(self, event: Any) -> bool:
+    def _taken(self, at: mouse.Mouse, event: Any) -> bool:
         kind = event.type()
         if kind == QtCore.QEvent.MouseMove and not event.buttons():
             now = time.perf_counter()
             if now - self._looked >= _SECONDS_BETWEEN_LOOKS:
                 self._looked = now
-                self._hover(self._find(event))
+                self._hover(self._find(at, event))
         elif kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
-            self._pressed = event.button() == QtCore.Qt.LeftButton and self._find(event) is not None
+            self._pressed = event.button() == QtCore.Qt.LeftButton and self._find(at, event) is not None
             return self._pressed
         elif kind == QtCore.QEvent.MouseButtonRelease and self._pressed:
             self._pressed = False
-            found = self._find(event)
+            found = self._find(at, event)
             if found is not None:
                 self._click(found)
             return True
@@ -68,8 +47,5 @@ class _Filter(EventFilter):
             return self._escape()
         return False
 
-    def _find(self, event: Any) -> Optional[Pick]:
-        place = event.position() if hasattr(event, "position") else event.pos()
-        ratio = self._widget.devicePixelRatioF()
-        return pick(self._view, (place.x() * ratio, (self._widget.height() - 1 - place.y()) * ratio),
-                    self._design)
+    def _find(self, at: mouse.Mouse, event: Any) -> Optional[Pick]:
+        return pick(at.view, at.position(event), self._design)

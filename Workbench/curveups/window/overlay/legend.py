@@ -15,9 +15,10 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
-from ..qt import EventFilter, QtCore, QtGui, QtWidgets
+from ..qt import QtCore, QtGui, QtWidgets
 from ..units import short, user_unit
 from . import colours
+from .mouse import Mouse
 from .nodes import Markers, fill
 
 LEFT, WIDTH, HEIGHT = 30, 16, 230   # of the bar, px
@@ -239,33 +240,19 @@ def _polygon(corners: Sequence[tuple], colour: Sequence[float], transparency: fl
     return group
 
 
-class Dragging(EventFilter):
-    """Lets the mouse drag the ends of a legend's range in one view."""
+class Dragging:
+    """Lets the mouse drag the ends of a legend's range: a handler of mouse.py."""
 
-    def __init__(self, view: Any, legend: Legend, visible: Callable[[], bool],
+    def __init__(self, legend: Legend, visible: Callable[[], bool],
                  set_range: Callable[[Optional[tuple[float, float]]], None]):
-        """view: of a 3D window. set_range: gets the new range, or None for the automatic one."""
-        self._widget = view.graphicsView().viewport()
-        super().__init__(self._widget, self._widget)
+        """set_range: gets the new range, or None for the automatic one."""
         self._legend, self._visible, self._set_range = legend, visible, set_range
         self._dragged: Optional[tuple[str, float, float]] = None  # which end, and the range at the start
 
-    def is_of(self, view: Any) -> bool:
-        """Whether it is this view's mouse."""
-        return self._widget is view.graphicsView().viewport()
-
-    def alive(self) -> bool:
-        """Whether its view is there still."""
-        try:
-            self._widget.width()
-            return True
-        except RuntimeError:
-            return False
-
-    def takes(self, event: Any) -> bool:
+    def taken(self, at: Mouse, event: Any) -> bool:
         kind = event.type()
         if kind == QtCore.QEvent.MouseMove and self._dragged:
-            self._move(event)
+            self._move(at, event)
             return True
         if kind == QtCore.QEvent.MouseButtonRelease and self._dragged:
             self._dragged = self._legend.axis = None
@@ -277,7 +264,7 @@ class Dragging(EventFilter):
         if event.button() != QtCore.Qt.LeftButton or content is None or not content.has_bar \
                 or not self._visible():
             return False
-        x, y = self._position(event)
+        x, y = self._position(at, event)
         if not (-14 <= x <= WIDTH + 60 and -8 <= y <= HEIGHT + 8):
             return False
         if kind == QtCore.QEvent.MouseButtonDblClick:
@@ -287,16 +274,16 @@ class Dragging(EventFilter):
         self._legend.axis = (content.low, content.high)
         return True
 
-    def _move(self, event: Any) -> None:
+    def _move(self, at: Mouse, event: Any) -> None:
         assert self._dragged is not None
         end, low, high = self._dragged
-        share = share_at(self._position(event)[1])
+        share = share_at(self._position(at, event)[1])
         value = low + share * (high - low)
         least = 0.02 * (high - low)
         self._set_range((min(value, high - least), high) if end == "low" else (low, max(value, low + least)))
 
-    def _position(self, event: Any) -> tuple[float, float]:
+    def _position(self, at: Mouse, event: Any) -> tuple[float, float]:
         """In px of the view from the bar's lower left corner."""
-        place = event.position() if hasattr(event, "position") else event.pos()
-        ratio, height = self._widget.devicePixelRatioF() / scale(), self._widget.height()
-        return (ratio * place.x() - self._legend.left, ratio * (height - place.y()) - bottom(ratio * height))
+        x, y = (length / scale() for length in at.position(event))
+        height = at.widget.height() * at.widget.devicePixelRatioF() / scale()
+        return x - self._legend.left, y - bottom(height)

@@ -19,7 +19,7 @@ from ...features.document import design_project_of, project_of
 from ..overlays import overlays
 from ..qt import QtCore, translate
 from ..units import text_of
-from . import cameras, colours, origin
+from . import cameras, colours, mouse, origin
 from .fields import MEMBRANE, Field
 from .legend import Content, Dragging, Legend, arrange
 from .membranes import compute
@@ -52,13 +52,13 @@ class Overlay:
         self._shown: Optional[origin.State] = None  # what the scene was made from
         self._iterating = False
         self._aged: list[str] = []          # what the legend says of that
-        self._dragging: list[Dragging] = []
         self._waiting = False
         self.shows_target = False           # the target before any layout, though there may be one
         self.observers: list[Callable[[], None]] = []  # called when what is shown has changed
         self.folding: Any = None                       # what moves the tiles just now
         self.closed = False
         self._picture, self.legend = Picture(), Legend()
+        self._dragging = Dragging(self.legend, self.visible, self.set_range)
         self.node = self._picture.node
         self.node.addChild(self.legend.node)
         self._add_properties()
@@ -79,6 +79,7 @@ class Overlay:
     def close(self) -> None:
         """The design is gone."""
         self.scene, self._shown, self.closed = None, None, True
+        mouse.leave(self._document, self._dragging.taken)
         self._show_legend(None)
         self._tell()
 
@@ -158,6 +159,9 @@ class Overlay:
 
     def _refresh(self) -> None:
         self._waiting = False
+        if not self.closed:
+            mouse.watch(self._document)
+            mouse.take(self._document, self._dragging.taken)
         try:
             if not self._iterating and (self._view.Visibility or self.observers):
                 self.show_design()
@@ -315,7 +319,6 @@ class Overlay:
         self._colour_sheets()
         self._draw()
         self._explain()
-        self._watch_views()
 
     def _draw(self) -> None:
         scene, view = self.scene, self._view
@@ -406,11 +409,3 @@ class Overlay:
 
     def _place(self) -> None:
         self._picture.place(self.placement())
-
-    def _watch_views(self) -> None:
-        """Lets the mouse drag the legend in views that have come since."""
-        self._dragging = [one for one in self._dragging if one.alive()]
-        for view in cameras.views_of(self.object.Document.Name):
-            if not any(one.is_of(view) for one in self._dragging):
-                self._dragging.append(Dragging(view, self.legend, lambda: self._view.Visibility,
-                                               self.set_range))

@@ -12,7 +12,8 @@ import FreeCADGui
 
 from ...features.document import designs
 from ..overlays import forget, overlay_of, overlays
-from ..qt import QtCore
+from ..qt import QtCore, QtWidgets
+from . import mouse
 
 _TILE = re.compile(r"(?:^|\.)T(\d{5,})$")
 _started: Optional[tuple] = None
@@ -27,6 +28,14 @@ def start() -> None:
         _started = (_Selection(), _Documents(), _Units())
         FreeCADGui.Selection.addObserver(_started[0])
         FreeCAD.addDocumentObserver(_started[1])
+        area = FreeCADGui.getMainWindow().findChild(QtWidgets.QMdiArea)
+        area.subWindowActivated.connect(lambda *_: QtCore.QTimer.singleShot(0, _watch_views))
+
+
+def _watch_views() -> None:
+    """A new view is activated once it stands."""
+    for document in {overlay.object.Document.Name for overlay in overlays()}:
+        mouse.watch(document)
 
 
 def tile_in(element: str) -> int:
