@@ -86,7 +86,7 @@ class Dissection {
   }
 
   std::pair<Eigen::VectorXd, Eigen::VectorXd> longest_axes(const Vertices& vertices) const {
-    const Places own = places_(vertices, Eigen::all);
+    const Places own = places_(vertices, Eigen::seqN(0, places_.cols()));
     const Places centred = own.rowwise() - own.colwise().mean();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(centred.transpose() * centred);
     return {axes.eigenvectors().rightCols<1>(), axes.eigenvectors().rightCols<2>().col(0)};
