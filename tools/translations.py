@@ -11,18 +11,21 @@ parameters come from the native module; without it those of the languages that a
 from __future__ import annotations
 
 import ast
+import itertools
 import os
+import re
 import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree as xml
 from pathlib import Path
-from typing import Iterator, Optional
+from typing import Any, Iterable, Iterator, Optional
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "resources" / "translations"
 MARKERS = ("translate", "QT_TRANSLATE_NOOP")
 PROPERTIES = "App::Property"  # where FreeCAD's property editor looks for tooltips
+ERRORS = ("InvalidInput", "TopologyError", "InfeasibleDesign", "SolverFailure", "IoError")  # in C++
 Text = tuple[str, str]  # context and text
 
 
@@ -35,6 +38,7 @@ def texts() -> set[Text]:
         found.update(texts_of_form(path.read_text(encoding="utf-8")))
     found.update(texts_of_parameters())
     found.update(texts_of_findings())
+    found.update(texts_of_errors())
     return found
 
 
@@ -70,6 +74,59 @@ def texts_of_findings() -> set[Text]:
     from curveups.base import sentences
 
     return {(sentences.CONTEXT, text) for text in sentences.texts()}
+
+
+def texts_of_errors() -> set[Text]:
+    """What is wrong, and the remedy, as errors have them; {0} stands for what is known only then."""
+    from curveups.base.sentences import CONTEXT
+
+    found: set[str] = set()
+    for path in (ROOT / "Workbench").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "CurveUpsError":
+                found.update(map(_template_of_python, (*node.args[:1], *node.args[2:3])))
+    for path in (ROOT / "native" / "curveups").rglob("*.[ch]pp"):
+        text = re.sub("//.*", "", path.read_text(encoding="utf-8"))
+        for start in re.finditer(rf"\b(?:{'|'.join(ERRORS)})\(", text):
+            found.update(map(_template_of_cpp, _arguments(text[start.end():])[:2]))
+    return {(CONTEXT, text) for text in found if re.search("[a-z]{2}", re.sub("{.}", "", text))}
+
+
+def _template_of_python(node: ast.expr) -> str:
+    """Of an expression that makes a text."""
+    parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+    return _numbered(part.value if isinstance(part, ast.Constant) else None for part in parts)
+
+
+def _arguments(text: str) -> list[list[str]]:
+    """Of a call in C++ that begins in front of the text: what is added up in each."""
+    found: list[list[str]] = [[""]]
+    depth = 0
+    for token in re.findall(r'"(?:[^"\\]|\\.)*"|[^"]', text):
+        depth += (token in "([{") - (token in ")]}") if len(token) == 1 else 0
+        if depth < 0:
+            break
+        if depth == 0 and token == ",":
+            found.append([""])
+        elif depth == 0 and token == "+":
+            found[-1].append("")
+        else:
+            found[-1][-1] += token
+    return found
+
+
+def _template_of_cpp(parts: list[str]) -> str:
+    """Of what is added up: literals, also as std::string, and anything else."""
+    literal = r'(?:std::string\()?((?:"(?:[^"\\]|\\.)*"\s*)+)\)?'
+    found = [re.fullmatch(literal, part.strip()) for part in parts]
+    return _numbered("".join(map(ast.literal_eval, re.findall(r'"(?:[^"\\]|\\.)*"', one[1]))) if one else None
+                     for one in found)
+
+
+def _numbered(texts: Iterable[Any]) -> str:
+    """One text with {0}, {1} and so on for those that are not known."""
+    number = itertools.count()
+    return "".join(f"{{{next(number)}}}" if text is None else str(text) for text in texts)
 
 
 def texts_of_form(source: str) -> Iterator[Text]:

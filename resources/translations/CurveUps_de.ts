@@ -602,6 +602,10 @@
       <translation>Abstände</translation>
     </message>
     <message>
+      <source>Click tiles in the view to hold or release them. Drag with Shift to hold all tiles below the mouse. Click a held tile with Ctrl to hold the tiles around its patch too</source>
+      <translation>Kacheln in der Ansicht anklicken, um sie zu halten oder freizugeben. Mit der Umschalttaste ziehen, um alle Kacheln unter der Maus zu halten. Eine gehaltene Kachel mit Strg anklicken, um auch die Kacheln um ihr Gebiet zu halten</translation>
+    </message>
+    <message>
       <source>Constraints</source>
       <translation>Bedingungen</translation>
     </message>
@@ -658,6 +662,14 @@
       <translation>Physik</translation>
     </message>
     <message>
+      <source>Pick</source>
+      <translation>Wählen</translation>
+    </message>
+    <message>
+      <source>Pick held tiles</source>
+      <translation>Gehaltene Kacheln wählen</translation>
+    </message>
+    <message>
       <source>Pieces</source>
       <translation>Stücke</translation>
     </message>
@@ -676,6 +688,10 @@
     <message>
       <source>Revert all edits</source>
       <translation>Alles zurücknehmen</translation>
+    </message>
+    <message>
+      <source>Set Gravity to held first</source>
+      <translation>Zuerst Gravity auf held setzen</translation>
     </message>
     <message>
       <source>Set the defaults of all parameters that a profile sets</source>
@@ -788,6 +804,10 @@
   <context>
     <name>CurveUps_Check</name>
     <message>
+      <source>Below</source>
+      <translation>Darunter</translation>
+    </message>
+    <message>
       <source>Check</source>
       <translation>Machbarkeit</translation>
     </message>
@@ -806,10 +826,6 @@
     <message>
       <source>Find out which parts of the target can become tiles, and which sizes work, before you solve</source>
       <translation>Vor dem Lösen herausfinden, welche Teile der Zielfläche Kacheln werden können und welche Größen gehen</translation>
-    </message>
-    <message>
-      <source>Margin</source>
-      <translation>Spielraum</translation>
     </message>
     <message>
       <source>Needed</source>
@@ -836,10 +852,6 @@
       <translation>Kachel</translation>
     </message>
     <message>
-      <source>Tiles below</source>
-      <translation>Kacheln darunter</translation>
-    </message>
-    <message>
       <source>Use {name}</source>
       <translation>{name} übernehmen</translation>
     </message>
@@ -849,7 +861,7 @@
     </message>
     <message>
       <source>Worst</source>
-      <translation>Schlechtester</translation>
+      <translation>Wert</translation>
     </message>
     <message>
       <source>and {count} more</source>
@@ -1058,6 +1070,42 @@
       <translation>„curveups check“ probiert sie auch mit Ausbessern</translation>
     </message>
     <message>
+      <source>'{0}' is no face</source>
+      <translation>„{0}“ ist keine Fläche</translation>
+    </message>
+    <message>
+      <source>'{0}' is no file name</source>
+      <translation>„{0}“ ist kein Dateiname</translation>
+    </message>
+    <message>
+      <source>'{0}' is no name for a file</source>
+      <translation>„{0}“ ist kein Name für eine Datei</translation>
+    </message>
+    <message>
+      <source>'{0}' is no number of pieces</source>
+      <translation>„{0}“ ist keine Anzahl von Stücken</translation>
+    </message>
+    <message>
+      <source>'{0}' is no opening</source>
+      <translation>„{0}“ ist keine Öffnung</translation>
+    </message>
+    <message>
+      <source>'{0}' is no point of a scan</source>
+      <translation>„{0}“ ist kein Punkt eines Scans</translation>
+    </message>
+    <message>
+      <source>'{0}' is no setting</source>
+      <translation>„{0}“ ist keine Einstellung</translation>
+    </message>
+    <message>
+      <source>'{0}' is no tile</source>
+      <translation>„{0}“ ist keine Kachel</translation>
+    </message>
+    <message>
+      <source>* an estimate: the layout may do a little better or worse</source>
+      <translation>* eine Schätzung: die Abwicklung kann etwas besser oder schlechter ausfallen</translation>
+    </message>
+    <message>
       <source>; dimples stop what slides after {play:.3g} mm at most</source>
       <translation>; Mulden halten nach höchstens {play:.3g} mm auf, was gleitet</translation>
     </message>
@@ -1066,8 +1114,60 @@
       <translation>; mehr oder andere Kacheln halten (held_tiles)</translation>
     </message>
     <message>
+      <source>A_pin_floor ({0} mm2) is larger than A_pin_min ({1} mm2)</source>
+      <translation>A_pin_floor ({0} mm2) ist größer als A_pin_min ({1} mm2)</translation>
+    </message>
+    <message>
+      <source>CurveUps is at work already</source>
+      <translation>CurveUps arbeitet schon</translation>
+    </message>
+    <message>
+      <source>FreeCAD can't be loaded: {0}</source>
+      <translation>FreeCAD lässt sich nicht laden: {0}</translation>
+    </message>
+    <message>
+      <source>FreeCAD can't make triangles of the surface</source>
+      <translation>FreeCAD kann die Fläche nicht in Dreiecke zerlegen</translation>
+    </message>
+    <message>
+      <source>FreeCAD can't read the file</source>
+      <translation>FreeCAD kann die Datei nicht lesen</translation>
+    </message>
+    <message>
+      <source>FreeCAD has not read the file within {0} s</source>
+      <translation>FreeCAD hat die Datei nicht innerhalb von {0} s gelesen</translation>
+    </message>
+    <message>
+      <source>FreeCAD's Python was not found</source>
+      <translation>FreeCADs Python wurde nicht gefunden</translation>
+    </message>
+    <message>
       <source>H_body={H_body:g} with H_pin={H_pin:g}</source>
       <translation>H_body={H_body:g} mit H_pin={H_pin:g}</translation>
+    </message>
+    <message>
+      <source>L and the edge of holes must be lengths</source>
+      <translation>L und die Kante der Löcher müssen Längen sein</translation>
+    </message>
+    <message>
+      <source>L can't be auto where the mesh is given</source>
+      <translation>L kann nicht auto sein, wenn das Netz gegeben ist</translation>
+    </message>
+    <message>
+      <source>L must be a positive length</source>
+      <translation>L muss eine positive Länge sein</translation>
+    </message>
+    <message>
+      <source>OpenCASCADE failed {0} ({1})</source>
+      <translation>OpenCASCADE ist gescheitert: {0} ({1})</translation>
+    </message>
+    <message>
+      <source>a circular edge of {0} was not made</source>
+      <translation>eine Kreiskante von {0} kam nicht zustande</translation>
+    </message>
+    <message>
+      <source>a coordinate of a solid is not finite</source>
+      <translation>eine Koordinate eines Volumenkörpers ist nicht endlich</translation>
     </message>
     <message>
       <source>a cut near the tiles named gives gaps room</source>
@@ -1082,24 +1182,184 @@
       <translation>ein Schnitt von {length:.0f} mm: {why:; } (vorhergesagt: flache Fläche {area_before:.2f} auf {area_after:.2f} mal die in Form, schlaffe Membran an {slack_before} auf {slack_after} Stellen, Energie je Kontakt {energy_before:.2f} auf {energy_after:.2f})</translation>
     </message>
     <message>
+      <source>a cut runs along no edge of the target</source>
+      <translation>ein Schnitt verläuft entlang keiner Kante der Zielfläche</translation>
+    </message>
+    <message>
+      <source>a face has a corner that is no number</source>
+      <translation>ein Dreieck hat eine Ecke, die keine Zahl ist</translation>
+    </message>
+    <message>
+      <source>a face has fewer corners than it says</source>
+      <translation>eine Fläche hat weniger Ecken, als sie angibt</translation>
+    </message>
+    <message>
+      <source>a face has the corner '{0}'</source>
+      <translation>eine Fläche hat die Ecke „{0}“</translation>
+    </message>
+    <message>
+      <source>a face has {0} corners</source>
+      <translation>eine Fläche hat {0} Ecken</translation>
+    </message>
+    <message>
+      <source>a face names a vertex that is not there</source>
+      <translation>eine Fläche nennt einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+      <source>a face names a vertex that is not there ({0} are)</source>
+      <translation>eine Fläche nennt einen Punkt, den es nicht gibt (es gibt {0})</translation>
+    </message>
+    <message>
+      <source>a face names the vertex {0}, which is not there</source>
+      <translation>eine Fläche nennt den Punkt {0}, den es nicht gibt</translation>
+    </message>
+    <message>
+      <source>a face of the surface names a vertex that there is not</source>
+      <translation>ein Dreieck der Fläche nennt einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+      <source>a feature names a vertex that the surface does not have</source>
+      <translation>ein Merkmal nennt einen Punkt, den die Fläche nicht hat</translation>
+    </message>
+    <message>
+      <source>a file of an earlier run can't be removed: {0}</source>
+      <translation>eine Datei eines früheren Laufs lässt sich nicht entfernen: {0}</translation>
+    </message>
+    <message>
+      <source>a kept edge names a vertex that there is not</source>
+      <translation>eine behaltene Kante nennt einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
       <source>a larger L, thinner tiles (H_body) or a smaller A_pin_min give pins room</source>
       <translation>ein größeres L, dünnere Kacheln (H_body) oder ein kleineres A_pin_min geben Zapfen Platz</translation>
+    </message>
+    <message>
+      <source>a membrane triangle has no area in the actuated shape</source>
+      <translation>ein Membrandreieck hat in Form keinen Flächeninhalt</translation>
+    </message>
+    <message>
+      <source>a membrane triangle has no area in the layout</source>
+      <translation>ein Membrandreieck hat in der Abwicklung keinen Flächeninhalt</translation>
+    </message>
+    <message>
+      <source>a membrane would need about {0} triangles of {1} mm</source>
+      <translation>eine Membran bräuchte etwa {0} Dreiecke von {1} mm</translation>
+    </message>
+    <message>
+      <source>a membrane's shear modulus, thickness and stretch must be positive</source>
+      <translation>Schubmodul, Dicke und Dehnung einer Membran müssen positiv sein</translation>
+    </message>
+    <message>
+      <source>a part of a ring has less than three corners</source>
+      <translation>ein Teil eines Rings hat weniger als drei Ecken</translation>
+    </message>
+    <message>
+      <source>a part of the membrane hangs on no pin: check cuts and layout</source>
+      <translation>ein Teil der Membran hängt an keinem Zapfen: Schnitte und Abwicklung überprüfen</translation>
+    </message>
+    <message>
+      <source>a part of the surface shrinks to a line at edges of this length</source>
+      <translation>ein Teil der Fläche schrumpft bei Kanten dieser Länge zu einer Linie</translation>
+    </message>
+    <message>
+      <source>a part or a hole of the surface is too small for edges of {0} mm</source>
+      <translation>ein Teil oder ein Loch der Fläche ist zu klein für Kanten von {0} mm</translation>
+    </message>
+    <message>
+      <source>a polygon to be meshed is not simple and counter-clockwise</source>
+      <translation>ein Polygon, das zu vernetzen ist, ist nicht einfach und gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+      <source>a polyline has to have two or more points of three numbers</source>
+      <translation>ein Linienzug braucht zwei oder mehr Punkte aus drei Zahlen</translation>
+    </message>
+    <message>
+      <source>a repair step holds numbers that are not finite</source>
+      <translation>ein Schritt der Reparatur enthält Zahlen, die nicht endlich sind</translation>
+    </message>
+    <message>
+      <source>a ring has a point that is not finite or beyond 10 m</source>
+      <translation>ein Ring hat einen Punkt, der nicht endlich ist oder jenseits von 10 m liegt</translation>
+    </message>
+    <message>
+      <source>a ring has no part</source>
+      <translation>ein Ring hat keinen Teil</translation>
+    </message>
+    <message>
+      <source>a ring's sizes make no teeth</source>
+      <translation>die Maße eines Rings ergeben keine Zähne</translation>
+    </message>
+    <message>
+      <source>a solid is no manifold</source>
+      <translation>ein Volumenkörper ist nicht mannigfaltig</translation>
+    </message>
+    <message>
+      <source>a solid is open</source>
+      <translation>ein Volumenkörper ist offen</translation>
+    </message>
+    <message>
+      <source>a soluble slab can't be printed front side down: it lies on the bed beside the back pins</source>
+      <translation>eine lösliche Platte lässt sich nicht mit der Vorderseite nach unten drucken: sie liegt neben den hinteren Zapfen auf dem Bett</translation>
+    </message>
+    <message>
+      <source>a temporary file can't be written ({0})</source>
+      <translation>eine temporäre Datei lässt sich nicht schreiben ({0})</translation>
+    </message>
+    <message>
+      <source>a tolerance of {0} mm is out of range</source>
+      <translation>eine Toleranz von {0} mm ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+      <source>a vertex does not have three numbers</source>
+      <translation>ein Punkt hat nicht drei Zahlen</translation>
+    </message>
+    <message>
+      <source>a vertex is not finite</source>
+      <translation>ein Punkt ist nicht endlich</translation>
     </message>
     <message>
       <source>actuated tiles overlap by {value:.3g} mm3 ({at})</source>
       <translation>Kacheln in Form überlappen um {value:.3g} mm3 ({at})</translation>
     </message>
     <message>
+      <source>all corners of the surface lie in one point</source>
+      <translation>alle Ecken der Fläche liegen in einem Punkt</translation>
+    </message>
+    <message>
+      <source>allow three or more</source>
+      <translation>drei oder mehr zulassen</translation>
+    </message>
+    <message>
       <source>an export does not verify</source>
       <translation>Ein Export prüft nicht</translation>
+    </message>
+    <message>
+      <source>an outline of no shapes</source>
+      <translation>ein Umriss ohne Formen</translation>
+    </message>
+    <message>
+      <source>anchors of radius {0} mm overlap at a spacing of {1} mm</source>
+      <translation>Anker mit Radius {0} mm überlappen bei einem Abstand von {1} mm</translation>
     </message>
     <message>
       <source>another tau, or a smoother target near the tiles named, changes the membranes' pull there</source>
       <translation>ein anderes tau oder eine glattere Zielfläche nahe den genannten Kacheln ändert dort den Zug der Membranen</translation>
     </message>
     <message>
+      <source>ask for fewer pieces, or lower L</source>
+      <translation>weniger Stücke verlangen oder L verringern</translation>
+    </message>
+    <message>
       <source>back</source>
       <translation>hinten</translation>
+    </message>
+    <message>
+      <source>back face / front face</source>
+      <translation>Rückseite / Vorderseite</translation>
+    </message>
+    <message>
+      <source>back membrane</source>
+      <translation>hintere Membran</translation>
     </message>
     <message>
       <source>back pin</source>
@@ -1114,8 +1374,52 @@
       <translation>Körper</translation>
     </message>
     <message>
+      <source>bridge_notch ({0} mm) cuts a bridge of {1} mm through</source>
+      <translation>bridge_notch ({0} mm) schneidet eine Brücke von {1} mm durch</translation>
+    </message>
+    <message>
+      <source>bridges enter tiles by {0} mm (bridge_depth): into joint holes, behind {1} mm of wall (p_floor)</source>
+      <translation>Brücken reichen {0} mm in Kacheln hinein (bridge_depth): in Nählöcher hinter {1} mm Wand (p_floor)</translation>
+    </message>
+    <message>
+      <source>bring tiles that lie far away back to the others</source>
+      <translation>Kacheln, die weit entfernt liegen, zu den anderen zurückbringen</translation>
+    </message>
+    <message>
+      <source>broken 3MF model: {0}</source>
+      <translation>fehlerhaftes 3MF-Modell: {0}</translation>
+    </message>
+    <message>
+      <source>building bodies</source>
+      <translation>Körper bauen</translation>
+    </message>
+    <message>
+      <source>building solids</source>
+      <translation>Volumenkörper bauen</translation>
+    </message>
+    <message>
+      <source>building the support</source>
+      <translation>Stützkörper bauen</translation>
+    </message>
+    <message>
+      <source>building tiles</source>
+      <translation>Kacheln bauen</translation>
+    </message>
+    <message>
       <source>bump</source>
       <translation>Noppe</translation>
+    </message>
+    <message>
+      <source>bump_height ({0} mm) does not fit into the flat gap of d_gap_min ({1} mm)</source>
+      <translation>bump_height ({0} mm) passt nicht in den flachen Spalt von d_gap_min ({1} mm)</translation>
+    </message>
+    <message>
+      <source>bump_height ({0} mm) is more than half of bump_diameter ({1} mm)</source>
+      <translation>bump_height ({0} mm) ist mehr als die Hälfte von bump_diameter ({1} mm)</translation>
+    </message>
+    <message>
+      <source>bump_rows ({0}) is more than bump_count ({1})</source>
+      <translation>bump_rows ({0}) ist mehr als bump_count ({1})</translation>
     </message>
     <message>
       <source>bumps are {height:g} mm high, less than the {least:g} mm that a {printer} resolves</source>
@@ -1130,12 +1434,120 @@
       <translation>Noppen würden in der Abwicklung den Nachbarn berühren</translation>
     </message>
     <message>
+      <source>can't write {0}: it is a device, and a rename would replace it</source>
+      <translation>{0} lässt sich nicht schreiben: es ist ein Gerät, das beim Umbenennen ersetzt würde</translation>
+    </message>
+    <message>
+      <source>can't write {0}: {1}</source>
+      <translation>{0} lässt sich nicht schreiben: {1}</translation>
+    </message>
+    <message>
+      <source>check contact points and forces for numbers that are not finite</source>
+      <translation>Kontaktpunkte und Kräfte auf Zahlen überprüfen, die nicht endlich sind</translation>
+    </message>
+    <message>
+      <source>check its name and permissions</source>
+      <translation>Name und Rechte überprüfen</translation>
+    </message>
+    <message>
+      <source>check its unit (scale, fit)</source>
+      <translation>die Einheit überprüfen (scale, fit)</translation>
+    </message>
+    <message>
+      <source>check that the disk has room</source>
+      <translation>überprüfen, ob der Datenträger Platz hat</translation>
+    </message>
+    <message>
+      <source>check that the folder exists, is writable and that the disk has room</source>
+      <translation>überprüfen, ob es den Ordner gibt, ob man in ihn schreiben kann und ob der Datenträger Platz hat</translation>
+    </message>
+    <message>
+      <source>check the design for degenerate tiles</source>
+      <translation>den Entwurf auf entartete Kacheln überprüfen</translation>
+    </message>
+    <message>
+      <source>check the design's parameters</source>
+      <translation>die Parameter des Entwurfs überprüfen</translation>
+    </message>
+    <message>
       <source>check the file and its format</source>
       <translation>Datei und Format überprüfen</translation>
     </message>
     <message>
+      <source>check the file, and the transformations in it</source>
+      <translation>die Datei und die Transformationen darin überprüfen</translation>
+    </message>
+    <message>
+      <source>check the input file</source>
+      <translation>die Eingabedatei überprüfen</translation>
+    </message>
+    <message>
+      <source>check the layout for bodies that overlap</source>
+      <translation>die Abwicklung auf überlappende Körper überprüfen</translation>
+    </message>
+    <message>
+      <source>check the layout's lengths against L, or raise mesh_size</source>
+      <translation>die Längen der Abwicklung mit L vergleichen, oder mesh_size erhöhen</translation>
+    </message>
+    <message>
       <source>check the unit of the file (scale), or choose a larger L</source>
       <translation>die Einheit der Datei überprüfen (scale) oder ein größeres L wählen</translation>
+    </message>
+    <message>
+      <source>checking solids</source>
+      <translation>Volumenkörper prüfen</translation>
+    </message>
+    <message>
+      <source>checking the target</source>
+      <translation>Zielfläche untersuchen</translation>
+    </message>
+    <message>
+      <source>checking tiles</source>
+      <translation>Kacheln untersuchen</translation>
+    </message>
+    <message>
+      <source>choose STEP, STL or 3MF</source>
+      <translation>STEP, STL oder 3MF wählen</translation>
+    </message>
+    <message>
+      <source>choose a Mesh or Part object with faces, or a file</source>
+      <translation>ein Objekt von Mesh oder Part mit Flächen wählen, oder eine Datei</translation>
+    </message>
+    <message>
+      <source>choose a body and a format</source>
+      <translation>einen Körper und ein Format wählen</translation>
+    </message>
+    <message>
+      <source>choose a folder you may write to</source>
+      <translation>einen Ordner wählen, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+      <source>choose a smaller L, or fill the hole</source>
+      <translation>ein kleineres L wählen oder das Loch füllen</translation>
+    </message>
+    <message>
+      <source>choose a smaller L, or remove the part</source>
+      <translation>ein kleineres L wählen oder den Teil entfernen</translation>
+    </message>
+    <message>
+      <source>choose a surface with the Target command</source>
+      <translation>mit „Zielfläche ändern“ eine Fläche wählen</translation>
+    </message>
+    <message>
+      <source>choose one of {0}</source>
+      <translation>eines davon wählen: {0}</translation>
+    </message>
+    <message>
+      <source>clean the mesh first</source>
+      <translation>das Netz zuerst säubern</translation>
+    </message>
+    <message>
+      <source>coarsening the scan</source>
+      <translation>Scan vergröbern</translation>
+    </message>
+    <message>
+      <source>compute the layout again with these parameters, or lower H_body</source>
+      <translation>die Abwicklung mit diesen Parametern neu berechnen oder H_body verringern</translation>
     </message>
     <message>
       <source>compute the layout with joint=holes, so that pins make room</source>
@@ -1158,32 +1570,168 @@
       <translation>Kontakte können {held:8} nicht halten: nur ein Scharnier oder gar nichts trägt sie</translation>
     </message>
     <message>
+      <source>coordinates are beyond 1e8 mm, where files lose all digits</source>
+      <translation>Koordinaten liegen jenseits von 1e8 mm, wo Dateien alle Stellen verlieren</translation>
+    </message>
+    <message>
       <source>coordinates reach {largest:.4g} mm, where files lose digits</source>
       <translation>Koordinaten reichen bis {largest:.4g} mm, wo Dateien Stellen verlieren</translation>
+    </message>
+    <message>
+      <source>corner_reach must be a length</source>
+      <translation>corner_reach muss eine Länge sein</translation>
+    </message>
+    <message>
+      <source>crease_angle must be positive</source>
+      <translation>crease_angle muss positiv sein</translation>
+    </message>
+    <message>
+      <source>cut each handle open (--auto-cuts 1 or pieces=auto does)</source>
+      <translation>jeden Henkel aufschneiden (--auto-cuts 1 oder pieces=auto tut das)</translation>
     </message>
     <message>
       <source>cut it as suggested</source>
       <translation>es schneiden wie vorgeschlagen</translation>
     </message>
     <message>
+      <source>cut it at a plane (open=z&gt;0), or give cuts</source>
+      <translation>sie an einer Ebene aufschneiden (open=z&gt;0) oder Schnitte angeben</translation>
+    </message>
+    <message>
+      <source>cut it open (--auto-cuts 1 or pieces=auto does)</source>
+      <translation>sie aufschneiden (--auto-cuts 1 oder pieces=auto tut das)</translation>
+    </message>
+    <message>
       <source>cut the band through, or model it with two sides</source>
       <translation>das Band durchschneiden oder mit zwei Seiten modellieren</translation>
+    </message>
+    <message>
+      <source>cut {0} ({1}, {2}) is no interior edge of the mesh</source>
+      <translation>Schnitt {0} ({1}, {2}) ist keine innere Kante des Netzes</translation>
     </message>
     <message>
       <source>cuts could not be looked for: {error}</source>
       <translation>Schnitte konnten nicht gesucht werden: {error}</translation>
     </message>
     <message>
+      <source>design file: field {0} {1}</source>
+      <translation>Entwurfsdatei: Feld {0} {1}</translation>
+    </message>
+    <message>
+      <source>design file: not JSON ({0})</source>
+      <translation>Entwurfsdatei: kein JSON ({0})</translation>
+    </message>
+    <message>
+      <source>design file: not a JSON object</source>
+      <translation>Entwurfsdatei: kein JSON-Objekt</translation>
+    </message>
+    <message>
+      <source>design: {0} {1}</source>
+      <translation>Entwurf: {0} {1}</translation>
+    </message>
+    <message>
+      <source>designs are not written as {0}</source>
+      <translation>Entwürfe werden nicht als {0} geschrieben</translation>
+    </message>
+    <message>
       <source>dimples are {clearance:g} mm wider than bumps, less than the {least:g} mm that a {printer} resolves</source>
       <translation>Mulden sind {clearance:g} mm weiter als Noppen, weniger als die {least:g} mm, die ein {printer} auflöst</translation>
+    </message>
+    <message>
+      <source>dividing into 1 piece</source>
+      <translation>in 1 Stück teilen</translation>
+    </message>
+    <message>
+      <source>dividing into pieces</source>
+      <translation>in Stücke teilen</translation>
+    </message>
+    <message>
+      <source>dividing into {0} pieces</source>
+      <translation>in {0} Stücke teilen</translation>
+    </message>
+    <message>
+      <source>dividing the support's lid</source>
+      <translation>Deckel des Stützkörpers teilen</translation>
+    </message>
+    <message>
+      <source>dividing the support's underside</source>
+      <translation>Unterseite des Stützkörpers teilen</translation>
+    </message>
+    <message>
+      <source>drawing pictures</source>
+      <translation>Bilder zeichnen</translation>
+    </message>
+    <message>
+      <source>edges is no list of pairs of vertex numbers</source>
+      <translation>edges ist keine Liste von Paaren von Punktnummern</translation>
+    </message>
+    <message>
+      <source>engrave_depth ({0} mm) pierces the label</source>
+      <translation>engrave_depth ({0} mm) durchstößt das Schild</translation>
+    </message>
+    <message>
+      <source>export in millimetres</source>
+      <translation>in Millimetern exportieren</translation>
+    </message>
+    <message>
+      <source>export it again</source>
+      <translation>sie erneut exportieren</translation>
+    </message>
+    <message>
+      <source>export it again, as a surface of triangles</source>
+      <translation>sie erneut exportieren, als Fläche aus Dreiecken</translation>
+    </message>
+    <message>
+      <source>export the file again</source>
+      <translation>die Datei erneut exportieren</translation>
+    </message>
+    <message>
+      <source>export the surface itself</source>
+      <translation>die Fläche selbst exportieren</translation>
     </message>
     <message>
       <source>f_min is the estimated error of the membrane mesh, which is more than f_min_ratio asks for: lower mesh_size</source>
       <translation>f_min ist der geschätzte Fehler des Membrannetzes, und der ist größer, als f_min_ratio verlangt: mesh_size verkleinern</translation>
     </message>
     <message>
+      <source>face {0} has a vertex that is not finite</source>
+      <translation>Dreieck {0} hat einen Punkt, der nicht endlich ist</translation>
+    </message>
+    <message>
+      <source>face {0} has no area</source>
+      <translation>Dreieck {0} hat keinen Flächeninhalt</translation>
+    </message>
+    <message>
+      <source>face {0} names a vertex that does not exist</source>
+      <translation>Dreieck {0} nennt einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+      <source>face {0} names vertex {1}, the mesh has {2}</source>
+      <translation>Dreieck {0} nennt Punkt {1}, das Netz hat {2}</translation>
+    </message>
+    <message>
+      <source>face {0} of the surface has an edge of {1} mm, L is {2} mm</source>
+      <translation>Dreieck {0} der Fläche hat eine Kante von {1} mm, L ist {2} mm</translation>
+    </message>
+    <message>
+      <source>face {0} of the surface has no area</source>
+      <translation>Dreieck {0} der Fläche hat keinen Flächeninhalt</translation>
+    </message>
+    <message>
+      <source>face {0} uses a vertex twice</source>
+      <translation>Dreieck {0} verwendet einen Punkt zweimal</translation>
+    </message>
+    <message>
+      <source>faces name vertices by what is no whole number</source>
+      <translation>Flächen nennen Punkte mit etwas, das keine ganze Zahl ist</translation>
+    </message>
+    <message>
       <source>faces turned over</source>
       <translation>gewendete Flächen</translation>
+    </message>
+    <message>
+      <source>fairing the target</source>
+      <translation>Zielfläche glätten</translation>
     </message>
     <message>
       <source>fill the gap or widen it</source>
@@ -1198,8 +1746,40 @@
       <translation>Flache Kacheln sind um {violation:.3g} mm näher als d_gap_min ({pairs:6})</translation>
     </message>
     <message>
+      <source>flatten each by itself</source>
+      <translation>jede für sich abwickeln</translation>
+    </message>
+    <message>
+      <source>fold margin, deg</source>
+      <translation>Spielraum der Faltung, Grad</translation>
+    </message>
+    <message>
+      <source>folds and neighbours leave no room for pins on {0}{1}</source>
+      <translation>Falten und Nachbarn lassen keinen Platz für Zapfen auf {0}{1}</translation>
+    </message>
+    <message>
+      <source>folds are too sharp for tiles of this thickness: {0} back faces vanish</source>
+      <translation>Falten sind zu scharf für Kacheln dieser Dicke: {0} Rückseiten verschwinden</translation>
+    </message>
+    <message>
+      <source>free some space</source>
+      <translation>Platz schaffen</translation>
+    </message>
+    <message>
+      <source>friction and unilateral contacts</source>
+      <translation>Reibung und einseitige Kontakte</translation>
+    </message>
+    <message>
+      <source>friction coefficient and force scale must be positive</source>
+      <translation>Reibungszahl und Kraftmaßstab müssen positiv sein</translation>
+    </message>
+    <message>
       <source>front</source>
       <translation>vorn</translation>
+    </message>
+    <message>
+      <source>front membrane</source>
+      <translation>vordere Membran</translation>
     </message>
     <message>
       <source>front pin</source>
@@ -1214,6 +1794,222 @@
       <translation>Die Geometrie hat sich seit dem Prüfen geändert</translation>
     </message>
     <message>
+      <source>give 0 &lt; at_corner &lt;= largest and growth &gt; 0</source>
+      <translation>0 &lt; at_corner &lt;= largest and growth &gt; 0 angeben</translation>
+    </message>
+    <message>
+      <source>give 0.0001 to 1 mm</source>
+      <translation>0.0001 bis 1 mm angeben</translation>
+    </message>
+    <message>
+      <source>give L in mm</source>
+      <translation>L in mm angeben</translation>
+    </message>
+    <message>
+      <source>give T and q for every row of F</source>
+      <translation>T und q für jede Zeile von F angeben</translation>
+    </message>
+    <message>
+      <source>give [[[x,y,z],...],...] in mm</source>
+      <translation>[[[x,y,z],...],...] in mm angeben</translation>
+    </message>
+    <message>
+      <source>give [[a,b],...]</source>
+      <translation>[[a,b],...] angeben</translation>
+    </message>
+    <message>
+      <source>give a design.json of 'curveups design'</source>
+      <translation>ein design.json von „curveups design“ angeben</translation>
+    </message>
+    <message>
+      <source>give a direction, or set gravity to off</source>
+      <translation>eine Richtung angeben oder gravity auf off setzen</translation>
+    </message>
+    <message>
+      <source>give a file that 'curveups design' wrote</source>
+      <translation>eine Datei angeben, die „curveups design“ geschrieben hat</translation>
+    </message>
+    <message>
+      <source>give a file, or a built-in name from 'curveups targets'</source>
+      <translation>eine Datei angeben oder einen Namen aus „curveups targets“</translation>
+    </message>
+    <message>
+      <source>give a number, a text or true or false</source>
+      <translation>eine Zahl, einen Text, true oder false angeben</translation>
+    </message>
+    <message>
+      <source>give a surface with triangles</source>
+      <translation>eine Fläche mit Dreiecken angeben</translation>
+    </message>
+    <message>
+      <source>give a target</source>
+      <translation>eine Zielfläche angeben</translation>
+    </message>
+    <message>
+      <source>give another plane with open</source>
+      <translation>mit open eine andere Ebene angeben</translation>
+    </message>
+    <message>
+      <source>give another plane, or one side of it (open={0}&gt;{1})</source>
+      <translation>eine andere Ebene angeben, oder eine ihrer Seiten (open={0}&gt;{1})</translation>
+    </message>
+    <message>
+      <source>give arrays of one design</source>
+      <translation>Felder eines einzigen Entwurfs angeben</translation>
+    </message>
+    <message>
+      <source>give arrays that belong together, lengths in mm</source>
+      <translation>zusammengehörige Felder angeben, Längen in mm</translation>
+    </message>
+    <message>
+      <source>give corners in order, without crossings</source>
+      <translation>Ecken der Reihe nach angeben, ohne Überkreuzungen</translation>
+    </message>
+    <message>
+      <source>give cuts as polylines, or L as a number</source>
+      <translation>Schnitte als Linienzüge angeben oder L als Zahl</translation>
+    </message>
+    <message>
+      <source>give degrees up to 180</source>
+      <translation>Grad bis 180 angeben</translation>
+    </message>
+    <message>
+      <source>give each body a pose</source>
+      <translation>jedem Körper eine Lage geben</translation>
+    </message>
+    <message>
+      <source>give edges or polylines</source>
+      <translation>edges oder polylines angeben</translation>
+    </message>
+    <message>
+      <source>give finite coordinates</source>
+      <translation>endliche Koordinaten angeben</translation>
+    </message>
+    <message>
+      <source>give finite numbers</source>
+      <translation>endliche Zahlen angeben</translation>
+    </message>
+    <message>
+      <source>give it an outline</source>
+      <translation>ihm einen Umriss geben</translation>
+    </message>
+    <message>
+      <source>give it in mm, or 0</source>
+      <translation>in mm angeben, oder 0</translation>
+    </message>
+    <message>
+      <source>give it in plain letters</source>
+      <translation>in einfachen Buchstaben angeben</translation>
+    </message>
+    <message>
+      <source>give its outline</source>
+      <translation>seinen Umriss angeben</translation>
+    </message>
+    <message>
+      <source>give less than its thickness, {0} mm</source>
+      <translation>weniger als seine Dicke angeben, {0} mm</translation>
+    </message>
+    <message>
+      <source>give less than the whole height, {0} mm</source>
+      <translation>weniger als die ganze Höhe angeben, {0} mm</translation>
+    </message>
+    <message>
+      <source>give mend_max in mm</source>
+      <translation>mend_max in mm angeben</translation>
+    </message>
+    <message>
+      <source>give name=value</source>
+      <translation>name=value angeben</translation>
+    </message>
+    <message>
+      <source>give one flag per edge</source>
+      <translation>einen Wert je Kante angeben</translation>
+    </message>
+    <message>
+      <source>give one of the choices of membrane_model</source>
+      <translation>eine der Möglichkeiten von membrane_model angeben</translation>
+    </message>
+    <message>
+      <source>give one within the range that 'curveups parameters' says</source>
+      <translation>einen Wert im Bereich angeben, den „curveups parameters“ nennt</translation>
+    </message>
+    <message>
+      <source>give pairs of its vertices</source>
+      <translation>Paare ihrer Punkte angeben</translation>
+    </message>
+    <message>
+      <source>give pairs of neighbouring vertices of the remeshed target</source>
+      <translation>Paare benachbarter Punkte der neu vernetzten Zielfläche angeben</translation>
+    </message>
+    <message>
+      <source>give pairs of vertices</source>
+      <translation>Paare von Punkten angeben</translation>
+    </message>
+    <message>
+      <source>give places in mm</source>
+      <translation>Orte in mm angeben</translation>
+    </message>
+    <message>
+      <source>give points, one a line</source>
+      <translation>Punkte angeben, einen je Zeile</translation>
+    </message>
+    <message>
+      <source>give positive numbers</source>
+      <translation>positive Zahlen angeben</translation>
+    </message>
+    <message>
+      <source>give some of T00001 to {0}</source>
+      <translation>einige von T00001 bis {0} angeben</translation>
+    </message>
+    <message>
+      <source>give step, stl or 3mf</source>
+      <translation>step, stl oder 3mf angeben</translation>
+    </message>
+    <message>
+      <source>give teeth that are higher than wide</source>
+      <translation>Zähne angeben, die höher als breit sind</translation>
+    </message>
+    <message>
+      <source>give the points in mm, on the surface</source>
+      <translation>die Punkte in mm angeben, auf der Fläche</translation>
+    </message>
+    <message>
+      <source>give the target that the mesh was moved away from</source>
+      <translation>die Zielfläche angeben, von der das Netz wegbewegt wurde</translation>
+    </message>
+    <message>
+      <source>give them in mm</source>
+      <translation>sie in mm angeben</translation>
+    </message>
+    <message>
+      <source>give tiles, support, anchors, print or actuated</source>
+      <translation>tiles, support, anchors, print oder actuated angeben</translation>
+    </message>
+    <message>
+      <source>give two or more</source>
+      <translation>zwei oder mehr angeben</translation>
+    </message>
+    <message>
+      <source>give x y z in mm, of markers with the tile's name before it</source>
+      <translation>x y z in mm angeben, bei Marken mit dem Namen der Kachel davor</translation>
+    </message>
+    <message>
+      <source>give {0} file</source>
+      <translation>eine Datei angeben: {0}</translation>
+    </message>
+    <message>
+      <source>give {0} or more that are not on a line</source>
+      <translation>{0} oder mehr angeben, die nicht auf einer Geraden liegen</translation>
+    </message>
+    <message>
+      <source>give {0} to {1}</source>
+      <translation>{0} bis {1} angeben</translation>
+    </message>
+    <message>
+      <source>gravity has no direction: gravity_x, gravity_y and gravity_z are all 0</source>
+      <translation>die Schwerkraft hat keine Richtung: gravity_x, gravity_y und gravity_z sind alle 0</translation>
+    </message>
+    <message>
       <source>height of the pins</source>
       <translation>Höhe der Zapfen</translation>
     </message>
@@ -1222,8 +2018,20 @@
       <translation>festgehalten von {obstacle} an {at}</translation>
     </message>
     <message>
+      <source>held_tiles names {0}, but there are {1} tiles</source>
+      <translation>held_tiles nennt {0}, aber es gibt {1} Kacheln</translation>
+    </message>
+    <message>
       <source>inset at its limit</source>
       <translation>Zapfenkante an ihrer Grenze</translation>
+    </message>
+    <message>
+      <source>install FreeCAD whole</source>
+      <translation>FreeCAD vollständig installieren</translation>
+    </message>
+    <message>
+      <source>install FreeCAD, then run tools/setup again</source>
+      <translation>FreeCAD installieren, dann tools/setup erneut ausführen</translation>
     </message>
     <message>
       <source>into the saddle at {tile}, which the flat map scales by {scale:.2g} of the mean</source>
@@ -1244,6 +2052,10 @@
     <message>
       <source>it was not verified: Verify judges it</source>
       <translation>der Entwurf wurde nicht geprüft: „Prüfen“ beurteilt ihn</translation>
+    </message>
+    <message>
+      <source>its first word has to be OFF</source>
+      <translation>ihr erstes Wort muss OFF sein</translation>
     </message>
     <message>
       <source>its hollows would break into another face</source>
@@ -1274,6 +2086,26 @@
       <translation>joint=holes, aber keine zwei Stücke haben einen gemeinsamen Rand: nichts ist zu verbinden</translation>
     </message>
     <message>
+      <source>keep each polyline on one component</source>
+      <translation>jeden Linienzug auf einem Teil lassen</translation>
+    </message>
+    <message>
+      <source>lay the target out anew</source>
+      <translation>die Zielfläche neu abwickeln</translation>
+    </message>
+    <message>
+      <source>lay these tiles out without overlap</source>
+      <translation>diese Kacheln ohne Überlappung auslegen</translation>
+    </message>
+    <message>
+      <source>layout</source>
+      <translation>Abwicklung</translation>
+    </message>
+    <message>
+      <source>leave fit at 0</source>
+      <translation>fit auf 0 lassen</translation>
+    </message>
+    <message>
       <source>let it be cut open (--auto-cuts 1) or divided (pieces=auto), give --cuts, or remove a part of it</source>
       <translation>sie aufschneiden (--auto-cuts 1) oder teilen lassen (pieces=auto), --cuts angeben oder einen Teil entfernen</translation>
     </message>
@@ -1288,6 +2120,38 @@
     <message>
       <source>let the target be remeshed</source>
       <translation>die Zielfläche neu vernetzen lassen</translation>
+    </message>
+    <message>
+      <source>lib3mf could not {0} ({1})</source>
+      <translation>lib3mf konnte das nicht: {0} ({1})</translation>
+    </message>
+    <message>
+      <source>lib3mf wrote no archive</source>
+      <translation>lib3mf hat kein Archiv geschrieben</translation>
+    </message>
+    <message>
+      <source>list them with 'curveups parameters'</source>
+      <translation>„curveups parameters“ führt sie auf</translation>
+    </message>
+    <message>
+      <source>look for a vertex far away from the others, or choose a larger L</source>
+      <translation>nach einem Punkt weit weg von den anderen suchen oder ein größeres L wählen</translation>
+    </message>
+    <message>
+      <source>looking for cuts</source>
+      <translation>Schnitte suchen</translation>
+    </message>
+    <message>
+      <source>lower A_pin_floor or raise A_pin_min</source>
+      <translation>A_pin_floor verringern oder A_pin_min erhöhen</translation>
+    </message>
+    <message>
+      <source>lower H_body or bump_height, or flatten the folds there</source>
+      <translation>H_body oder bump_height verringern oder die Falten dort abflachen</translation>
+    </message>
+    <message>
+      <source>lower H_body or p_min, raise L, or smooth the target there</source>
+      <translation>H_body oder p_min verringern, L erhöhen oder die Zielfläche dort glätten</translation>
     </message>
     <message>
       <source>lower H_body or smooth the target there</source>
@@ -1314,28 +2178,156 @@
       <translation>L verringern, oder mit crease_angle die Kanten halten, denen Kacheln folgen müssen</translation>
     </message>
     <message>
+      <source>lower anchor_radius, anchor_distance or support_margin, or compute the layout again with these</source>
+      <translation>anchor_radius, anchor_distance oder support_margin verringern oder die Abwicklung damit neu berechnen</translation>
+    </message>
+    <message>
+      <source>lower bridge_depth or raise p_floor</source>
+      <translation>bridge_depth verringern oder p_floor erhöhen</translation>
+    </message>
+    <message>
+      <source>lower bridge_notch or raise bridge_thickness</source>
+      <translation>bridge_notch verringern oder bridge_thickness erhöhen</translation>
+    </message>
+    <message>
+      <source>lower bump_height or raise bump_diameter</source>
+      <translation>bump_height verringern oder bump_diameter erhöhen</translation>
+    </message>
+    <message>
+      <source>lower bump_height or raise d_gap_min</source>
+      <translation>bump_height verringern oder d_gap_min erhöhen</translation>
+    </message>
+    <message>
+      <source>lower bump_rows or raise bump_count</source>
+      <translation>bump_rows verringern oder bump_count erhöhen</translation>
+    </message>
+    <message>
       <source>lower joint_hole to {hole:.3g} or H_body, raise L, or set joint to none</source>
       <translation>joint_hole auf {hole:.3g} oder H_body verringern, L erhöhen oder joint auf none setzen</translation>
+    </message>
+    <message>
+      <source>lower p_min or raise p_max</source>
+      <translation>p_min verringern oder p_max erhöhen</translation>
+    </message>
+    <message>
+      <source>lower their insets</source>
+      <translation>sie weniger zurücksetzen</translation>
     </message>
     <message>
       <source>make the normals consistent</source>
       <translation>die Normalen einheitlich ausrichten</translation>
     </message>
     <message>
+      <source>making room for pins</source>
+      <translation>Platz für Zapfen schaffen</translation>
+    </message>
+    <message>
+      <source>measuring bodies</source>
+      <translation>Körper vermessen</translation>
+    </message>
+    <message>
+      <source>measuring clearances</source>
+      <translation>Abstände messen</translation>
+    </message>
+    <message>
+      <source>measuring deviation</source>
+      <translation>Abweichung messen</translation>
+    </message>
+    <message>
+      <source>measuring solids</source>
+      <translation>Volumenkörper vermessen</translation>
+    </message>
+    <message>
+      <source>membrane</source>
+      <translation>Membran</translation>
+    </message>
+    <message>
+      <source>membrane mesh sizes must be positive, the largest at least that at corners</source>
+      <translation>Größen des Membrannetzes müssen positiv sein, die größte mindestens so groß wie die an Ecken</translation>
+    </message>
+    <message>
       <source>membranes stretched to tau = {value:g} instead of {set:g} would be taut at all weak contacts</source>
       <translation>Membranen, die auf tau = {value:g} statt {set:g} gedehnt werden, wären an allen schwachen Kontakten straff</translation>
+    </message>
+    <message>
+      <source>mend that, or insist on the files</source>
+      <translation>das beheben oder auf den Dateien bestehen</translation>
+    </message>
+    <message>
+      <source>mend the file</source>
+      <translation>die Datei reparieren</translation>
+    </message>
+    <message>
+      <source>mend the surface, or export it as a mesh</source>
+      <translation>die Fläche reparieren oder als Netz exportieren</translation>
     </message>
     <message>
       <source>mending left these tiles with too little room for pins or under membranes</source>
       <translation>Das Ausbessern ließ diesen Kacheln zu wenig Platz für Zapfen oder unter Membranen</translation>
     </message>
     <message>
+      <source>mending the target</source>
+      <translation>Zielfläche ausbessern</translation>
+    </message>
+    <message>
+      <source>mesh the layout again</source>
+      <translation>die Abwicklung neu vernetzen</translation>
+    </message>
+    <message>
+      <source>meshing bodies</source>
+      <translation>Körper vernetzen</translation>
+    </message>
+    <message>
+      <source>meshing membranes</source>
+      <translation>Membranen vernetzen</translation>
+    </message>
+    <message>
       <source>more than 1 % of the membranes is stretched by {elongation:.3g} % or more, beyond elongation_at_break ({limit:.3g} %): they tear; lower tau</source>
       <translation>Mehr als 1 % der Membranen ist um {elongation:.3g} % oder mehr gedehnt, über elongation_at_break ({limit:.3g} %) hinaus: sie reißen; tau verringern</translation>
     </message>
     <message>
+      <source>move the cut inside the surface</source>
+      <translation>den Schnitt ins Innere der Fläche verlegen</translation>
+    </message>
+    <message>
       <source>move the surface to the origin, or check its unit (scale)</source>
       <translation>die Fläche zum Ursprung verschieben oder ihre Einheit überprüfen (scale)</translation>
+    </message>
+    <message>
+      <source>name a file</source>
+      <translation>eine Datei nennen</translation>
+    </message>
+    <message>
+      <source>name another folder with -o</source>
+      <translation>mit -o einen anderen Ordner nennen</translation>
+    </message>
+    <message>
+      <source>name it without slashes</source>
+      <translation>ihn ohne Schrägstriche nennen</translation>
+    </message>
+    <message>
+      <source>name the faces (--set faces=Face1,Face2), or leave skin at outer</source>
+      <translation>die Flächen nennen (--set faces=Face1,Face2) oder skin auf outer lassen</translation>
+    </message>
+    <message>
+      <source>name the tiles of all markers, or of none</source>
+      <translation>die Kacheln aller Marken nennen oder keiner</translation>
+    </message>
+    <message>
+      <source>name tiles as reports do: T00012,T00345</source>
+      <translation>Kacheln nennen, wie Berichte es tun: T00012,T00345</translation>
+    </message>
+    <message>
+      <source>name tiles of this design</source>
+      <translation>Kacheln dieses Entwurfs nennen</translation>
+    </message>
+    <message>
+      <source>neighbouring faces are oriented differently at {0} edges (or the surface has one side only)</source>
+      <translation>benachbarte Dreiecke sind an {0} Kanten verschieden ausgerichtet (oder die Fläche hat nur eine Seite)</translation>
+    </message>
+    <message>
+      <source>no L does that keeps tiles within {0} mm of the surface</source>
+      <translation>kein L genügt, das die Kacheln innerhalb von {0} mm der Fläche hält</translation>
     </message>
     <message>
       <source>no L that was tried does with H_body = {H_body:g} mm</source>
@@ -1346,20 +2338,48 @@
       <translation>keine Rückseite: ihre Falten sind zu scharf für Kacheln dieser Dicke</translation>
     </message>
     <message>
+      <source>no cut runs along an interior edge</source>
+      <translation>kein Schnitt verläuft entlang einer inneren Kante</translation>
+    </message>
+    <message>
       <source>no cut was found that is worth it</source>
       <translation>kein Schnitt fand sich, der sich lohnt</translation>
+    </message>
+    <message>
+      <source>no division into up to {0} pieces lies flat</source>
+      <translation>keine Teilung in bis zu {0} Stücke liegt flach</translation>
     </message>
     <message>
       <source>no division into up to {most} pieces has as little stretch as membranes bear; the best has {count}</source>
       <translation>Keine Teilung in bis zu {most} Stücke hat so wenig Verzerrung, wie Membranen aushalten; die beste hat {count}</translation>
     </message>
     <message>
+      <source>no file is chosen</source>
+      <translation>keine Datei ist gewählt</translation>
+    </message>
+    <message>
       <source>no other H_pin or H_body does, of {tried} that were tried</source>
       <translation>kein anderes H_pin oder H_body genügt, von {tried} ausprobierten</translation>
     </message>
     <message>
+      <source>no path of edges joins points {0} and {1} of the polyline</source>
+      <translation>kein Weg aus Kanten verbindet die Punkte {0} und {1} des Linienzugs</translation>
+    </message>
+    <message>
+      <source>no print file is called .{0}</source>
+      <translation>keine Druckdatei heißt .{0}</translation>
+    </message>
+    <message>
       <source>no small change of layout, pins or vertices lifts it</source>
       <translation>keine kleine Änderung von Layout, Zapfen oder Ecken hebt ihn</translation>
+    </message>
+    <message>
+      <source>no such target</source>
+      <translation>diese Zielfläche gibt es nicht</translation>
+    </message>
+    <message>
+      <source>no thickness up to {0} mm does for L = {1} mm</source>
+      <translation>keine Dicke bis {0} mm genügt für L = {1} mm</translation>
     </message>
     <message>
       <source>no volume</source>
@@ -1386,12 +2406,24 @@
       <translation>Keiner Kachel steht etwas im Weg</translation>
     </message>
     <message>
+      <source>nothing of the part has {0} {1} {2}</source>
+      <translation>nichts am Teil hat {0} {1} {2}</translation>
+    </message>
+    <message>
       <source>of {tried} other sizes that were tried, {sizes: or } does</source>
       <translation>von {tried} anderen ausprobierten Größen genügt {sizes: or }</translation>
     </message>
     <message>
       <source>on a membrane mesh of half the size: {reason}</source>
       <translation>Auf einem halb so groben Membrannetz: {reason}</translation>
+    </message>
+    <message>
+      <source>one design is exported at a time</source>
+      <translation>nur ein Entwurf wird auf einmal exportiert</translation>
+    </message>
+    <message>
+      <source>only {0} of the file's {1} faces could be read</source>
+      <translation>nur {0} von {1} Flächen der Datei ließen sich lesen</translation>
     </message>
     <message>
       <source>open</source>
@@ -1406,8 +2438,16 @@
       <translation>veraltet</translation>
     </message>
     <message>
+      <source>p_floor ({0} mm) leaves no wall around joint holes</source>
+      <translation>p_floor ({0} mm) lässt keine Wand um Nählöcher</translation>
+    </message>
+    <message>
       <source>p_max gives way on {count} edges of pins, where folds ask for less than pins that face one another leave: from {before:.3g} to {after:.3g} mm at the {side} of {tile}</source>
       <translation>p_max gibt an {count} Zapfenkanten nach, wo Falten weniger verlangen, als gegenüberliegende Zapfen lassen: von {before:.3g} auf {after:.3g} mm an {tile} ({side})</translation>
+    </message>
+    <message>
+      <source>p_min ({0} mm) is larger than p_max ({1} mm)</source>
+      <translation>p_min ({0} mm) ist größer als p_max ({1} mm)</translation>
     </message>
     <message>
       <source>p_min gave way to {least:.3g} mm at {at:6}, below what a {printer} makes ({makes:g} mm): raise p_floor</source>
@@ -1418,12 +2458,44 @@
       <translation>p_min gibt an {count} Zapfenkanten nach, wo Falten ihren Zapfen keinen Platz lassen: von {before:.3g} auf {after:.3g} mm an {tile} ({side})</translation>
     </message>
     <message>
+      <source>pairs of tiles that run into one another</source>
+      <translation>Paare von Kacheln, die ineinander laufen</translation>
+    </message>
+    <message>
+      <source>parameter {0} can't be a {1}</source>
+      <translation>der Parameter {0} kann nicht {1} sein</translation>
+    </message>
+    <message>
+      <source>parameter {0} can't be {1}</source>
+      <translation>der Parameter {0} kann nicht {1} sein</translation>
+    </message>
+    <message>
+      <source>parameter {0} can't have this value</source>
+      <translation>der Parameter {0} kann diesen Wert nicht haben</translation>
+    </message>
+    <message>
       <source>parts of the surface touch in single vertices (vertices {vertices:#5})</source>
       <translation>Teile der Fläche berühren sich in einzelnen Ecken (Ecken {vertices:#5})</translation>
     </message>
     <message>
       <source>parts that it has already and cuts that are given count as well</source>
       <translation>Teile, die sie schon hat, und gegebene Schnitte zählen mit</translation>
+    </message>
+    <message>
+      <source>pass a layout with tiles</source>
+      <translation>eine Abwicklung mit Kacheln übergeben</translation>
+    </message>
+    <message>
+      <source>pass finite numbers</source>
+      <translation>endliche Zahlen übergeben</translation>
+    </message>
+    <message>
+      <source>pass one row per tile</source>
+      <translation>eine Zeile je Kachel übergeben</translation>
+    </message>
+    <message>
+      <source>pick the edges again</source>
+      <translation>die Kanten erneut wählen</translation>
     </message>
     <message>
       <source>piece {piece} by itself: a contact point of {contact} has {least:.3g} N, less than f_min = {f_min:.3g} N of this piece</source>
@@ -1442,8 +2514,40 @@
       <translation>Sperrbereich der Zapfen</translation>
     </message>
     <message>
+      <source>pin room back, mm2</source>
+      <translation>Platz für Zapfen hinten, mm2</translation>
+    </message>
+    <message>
+      <source>pin room front, mm2</source>
+      <translation>Platz für Zapfen vorn, mm2</translation>
+    </message>
+    <message>
       <source>pins of at least A_pin_floor ({A_pin_floor:.3g} mm2) leave no room for stitching holes of {joint_hole:.3g} mm</source>
       <translation>Zapfen von mindestens A_pin_floor ({A_pin_floor:.3g} mm2) lassen keinen Platz für Nählöcher von {joint_hole:.3g} mm</translation>
+    </message>
+    <message>
+      <source>pins of {0} tiles are turned inside out or leave their face</source>
+      <translation>Zapfen von {0} Kacheln sind umgestülpt oder verlassen ihre Fläche</translation>
+    </message>
+    <message>
+      <source>placing anchors</source>
+      <translation>Anker setzen</translation>
+    </message>
+    <message>
+      <source>please report it</source>
+      <translation>bitte melden Sie das</translation>
+    </message>
+    <message>
+      <source>polygons of {0} corners</source>
+      <translation>Polygone mit {0} Ecken</translation>
+    </message>
+    <message>
+      <source>polyline {0} has a point {1} mm away from the target</source>
+      <translation>Linienzug {0} hat einen Punkt, der {1} mm von der Zielfläche entfernt ist</translation>
+    </message>
+    <message>
+      <source>process window</source>
+      <translation>Toleranzfenster</translation>
     </message>
     <message>
       <source>pushing forces at bumps' tips within friction {mu:.3g} leave a least normal force of {least:.3g} N, less than f_min = {f_min:.3g} N, first at {contacts:8}{more}</source>
@@ -1454,8 +2558,24 @@
       <translation>Drückende Kräfte mit der Reibung {mu:.3g} lassen eine kleinste Normalkraft von {least:.3g} N, weniger als f_min = {f_min:.3g} N, zuerst an {contacts:8}{more}</translation>
     </message>
     <message>
+      <source>put everything in braces</source>
+      <translation>alles in geschweifte Klammern setzen</translation>
+    </message>
+    <message>
+      <source>put {body} into the names</source>
+      <translation>{body} in die Namen setzen</translation>
+    </message>
+    <message>
+      <source>raise H_body or lower bridge_notch, or choose another support</source>
+      <translation>H_body erhöhen oder bridge_notch verringern, oder einen anderen Stützkörper wählen</translation>
+    </message>
+    <message>
       <source>raise L or lower H_body</source>
       <translation>L erhöhen oder H_body verringern</translation>
+    </message>
+    <message>
+      <source>raise anchor_spacing or lower anchor_radius</source>
+      <translation>anchor_spacing erhöhen oder anchor_radius verringern</translation>
     </message>
     <message>
       <source>raise d_gap_min, or set support to breakaway</source>
@@ -1466,16 +2586,80 @@
       <translation>dimple_clearance erhöhen oder bumps auf none setzen</translation>
     </message>
     <message>
+      <source>raise fidelity, or see 'curveups check'</source>
+      <translation>fidelity erhöhen, oder siehe „curveups check“</translation>
+    </message>
+    <message>
       <source>raise friction_coefficient, or choose bumps=dimples</source>
       <translation>friction_coefficient erhöhen oder bumps=dimples wählen</translation>
+    </message>
+    <message>
+      <source>raise mesh_deviation or set mesh_bumps to off</source>
+      <translation>mesh_deviation erhöhen oder mesh_bumps auf off setzen</translation>
+    </message>
+    <message>
+      <source>raise p_floor to {0} mm or more, or set joint to none</source>
+      <translation>p_floor auf {0} mm oder mehr erhöhen oder joint auf none setzen</translation>
     </message>
     <message>
       <source>raise support_drop</source>
       <translation>support_drop erhöhen</translation>
     </message>
     <message>
+      <source>raise support_margin</source>
+      <translation>support_margin erhöhen</translation>
+    </message>
+    <message>
+      <source>raise tau, or lower p_max so that pins pull more strongly</source>
+      <translation>tau erhöhen oder p_max verringern, damit Zapfen stärker ziehen</translation>
+    </message>
+    <message>
+      <source>reading the target</source>
+      <translation>Zielfläche lesen</translation>
+    </message>
+    <message>
+      <source>registering the scan</source>
+      <translation>Scan ausrichten</translation>
+    </message>
+    <message>
+      <source>remesh the surface</source>
+      <translation>die Fläche neu vernetzen</translation>
+    </message>
+    <message>
+      <source>remesh the surface: it has faces with next to no area</source>
+      <translation>die Fläche neu vernetzen: sie hat Dreiecke fast ohne Flächeninhalt</translation>
+    </message>
+    <message>
+      <source>remeshing</source>
+      <translation>neu vernetzen</translation>
+    </message>
+    <message>
+      <source>remeshing failed: {0}</source>
+      <translation>das Vernetzen ist gescheitert: {0}</translation>
+    </message>
+    <message>
+      <source>remove degenerate faces</source>
+      <translation>entartete Dreiecke entfernen</translation>
+    </message>
+    <message>
+      <source>remove degenerate faces or let the target be remeshed</source>
+      <translation>entartete Dreiecke entfernen oder die Zielfläche neu vernetzen lassen</translation>
+    </message>
+    <message>
+      <source>remove duplicate and inner faces</source>
+      <translation>doppelte und innere Dreiecke entfernen</translation>
+    </message>
+    <message>
       <source>remove inner walls and doubled faces</source>
       <translation>innere Wände und doppelte Dreiecke entfernen</translation>
+    </message>
+    <message>
+      <source>remove it, or choose another folder</source>
+      <translation>sie entfernen oder einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+      <source>remove one from its Edges</source>
+      <translation>eine aus Edges entfernen</translation>
     </message>
     <message>
       <source>remove the doubles</source>
@@ -1494,12 +2678,96 @@
       <translation>Die Reparatur endete früh: {said}</translation>
     </message>
     <message>
+      <source>repair the cuts</source>
+      <translation>die Schnitte berichtigen</translation>
+    </message>
+    <message>
       <source>repair the file</source>
       <translation>die Datei reparieren</translation>
     </message>
     <message>
+      <source>repair the mesh</source>
+      <translation>das Netz reparieren</translation>
+    </message>
+    <message>
+      <source>repair the surface, or give a remeshed one and switch remeshing off</source>
+      <translation>die Fläche reparieren, oder eine neu vernetzte angeben und das Vernetzen abschalten</translation>
+    </message>
+    <message>
       <source>repair the surface: tiles can't pass through one another</source>
       <translation>die Fläche reparieren: Kacheln können nicht durch einander gehen</translation>
+    </message>
+    <message>
+      <source>repair: fresh membranes</source>
+      <translation>Reparatur: neue Membranen</translation>
+    </message>
+    <message>
+      <source>repair: {0} weak points</source>
+      <translation>Reparatur: {0} schwache Punkte</translation>
+    </message>
+    <message>
+      <source>report this</source>
+      <translation>bitte melden Sie das</translation>
+    </message>
+    <message>
+      <source>report this with the design file</source>
+      <translation>bitte melden Sie das mit der Entwurfsdatei</translation>
+    </message>
+    <message>
+      <source>restoring the layout</source>
+      <translation>Abwicklung wiederherstellen</translation>
+    </message>
+    <message>
+      <source>room of the back membrane, mm</source>
+      <translation>Platz für die Membran hinten, mm</translation>
+    </message>
+    <message>
+      <source>room of the front membrane, mm</source>
+      <translation>Platz für die Membran vorn, mm</translation>
+    </message>
+    <message>
+      <source>run 'curveups design' with it</source>
+      <translation>„curveups design“ damit ausführen</translation>
+    </message>
+    <message>
+      <source>run Solve</source>
+      <translation>„Lösen“ ausführen</translation>
+    </message>
+    <message>
+      <source>run Solve, or Cuts</source>
+      <translation>„Lösen“ oder „Schnitte“ ausführen</translation>
+    </message>
+    <message>
+      <source>run tools/setup</source>
+      <translation>tools/setup ausführen</translation>
+    </message>
+    <message>
+      <source>run tools/setup again</source>
+      <translation>tools/setup erneut ausführen</translation>
+    </message>
+    <message>
+      <source>see 'curveups check'</source>
+      <translation>siehe „curveups check“</translation>
+    </message>
+    <message>
+      <source>see '{0} --help'</source>
+      <translation>siehe „{0} --help“</translation>
+    </message>
+    <message>
+      <source>see FreeCAD's report view</source>
+      <translation>siehe FreeCADs Ausgabefenster</translation>
+    </message>
+    <message>
+      <source>select it alone, or its bodies</source>
+      <translation>ihn allein wählen oder seine Körper</translation>
+    </message>
+    <message>
+      <source>send it elsewhere</source>
+      <translation>sie anderswohin leiten</translation>
+    </message>
+    <message>
+      <source>separate faces that touch in one vertex only</source>
+      <translation>Dreiecke trennen, die sich nur in einem Punkt berühren</translation>
     </message>
     <message>
       <source>separate the parts</source>
@@ -1526,6 +2794,14 @@
       <translation>mend_max über {most:g} setzen, oder ein anderes L oder H_body</translation>
     </message>
     <message>
+      <source>set orientation to front-up, or support to breakaway</source>
+      <translation>orientation auf front-up setzen oder support auf breakaway</translation>
+    </message>
+    <message>
+      <source>set pieces to a number, or cut the target (--cuts)</source>
+      <translation>pieces auf eine Zahl setzen oder die Zielfläche schneiden (--cuts)</translation>
+    </message>
+    <message>
       <source>set pieces to a number, or raise L</source>
       <translation>pieces auf eine Zahl setzen oder L erhöhen</translation>
     </message>
@@ -1540,6 +2816,18 @@
     <message>
       <source>set {options: or }, so that pins can make room; or raise L or lower H_body</source>
       <translation>{options: or } setzen, damit Zapfen Platz machen können; oder L erhöhen oder H_body verringern</translation>
+    </message>
+    <message>
+      <source>settle</source>
+      <translation>Tragverhalten</translation>
+    </message>
+    <message>
+      <source>simplify the mesh</source>
+      <translation>das Netz vereinfachen</translation>
+    </message>
+    <message>
+      <source>simplify the part, or export it again or as a mesh</source>
+      <translation>das Teil vereinfachen, erneut exportieren oder als Netz exportieren</translation>
     </message>
     <message>
       <source>so does mend=on, which moves vertices by up to {moved:.2g} mm</source>
@@ -1562,12 +2850,36 @@
       <translation>Körper treffen sich in der Abwicklung ({at})</translation>
     </message>
     <message>
+      <source>solve the design again</source>
+      <translation>den Entwurf erneut lösen</translation>
+    </message>
+    <message>
+      <source>some points have a tile's name and others have none</source>
+      <translation>einige Punkte haben den Namen einer Kachel, andere keinen</translation>
+    </message>
+    <message>
+      <source>split that vertex or fill the hole</source>
+      <translation>diesen Punkt teilen oder das Loch füllen</translation>
+    </message>
+    <message>
+      <source>stop or cancel that first</source>
+      <translation>das zuerst anhalten oder abbrechen</translation>
+    </message>
+    <message>
       <source>stopped before all solids were checked</source>
       <translation>Angehalten, bevor alle Volumenkörper geprüft waren</translation>
     </message>
     <message>
       <source>stopped during {stage}</source>
       <translation>Angehalten während {stage}</translation>
+    </message>
+    <message>
+      <source>stretch / least that leaves gaps</source>
+      <translation>Dehnung / kleinste, die Spalte lässt</translation>
+    </message>
+    <message>
+      <source>stretch / most before slack</source>
+      <translation>Dehnung / größte, die straff hält</translation>
     </message>
     <message>
       <source>stroke of the engraving</source>
@@ -1578,16 +2890,68 @@
       <translation>Vorschlag: {what_to_do}</translation>
     </message>
     <message>
+      <source>support_drop ({0} mm) leaves no support</source>
+      <translation>support_drop ({0} mm) lässt keinen Stützkörper</translation>
+    </message>
+    <message>
+      <source>take the expression away</source>
+      <translation>den Ausdruck entfernen</translation>
+    </message>
+    <message>
+      <source>take vertex numbers from what 'curveups remesh' writes</source>
+      <translation>Punktnummern aus dem nehmen, was „curveups remesh“ schreibt</translation>
+    </message>
+    <message>
+      <source>the 3MF model is too large</source>
+      <translation>das 3MF-Modell ist zu groß</translation>
+    </message>
+    <message>
+      <source>the 3MF would have more than 4 GB, which slicers do not read</source>
+      <translation>das 3MF hätte mehr als 4 GB, was Slicer nicht lesen</translation>
+    </message>
+    <message>
+      <source>the answer can't be written: {0}</source>
+      <translation>die Antwort lässt sich nicht schreiben: {0}</translation>
+    </message>
+    <message>
       <source>the boundary touches itself in single vertices (vertices {vertices:#5})</source>
       <translation>Der Rand berührt sich selbst in einzelnen Ecken (Ecken {vertices:#5})</translation>
+    </message>
+    <message>
+      <source>the boundary touches itself in vertex {0}</source>
+      <translation>der Rand berührt sich selbst im Punkt {0}</translation>
+    </message>
+    <message>
+      <source>the conformal map could not be computed</source>
+      <translation>die konforme Abbildung ließ sich nicht berechnen</translation>
+    </message>
+    <message>
+      <source>the conformal map turned the surface over</source>
+      <translation>die konforme Abbildung hat die Fläche umgewendet</translation>
+    </message>
+    <message>
+      <source>the conformal map's system is not positive definite</source>
+      <translation>das System der konformen Abbildung ist nicht positiv definit</translation>
     </message>
     <message>
       <source>the cuts changed since the layout was solved: Solve brings it up to date</source>
       <translation>die Schnitte haben sich seit der Abwicklung geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
     </message>
     <message>
+      <source>the design can't be read: {0}</source>
+      <translation>der Entwurf lässt sich nicht lesen: {0}</translation>
+    </message>
+    <message>
       <source>the design could not be verified: {error}</source>
       <translation>Der Entwurf konnte nicht geprüft werden: {error}</translation>
+    </message>
+    <message>
+      <source>the design holds a number that is not finite</source>
+      <translation>der Entwurf enthält eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+      <source>the design is no text</source>
+      <translation>der Entwurf ist kein Text</translation>
     </message>
     <message>
       <source>the design is {state}: {reasons:; }</source>
@@ -1598,8 +2962,92 @@
       <translation>Der Entwurf wurde nicht geprüft</translation>
     </message>
     <message>
+      <source>the design's T and q do not have a row for each tile</source>
+      <translation>T und q des Entwurfs haben nicht eine Zeile je Kachel</translation>
+    </message>
+    <message>
+      <source>the design's layout and pins do not have one row per tile</source>
+      <translation>Abwicklung und Zapfen des Entwurfs haben nicht eine Zeile je Kachel</translation>
+    </message>
+    <message>
+      <source>the design's target has other vertices than its mesh</source>
+      <translation>die Zielfläche des Entwurfs hat andere Punkte als sein Netz</translation>
+    </message>
+    <message>
+      <source>the document's {0} can't be computed</source>
+      <translation>{0} des Dokuments lässt sich nicht berechnen</translation>
+    </message>
+    <message>
+      <source>the facet that begins here can't be read</source>
+      <translation>die Facette, die hier beginnt, lässt sich nicht lesen</translation>
+    </message>
+    <message>
+      <source>the file can't be read: {0}</source>
+      <translation>die Datei lässt sich nicht lesen: {0}</translation>
+    </message>
+    <message>
+      <source>the file does not hold a JSON object</source>
+      <translation>die Datei enthält kein JSON-Objekt</translation>
+    </message>
+    <message>
+      <source>the file ends early</source>
+      <translation>die Datei endet zu früh</translation>
+    </message>
+    <message>
+      <source>the file ends early, or a facet can't be read</source>
+      <translation>die Datei endet zu früh, oder eine Facette lässt sich nicht lesen</translation>
+    </message>
+    <message>
+      <source>the file ends early: there is no endsolid</source>
+      <translation>die Datei endet zu früh: endsolid fehlt</translation>
+    </message>
+    <message>
+      <source>the file ends early: {0} facets are announced</source>
+      <translation>die Datei endet zu früh: {0} Facetten sind angekündigt</translation>
+    </message>
+    <message>
+      <source>the file holds no faces</source>
+      <translation>die Datei enthält keine Flächen</translation>
+    </message>
+    <message>
+      <source>the file holds no surface</source>
+      <translation>die Datei enthält keine Oberfläche</translation>
+    </message>
+    <message>
+      <source>the file is damaged: it has lost {0} of its entities (#{1})</source>
+      <translation>die Datei ist beschädigt: ihr fehlen {0} Einträge (#{1})</translation>
+    </message>
+    <message>
+      <source>the file is damaged: it holds less than it announces</source>
+      <translation>die Datei ist beschädigt: sie enthält weniger, als sie ankündigt</translation>
+    </message>
+    <message>
+      <source>the file is damaged: lines of it are missing</source>
+      <translation>die Datei ist beschädigt: Zeilen fehlen</translation>
+    </message>
+    <message>
+      <source>the file is empty</source>
+      <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+      <source>the file is too large</source>
+      <translation>die Datei ist zu groß</translation>
+    </message>
+    <message>
+      <source>the file needs more memory than there is</source>
+      <translation>die Datei braucht mehr Speicher, als da ist</translation>
+    </message>
+    <message>
       <source>the flat map scales it by {stretch:.2f}; it can do with {low:.2f} to {high:.2f}: cuts would even that out</source>
       <translation>die flache Karte skaliert sie mit {stretch:.2f}; {low:.2f} bis {high:.2f} gingen: Schnitte glichen das aus</translation>
+    </message>
+    <message>
+      <source>the forces on bodies in contact are not finite</source>
+      <translation>die Kräfte auf Körper in Kontakt sind nicht endlich</translation>
+    </message>
+    <message>
+      <source>the front or back face of {0} tiles vanishes or turns inside out</source>
+      <translation>Vorder- oder Rückseite von {0} Kacheln verschwindet oder stülpt sich um</translation>
     </message>
     <message>
       <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear</source>
@@ -1618,6 +3066,10 @@
       <translation>Die Beschriftung von Stück {piece} sagt nur „{said}“: nicht den ganzen Namen</translation>
     </message>
     <message>
+      <source>the layout breaks constraints that small steps can't restore</source>
+      <translation>die Abwicklung verletzt Bedingungen, die kleine Schritte nicht wiederherstellen</translation>
+    </message>
+    <message>
       <source>the layout changed since this was built: BuildSolids brings it up to date</source>
       <translation>die Abwicklung hat sich geändert, seit dies gebaut wurde: „Volumenkörper bauen“ bringt es auf den neuesten Stand</translation>
     </message>
@@ -1630,12 +3082,24 @@
       <translation>Das Layout konvergierte nicht in {iterations} Iterationen; alle Nebenbedingungen gelten</translation>
     </message>
     <message>
+      <source>the layout holds a number that is not finite</source>
+      <translation>die Abwicklung enthält eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
       <source>the layout is badly stretched: its flat map scales tiles {spread:.3g} times differently, and the membrane is slack at {slack} places</source>
       <translation>Das Layout ist stark verzerrt: seine flache Karte skaliert Kacheln {spread:.3g}-fach verschieden, und die Membran ist an {slack} Stellen schlaff</translation>
     </message>
     <message>
+      <source>the layout is {0} m wide</source>
+      <translation>die Abwicklung ist {0} m breit</translation>
+    </message>
+    <message>
       <source>the layout's lists were changed by hand: Solve brings it up to date</source>
       <translation>die Listen der Abwicklung wurden von Hand geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
+      <source>the list of cuts has an odd number of vertices</source>
+      <translation>die Liste der Schnitte hat eine ungerade Anzahl von Punkten</translation>
     </message>
     <message>
       <source>the margin is not met: {reason}</source>
@@ -1646,6 +3110,10 @@
       <translation>Die Reserve ist verlangt, und die Kacheln haben sich nicht gesetzt: settle und verify einschalten</translation>
     </message>
     <message>
+      <source>the membrane's harmonic start could not be computed</source>
+      <translation>der harmonische Anfang der Membran ließ sich nicht berechnen</translation>
+    </message>
+    <message>
       <source>the membranes do not press the tiles together</source>
       <translation>Die Membranen drücken die Kacheln nicht aneinander</translation>
     </message>
@@ -1654,8 +3122,68 @@
       <translation>Das Gleichgewicht der Membranen wurde nicht erreicht (Residuum {residual:.3g})</translation>
     </message>
     <message>
+      <source>the mesh has more than {0} faces</source>
+      <translation>das Netz hat mehr als {0} Dreiecke</translation>
+    </message>
+    <message>
+      <source>the mesh has no faces</source>
+      <translation>das Netz hat keine Dreiecke</translation>
+    </message>
+    <message>
+      <source>the mesh's mean edge length is {0} mm</source>
+      <translation>die mittlere Kantenlänge des Netzes ist {0} mm</translation>
+    </message>
+    <message>
+      <source>the names '{0}' ask for {{1}}</source>
+      <translation>die Namen „{0}“ fragen nach {{1}}</translation>
+    </message>
+    <message>
+      <source>the names '{0}' can't be read: {1}</source>
+      <translation>die Namen „{0}“ lassen sich nicht lesen: {1}</translation>
+    </message>
+    <message>
+      <source>the native module can't be loaded: {0}</source>
+      <translation>das native Modul lässt sich nicht laden: {0}</translation>
+    </message>
+    <message>
+      <source>the native module has not been built</source>
+      <translation>das native Modul wurde nicht gebaut</translation>
+    </message>
+    <message>
+      <source>the native module is not for {0}</source>
+      <translation>das native Modul ist nicht für {0}</translation>
+    </message>
+    <message>
+      <source>the native module is of version {0}, not {1}</source>
+      <translation>das native Modul hat Version {0}, nicht {1}</translation>
+    </message>
+    <message>
+      <source>the numbers of vertices and faces are missing</source>
+      <translation>die Anzahlen von Punkten und Flächen fehlen</translation>
+    </message>
+    <message>
       <source>the object that gave the target was deleted: choose another with Target</source>
       <translation>das Objekt, von dem das Ziel kam, wurde gelöscht: mit „Ziel ändern“ ein anderes wählen</translation>
+    </message>
+    <message>
+      <source>the outlines of a plane face cross or touch each other</source>
+      <translation>die Umrisse einer ebenen Fläche kreuzen oder berühren einander</translation>
+    </message>
+    <message>
+      <source>the output folder can't be made: {0}</source>
+      <translation>der Ausgabeordner lässt sich nicht anlegen: {0}</translation>
+    </message>
+    <message>
+      <source>the parameter table is missing</source>
+      <translation>die Parametertabelle fehlt</translation>
+    </message>
+    <message>
+      <source>the part has Face1 to Face{0}</source>
+      <translation>das Teil hat Face1 bis Face{0}</translation>
+    </message>
+    <message>
+      <source>the part has no planar face to leave open</source>
+      <translation>das Teil hat keine ebene Fläche, die offen bleiben könnte</translation>
     </message>
     <message>
       <source>the part is drawn {wall:.3g} mm thick, tiles are {H_body:g} mm thick</source>
@@ -1666,12 +3194,36 @@
       <translation>das Stück von {tile} kippt auf dem Tisch: Sein Gewicht greift neben den Ecken an, auf denen es steht</translation>
     </message>
     <message>
+      <source>the polyline has a point that is not finite</source>
+      <translation>der Linienzug hat einen Punkt, der nicht endlich ist</translation>
+    </message>
+    <message>
+      <source>the polyline has no points</source>
+      <translation>der Linienzug hat keine Punkte</translation>
+    </message>
+    <message>
       <source>the print ({x:.0f} x {y:.0f} x {z:.0f} mm) is larger than the bed of a {printer}</source>
       <translation>Der Druck ({x:.0f} x {y:.0f} x {z:.0f} mm) ist größer als das Bett eines {printer}</translation>
     </message>
     <message>
       <source>the print can't be made: {error}</source>
       <translation>Der Druck lässt sich nicht machen: {error}</translation>
+    </message>
+    <message>
+      <source>the saved results can't be read: {0}</source>
+      <translation>die gespeicherten Ergebnisse lassen sich nicht lesen: {0}</translation>
+    </message>
+    <message>
+      <source>the scan can't be read: {0}</source>
+      <translation>der Scan lässt sich nicht lesen: {0}</translation>
+    </message>
+    <message>
+      <source>the scan has more than {0} points</source>
+      <translation>der Scan hat mehr als {0} Punkte</translation>
+    </message>
+    <message>
+      <source>the scan is no text</source>
+      <translation>der Scan ist kein Text</translation>
     </message>
     <message>
       <source>the shape does not hold: friction lets it drift by {drift:.3g} mm, more than hold_tolerance ({most:.3g} mm)</source>
@@ -1690,24 +3242,84 @@
       <translation>Die Wände der Platte zwischen Kacheln sind nur {clearance:.3g} mm dünn; ein {printer} macht {least:g} mm</translation>
     </message>
     <message>
+      <source>the solids can't be united</source>
+      <translation>die Volumenkörper lassen sich nicht vereinigen</translation>
+    </message>
+    <message>
       <source>the soluble slab is a second material; a {printer} prints one</source>
       <translation>Die lösliche Platte ist ein zweites Material; ein {printer} druckt eines</translation>
+    </message>
+    <message>
+      <source>the sparse solver could not order a system of {0} unknowns</source>
+      <translation>der dünnbesetzte Löser konnte ein System von {0} Unbekannten nicht ordnen</translation>
+    </message>
+    <message>
+      <source>the sparse solver ran out of memory</source>
+      <translation>dem dünnbesetzten Löser ging der Speicher aus</translation>
+    </message>
+    <message>
+      <source>the sparse solver ran out of memory at {0} unknowns</source>
+      <translation>dem dünnbesetzten Löser ging bei {0} Unbekannten der Speicher aus</translation>
     </message>
     <message>
       <source>the stored results are damaged or were changed by hand: Solve brings it up to date</source>
       <translation>die gespeicherten Ergebnisse sind beschädigt oder wurden von Hand geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
     </message>
     <message>
+      <source>the support of piece {0} falls apart</source>
+      <translation>der Stützkörper von Stück {0} zerfällt</translation>
+    </message>
+    <message>
+      <source>the support of piece {0} runs into piece {1}</source>
+      <translation>der Stützkörper von Stück {0} läuft in Stück {1}</translation>
+    </message>
+    <message>
+      <source>the surface can't be moved by that much</source>
+      <translation>die Fläche lässt sich nicht so weit bewegen</translation>
+    </message>
+    <message>
+      <source>the surface has a vertex that is not finite</source>
+      <translation>die Fläche hat einen Punkt, der nicht endlich ist</translation>
+    </message>
+    <message>
       <source>the surface has no faces</source>
       <translation>Die Fläche hat keine Dreiecke</translation>
+    </message>
+    <message>
+      <source>the surface has no size that could be scaled</source>
+      <translation>die Fläche hat keine Größe, die sich skalieren ließe</translation>
+    </message>
+    <message>
+      <source>the surface has no vertices, or some that are not finite</source>
+      <translation>die Fläche hat keine Punkte, oder welche, die nicht endlich sind</translation>
+    </message>
+    <message>
+      <source>the surface has several components</source>
+      <translation>die Fläche hat mehrere Teile</translation>
+    </message>
+    <message>
+      <source>the surface has {0}{1} and no flat layout</source>
+      <translation>die Fläche hat {0}{1} und keine Abwicklung</translation>
     </message>
     <message>
       <source>the surface has {count} components, which are laid out side by side</source>
       <translation>Die Fläche hat {count} Teile, die neben einander ausgelegt werden</translation>
     </message>
     <message>
+      <source>the surface is closed and has no flat layout</source>
+      <translation>die Fläche ist geschlossen und hat keine Abwicklung</translation>
+    </message>
+    <message>
       <source>the surface is closed: it can't lie flat in one piece</source>
       <translation>Die Fläche ist geschlossen: sie kann nicht in einem Stück flach liegen</translation>
+    </message>
+    <message>
+      <source>the surface is not a manifold at face {0}</source>
+      <translation>die Fläche ist bei Dreieck {0} nicht mannigfaltig</translation>
+    </message>
+    <message>
+      <source>the surface is too large or too small for tiles</source>
+      <translation>die Fläche ist zu groß oder zu klein für Kacheln</translation>
     </message>
     <message>
       <source>the surface is {size:.4g} mm large, smaller than one tile of L = {L:.4g} mm</source>
@@ -1718,12 +3330,20 @@
       <translation>Die Fläche braucht etwa {tiles_needed:.4g} Kacheln von L = {L:.4g} mm</translation>
     </message>
     <message>
+      <source>the surface would need about {0} tiles of L = {1} mm</source>
+      <translation>die Fläche bräuchte etwa {0} Kacheln mit L = {1} mm</translation>
+    </message>
+    <message>
       <source>the surplus membrane pulls with {pull:.3g} N at an anchor, whose glue then carries {shear:.3g} MPa of shear, more than glue_strength ({limit:g} MPa): raise anchor_radius or lower anchor_spacing</source>
       <translation>Die überstehende Membran zieht mit {pull:.3g} N an einem Anker, dessen Kleber dann {shear:.3g} MPa Schub trägt, mehr als glue_strength ({limit:g} MPa): anchor_radius erhöhen oder anchor_spacing verringern</translation>
     </message>
     <message>
       <source>the target is in {count} pieces, {asked} are asked for</source>
       <translation>Die Zielfläche besteht aus {count} Stücken, {asked} sind verlangt</translation>
+    </message>
+    <message>
+      <source>the target is no file</source>
+      <translation>die Zielfläche ist keine Datei</translation>
     </message>
     <message>
       <source>the target was deleted: choose another with Target</source>
@@ -1734,12 +3354,32 @@
       <translation>die Vorlage {name} des Ziels hat sich seit der Abwicklung geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
     </message>
     <message>
+      <source>the tiles are too thin for breakaway bridges</source>
+      <translation>die Kacheln sind zu dünn für Brücken zum Wegbrechen</translation>
+    </message>
+    <message>
       <source>the tiles touch along their front edge only</source>
       <translation>die Kacheln berühren sich nur an der vorderen Kante</translation>
     </message>
     <message>
+      <source>the tiles' balance could not be solved</source>
+      <translation>das Gleichgewicht der Kacheln ließ sich nicht lösen</translation>
+    </message>
+    <message>
       <source>the verification's lists were changed by hand: Verify brings it up to date</source>
       <translation>die Listen der Prüfung wurden von Hand geändert: „Prüfen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
+      <source>the {0} membrane between {1} folds over itself in the layout</source>
+      <translation>die Membran ({0}) zwischen {1} faltet sich in der Abwicklung über sich selbst</translation>
+    </message>
+    <message>
+      <source>the {0} membrane found no equilibrium</source>
+      <translation>die Membran ({0}) fand kein Gleichgewicht</translation>
+    </message>
+    <message>
+      <source>the {0} pins of {1} have no area</source>
+      <translation>die Zapfen ({0}) von {1} haben keinen Flächeninhalt</translation>
     </message>
     <message>
       <source>the {side} membrane is slack beside {beside:8}</source>
@@ -1758,12 +3398,88 @@
       <translation>Der Zapfen ({side}) hat {area_mm2:.3g} mm2, weniger als A_pin_min</translation>
     </message>
     <message>
+      <source>there are no bodies of the kind '{0}'</source>
+      <translation>es gibt keine Körper der Art „{0}“</translation>
+    </message>
+    <message>
+      <source>there are no tiles to cut between yet</source>
+      <translation>es gibt noch keine Kacheln, zwischen denen man schneiden könnte</translation>
+    </message>
+    <message>
+      <source>there are {0} bodies and {1} poses</source>
+      <translation>es gibt {0} Körper und {1} Lagen</translation>
+    </message>
+    <message>
+      <source>there are {0} cut flags for {1} edges</source>
+      <translation>es gibt {0} Schnittwerte für {1} Kanten</translation>
+    </message>
+    <message>
+      <source>there is no built-in target "{0}"</source>
+      <translation>es gibt keine eingebaute Zielfläche „{0}“</translation>
+    </message>
+    <message>
       <source>there is no layout yet: Solve makes it</source>
       <translation>es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
     </message>
     <message>
+      <source>there is no membrane model '{0}'</source>
+      <translation>es gibt kein Membranmodell „{0}“</translation>
+    </message>
+    <message>
+      <source>there is no target</source>
+      <translation>es gibt keine Zielfläche</translation>
+    </message>
+    <message>
+      <source>there is no {0}</source>
+      <translation>es gibt kein {0}</translation>
+    </message>
+    <message>
+      <source>there is no {0} skin: nothing of the part is a wall with two sides</source>
+      <translation>es gibt keine Haut {0}: nichts am Teil ist eine Wand mit zwei Seiten</translation>
+    </message>
+    <message>
+      <source>there is no {0} to start from</source>
+      <translation>es gibt kein {0}, von dem auszugehen wäre</translation>
+    </message>
+    <message>
+      <source>there is not enough memory</source>
+      <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+      <source>thin it out</source>
+      <translation>ihn ausdünnen</translation>
+    </message>
+    <message>
+      <source>this has no surface</source>
+      <translation>das hat keine Oberfläche</translation>
+    </message>
+    <message>
+      <source>this is no JSON: {0}</source>
+      <translation>das ist kein JSON: {0}</translation>
+    </message>
+    <message>
+      <source>this is no OFF file</source>
+      <translation>das ist keine OFF-Datei</translation>
+    </message>
+    <message>
+      <source>this is no STL file</source>
+      <translation>das ist keine STL-Datei</translation>
+    </message>
+    <message>
+      <source>this is no readable 3MF file: {0}</source>
+      <translation>das ist keine lesbare 3MF-Datei: {0}</translation>
+    </message>
+    <message>
+      <source>this is no readable PLY file: {0}</source>
+      <translation>das ist keine lesbare PLY-Datei: {0}</translation>
+    </message>
+    <message>
       <source>through the weak contact {contact}</source>
       <translation>durch den schwachen Kontakt {contact}</translation>
+    </message>
+    <message>
+      <source>tiles and a soluble slab are of two materials, which can't be one shell</source>
+      <translation>Kacheln und eine lösliche Platte sind aus zwei Materialien, die keine gemeinsame Hülle haben können</translation>
     </message>
     <message>
       <source>tiles are up to {distance:.2f} mm from the target, more than mend_max ({most:g} mm): they can't follow its corners and edges</source>
@@ -1772,6 +3488,10 @@
     <message>
       <source>tiles come as near as {clearance:.3g} mm; a {printer} needs {least:g} mm</source>
       <translation>Kacheln kommen sich bis auf {clearance:.3g} mm nah; ein {printer} braucht {least:g} mm</translation>
+    </message>
+    <message>
+      <source>tiles have {0} to {1} mm: set scale for another unit, or remesh</source>
+      <translation>Kacheln haben {0} bis {1} mm: für eine andere Einheit scale setzen, oder neu vernetzen</translation>
     </message>
     <message>
       <source>tiles of H_body = {value:g} mm instead of {set:g} give the pins named a quarter more than A_pin_min</source>
@@ -1798,8 +3518,68 @@
       <translation>zu klein für drei Noppen</translation>
     </message>
     <message>
+      <source>trying {0}</source>
+      <translation>{0} versuchen</translation>
+    </message>
+    <message>
+      <source>two files would be called {0}</source>
+      <translation>zwei Dateien hießen {0}</translation>
+    </message>
+    <message>
+      <source>unexpected failure: {0}</source>
+      <translation>unerwarteter Fehler: {0}</translation>
+    </message>
+    <message>
+      <source>unexpected {0}</source>
+      <translation>unerwartet: {0}</translation>
+    </message>
+    <message>
+      <source>uniting bodies</source>
+      <translation>Körper vereinigen</translation>
+    </message>
+    <message>
+      <source>unknown format '{0}'</source>
+      <translation>unbekanntes Format „{0}“</translation>
+    </message>
+    <message>
+      <source>unknown parameter '{0}'</source>
+      <translation>unbekannter Parameter „{0}“</translation>
+    </message>
+    <message>
+      <source>unknown unit '{0}'</source>
+      <translation>unbekannte Einheit „{0}“</translation>
+    </message>
+    <message>
+      <source>use a coarser mesh</source>
+      <translation>ein gröberes Netz verwenden</translation>
+    </message>
+    <message>
+      <source>use a coarser mesh or a machine with more memory</source>
+      <translation>ein gröberes Netz oder einen Rechner mit mehr Speicher verwenden</translation>
+    </message>
+    <message>
+      <source>use larger tiles (--set L=...) or a smaller target</source>
+      <translation>größere Kacheln (--set L=...) oder eine kleinere Zielfläche nehmen</translation>
+    </message>
+    <message>
+      <source>use letters, digits, '-', '_', {0}</source>
+      <translation>Buchstaben, Ziffern, „-“, „_“ und {0} verwenden</translation>
+    </message>
+    <message>
+      <source>use the tension-field model</source>
+      <translation>das Modell tension-field verwenden</translation>
+    </message>
+    <message>
+      <source>use {0}</source>
+      <translation>{0} verwenden</translation>
+    </message>
+    <message>
       <source>verification was off</source>
       <translation>Das Prüfen war abgeschaltet</translation>
+    </message>
+    <message>
+      <source>vertex {0} of the mesh is not finite</source>
+      <translation>Punkt {0} des Netzes ist nicht endlich</translation>
     </message>
     <message>
       <source>volume</source>
@@ -1880,6 +3660,70 @@
     <message>
       <source>with mend=on, which moves vertices by up to {moved:.2g} mm, these sizes do</source>
       <translation>Mit mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt, genügen diese Größen</translation>
+    </message>
+    <message>
+      <source>working</source>
+      <translation>Arbeit läuft</translation>
+    </message>
+    <message>
+      <source>writing {0}</source>
+      <translation>{0} schreiben</translation>
+    </message>
+    <message>
+      <source>{0} can't be {1}</source>
+      <translation>{0} kann nicht {1} sein</translation>
+    </message>
+    <message>
+      <source>{0} can't change on {1}</source>
+      <translation>{0} kann sich auf {1} nicht ändern</translation>
+    </message>
+    <message>
+      <source>{0} could not be written: {1}</source>
+      <translation>{0} ließ sich nicht schreiben: {1}</translation>
+    </message>
+    <message>
+      <source>{0} edges have more than two faces (non-manifold)</source>
+      <translation>{0} Kanten haben mehr als zwei Dreiecke (nicht mannigfaltig)</translation>
+    </message>
+    <message>
+      <source>{0} face lies in {1} = {2}</source>
+      <translation>{0} Fläche liegt in {1} = {2}</translation>
+    </message>
+    <message>
+      <source>{0} faces have no area</source>
+      <translation>{0} Dreiecke haben keinen Flächeninhalt</translation>
+    </message>
+    <message>
+      <source>{0} follows an expression</source>
+      <translation>{0} folgt einem Ausdruck</translation>
+    </message>
+    <message>
+      <source>{0} has {1} rows, there are {2} tiles</source>
+      <translation>{0} hat {1} Zeilen, es gibt {2} Kacheln</translation>
+    </message>
+    <message>
+      <source>{0} holds a number that is not finite</source>
+      <translation>{0} enthält eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+      <source>{0} is no UTF-8 text</source>
+      <translation>{0} ist kein UTF-8-Text</translation>
+    </message>
+    <message>
+      <source>{0} points can't be laid onto a surface</source>
+      <translation>{0} Punkte lassen sich nicht auf eine Fläche legen</translation>
+    </message>
+    <message>
+      <source>{0} tiles are too few for {1} pieces</source>
+      <translation>{0} Kacheln sind zu wenig für {1} Stücke</translation>
+    </message>
+    <message>
+      <source>{0}-{1} is no interior edge of the mesh</source>
+      <translation>{0}-{1} ist keine innere Kante des Netzes</translation>
+    </message>
+    <message>
+      <source>{0}; or {1}</source>
+      <translation>{0}; oder {1}</translation>
     </message>
     <message>
       <source>{closed} of {edges} edges between pieces have no room for stitching holes: {pairs}</source>
@@ -2011,7 +3855,7 @@
     </message>
     <message>
       <source>{sizes: or }, with which 'curveups check' finds nothing in the way</source>
-      <translation>{sizes: oder }, womit „curveups check“ keine Hindernisse findet</translation>
+      <translation>{sizes: or }, womit „curveups check“ keine Hindernisse findet</translation>
     </message>
     <message>
       <source>{sizes: }, with which it is valid: that was tried</source>
@@ -2066,6 +3910,10 @@
   <context>
     <name>CurveUps_Overlay</name>
     <message>
+      <source>Choose a value to colour by first</source>
+      <translation>Zuerst einen Wert zum Färben wählen</translation>
+    </message>
+    <message>
       <source>Choose the value that colours the tiles, fold them, and read their values</source>
       <translation>Den Wert wählen, der die Kacheln färbt, sie falten und ihre Werte ablesen</translation>
     </message>
@@ -2082,12 +3930,8 @@
       <translation>Überlagerung von {name}</translation>
     </message>
     <message>
-      <source>Tile</source>
-      <translation>Kachel</translation>
-    </message>
-    <message>
-      <source>Value</source>
-      <translation>Wert</translation>
+      <source>Side by side shows both ends</source>
+      <translation>„Nebeneinander“ zeigt beide Enden</translation>
     </message>
     <message>
       <source>not the present state: {why}</source>
@@ -2291,10 +4135,6 @@
       <translation>Kontakte und Kacheln auflisten, die schlechtesten zuerst. Ein Klick führt hin</translation>
     </message>
     <message>
-      <source>Problem</source>
-      <translation>Problem</translation>
-    </message>
-    <message>
       <source>Tiles</source>
       <translation>Kacheln</translation>
     </message>
@@ -2328,10 +4168,6 @@
     <message>
       <source>Click edges between tiles, flat or actuated. Each click continues the cut along the shortest path. Press Escape to begin another cut. Click a cut to remove it.</source>
       <translation>Kanten zwischen Kacheln anklicken, flach oder in Form. Jeder Klick verlängert den Schnitt auf dem kürzesten Weg. Escape beginnt einen anderen Schnitt. Ein Klick auf einen Schnitt entfernt ihn.</translation>
-    </message>
-    <message>
-      <source>Cut</source>
-      <translation>Schnitt</translation>
     </message>
     <message>
       <source>Cuts</source>

@@ -7,9 +7,10 @@ import sys
 import pytest
 from running import ROOT
 
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "Workbench")]
 
 import translations  # noqa: E402
+from curveups.base import sentences  # noqa: E402
 
 LANGUAGES = sorted(translations.FOLDER.glob("CurveUps_*.ts"))
 every_language = pytest.mark.parametrize("path", LANGUAGES, ids=[path.stem for path in LANGUAGES])
@@ -33,6 +34,30 @@ class Solve:
     assert set(translations.texts_of_form(form)) == {("Form", "Stop")}
     assert ("Workbench", "&CurveUps") in translations.texts()
     assert "CurveUps_de" in {path.stem for path in LANGUAGES}
+
+
+def test_whatever_work_says_of_itself_is_known():
+    """The window translates these lines as they come."""
+    said = set()
+    for path in (ROOT / "native" / "curveups").rglob("*.[ch]pp"):
+        said.update(re.findall(r'(?:keep_going\(\s*[^,"]*,|checkpoint\()\s*"([^"]+)"',
+                               path.read_text("utf-8")))
+    for path in (ROOT / "Workbench").rglob("*.py"):
+        for line in re.findall(r'job\(f?"([^"]*)"', path.read_text("utf-8")):
+            said.add(line.partition("{")[0])
+    assert {"remeshing", "writing STEP", "checking tiles", "uniting bodies", "trying "} <= said
+    unknown = {line for line in said if not any(
+        re.fullmatch(re.escape(text).replace(r"\{0\}", ".*"), line) for text in sentences.PROGRESS)}
+    assert not unknown - {"dividing into "}
+
+
+def test_errors_of_both_languages_are_found():
+    """With places for what is known only then."""
+    found = {text for _, text in translations.texts_of_errors()}
+    assert {"p_min ({0} mm) is larger than p_max ({1} mm)", "lower p_min or raise p_max",
+            "the file ends early: {0} facets are announced", 'there is no built-in target "{0}"',
+            "{0} follows an expression", "give {0} to {1}"} <= found
+    assert not [text for text in found if '"' in text.replace('"{0}"', "") or "std::" in text]
 
 
 def test_parameters_are_found_without_the_native_module_too(monkeypatch):

@@ -18,6 +18,8 @@ INSIDE = Path(__file__).with_name("inside_freecad.py")
 # What FreeCAD's home folder has of the workbench: all of it, nothing, all but the native module, and all with
 # a native module that can't be loaded.
 HOMES = ("workbench", "nothing", "no native", "broken native")
+# Displays that a window is on.
+SCREENS: dict[Any, str] = {True: "1440x900x24 -dpi 96", "4K": "3840x2160x24 -dpi 192"}
 
 
 class Ended(Exception):
@@ -27,7 +29,7 @@ class Ended(Exception):
 class FreeCADProcess:
     """A FreeCAD in a new folder. It lives until end(), or until it crashes."""
 
-    def __init__(self, folder: Path, home: str = "workbench", window: bool = False) -> None:
+    def __init__(self, folder: Path, home: str = "workbench", window: Any = False) -> None:
         self._log = folder / "log"
         place = freecad_home(folder / "home", home == "workbench")
         if home in HOMES[2:]:
@@ -80,10 +82,10 @@ class FreeCADProcess:
         return f"FreeCAD ended. The last that it said:\n{self.said()[-4000:]}"
 
 
-def command(script: Path, window: bool) -> list[str]:
-    """Starts FreeCAD with a script; with a window on a virtual display of its own."""
+def command(script: Path, window: Any) -> list[str]:
+    """Starts FreeCAD with a script; with a window (one of SCREENS) on a virtual display of its own."""
     if window:
-        return ["xvfb-run", "-a", "-s", "-screen 0 1440x900x24 -dpi 96", "freecad", str(script)]
+        return ["xvfb-run", "-a", "-s", f"-screen 0 {SCREENS[window]}", "freecad", str(script)]
     return ["freecadcmd", "-c", f"import runpy; runpy.run_path({str(script)!r}, run_name='__main__')"]
 
 

@@ -83,6 +83,58 @@ def at_rest_place(widget):
     return place
 
 
+def cut_off(form):
+    """Texts below a widget that are not seen whole, nor in a tooltip."""
+    found = []
+    for one in form.findChildren(QtGui.QWidget):
+        if one.visibleRegion().isEmpty():
+            continue
+        if isinstance(one, QtGui.QLabel) and one.text():
+            lacks = (one.heightForWidth(one.width()) > one.height() if one.wordWrap()
+                     else one.sizeHint().width() > one.width())
+        elif isinstance(one, QtGui.QLineEdit):
+            lacks = one.fontMetrics().horizontalAdvance(one.text() or one.placeholderText()) > one.width() - 4
+        elif isinstance(one, QtGui.QComboBox):
+            option = QtGui.QStyleOptionComboBox()
+            one.initStyleOption(option)
+            field = one.style().subControlRect(QtGui.QStyle.CC_ComboBox, option,
+                                               QtGui.QStyle.SC_ComboBoxEditField, one)
+            lacks = one.fontMetrics().horizontalAdvance(one.currentText()) > field.width()
+        elif isinstance(one, QtGui.QAbstractButton):
+            lacks = one.sizeHint().width() > one.width()
+        elif isinstance(one, QtGui.QTreeWidget):
+            lacks = False
+            found += [("QTreeWidget", one.objectName(), text) for text in _cut_off_in(one)]
+        elif isinstance(one, QtGui.QTableWidget):
+            lacks = one.horizontalScrollBar().maximum() > 0
+        else:
+            continue
+        text = getattr(one, "text", lambda: "")() or getattr(one, "currentText", lambda: "")()
+        if lacks and (not text or text not in one.toolTip()):
+            found.append((type(one).__name__, one.objectName(), text))
+    return found
+
+
+def rows_of(tree):
+    """All items of a tree."""
+    found = [tree.topLevelItem(row) for row in range(tree.topLevelItemCount())]
+    for item in found:
+        found += map(item.child, range(item.childCount()))
+    return found
+
+
+def _cut_off_in(tree):
+    """Texts of a tree that are not seen whole, nor in their tooltips."""
+    seen = tree.viewport().width()
+    for item in [*rows_of(tree), *([] if tree.isHeaderHidden() else [tree.headerItem()])]:
+        for column in range(1 if item.isFirstColumnSpanned() else tree.columnCount()):
+            room = seen if item.isFirstColumnSpanned() else min(
+                tree.columnWidth(column), seen - tree.columnViewportPosition(column))
+            wide = max(map(tree.fontMetrics().horizontalAdvance, item.text(column).split("\n")))
+            if wide > room - 4 and item.text(column) not in item.toolTip(column):
+                yield f"{item.text(column)!r}: {wide} of {room}"
+
+
 def keys(*names):
     top = QtGui.QApplication.activeWindow() or window
     display("windowfocus", int(top.winId()))
@@ -141,9 +193,11 @@ def in_dialog(start, work):
 
 
 def choose(start, *texts):
-    """start() opens a menu by the mouse; entries that begin so are clicked in it, a submenu's after it. The
-    menu does not come back."""
-    wrong, done, timer = [], [], QtCore.QTimer()
+    """start() opens a menu by the mouse; entries that begin so are clicked in it, a submenu's after it. A
+    menu that is gone then does not come back."""
+    wrong: list[BaseException] = []
+    done: list[bool] = []
+    timer = QtCore.QTimer()
 
     def look():
         if not isinstance(QtGui.QApplication.activePopupWidget(), QtGui.QMenu):
@@ -151,7 +205,6 @@ def choose(start, *texts):
         timer.stop()
         try:
             assert not done, "the menu came back"
-            done.append(True)
             settle(200)
             for text in texts:
                 menu = until(QtGui.QApplication.activePopupWidget, 3, f"the menu with {text}")
@@ -159,16 +212,18 @@ def choose(start, *texts):
                 entry = next((one for one, name in zip(menu.actions(), names) if name.startswith(text)), None)
                 assert entry is not None and entry.isEnabled(), (text, names)
                 click_at(menu.mapToGlobal(menu.actionGeometry(entry).center()))
+            if QtGui.QApplication.activePopupWidget() is None:
+                timer.start(50)
         except BaseException as error:
             wrong.append(error)
             while QtGui.QApplication.activePopupWidget():
                 QtGui.QApplication.activePopupWidget().close()
-        timer.start(50)
+        done.append(True)
 
     timer.timeout.connect(look)
     timer.start(50)
     start()
-    until(lambda: done or wrong, 30, "a menu")
+    until(lambda: done, 30, "a menu")
     settle(100)
     timer.stop()
     if wrong:
@@ -196,10 +251,15 @@ def tree_entry(obj):
 
 
 def choose_file(path):
-    """In a dialog of files."""
-    keys("ctrl+a")
-    write(path)
-    keys("Return")
+    """In a dialog of files. A first Return may take a folder that the dialog proposes."""
+    dialog = QtGui.QApplication.activeModalWidget()
+    for _ in range(3):
+        keys("ctrl+a")
+        write(path)
+        keys("Return")
+        settle(300)
+        if QtGui.QApplication.activeModalWidget() is not dialog:
+            return
 
 
 def action(command):

@@ -7,7 +7,8 @@ import os
 import FreeCAD
 import pytest
 from curveups.base.errors import CurveUpsError
-from curveups.features import actions, document, file_export
+from curveups.base.native import native
+from curveups.features import actions, document, file_export, properties
 from curveups.report.exports import other_report
 
 pytestmark = pytest.mark.freecad
@@ -169,6 +170,30 @@ def test_a_profile_sets_what_suits_a_printer_and_nothing_else(made):
     changed = [name for name, value in before.items()
                if name not in ("Reasons",) and str(getattr(design, name)) != str(value)]
     assert changed == [], changed
+
+
+def test_density_follows_the_printer_until_it_is_set(made):
+    design = document.new_design(made, "half-sphere")
+
+    def density():
+        return round(properties.value_of(design, "Density"), 6)
+
+    assert density() == 1.18
+    with actions.transaction(made, "Printer"):
+        design.Printer = "fdm"
+    assert density() == 1.24
+    made.undo()
+    assert (design.Printer, density()) == ("polyjet", 1.18)
+    made.redo()
+    assert (design.Printer, density()) == ("fdm", 1.24)
+    properties.write_parameter(design, "density", 1.05)
+    design.Printer = "polyjet"
+    assert density() == 1.05
+    # What is written together stays as it is given.
+    given = native.Parameters()
+    given.set("printer", "fdm")
+    properties.write_parameters(design, given)
+    assert (design.Printer, density()) == ("fdm", 1.18)
 
 
 def test_a_step_of_undo_is_in_its_own_document_alone(made):

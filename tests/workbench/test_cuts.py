@@ -4,11 +4,12 @@
 import FreeCAD
 import FreeCADGui
 import numpy as np
+import Part
 import pytest
 from curveups.features import document as designs
 from curveups.window.overlays import overlay_of
-from robot import (click, click_at, close_panel, display, keys, on_screen, picture, QtCore, QtGui, report,
-                   settle, until, widget, window)
+from robot import (click, click_at, close_panel, display, keys, on_screen, picture, press, QtCore, QtGui,
+                   report, settle, until, widget, window)
 from steps import begin, click_edge, edge_at, LIVE, move_to
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -78,6 +79,31 @@ def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(pict
     close_panel()
     settle(500)
     assert "Traceback" not in report(), report()
+
+
+def test_the_surface_that_covers_its_target_is_hidden_while_edges_are_picked(pictures):
+    made = begin()
+    part = made.addObject("Part::Feature", "Cap")
+    part.Shape = max(Part.makeSphere(40, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 35).Faces,
+                     key=lambda face: face.Area)
+    made.recompute()
+    FreeCADGui.Selection.addSelection(part)
+    press("CurveUps_NewDesign")
+    until(lambda: len(made.Objects) > 1, 20, "the design")
+    made.Design.L = 14
+    made.recompute()
+    undos = list(made.UndoNames)
+    press("CurveUps_Cuts")
+    until(lambda: not part.Visibility, 60, "the target to come into sight")
+    quiet()
+    assert not part.ViewObject.Visibility
+    click_edge(made.Design, 0, 0)
+    quiet()
+    picture("uncovered")
+    assert len(edges(made.Design)) == 1 and not part.Visibility
+    close_panel()
+    assert part.Visibility and part.ViewObject.Visibility
+    assert len(made.UndoNames) == len(undos) + 2, made.UndoNames  # the target, and the cut
 
 
 def test_a_click_on_a_cut_takes_it_back_and_suggestions_are_accepted(pictures):

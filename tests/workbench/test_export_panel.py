@@ -4,12 +4,13 @@
 import json
 import struct
 
+import FreeCAD
 import FreeCADGui
 import pytest
 from curveups.features import document as designs
 from curveups.window import qt
-from robot import (QtGui, choose, choose_file, click, click_at, close_panel, in_dialog, keys, menu_bar,
-                   picture, press, report, settle, tree_entry, until, widget, write)
+from robot import (QtGui, choose, choose_file, click, click_at, close_panel, fill, in_dialog, keys,
+                   menu_bar, picture, press, report, settle, tree_entry, until, widget, write)
 from steps import LIVE, example, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -53,6 +54,43 @@ def test_the_report_of_another_design_is_not_replaced_without_asking(tmp_path, p
         keys("Return")
         settle(200)
     assert opened == [str(folder / name) for name in ("", "report.html", "half-sphere-print.3mf")], opened
+    close_panel()
+
+
+def test_each_design_remembers_where_its_files_went(dome_document, tmp_path, pictures):
+    document, first = opened(dome_document)
+    second = document.copyObject(first, True)
+    second.Label = "Second"
+    document.recompute()
+    folders = {first.Name: tmp_path / "one", second.Name: tmp_path / "two"}
+    before = list(document.UndoNames)
+
+    def folder_of(design):
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(design)
+        press("CurveUps_Export")
+        until(lambda: panel() is not None and panel().design == design, 10, "its panel")
+        return panel().form.folder
+
+    for design in (first, second):
+        field = folder_of(design)
+        assert field.text() not in map(str, folders.values())
+        fill(field, str(folders[design.Name]))
+        assert field.toolTip() == str(folders[design.Name])  # longer than the field
+        click(panel().form.write)
+        until(lambda: not LIVE.busy and "open the folder" in panel().form.line.text(), 120, "the files")
+    for design in (first, second):
+        assert folder_of(design).text() == str(folders[design.Name])
+    assert {path.name for path in folders[second.Name].iterdir()} >= {"Second-print.3mf", "report.json"}
+    assert list(document.UndoNames) == before
+    close_panel()
+    document.saveAs(str(tmp_path / "saved.FCStd"))
+    names = first.Name, second.Name
+    FreeCAD.closeDocument(document.Name)
+    document = FreeCAD.openDocument(str(tmp_path / "saved.FCStd"))
+    settle(500)
+    for name in names:
+        assert folder_of(document.getObject(name)).text() == str(folders[name])
     close_panel()
 
 

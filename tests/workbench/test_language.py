@@ -13,8 +13,8 @@ from curveups.window.overlays import overlay_of
 from curveups.window.panels.export import ExportPanel
 from curveups.window.panels.panel import show
 from curveups.window.panels.solve import SolvePanel
-from robot import (QtCore, QtGui, at_rest, choose, click_at, fill, in_dialog, keys, menu_bar, picture, press,
-                   settle, until, widget)
+from robot import (QtCore, QtGui, at_rest, choose, choose_file, click, click_at, cut_off, fill, in_dialog,
+                   keys, menu_bar, picture, press, settle, until, widget)
 from steps import LIVE, example, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -52,24 +52,100 @@ def test_german(tmp_path):
     assert no_design().startswith("Es gibt keinen Entwurf"), no_design()
 
 
-def test_reasons_of_the_solver_are_german(pictures):
-    """The native module's among them."""
+ENGLISH = re.compile(r"\b(the|tiles|are|back|front|face|lower|with|room|margin|checking|writing|of|to)\b")
+
+
+def test_a_check_is_german(pictures):
+    """What it is doing, margins, and the native module's reasons and remedies."""
     FreeCADGui.setLocale("German")
     try:
         made, design = example("mask", L=14, HBody=28)
         press("CurveUps_Check")
-        until(lambda: LIVE.busy or panel().form.verdict.text(), 20, "the check")
+        form, said = panel().form, set()
+
+        def done():
+            said.add(form.doing.text())
+            return form.verdict.text() and not LIVE.busy
+
+        until(done, 200, "the check")
         at_rest()
-        form = panel().form
         picture("check")
-        said = [form.verdict.text(), form.advice.text(), *(
+        assert re.search("Kacheln untersuchen|Zielfläche|vernetzen|versuchen", " ".join(said)), said
+        assert not cut_off(form), cut_off(form)
+        reasons = [form.verdict.text(), form.advice.text(), *(
             form.obstacles.topLevelItem(row).text(1) for row in range(form.obstacles.topLevelItemCount()))]
-        assert len(said) > 3
+        assert len(reasons) > 3
+        for text in reasons:
+            assert re.search("Kachel|Rückseite|Zapfen|genügt", text), text
+        margins = [form.margins.topLevelItem(row) for row in range(form.margins.topLevelItemCount())]
+        assert len(margins) == 9
+        for text in (*said, *reasons, form.note.text(), *(row.text(0) for row in margins)):
+            assert not ENGLISH.search(text), text
+        # A click on a margin colours the tiles by it still.
+        row = form.margins.visualItemRect(margins[2])
+        click_at(form.margins.viewport().mapToGlobal(row.center()))
+        until(lambda: overlay_of(design).field().name == "Pin room", 10, "the field of the margin")
         verdict = show(SolvePanel, design).form.verdict.text()
         assert "es gibt noch keine Abwicklung" in verdict, verdict
-        for text in said:
-            assert re.search("Kachel|Rückseite|Zapfen|genügt", text), text
-            assert not re.search(r"\b(the|tiles|are|back face|lower|with)\b", text), text
+    finally:
+        FreeCADGui.setLocale("English")
+
+
+def test_a_run_says_in_german_what_it_is_doing(dome_document, tmp_path):
+    """Of a layout, its verification and its files."""
+    FreeCADGui.setLocale("German")
+    said: set[str] = set()
+
+    def heard(status, goes_on):
+        if goes_on:
+            said.add(status.what)
+
+    try:
+        document, design = opened(dome_document)
+        design.Tau = 2.9
+        document.recompute()
+        LIVE.observe(heard)
+        press("CurveUps_Solve")
+        until(lambda: said and not LIVE.busy, 120, "the run")
+        at_rest()
+        assert design.Verdict == "valid", (design.Verdict, panel().form.line.text())
+        press("CurveUps_Export")
+        fill(panel().form.folder, str(tmp_path / "files"))
+        click(panel().form.write)
+        until(lambda: any("schreiben" in text for text in said) and not LIVE.busy, 120, "the files")
+        assert not any(map(ENGLISH.search, said)), said
+        assert panel().form.line.text().startswith("Dateien in "), panel().form.line.text()
+    finally:
+        LIVE.forget(heard)
+        FreeCADGui.setLocale("English")
+
+
+def test_errors_are_german(tmp_path, pictures):
+    """Of the native module and of a reader, with the numbers and names that stand in them."""
+    FreeCADGui.setLocale("German")
+    try:
+        made, design = example("half-sphere", L=14)
+        design.PMin, design.PMax = 2, 1
+        made.recompute()
+        assert "PMin (2 mm) is larger than PMax (1 mm)" in design.Reasons[0]  # for scripts
+        design.ViewObject.doubleClicked()
+        until(lambda: panel() is not None, 10, "the panel")
+        verdict = panel().form.verdict.text()
+        assert "PMin (2 mm) ist größer als PMax (1 mm)" in verdict, verdict
+        click(panel().form.solve)
+        until(lambda: panel().form.line.text(), 10, "the refusal")
+        assert "verringern oder" in panel().form.line.text(), panel().form.line.text()
+        picture("refused")
+        panel().reject()
+        (tmp_path / "cut.stl").write_text("solid cut\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n")
+        FreeCADGui.Selection.clearSelection()
+        in_dialog(lambda: press("CurveUps_NewDesign"), lambda: choose_file(str(tmp_path / "cut.stl")))
+        until(lambda: len(designs.designs(made)) == 2, 10, "a design")
+        press("CurveUps_Solve")
+        until(lambda: not LIVE.busy and panel().form.line.text(), 30, "the refusal")
+        assert "die Datei endet zu früh" in panel().form.line.text(), panel().form.line.text()
+        assert not ENGLISH.search(panel().form.line.text().replace(str(tmp_path), ""))
+        picture("broken")
     finally:
         FreeCADGui.setLocale("English")
 

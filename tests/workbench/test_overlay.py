@@ -160,6 +160,29 @@ def test_colours_are_those_of_the_values(dome_document, pictures):
         assert (np.abs(near - colours.MARK).max(axis=1) < 0.05).sum() > 5, "no cross"
 
 
+@pytest.mark.parametrize("screen", ["usual", pytest.param("4K", marks=pytest.mark.freecad(window="4K"))])
+def test_the_legend_stands_on_its_paper(screen, dome_document, pictures):
+    document, design, view, overlay = opened(dome_document)
+    if screen == "4K":
+        window = FreeCADGui.getMainWindow()
+        window.resize(3800, 2060)
+        settle(500)
+        assert parts.scale() == 2
+    overlay.set_field("Friction ratio")
+    design.Tau = 2.9  # says that the values are old
+    document.recompute()
+    settle(500)
+    camera = coin.cast(view.getCameraNode(), "SoOrthographicCamera")
+    camera.height = 50 * camera.height.getValue()  # nothing else is near
+    image, scale, legend = picture_of(view, pictures, "legend"), parts.scale(), overlay.legend
+    dark = np.array([[QtGui.qGray(image.pixel(x, y)) < 100 for x in range(int(600 * scale))]
+                     for y in range(image.height())])
+    columns = np.flatnonzero(dark.any(axis=0))
+    paper = scale * np.array([parts.LEFT - 16, parts.LEFT - 16 + legend.width])
+    assert paper[0] <= columns[0] and columns[-1] <= paper[1] - 6 * scale, (columns[[0, -1]], paper)
+    assert columns[-1] > paper[1] - 40 * scale, "the paper is too wide"
+
+
 def test_picking_gives_tiles_and_edges(dome_document, pictures):
 
     def selected():

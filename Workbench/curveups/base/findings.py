@@ -108,7 +108,8 @@ class _Shown:
         if isinstance(figure, Finding):
             return figure.sentence(style)
         if isinstance(figure, str):
-            return style.plain(style.words(figure) if figure in WORDS else figure)
+            sentence = " " in figure  # of an error; a name has no spaces
+            return style.plain(style.words(figure) if sentence or figure in WORDS else figure)
         if not isinstance(figure, tuple):
             return format(figure, how)
         if figure and isinstance(figure[0], Finding):

@@ -19,6 +19,26 @@ WORDS = ("front", "back", "gap", "pin area", "pin keep-out", "inset at its limit
          "body", "bump", "joint hole", "wall beside the joint hole", "notch of the bridge",
          "stroke of the engraving", "out of date", "invalid")
 
+# What long work says that it is doing; {0} stands for a name or a number.
+PROGRESS = (
+    "working", "reading the target", "mending the target", "coarsening the scan", "remeshing",
+    "checking the target", "registering the scan", "fairing the target", "dividing into pieces",
+    "dividing into {0} pieces",
+    "dividing into 1 piece", "looking for cuts", "making room for pins", "checking tiles", "trying {0}",
+    "layout", "restoring the layout", "measuring deviation", "membrane", "front membrane", "back membrane",
+    "meshing membranes", "friction and unilateral contacts", "repair: fresh membranes",
+    "repair: {0} weak points", "settle", "process window", "building bodies", "building tiles",
+    "placing anchors",
+    "building the support", "dividing the support's underside", "dividing the support's lid",
+    "measuring bodies", "measuring clearances", "building solids", "checking solids", "measuring solids",
+    "meshing bodies", "uniting bodies", "drawing pictures", "writing {0}")
+# What a check compares, in its order.
+MARGINS = (
+    "fold margin, deg", "back face / front face", "pin room front, mm2", "pin room back, mm2",
+    "room of the front membrane, mm", "room of the back membrane, mm", "stretch / least that leaves gaps",
+    "stretch / most before slack", "pairs of tiles that run into one another")
+ESTIMATE = "* an estimate: the layout may do a little better or worse"  # of a margin
+
 # The sentence, or both.
 _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     # Contact forces and membranes.
@@ -85,6 +105,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "stopped": "stopped during {stage}",
     "stopped.unchecked": "stopped before all solids were checked",
     "said": "{said}",
+    "refused": "{what} ({where}): {remedy}",
     "doubt": "the design is {state}: {reasons:; }",
     # What a document says of a design that its results are not of.
     "changed.divided": "{names} changed since the target was divided: Solve brings it up to date",
@@ -315,5 +336,6 @@ SENTENCES: Mapping[str, tuple[str, str]] = {
 
 def texts() -> set[str]:
     """All that has to be said in another language."""
-    found = {text for both in SENTENCES.values() for text in both} | {*WORDS, MORE, OR}
+    found = {*WORDS, *PROGRESS, *MARGINS, ESTIMATE, MORE, OR}
+    found.update(text for both in SENTENCES.values() for text in both)
     return {text for text in found if any(map(str.isalpha, re.sub("{[^{}]*}", "", text)))}

@@ -10,6 +10,7 @@ from typing import Any, Optional
 
 from .. import __version__
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding
 from ..base.native import native, problem
 from ..project.project import Project
 from . import figures, live, properties, rebuild, status, target
@@ -86,6 +87,8 @@ class DesignProxy(Proxy):
                     part.Placement = obj.Placement
                     part.purgeTouched()
         elif name in _WATCHED or properties.parameter_of(name):
+            if name == "Printer" and not obj.Document.Transacting:  # undo brings Density back itself
+                properties.follow_printer(obj)
             self.refresh(obj)
 
     def refresh(self, obj: Any) -> None:
@@ -110,15 +113,15 @@ class DesignProxy(Proxy):
         finally:
             self._refreshing = False
 
-    def refused(self, obj: Any) -> str:
-        """Why the properties' values can't be used; empty where they can, or nobody can tell."""
+    def refused(self, obj: Any) -> Optional[Finding]:
+        """Why the properties' values can't be used; None where they can, or nobody can tell."""
         if problem() is not None:
-            return ""
+            return None
         try:
             properties.read_parameters(obj, native.Parameters())
         except CurveUpsError as error:
-            return str(error)
-        return ""
+            return Finding.about("refused", what=error.what, where=error.where, remedy=error.remedy)
+        return None
 
     def onDocumentRestored(self, obj: Any) -> None:
         import FreeCAD

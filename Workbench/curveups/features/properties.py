@@ -10,6 +10,7 @@ from typing import Any, Iterator, Optional
 from ..base.errors import CurveUpsError
 from ..base.native import native, translated
 from ..base.parameters import Parameter, parameter, table
+from ..stages.solids import read_printer
 
 # Two names belong to objects below a Design.
 _NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}
@@ -129,6 +130,15 @@ def read_parameters(obj: Any, base: Any, of_layout: bool = True) -> Any:
     with translated(obj.Label):
         found.check()
     return found
+
+
+def follow_printer(obj: Any) -> None:
+    """Gives Density what the printer's material weighs, as the command line does, unless it was set to
+    something else."""
+    common = parameter("density").default
+    weights = {name: read_printer(name).get("density", common) for name in parameter("printer").choices}
+    if any(same(value_of(obj, "Density"), known) for known in (common, *weights.values())):
+        write_parameter(obj, "density", weights[obj.Printer])
 
 
 def value_of(obj: Any, name: str) -> Any:

@@ -35,7 +35,7 @@ class Status:
     kit: tuple[str, str]
 
 
-def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
+def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False) -> Status:
     """`refused`: why the properties' values can't be used, where they can't."""
     keys, values = read_keys(obj), properties.values_of(obj)
     solved = "design" in keys.records
@@ -57,7 +57,7 @@ def status_of(obj: Any, refused: str = "", running: bool = False) -> Status:
     else:
         state, verdict, reasons = _judgement(obj, keys, values, layout, verification)
     if refused:
-        state, verdict, reasons = INVALID, VERDICTS[False], [Finding.read(refused)]
+        state, verdict, reasons = INVALID, VERDICTS[False], [refused]
     parts = {
         "Target": _part(solved or (is_target(obj.Target) and obj.Target.Mesh.CountFacets > 0), target),
         "Cuts": _part(solved or bool(_edges(obj)), cuts),

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..base.errors import tile_name
 from ..base.findings import Finding
+from ..base.sentences import ESTIMATE, MARGINS
 from ..project.project import Results
 from ..stages.advice import of_check
 from ..stages.feasibility import SAG, TOO_NARROW, TOO_SLACK, Feasibility
@@ -63,29 +64,26 @@ def rows(results: Results) -> list[Row]:
     short = {kind: len({one.tile for one in found.blocked if one.obstacle == kind})
              for kind in ("fold", "pin", "overlap", "closed", "membrane", "stretch")}
     least, floor, height = map(results.parameters.get, ("A_pin_min", "A_pin_floor", "H_pin"))
-    table = [_row("fold margin, deg", found.fold_margin, "0", short["fold"]),
-             _row("back face / front face", found.back_scale, "0", short["fold"])]
-    for side, name in enumerate(("front", "back")):
-        table.append(_row(f"pin room {name}, mm2", found.pin_room[:, side] + least, f"{floor:g}",
-                          sum(one.is_at("pin", name) for one in found.blocked)))
-    for side, name in enumerate(("front", "back")):
-        table.append(_row(f"room of the {name} membrane, mm", found.membrane_room[:, side],
-                          f"{SAG * height:g} *", sum(one.is_at("membrane", name) for one in found.blocked)))
     with np.errstate(divide="ignore", invalid="ignore"):  # where not even the smallest pins hold a membrane
         low, high = (found.stretch[:, None] / found.stretch_range).T
-    table.append(_row("stretch / least that leaves gaps", low, f"{TOO_NARROW:g} *", short["stretch"]))
-    table.append(_row("stretch / most before slack", high, f"{TOO_SLACK:g} *", short["stretch"], True))
-    pairs = len(found.overlapping) + len(found.meeting)
-    table.append(("parts that run into one another", f"{pairs} pairs", "", "0", str(short["overlap"])))
-    return table
+    sides = list(enumerate(("front", "back")))
+    table = [_row(found.fold_margin, "0", short["fold"]), _row(found.back_scale, "0", short["fold"]),
+             *(_row(found.pin_room[:, side] + least, f"{floor:g}",
+                    sum(one.is_at("pin", name) for one in found.blocked)) for side, name in sides),
+             *(_row(found.membrane_room[:, side], f"{SAG * height:g} *",
+                    sum(one.is_at("membrane", name) for one in found.blocked)) for side, name in sides),
+             _row(low, f"{TOO_NARROW:g} *", short["stretch"]),
+             _row(high, f"{TOO_SLACK:g} *", short["stretch"], True),
+             (str(len(found.overlapping) + len(found.meeting)), "", "0", str(short["overlap"]))]
+    return [(what, *cells) for what, cells in zip(MARGINS, table)]
 
 
-def _row(what: str, values: np.ndarray, wanted: str, short: int, most: bool = False) -> Row:
+def _row(values: np.ndarray, wanted: str, short: int, most: bool = False) -> tuple[str, str, str, str]:
     known = np.flatnonzero(~np.isnan(values))
     if not len(known):
-        return what, "-", "", wanted, str(short)
+        return "-", "", wanted, str(short)
     worst = int(known[(np.argmax if most else np.argmin)(values[known])])
-    return what, f"{values[worst]:.3g}", tile_name(worst), wanted, str(short)
+    return f"{values[worst]:.3g}", tile_name(worst), wanted, str(short)
 
 
 def advice(results: Results) -> list[Finding]:
@@ -99,7 +97,6 @@ def _said(results: Results) -> list[str]:
 
 
 HEAD = ("", "worst", "tile", "wanted", "tiles short")
-NOTE = "* an estimate: the layout may do a little better or worse"
 
 
 def table(results: Results) -> list[str]:
@@ -107,8 +104,8 @@ def table(results: Results) -> list[str]:
     found, get = results["feasibility"], results.parameters.get
     lines = [f"{results.name}: {len(found.F)} tiles, L = {get('L'):.4g} mm, H_body = {get('H_body'):g} mm"]
     for what, value, tile, wanted, short in (HEAD, *rows(results)):
-        lines.append(f"  {what:<36}{value:>9}  {tile:<8}{wanted:>7}  {short:>11}")
-    return [*lines, f"  {NOTE}", *_said(results)]
+        lines.append(f"  {what:<42}{value:>9}  {tile:<8}{wanted:>7}  {short:>11}")
+    return [*lines, f"  {ESTIMATE}", *_said(results)]
 
 
 def build_page(results: Results) -> str:
@@ -122,7 +119,7 @@ def build_page(results: Results) -> str:
              f'<p><span class="verdict {kind}">{word}</span> &nbsp; {len(found.F)} tiles</p><ul>{said}</ul>',
              *note, *(html.picture(png, "The target from both sides: tiles that can't be made in red, those "
                                         "that are likely to fail in orange.") for png in shown),
-             "<h2>Margins</h2>", tables.table(rows(results), HEAD), f'<p class="note">{NOTE}</p>']
+             "<h2>Margins</h2>", tables.table(rows(results), HEAD), f'<p class="note">{ESTIMATE}</p>']
     if found.blocked:
         parts += ["<h2>Obstacles</h2>",
                   tables.table([(tile_name(one.tile), str(one.why), "certain" if one.certain else "estimate")

@@ -7,7 +7,9 @@ from __future__ import annotations
 import os
 import re
 import traceback
+import xml.etree.ElementTree as xml
 from contextlib import contextmanager
+from functools import lru_cache
 from html import escape
 from typing import Any, Callable, Iterable, Iterator, Optional
 
@@ -19,7 +21,7 @@ from ..base.findings import Finding, Style
 from ..base.sentences import CONTEXT
 from ..features.properties import as_properties
 from .guide import SCHEME, link_to, show_guide
-from .qt import QtCore, QtGui, QtWidgets, translate
+from .qt import RESOURCES, QtCore, QtGui, QtWidgets, translate
 from .selection import select_tiles
 from .units import in_user_units
 
@@ -45,17 +47,23 @@ def show_error(error: Exception, what: str = "") -> None:
     if os.environ.get("CURVEUPS_DEBUG") == "1":
         lines = traceback.format_exception(type(error), error, error.__traceback__)
         FreeCAD.Console.PrintError("".join(lines))
-    line = str(error)
     if not isinstance(error, CurveUpsError):
-        line = translate("CurveUps", "unexpected {kind} ({said}): please report it, with what "
-                         "CURVEUPS_DEBUG=1 shows", kind=type(error).__name__, said=" ".join(line.split()))
+        error = CurveUpsError(translate(
+            "CurveUps", "unexpected {kind} ({said}): please report it, with what CURVEUPS_DEBUG=1 shows",
+            kind=type(error).__name__, said=" ".join(str(error).split())))
+    line = str(error)
     FreeCAD.Console.PrintError(f"CurveUps{f', {what}' if what else ''}: {line}\n")
     found = getattr(error, "finding", None)
     if found is None:
-        _show(with_links(line, getattr(error, "tiles", ())))
+        _show(with_links(said(error), getattr(error, "tiles", ())))
     else:
         place = with_links(str(error)[len(str(found)):], found.tiles)
         _show(in_user_units(found.sentence(_RICH)) + place.replace(found.remedy(), found.remedy(_RICH), 1))
+
+
+def said(error: CurveUpsError) -> str:
+    """An error in the user's language, in a line."""
+    return str(CurveUpsError(words_of(error.what), error.where, words_of(error.remedy)))
 
 
 def show_line(line: str) -> None:
@@ -76,16 +84,37 @@ def show_in(panel: Optional[Callable[[str], None]]) -> None:
     _panel = panel
 
 
-def _words(text: str) -> str:
-    return translate(CONTEXT, text)
+def words_of(text: str) -> str:
+    """A text of sentences.py, or of an error, in the user's language; also where names or numbers stand in
+    it in the places {0}, {1} and so on."""
+    found = translate(CONTEXT, text)
+    if found != text:
+        return found
+    for template, pattern in _templates():
+        match = pattern.fullmatch(text)
+        if match:
+            parts = match.groups()
+            return re.sub(r"{(\d)}", lambda place: words_of(parts[int(place[1])]),
+                          translate(CONTEXT, template))
+    return text
+
+
+@lru_cache(maxsize=None)
+def _templates() -> list[tuple[str, re.Pattern]]:
+    """With places, those with the most words first; any language has them all."""
+    path = next((RESOURCES / "translations").glob("*.ts"))
+    texts = [message.findtext("source", "") for context in xml.parse(path).getroot().iter("context")
+             if context.findtext("name") == CONTEXT for message in context.iter("message")]
+    return [(text, re.compile(re.sub(r"\\{\d\\}", "(.+)", re.escape(text)), re.DOTALL))
+            for text in sorted(texts, key=len, reverse=True) if re.search(r"{\d}", text)]
 
 
 def _link(tile: int) -> str:
     return f'<a href="{tile_name(tile)}">{tile_name(tile)}</a>'
 
 
-_PLAIN = Style(_words)
-_RICH = Style(_words, _link, lambda text: escape(text, quote=False))
+_PLAIN = Style(words_of)
+_RICH = Style(words_of, _link, lambda text: escape(text, quote=False))
 
 
 def shown(design: Any, found: Finding, rich: bool = True) -> str:

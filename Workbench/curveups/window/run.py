@@ -5,7 +5,7 @@ when it ends. Panels come and go meanwhile; so may the document, and FreeCAD its
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Callable, Optional
 
 import FreeCAD
@@ -15,7 +15,7 @@ from ..features.document import set_running
 from ..project.project import Project
 from ..project.worker import WORKER, Outcome, Status
 from ..stages.stage import Job
-from .notice import errors_shown, show_error, show_line
+from .notice import errors_shown, show_error, show_line, words_of
 from .overlay.scene import scene_of
 from .overlays import overlay_of
 from .panels.preferences import draws_live
@@ -56,6 +56,10 @@ class Live:
     @property
     def busy(self) -> bool:
         return WORKER.busy
+
+    def obstacle(self) -> str:
+        """Why nothing else can begin now; empty where it can."""
+        return translate("CurveUps", "CurveUps is at work: stop or cancel that first") if self.busy else ""
 
     def runs_on(self, design: Any) -> bool:
         """Whether the run is this design's."""
@@ -174,6 +178,7 @@ class Live:
 
     def _tell(self, goes_on: bool) -> None:
         status = WORKER.status()
+        status = replace(status, what=words_of(status.what))
         if not goes_on:
             FreeCADGui.getMainWindow().statusBar().clearMessage()
         elif not self._observers:  # no panel shows it

@@ -21,7 +21,7 @@ def reason(which: str, design: Any) -> str:
     if wrong is not None:
         return str(wrong)
     if LIVE.busy:
-        return translate("CurveUps", "CurveUps is at work: stop or cancel that first")
+        return LIVE.obstacle()
     of_target = which in actions.RUNS and actions.RUNS[which].of_target  # exports are of a layout
     if not of_target and state_of(design, "Layout")[0] == "empty":
         return translate("CurveUps", "There is no layout yet: Solve makes it")

@@ -11,7 +11,9 @@ import FreeCAD
 
 _NUMBER = r"\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 _FREECADS = {"mm": "mm", "mm2": "mm^2", "mm3": "mm^3", "N": "N", "MPa": "MPa"}
-_QUANTITY = re.compile(rf"(?<![\w.])({_NUMBER})(?: to ({_NUMBER}))? ({'|'.join(_FREECADS)})(?![\w/^])")
+_TO = "to|bis"  # in a range, in any of our languages
+_QUANTITY = re.compile(
+    rf"(?<![\w.])({_NUMBER})(?: ({_TO}) ({_NUMBER}))? ({'|'.join(_FREECADS)})(?![\w/^])")
 
 
 def user_unit(unit: str, size: float) -> tuple[float, str]:
@@ -51,10 +53,10 @@ def in_user_units(text: str) -> str:
         return text
 
     def quantity(match: re.Match) -> str:
-        first, last, unit = match.groups()
+        first, to, last, unit = match.groups()
         factor, name = user_unit(_FREECADS[unit], float(last or first))
         numbers = (short(float(number) * factor) for number in (first, last) if number)
-        return f"{' to '.join(numbers)} {name}"
+        return f"{f' {to} '.join(numbers)} {name}"
 
     return _QUANTITY.sub(quantity, text)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from ...base.native import problem
 from ..panels.cuts import CutsPanel
-from ..qt import QT_TRANSLATE_NOOP, translate
+from ..qt import QT_TRANSLATE_NOOP
 from ..run import LIVE
 from .command import PanelCommand
 
@@ -20,12 +20,7 @@ class Cuts(PanelCommand):
     panel = CutsPanel
 
     def reason(self) -> str:
-        found = super().reason()
-        if not found and problem() is not None:
-            found = str(problem())
-        if not found and LIVE.busy:
-            found = translate("CurveUps", "CurveUps is at work: stop or cancel that first")
-        return found
+        return super().reason() or str(problem() or "") or LIVE.obstacle()
 
 
 COMMAND = Cuts()

@@ -12,7 +12,7 @@ from ..macro import new_document
 from ..notice import errors_shown
 from ..panels.panel import show
 from ..panels.solve import SolvePanel
-from ..qt import QT_TRANSLATE_NOOP, translate
+from ..qt import QT_TRANSLATE_NOOP
 from ..run import LIVE
 from .command import Command
 from .new_design import make_design
@@ -74,9 +74,7 @@ class _Example(Command):
 
 
 def _reason() -> str:
-    if LIVE.busy:
-        return translate("CurveUps", "CurveUps is at work: stop or cancel that first")
-    return str(problem() or "")
+    return LIVE.obstacle() or str(problem() or "")
 
 
 COMMAND = Examples()

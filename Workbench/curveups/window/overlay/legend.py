@@ -8,6 +8,7 @@ takes the mouse before the view does, so that neither camera nor selection notic
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from textwrap import wrap
 from typing import Any, Callable, Mapping, Optional, Sequence
 
@@ -24,7 +25,8 @@ from .nodes import Markers, fill
 LEFT, WIDTH, HEIGHT = 30, 16, 230   # of the bar, px
 BEYOND = 0.12                       # share of the bar that lies beyond either end of the range
 _MARGIN = 16                        # of the paper, left of the bar, px
-_SIZE, _LETTER, _LINE = 13, 7, 18   # of letters: height, width about; height of a line
+_SIZE, _LINE = 13, 18               # height of letters, and of a line, px
+_VIEW = 1000                        # that a text is measured in, px
 _MOST, _STEPS = 30, 48              # letters a line, colours of the bar
 
 
@@ -62,7 +64,7 @@ class Legend:
         self._camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
         self._camera.nearDistance, self._camera.farDistance = 0.0, 10.0
         self._size = (0, 0)
-        self.left, self.width = LEFT, 0  # of the bar, and of the whole, px
+        self.left, self.width = float(LEFT), 0.0  # of the bar, and of the whole, px
         self.heading = ""                # above the title, where there are several
         self._body = coin.SoSeparator()
         before, light = coin.SoCallback(), coin.SoLightModel()
@@ -110,7 +112,7 @@ class Legend:
         for field in (camera.position, camera.height, camera.aspectRatio, place.translation):
             field.enableNotify(True)
 
-    def put(self, left: int, heading: str) -> None:
+    def put(self, left: float, heading: str) -> None:
         """Moves it beside others; left: of the bar, px. heading: tells it from them."""
         if heading != self.heading:
             self.heading = heading
@@ -128,7 +130,8 @@ class Legend:
             return
         paper, ink = _theme()
         lines = _lines(content)
-        wide = max([len(line) for _, line in lines] + [len(self.heading), 10]) * _LETTER + 24
+        longest = max([len(line) for _, line in lines] + [len(self.heading), 10])
+        wide = longest * _letter(_SIZE * scale()) / scale() + 24
         self.width = wide + _MARGIN
         low = -_LINE * (len(lines) - 1) - 14
         title = HEIGHT + 16 if content.has_bar else 6
@@ -185,7 +188,7 @@ class Legend:
 
 def arrange(legends: Mapping[str, Legend]) -> None:
     """Legends that are shown in the same views, by what they are of, stand side by side."""
-    left = LEFT
+    left: float = LEFT
     for name, one in legends.items():
         one.put(left, name[:_MOST] if len(legends) > 1 else "")
         left += one.width + _MARGIN
@@ -220,6 +223,25 @@ def _lines(content: Content) -> list[tuple[str, str]]:
             found.append((mark, piece))
             mark = ""
     return found
+
+
+@lru_cache(maxsize=None)
+def _letter(size: float) -> float:
+    """Width of a letter, pixels: Coin draws all with the same, in one of the few sizes that it has."""
+
+    def width(letters: int) -> float:  # of a line, with something beside it
+        scene, camera, font, text = (coin.SoSeparator(), coin.SoOrthographicCamera(), coin.SoFont(),
+                                     coin.SoText2())
+        camera.height, font.size, text.string = _VIEW, size, "0" * letters
+        for part in (camera, font, text):
+            scene.addChild(part)
+        scene.ref()
+        action = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(_VIEW, _VIEW))
+        action.apply(scene)
+        scene.unref()
+        return float(action.getBoundingBox().getSize()[0])
+
+    return (width(20) - width(10)) / 10
 
 
 def _theme() -> tuple[tuple, tuple]:

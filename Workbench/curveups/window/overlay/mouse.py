@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Mouse and keys in the 3D views of a document, before FreeCAD sees them.
 
-A view keeps one event filter from its beginning. Qt counts through a widget's filters: a command of the view's
-context menu that installed another one would make FreeCAD see the click again that opened the menu, and the
-menu would come back.
+A view keeps one event filter from its beginning. Qt counts through a widget's filters: a command of the
+view's context menu that installed another one would make FreeCAD see the click again that opened the menu,
+and the menu would come back.
 """
 
 from __future__ import annotations

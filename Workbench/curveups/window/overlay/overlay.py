@@ -16,9 +16,10 @@ import numpy as np
 from ...base.errors import CurveUpsError, tile_name
 from ...base.native import translated
 from ...features.document import design_project_of, project_of
+from ..notice import words_of
 from ..overlays import overlays
 from ..qt import QtCore, translate
-from ..units import text_of
+from ..units import short, user_unit
 from . import cameras, colours, mouse, origin
 from .fields import MEMBRANE, Field
 from .legend import Content, Dragging, Legend, arrange
@@ -101,7 +102,7 @@ class Overlay:
             with translated(self.object.Label):
                 scene = (target_scene_of if self.shows_target else scene_of)(project)
         except CurveUpsError as error:
-            self.note = error.what + (f" ({error.remedy})" if error.remedy else "")
+            self.note = words_of(error.what) + (f" ({words_of(error.remedy)})" if error.remedy else "")
             self._explain()
             return
         self.note, self._shown = "", shown
@@ -292,9 +293,9 @@ class Overlay:
         found = []
         for one in self.scene.fields.values():
             if one.on != MEMBRANE:
-                values = ", ".join(text_of(x, one.unit, one.size)
-                                   for x in self.scene.tile_values(one, tile))
-                found.append((translate("CurveUps_Fields", one.name), values))
+                factor, unit = user_unit(one.unit, one.size)
+                values = ", ".join(short(x * factor) for x in self.scene.tile_values(one, tile))
+                found.append((translate("CurveUps_Fields", one.name), f"{values} {unit}".rstrip()))
         return found
 
     def figures(self) -> list[tuple[np.ndarray, np.ndarray]]:

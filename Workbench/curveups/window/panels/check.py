@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 from html import escape
+from textwrap import fill
 from typing import Any, Optional
 
 from ...base.errors import CurveUpsError, tile_name
+from ...base.sentences import ESTIMATE, MARGINS
 from ...features import actions, document, properties
 from ...features.actions import transaction
 from ...project.project import Results
@@ -16,16 +18,16 @@ from ...stages import asked_by
 from ...stages.sizes import Recommendation
 from .. import runs
 from ..macro import assign, call, named
-from ..notice import errors_shown, show_line, shown
+from ..notice import errors_shown, show_line, shown, words_of
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from ..units import row_in_user_units
-from .panel import Panel
+from .panel import Panel, enable, idle
 
-_MOST = 300  # rows
-# The field of the overlay that shows a row of the margins, by how the row begins.
-_FIELDS = {"fold": "Fold margin", "back face": "Fold margin", "pin room": "Pin room",
-           "room of the": "Membrane room", "stretch": "Conformal stretch"}
+_MOST, _LETTERS = 300, 24  # obstacles; letters in a line
+# The fields of the overlay that show the margins.
+_FIELDS = dict(zip(MARGINS, ("Fold margin", "Fold margin", "Pin room", "Pin room", "Membrane room",
+                             "Membrane room", "Conformal stretch", "Conformal stretch", "Obstacles")))
 
 
 class CheckPanel(Panel):
@@ -42,8 +44,8 @@ class CheckPanel(Panel):
         form.margins.setHeaderLabels([translate("CurveUps_Check", text) for text in _HEAD])
         form.obstacles.setHeaderLabels([translate("CurveUps_Check", "Tile"),
                                         translate("CurveUps_Check", "Obstacles")])
-        for tree in (form.margins, form.obstacles):
-            tree.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        form.margins.header().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        form.obstacles.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         form.check.clicked.connect(lambda *_: self.check())
         form.cancel.clicked.connect(lambda *_: LIVE.cancel())
         form.use_length.clicked.connect(lambda *_: self._use("L"))
@@ -95,10 +97,10 @@ class CheckPanel(Panel):
         if current:
             self._found = document.project_of(self.design).run(asked_by("check"))  # nothing is made anew
         found = self._found
-        form.sizes.setEnabled(current)
         for part in (form.sizes, form.margins, form.obstacles, form.note):
             part.setVisible(found is not None)
         form.left.setVisible(False)
+        self._show_running(LIVE.runs_on(self.design))
         if found is None:
             form.verdict.setText("")
             return
@@ -129,19 +131,23 @@ class CheckPanel(Panel):
         tree = self.form.margins
         tree.clear()
         for row in words.rows(found):
-            head, *cells = row_in_user_units(row)
-            item = QtWidgets.QTreeWidgetItem([properties.as_properties(self.design, head), *cells])
-            for column in range(1, len(row)):
-                item.setTextAlignment(column, QtCore.Qt.AlignRight)
-            tree.addTopLevelItem(item)
-        self.form.note.setText(words.NOTE)
+            head, worst, tile, *cells = row_in_user_units((words_of(row[0]), *row[1:]))
+            name = properties.as_properties(self.design, head)
+            top = QtWidgets.QTreeWidgetItem(tree, [fill(name, _LETTERS)])
+            top.setFirstColumnSpanned(True)
+            top.setExpanded(True)
+            values = QtWidgets.QTreeWidgetItem(top, [f"{worst}\n{tile}".strip(), *cells])
+            for item in (top, values):
+                item.setData(0, QtCore.Qt.UserRole, (_FIELDS[row[0]], tile))
+        self.form.note.setText(words_of(ESTIMATE))
 
     def _fill_obstacles(self, found: Results) -> None:
         form, blocked = self.form, found["feasibility"].blocked
         form.obstacles.clear()
         for one in blocked[:_MOST]:
             why = shown(self.design, one.why, False)
-            item = QtWidgets.QTreeWidgetItem([tile_name(one.tile), why if one.certain else f"{why} *"])
+            text = fill(why if one.certain else f"{why} *", _LETTERS)
+            item = QtWidgets.QTreeWidgetItem([tile_name(one.tile), text])
             item.setToolTip(1, why)
             item.setData(0, QtCore.Qt.UserRole, one.tile)
             form.obstacles.addTopLevelItem(item)
@@ -153,11 +159,11 @@ class CheckPanel(Panel):
 
     def _show_margin(self) -> None:
         for item in self.form.margins.selectedItems():
-            name = next((field for start, field in _FIELDS.items() if item.text(0).startswith(start)), "")
+            name, tile = item.data(0, QtCore.Qt.UserRole)
             if name in self._overlay.fields():
                 self._overlay.set_field(name)
-            if item.text(2).startswith("T"):
-                self._look_at([int(item.text(2)[1:]) - 1])
+            if tile:
+                self._look_at([int(tile[1:]) - 1])
 
     def _go(self) -> None:
         chosen = [item.data(0, QtCore.Qt.UserRole) for item in self.form.obstacles.selectedItems()]
@@ -192,11 +198,12 @@ class CheckPanel(Panel):
 
     def _show_running(self, mine: bool) -> None:
         form = self.form
-        form.check.setEnabled(not LIVE.busy)
-        form.cancel.setEnabled(mine)
+        old = "" if self._is_current() else translate("CurveUps_Check", "Out of date: check again")
+        enable(form.check, runs.reason("check", self.design))
+        enable(form.cancel, idle(mine))
+        enable(form.sizes, LIVE.obstacle() or old)
         for part in (form.progress, form.doing):
             part.setVisible(mine)
-        form.sizes.setEnabled(not LIVE.busy and self._is_current())
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
         mine = goes_on and LIVE.runs_on(self.design)
@@ -208,9 +215,9 @@ class CheckPanel(Panel):
             self.form.progress.setValue(int(1000 * min(max(status.fraction, 0.0), 1.0)))
 
 
-_HEAD = (QT_TRANSLATE_NOOP("CurveUps_Check", "Margin"), QT_TRANSLATE_NOOP("CurveUps_Check", "Worst"),
-         QT_TRANSLATE_NOOP("CurveUps_Check", "Tile"), QT_TRANSLATE_NOOP("CurveUps_Check", "Needed"),
-         QT_TRANSLATE_NOOP("CurveUps_Check", "Tiles below"))
+_HEAD = (QT_TRANSLATE_NOOP("CurveUps_Check", "Worst"),
+         QT_TRANSLATE_NOOP("CurveUps_Check", "Needed"),
+         QT_TRANSLATE_NOOP("CurveUps_Check", "Below"))
 
 
 def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:

@@ -19,12 +19,12 @@ from ..cut_paths import CutPaths, Edge, groups
 from ..macro import call, named
 from ..notice import errors_shown
 from ..overlay.cut_lines import CutLines
-from ..overlay.edge_tool import EdgeTool
+from ..overlay.pick_tool import PickTool
 from ..overlay.picking import Pick
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from .cut_layout import CutLayout
-from .panel import Panel, enable
+from .panel import Panel, enable, idle
 
 _INTERVAL = 150  # ms between looks at whether the cuts have changed elsewhere, by undo above all
 
@@ -44,7 +44,7 @@ class CutsPanel(Panel):
         self._search: Any = None
         self._layout: Optional[CutLayout] = None
         self._lines = CutLines(self._overlay)
-        self._tool: Optional[EdgeTool] = None
+        self._tool: Optional[PickTool] = None
         form.anew.clicked.connect(lambda *_: self._begin_anew())
         form.remove.clicked.connect(lambda *_: self._remove())
         form.suggest.clicked.connect(lambda *_: self._suggest())
@@ -54,6 +54,7 @@ class CutsPanel(Panel):
         form.cuts.itemSelectionChanged.connect(lambda: self._draw())
         form.suggested.itemSelectionChanged.connect(lambda: self._show_suggestion())
         form.suggested.setVisible(False)
+        form.cuts.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         self._show_buttons(LIVE.runs_on(design))
         self._follow()
         self._timer = QtCore.QTimer(form)
@@ -93,7 +94,7 @@ class CutsPanel(Panel):
     def _begin(self, project: Any) -> None:
         self._paths = CutPaths(project.latest("fairing").V, project.latest("target").F)
         self._layout = CutLayout(self.design, project)
-        self._tool = EdgeTool(self.design, self._hover, self._click, self._begin_anew)
+        self._tool = PickTool(self.design, self._hover, self._click, self._begin_anew)
         self._look_at_cuts()
 
     def _edges(self) -> list[Edge]:
@@ -289,9 +290,9 @@ class CutsPanel(Panel):
         super()._say(text)
 
     def _show_buttons(self, mine: bool) -> None:
-        idle, chosen = translate("CurveUps", "Nothing is at work"), bool(self._chosen())
-        enable(self.form.stop, "" if mine else idle)
-        self.form.suggest.setEnabled(not mine)
+        chosen = bool(self._chosen())
+        enable(self.form.stop, idle(mine))
+        enable(self.form.suggest, LIVE.obstacle())
         enable(self.form.accept, "" if chosen else translate(
             "CurveUps_Cuts", "Click Suggest first, then select a cut"))
         enable(self.form.anew, "" if self._tip is not None else translate(

@@ -21,7 +21,7 @@ from ..notice import errors_shown, shown
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from . import preferences
-from .panel import Panel, enable
+from .panel import Panel, enable, idle
 
 
 class ExportPanel(Panel):
@@ -42,6 +42,7 @@ class ExportPanel(Panel):
         form.deviation.setProperty("minimum", 0.0001)
         form.deviation.setProperty("rawValue", self._parameters.get("mesh_deviation"))
         form.names.setText(preferences.export_mask())
+        form.folder.textChanged.connect(lambda text: form.folder.setToolTip(text))  # it may be long
         form.folder.setText(self._folder())
         form.browse.clicked.connect(lambda *_: self._browse())
         form.write.clicked.connect(lambda *_: self.write())
@@ -151,11 +152,10 @@ class ExportPanel(Panel):
     def _show_running(self, running: bool) -> None:
         form = self.form
         refused = bool(actions.doubts(self.design)) and not form.insist.isChecked()
-        enable(form.write, translate("CurveUps", "CurveUps is at work: stop or cancel that first")
-               if running or LIVE.busy else
-               translate("CurveUpsExport", "The design is doubtful: insist on its files") if refused else "")
-        enable(form.cancel, "" if running else translate("CurveUps", "Nothing is at work"))
-        form.files.setEnabled(not running)
+        enable(form.write, LIVE.obstacle() or (
+            translate("CurveUpsExport", "The design is doubtful: insist on its files") if refused else ""))
+        enable(form.cancel, idle(running))
+        enable(form.files, LIVE.obstacle() if running else "")
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
         self._show_running(goes_on and LIVE.runs_on(self.design))

@@ -11,7 +11,7 @@ from ..overlay.overlay import AUTOMATIC
 from ..overlay.scene import NO_FIELD
 from ..qt import QT_TRANSLATE_NOOP, QtWidgets, translate
 from ..units import user_unit
-from .panel import Panel
+from .panel import Panel, enable
 
 # Shown by names that stand elsewhere.
 _MARKED = (QT_TRANSLATE_NOOP("CurveUps_ColourMaps", "Automatic"),
@@ -36,9 +36,6 @@ class OverlayPanel(Panel):
         for name in (AUTOMATIC, *colours.NAMES):
             form.map.addItem(translate("CurveUps_ColourMaps", name), name)
         form.morph.setRange(0, _STEPS)
-        form.values.setHeaderLabels([translate("CurveUps_Overlay", "Tile"),
-                                     translate("CurveUps_Overlay", "Value")])
-        form.values.header().setSectionResizeMode(0, QtWidgets.QHeaderView.ResizeToContents)
         self._follow()
         form.field.currentIndexChanged.connect(lambda *_: self._set("Field", form.field.currentData()))
         form.map.currentIndexChanged.connect(lambda *_: self._set("ColourMap", form.map.currentData()))
@@ -65,9 +62,11 @@ class OverlayPanel(Panel):
             for box, on in ((form.pins, view.Pins), (form.membranes, view.Membranes), (form.both, view.Both)):
                 box.setChecked(on)
             flat = overlay.scene is not None and overlay.scene.flat is not None
-            form.morph.setEnabled(flat and not view.Both)
-            form.both.setEnabled(flat)
-            form.membranes.setEnabled(flat)
+            lacks = "" if flat else translate("CurveUps", "There is no layout yet: Solve makes it")
+            enable(form.morph, lacks or (translate("CurveUps_Overlay", "Side by side shows both ends")
+                                         if view.Both else ""))
+            enable(form.both, lacks)
+            enable(form.membranes, lacks)
             form.morph.setValue(round(_STEPS * overlay.morph()))
             self._show_range(one)
             form.note.setText(overlay.age(one) or overlay.note)
@@ -80,21 +79,22 @@ class OverlayPanel(Panel):
         low, high = self._overlay.range()
         factor, unit = user_unit(one.unit if one else "", max(abs(low), abs(high)))
         self._factor = factor
+        plain = "" if one is not None else translate("CurveUps_Overlay", "Choose a value to colour by first")
         for box, value in ((self.form.low, low), (self.form.high, high)):
-            box.setEnabled(one is not None)
+            enable(box, plain)
             box.setSuffix(f" {unit}" if unit else "")
             box.setSingleStep(max(1e-4, 0.02 * (high - low) * factor))
             if not box.hasFocus():
                 box.setValue(value * factor)
-        self.form.automatic.setEnabled(one is not None)
+        enable(self.form.automatic, plain)
 
     def _show_values(self) -> None:
         tree = self.form.values
         tree.clear()
         for tile in self._overlay.selected[:_MOST_TILES]:
-            top = QtWidgets.QTreeWidgetItem(tree, [tile_name(tile), ""])
+            top = QtWidgets.QTreeWidgetItem(tree, [tile_name(tile)])
             for name, values in self._overlay.values_of(tile):
-                QtWidgets.QTreeWidgetItem(top, [name, values])
+                QtWidgets.QTreeWidgetItem(top, [f"{name}\n{values}"])
             top.setExpanded(True)
         self.form.hint.setVisible(not self._overlay.selected)
 

@@ -62,6 +62,11 @@ def enable(button: Any, reason: str = "") -> None:
     button.setStatusTip(reason)
 
 
+def idle(running: bool) -> str:
+    """Why there is nothing to stop; empty where there is."""
+    return "" if running else translate("CurveUps", "Nothing is at work")
+
+
 class Panel(ABC):
     """FreeCAD's task dialog for a design: `form` is its widget, and None once FreeCAD has closed it without
     asking. Where the form has a `line`, messages come there and the panel is told how runs go."""

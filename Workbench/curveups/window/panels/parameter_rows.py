@@ -92,6 +92,7 @@ class ParameterRows:
         self._bindings.clear()
         self._fields.clear()
         self._labels.clear()
+        self._page.hide()  # or Qt still shows it, as a window, where it was never seen in the panel
         self._page.setParent(None)
         self._page.deleteLater()
 

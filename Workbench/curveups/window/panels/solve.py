@@ -27,7 +27,8 @@ from . import preferences
 from .check import choose_sizes
 from .curves import Curves
 from .edits import Edits
-from .panel import Panel, enable
+from .held_tiles import HeldTiles
+from .panel import Panel, enable, idle
 from .parameter_rows import ParameterRows
 
 _GROUPS = {
@@ -68,6 +69,7 @@ class SolvePanel(Panel):
         place.setContentsMargins(0, 0, 0, 0)
         place.addWidget(self.curves)
         self._rows: Optional[ParameterRows] = None
+        self._held: Optional[HeldTiles] = None
         self._began: dict[str, float] = {}
         self._prepare_buttons()
         self._prepare_parameters()
@@ -76,6 +78,8 @@ class SolvePanel(Panel):
 
     def close(self) -> None:
         """Ends edits. A run goes on."""
+        if self._held:
+            self._held.close()
         if self._rows:
             if self.form is None:
                 self._rows.stop()
@@ -148,8 +152,7 @@ class SolvePanel(Panel):
         with errors_shown(translate("CurveUpsSolve", "Profile")):
             call("actions.apply_profile", named(self.design), repr(name))
             self.design.Document.recompute()
-        if self._rows:
-            self._rows.refresh()
+        self._refresh_rows()
         self.show()
 
     def _automatic(self, name: str) -> Any:
@@ -162,6 +165,14 @@ class SolvePanel(Panel):
                                                      "Fidelity of the surface"))
         button.clicked.connect(lambda *_: self._choose(name))
         return button
+
+    def _pick_held(self) -> Any:
+        self._held = HeldTiles(self.design, self._refresh_rows)
+        return self._held.button
+
+    def _refresh_rows(self) -> None:
+        if self._rows:
+            self._rows.refresh()
 
     def _choose(self, name: str) -> None:
         if self._rows:
@@ -179,12 +190,17 @@ class SolvePanel(Panel):
         if self._rows:
             self._rows.flush()
             self._rows.close()
+        if self._held:
+            self._held.close()
+            self._held = None
         names = self._groups.get(self.form.group.currentData(), [])
         basic = [name for name in names if self._is_basic(name)]
         self.form.all.setVisible(0 < len(basic) < len(names))
         if basic and not self.form.all.isChecked():
             names = basic
-        beside = {properties.property_name(name): partial(self._automatic, name) for name in AUTOMATIC}
+        beside: dict[str, Callable[[], Any]] = {
+            properties.property_name(name): partial(self._automatic, name) for name in AUTOMATIC}
+        beside["HeldTiles"] = self._pick_held
         self._rows = ParameterRows(self.form.rows, self.design, names, self.show, beside)
 
     def _is_basic(self, name: str) -> bool:
@@ -200,12 +216,13 @@ class SolvePanel(Panel):
             self._rows.flush()  # what waits is taken back, too
         with errors_shown(""):
             self._edits.revert(translate("CurveUpsSolve", "Revert all edits"))
-        if self._rows:
-            self._rows.refresh()
+        self._refresh_rows()
         self.show()
 
     def show(self) -> None:
         """The verdict: it changes when solids follow, by undo, and by scripts."""
+        if self._held:
+            self._held.show()
         state = self.design.Status
         head = ", ".join(translate("CurveUpsSolve", word) for word in (
             self.design.Verdict if state == "current" else state, self.design.Holds))
@@ -222,8 +239,8 @@ class SolvePanel(Panel):
         for which in ("solve", "verify", "repair"):
             enable(getattr(form, which), runs.reason(which, self.design))
         for button in (form.stop, form.cancel):
-            enable(button, "" if running else translate("CurveUps", "Nothing is at work"))
-        form.parameters.setEnabled(not running)
+            enable(button, idle(running))
+        enable(form.parameters, LIVE.obstacle() if running else "")
         form.progress.setTextVisible(running)
         if not running:
             form.progress.setValue(0)

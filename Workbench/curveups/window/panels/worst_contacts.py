@@ -26,10 +26,9 @@ class WorstContactsPanel(Panel):
                          translate("CurveUps_WorstContacts", "Worst of {name}", name=design.Label))
         form = self.form
         self._filling, self._shown = False, None  # type: bool, Any
-        form.rows.setColumnCount(3)
+        form.rows.setColumnCount(2)
         form.rows.setHorizontalHeaderLabels([translate("CurveUps_WorstContacts", "Tiles"),
-                                             translate("CurveUps_WorstContacts", "Value"),
-                                             translate("CurveUps_WorstContacts", "Problem")])
+                                             translate("CurveUps_WorstContacts", "Value")])
         form.rows.verticalHeader().setVisible(False)
         form.rows.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         self._follow()
@@ -72,8 +71,8 @@ class WorstContactsPanel(Panel):
         rows.setRowCount(len(worst))
         self._tiles = [scene.tiles_of(one, number) for number in worst]
         for row, number in enumerate(worst):
-            texts = (" – ".join(map(tile_name, self._tiles[row])),
-                     text_of(one.worst[number], one.unit, one.size), "✗" if number in problems else "")
+            value = text_of(one.worst[number], one.unit, one.size)
+            texts = " – ".join(map(tile_name, self._tiles[row])), value + " ✗" * (number in problems)
             for column, text in enumerate(texts):
                 rows.setItem(row, column, QtWidgets.QTableWidgetItem(text))
         left = len(one.order) - len(worst)
