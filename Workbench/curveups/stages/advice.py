@@ -58,7 +58,8 @@ def tried_sizes(sizes: Optional[Sizes], tried: int) -> tuple[Finding, ...]:
 
 def checked_sizes(options: Sequence[Sizes]) -> tuple[Finding, ...]:
     """With which check finds nothing in the way."""
-    return (suggested(Finding.about("advice.checked", sizes=tuple(map(as_sizes, options)))),) if options else ()
+    known = tuple(map(as_sizes, options))
+    return (suggested(Finding.about("advice.checked", sizes=known)),) if known else ()
 
 
 def other_sizes(options: Sequence[Sizes], tried: int, mending: Optional[float], mended: bool) -> str:

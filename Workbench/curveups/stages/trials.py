@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parameter search for a design that is not valid. Where its sizes are in the way of its target already, others
-are looked for as check does. Where membranes cut into tiles, the design is made anew with other pins and
-thicknesses: how far a membrane passes from a tile only the layout and its equilibrium tell."""
+"""Parameter search for a design that is not valid. Where its sizes are in the way of its target already,
+others are looked for as check does. Where membranes cut into tiles, the design is made anew with other pins
+and thicknesses: how far a membrane passes from a tile only the layout and its equilibrium tell."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ Sizes = tuple[tuple[str, float], ...]
 
 @dataclass(frozen=True)
 class OtherSizes(Result):
-    """What does instead of the values that are set (names, mm); None: nothing of what was tried. checked: with
-    which nothing is in the way of the target."""
+    """What does instead of the values that are set (names, mm); None: nothing of what was tried. checked:
+    with which nothing is in the way of the target."""
 
     found: Optional[Sizes] = None
     tried: int = 0
