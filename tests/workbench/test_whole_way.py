@@ -264,7 +264,7 @@ def test_the_whole_way(tmp_path):
     assert len(list(pictures.glob("*.png"))) >= 19 and not (pictures / "failed.png").exists()
 
 
-@pytest.mark.parametrize("look", ["plain", "german-dark-inches"])
+@pytest.mark.parametrize("look", ["plain"])
 def test_an_own_stl_becomes_print_files(look, tmp_path):
     """A bowl, in a fresh profile; each step is a picture in build/own-stl, and no text is cut off."""
     pictures = ROOT / "build" / "own-stl" / look
