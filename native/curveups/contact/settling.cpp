@@ -10,8 +10,9 @@
 namespace curveups {
 namespace {
 
-// What has not come to rest by then has no answer.
-constexpr int most_steps = 60, most_iterations = 600;
+// What has not come to rest by then has no answer: the design as it stands, and under other
+// conditions, where it starts beside its place.
+constexpr int most_steps = 60, most_iterations = 600, most_sample_iterations = 100;
 // Once the design has settled as it stands, forces left and friction beyond its cone, over the mean
 // normal force: whether it holds elsewhere is a matter of 0.01 mm, and this is worth 1e-5.
 constexpr double sample_tolerance = 1e-3, sample_cone_tolerance = 1e-3;
@@ -23,7 +24,8 @@ Settling::Settling(const Design& design, const TileBodies& bodies, const SolvedD
       centres_(tile_centres(tiles_)),
       built_(make_tile_world(bodies, solved, design.parameters.tile_modulus)),
       hold_tolerance_(design.parameters.hold_tolerance > 0 ? design.parameters.hold_tolerance
-                                                           : 0.01 * design.parameters.L) {}
+                                                           : 0.01 * design.parameters.L),
+      most_iterations_(most_iterations) {}
 
 void Settling::settle(const Conditions& conditions, double friction) {
   ContactWorld& world = *built_.world;
@@ -43,6 +45,7 @@ void Settling::settle(const Conditions& conditions, double friction) {
   drift_ = measured_drift();
   measure_forces();
   world.set_tolerances(sample_tolerance, sample_cone_tolerance);
+  most_iterations_ = most_sample_iterations;
 }
 
 // Until the tiles are at rest, or are known not to hold.
@@ -52,7 +55,7 @@ bool Settling::come_to_rest() {
     iterations += step.iterations;
     factorizations_ += step.factorizations;
     checkpoint();
-    return has_left() || iterations > most_iterations;
+    return has_left() || iterations > most_iterations_;
   });
   iterations_ += iterations;
   return last.at_rest;

@@ -65,6 +65,7 @@ class Settling {
   Points3 centres_;
   TileWorld built_;
   double hold_tolerance_;
+  int most_iterations_;
   Conditions conditions_;
   double friction_ = 0, drift_ = 0, drift_before_ = 0;
   bool at_rest_ = false;
