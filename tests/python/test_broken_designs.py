@@ -102,3 +102,4 @@ def test_verify_says_not_valid_of_pins_out_of_bounds(curveups, designed, tmp_pat
     assert report["valid"] is False
     assert any("insets leave their bounds" in reason for reason in report["reasons"])
     assert "physics" in report
+    assert report["holds"] is None and any("turned inside out" in one["what"] for one in report["warnings"])

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..base.errors import CurveUpsError
 from ..base.findings import Finding, failed
-from ..base.native import native
+from ..base.native import native, translated
 from ..base.value import Value
 from .stage import Inputs, Job, Picture, Result, Row, Stage
 
@@ -86,7 +86,10 @@ def _run(inputs: Inputs, job: Job) -> Settled:
         return Settled(note=_open(inputs, Finding("unsettled_design")))
     try:
         design = inputs["design"].design.with_parameters(values)
-        found = native.settle_design(design, inputs.store, job)
+        with translated(inputs.where):
+            found = native.settle_design(design, inputs.store, job)
+    except CurveUpsError as error:  # however strict the run is: the verdict is known without
+        return _failed(error, inputs)
     finally:
         inputs.store.clear()
     margin, failure = found.margin, _finding(found.failure)
