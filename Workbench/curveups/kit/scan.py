@@ -15,7 +15,7 @@ from ..base.errors import CurveUpsError, Stopped, tile_name
 from ..base.native import native
 from ..base.output import Folder
 from ..base.reading import read_text
-from ..report import html, pictures
+from ..report import html
 from ..report.data import to_text
 from ..report.tables import table
 from ..stages.stage import Job
@@ -166,7 +166,8 @@ def _page(design: Any, found: dict[str, Any]) -> str:
         values = np.full(len(design.F), np.nan)
         for one in found["tiles"]:
             values[int(one["tile"][1:]) - 1] = one["median_mm"]
-        parts.append(html.picture(pictures.flat_layout(design, values, "median deviation, mm"),
-                                  "Median deviation of each tile, on the flat layout. Tiles without "
-                                  "colour have no points."))
+        drawn, note = html.pictures_or_note(
+            lambda: [html.view("flat", design=design, values=values, label="median deviation, mm")])
+        parts += [*(html.picture(one, "Median deviation of each tile, on the flat layout. Tiles without "
+                                      "colour have no points.") for one in drawn), *note]
     return html.page(title, parts)

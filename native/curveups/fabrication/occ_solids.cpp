@@ -113,7 +113,7 @@ class SolidBuilder {
   TopoDS_Edge find_circle(const TopoDS_Face& face, int circle) const {
     const BodyCircle& c = body_.circles[circle];
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-      const TopoDS_Edge e = TopoDS::Edge(it.Current());
+      TopoDS_Edge e = TopoDS::Edge(it.Current());
       if (BRep_Tool::Degenerated(e) || BRep_Tool::IsClosed(e, face)) continue;
       double first, last;
       const Handle(Geom_Curve) curve = BRep_Tool::Curve(e, first, last);
