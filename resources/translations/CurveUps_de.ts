@@ -1446,6 +1446,10 @@
       <translation>Kontaktpunkte und Kräfte auf Zahlen überprüfen, die nicht endlich sind</translation>
     </message>
     <message>
+      <source>check its name</source>
+      <translation>prüfen, ob der Name stimmt</translation>
+    </message>
+    <message>
       <source>check its name and permissions</source>
       <translation>Name und Rechte überprüfen</translation>
     </message>
@@ -3212,6 +3216,10 @@
     <message>
       <source>the saved results can't be read: {0}</source>
       <translation>die gespeicherten Ergebnisse lassen sich nicht lesen: {0}</translation>
+    </message>
+    <message>
+      <source>the scan can't be read: there is no such file</source>
+      <translation>der Scan ist nicht lesbar: die Datei gibt es nicht</translation>
     </message>
     <message>
       <source>the scan can't be read: {0}</source>

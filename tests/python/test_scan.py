@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from curveups.base.native import native
+from shapes import obj_text
 
 NOISE = 0.05  # mm
 
@@ -104,6 +105,20 @@ def test_a_piece_that_swelled_is_seen_at_its_tiles(curveups, piece, tmp_path):
     assert max(map(abs, values.values())) < 0.1
 
 
+def test_a_mesh_is_a_scan(curveups, piece, tmp_path):
+    V, F = piece.V, piece.F
+    for _ in range(3):
+        middles = [(V[F[:, a]] + V[F[:, b]]) / 2 for a, b in ((0, 1), (1, 2), (2, 0))]
+        m = len(V) + np.arange(3 * len(F)).reshape(3, -1)
+        V, F = np.vstack([V, *middles]), np.vstack([
+            np.c_[F[:, 0], m[0], m[2]], np.c_[m[0], F[:, 1], m[1]], np.c_[m[2], m[1], F[:, 2]], m.T])
+    scan, still = scanned(V, 5)
+    (tmp_path / "scan.obj").write_text(obj_text(scan, F))
+    found, _ = compared(curveups, piece.path, tmp_path / "scan.obj", tmp_path / "out")
+    move = np.array(found["transform"])
+    assert native.distances(still @ move[:3, :3].T + move[:3, 3], piece.V, piece.F).max() < 0.05
+
+
 def test_a_symmetric_shape_leaves_the_turn_open(curveups, printed, tmp_path):
     design = native.read_design((printed.folder / "design.json").read_text("utf-8"))
     scan, still = scanned(sampled(np.asarray(design.V), np.asarray(design.F), 3000, 3), 4)
@@ -124,4 +139,5 @@ def test_what_is_no_scan_is_refused(curveups, piece, tmp_path, text, said):
     ran = curveups("compare", piece.path, tmp_path / "scan.xyz", "-o", tmp_path / "out")
     assert ran.status == 2 and said in ran.err and not (tmp_path / "out").exists()
     ran = curveups("compare", piece.path, tmp_path / "none.stl", "-o", tmp_path / "out")
-    assert ran.status == 2 and "none.stl" in ran.err
+    assert ran.status == 2 and "the scan can't be read" in ran.err and "none.stl" in ran.err
+    assert "built-in" not in ran.err

@@ -42,6 +42,8 @@ def read_scan(path: Path, tile_count: int) -> Scan:
     """Corners of a mesh, or a text with a point a line, "x y z"; with a tile's name before it,
     "T00012 x y z", it is a marker on the middle of that tile's front."""
     if path.suffix.lower() not in POINTS:
+        if not path.exists():  # a target's reader would offer built-ins
+            raise CurveUpsError("the scan can't be read: there is no such file", str(path), "check its name")
         read = read_target(path, 0.1)
         points, tiles = read.V[np.unique(read.F)], np.zeros(0, int)
     else:

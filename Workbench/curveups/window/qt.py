@@ -37,17 +37,13 @@ def load_ui(name: str) -> Any:
 
 
 class EventFilter(QtCore.QObject):
-    """Sees the events of widgets before they do. PySide2 may hand over a deleted object that had the event's
-    address: what is no event is not filtered."""
+    """Sees the events of widgets before they do: a subclass has takes(event), whether nobody else gets it.
+    PySide2 may hand over a deleted object that had the event's address: what is no event is not filtered."""
 
     def __init__(self, parent: Any, *widgets: Any):
         super().__init__(parent)
         for widget in widgets:
             widget.installEventFilter(self)
-
-    def takes(self, event: Any) -> bool:
-        """Whether nobody else gets the event."""
-        raise NotImplementedError
 
     def eventFilter(self, widget: Any, event: Any) -> bool:
         try:
