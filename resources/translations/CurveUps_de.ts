@@ -2362,8 +2362,8 @@
       <translation>keine Datei ist gewählt</translation>
     </message>
     <message>
-      <source>no other H_pin or H_body does, of {tried} that were tried</source>
-      <translation>kein anderes H_pin oder H_body genügt, von {tried} ausprobierten</translation>
+      <source>no other H_pin or H_body was found that does, of {tried} that were tried</source>
+      <translation>kein anderes H_pin oder H_body fand sich, das genügt, von {tried} ausprobierten</translation>
     </message>
     <message>
       <source>no path of edges joins points {0} and {1} of the polyline</source>

@@ -207,7 +207,7 @@ def test_where_membranes_cut_other_sizes_are_tried(run, monkeypatch):
 
     tried = []
 
-    def valid(inputs, sizes, job):
+    def valid(inputs, sizes, job, steps):
         tried.append(sizes)
         return len(tried) == 3
 
@@ -234,9 +234,26 @@ def test_what_is_tried_is_the_design_that_it_becomes():
     inputs = Inputs(parameters, {}, elsewhere=made.elsewhere)
     heard = []
     job = Job(listen=lambda *iterate: heard.append(iterate))
-    assert trials._valid(inputs, (("H_pin", 1.0),), job) == results["verification"].valid
-    assert trials._valid(inputs, (("H_pin", 0.2),), job) is False
+    assert trials._valid(inputs, (("H_pin", 1.0),), job, [60]) == results["verification"].valid
+    assert trials._valid(inputs, (("H_pin", 0.2),), job, [60]) is False
     assert made.parameters.get("H_pin") == 1.0 and made.out_of_date("verification") == ()
     assert not heard  # whoever watches the design sees no other
     with pytest.raises(Stopped):
-        trials._valid(inputs, (("H_pin", 1.0),), Job(lambda what, fraction: False))
+        trials._valid(inputs, (("H_pin", 1.0),), Job(lambda what, fraction: False), [60])
+
+
+def test_all_that_is_tried_shares_a_number_of_steps_of_repair():
+    """One trial after another used to be repaired for up to 60 steps: minutes for a hairpin."""
+    taken = []
+
+    def repaired_for_ever(sizes, goals, job):
+        tell, steps = job.listener("repair"), 1
+        while tell(None, None, 0.0):
+            steps += 1
+        taken.append(steps)
+        return {}
+
+    outer = Job()
+    found = trials.other_sizes(Inputs(native.Parameters(), {}, elsewhere=repaired_for_ever), outer)
+    assert found.found is None and found.tried == 4 and not outer.stopped
+    assert taken == [trials._REPAIR_STEPS + 1, 1, 1, 1]

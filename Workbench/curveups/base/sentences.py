@@ -302,7 +302,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "advice.tau": "membranes stretched to tau = {value:g} instead of {set:g} would be taut at all weak "
                   "contacts",
     "advice.tried": "{sizes: }, with which it is valid: that was tried",
-    "advice.none_tried": "no other H_pin or H_body does, of {tried} that were tried",
+    "advice.none_tried": "no other H_pin or H_body was found that does, of {tried} that were tried",
     "advice.sizes": "of {tried} other sizes that were tried, {sizes: or } does",
     "advice.no_sizes": "none of {tried} other sizes that were tried does",
     "advice.mend": "so does mend=on, which moves vertices by up to {moved:.2g} mm",

@@ -16,9 +16,12 @@ from .feasibility import sizes_do
 from .sizes import MOST_TILES, sizes_that_do, value_range
 from .stage import Inputs, Job, Result, Row, Stage
 
-# What is tried, as factors of what is set: each takes as long as the design itself.
+# What is tried, as factors of what is set.
 _TRIED: tuple[dict[str, float], ...] = ({"H_pin": 1.25}, {"H_pin": 1.5}, {"H_body": 0.5},
                                         {"H_body": 0.4, "H_pin": 1.25})
+# Steps of repair for all that is tried: fillets that can be mended take some 20, and each takes up to half a
+# second. Without an end four trials took four times as long as the design.
+_REPAIR_STEPS = 24
 Sizes = tuple[tuple[str, float], ...]
 
 
@@ -60,30 +63,40 @@ def _run(inputs: Inputs, job: Job) -> OtherSizes:
 
 def other_sizes(inputs: Inputs, job: Job) -> OtherSizes:
     """Higher pins and thinner tiles one after another, until the target becomes a valid design with one of
-    them."""
-    tried = 0
+    them. Where _REPAIR_STEPS are used up, those that are left have to do without repair."""
+    tried, steps = 0, [_REPAIR_STEPS]
     for factors in _TRIED:
         sizes = tuple((name, float(f"{factor * inputs.parameters.get(name):.2g}"))
                       for name, factor in factors.items())
         if all(value_range(name)[0] <= value <= value_range(name)[1] for name, value in sizes):
             tried += 1
-            if _valid(inputs, sizes, job):
+            if _valid(inputs, sizes, job, steps):
                 return OtherSizes(sizes, tried)
     return OtherSizes(None, tried)
 
 
-def _valid(inputs: Inputs, sizes: Sizes, job: Job) -> bool:
-    """Whether a copy of the project says so."""
+def _valid(inputs: Inputs, sizes: Sizes, job: Job, steps: list[int]) -> bool:
+    """Whether a copy of the project says so before repair has taken the steps that are left."""
     if not job("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes)):
         raise Stopped
+
+    def count(stage: str, *_: object) -> None:
+        steps[0] -= stage == "repair"
+        trial.stopped |= steps[0] < 0
+
+    trial = Job(job, count)
     assert inputs.elsewhere is not None
     try:
-        found = inputs.elsewhere(dict(sizes), ("verification",), Job(job))
+        found = inputs.elsewhere(dict(sizes), ("verification",), trial)
     except CurveUpsError:
+        return False
+    except Stopped:
+        if job.stopped:
+            raise
         return False
     if job.stopped:
         raise Stopped
-    return bool(found["layout"].converged and found["verification"].valid)
+    return bool(not trial.stopped and found["layout"].converged and found["verification"].valid)
 
 
 STAGE = Stage("trials", ("target", "fairing", "cut request", "cuts", "verification"),
