@@ -130,7 +130,7 @@ def test_a_reader_that_does_not_return_is_ended(open_box, sleeper):
     with pytest.raises(CurveUpsError, match="within 1 s"):
         cad_files.read_cad(open_box / "box.brep", 0.1, time_limit=1.0)
     with pytest.raises(Stopped):
-        cad_files.read_cad(open_box / "box.brep", 0.1, go_on=lambda: next(asked, False))
+        cad_files.read_cad(open_box / "box.brep", 0.1, go_on=lambda _: next(asked, False))
     assert len(sleeper) == 2 and all(process.poll() is not None for process in sleeper)
 
 

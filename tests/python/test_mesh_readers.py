@@ -7,7 +7,7 @@ import zipfile
 import numpy as np
 import pytest
 
-from curveups.base.errors import CurveUpsError
+from curveups.base.errors import CurveUpsError, Stopped
 from curveups.targets.target_files import read_target
 
 V = np.array([[0, 0, 0], [9, 0, 0], [9, 9, 0.1], [0, 9, 0]], float)
@@ -29,10 +29,10 @@ def binary_stl():
         struct.pack("<12fH", 0, 0, 1, *V[face].ravel(), 7) for face in F)
 
 
-def ply_header(form, real="float", vertex_extra="", face_extra="", faces=len(F)):
+def ply_header(form, real="float", vertex_extra="", face_extra="", faces=None):
     return (f"ply\nformat {form} 1.0\ncomment made by hand\nelement vertex {len(V)}\n"
             + "".join(f"property {real} {axis}\n" for axis in "xyz") + vertex_extra
-            + f"element face {faces}\n" + face_extra
+            + f"element face {len(F) if faces is None else faces}\n" + face_extra
             + "property list uchar int vertex_indices\nend_header\n")
 
 
@@ -96,6 +96,37 @@ def test_sound_file(tmp_path, name):
 def test_precision_of_a_ply_is_that_of_its_type(tmp_path):
     assert read(tmp_path, "a.ply", ply(real="double"))[0][2, 2] == 0.1
     assert read(tmp_path, "b.ply", ply())[0][2, 2] == np.float32(0.1)
+
+
+@pytest.fixture
+def large(tmp_path, monkeypatch):
+    """Files of 20,000 triangles in every format of meshes."""
+    columns = np.arange(101.0)
+    points = np.stack([*np.meshgrid(columns, columns), np.zeros((101, 101))], axis=-1).reshape(-1, 3)
+    at = (np.arange(101 * 101).reshape(101, 101)[:-1, :-1]).reshape(-1, 1)
+    monkeypatch.setitem(globals(), "V", points)
+    monkeypatch.setitem(globals(), "F", np.concatenate([at + [0, 1, 102], at + [0, 102, 101]]))
+    with zipfile.ZipFile(tmp_path / "a.3mf", "w") as archive:
+        archive.writestr("3D/3dmodel.model", (
+            '<model><resources><object id="1"><mesh><vertices>'
+            + "".join('<vertex x="%r" y="%r" z="%r"/>' % tuple(row) for row in V.tolist())
+            + "</vertices><triangles>"
+            + "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % tuple(face) for face in F)
+            + '</triangles></mesh></object></resources><build><item objectid="1"/></build></model>'))
+    for name, content in {"a.obj": obj(), "a.off": off(), "a.stl": stl(), "a.ply": ply()}.items():
+        (tmp_path / name).write_text(content)
+    return tmp_path
+
+
+@pytest.mark.parametrize("ending", ["obj", "off", "stl", "ply", "3mf"])
+def test_reading_tells_how_far_it_is_and_can_be_stopped(large, ending):
+    told = []
+    assert len(read_target(large / f"a.{ending}", 0.01, lambda share: not told.append(share)).F) == len(F)
+    assert told == sorted(told) and 0 <= told[0] < 0.1 and 0.4 < told[-1] <= 1 and len(set(told)) > 3, told
+    for last in range(len(told)):
+        asked = iter([True] * last)
+        with pytest.raises(Stopped):
+            read_target(large / f"a.{ending}", 0.01, lambda _: next(asked, False))
 
 
 SCRAMBLED = {  # each was read as another surface, in silence, by the reader of a library

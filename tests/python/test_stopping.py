@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """SIGINT at every kind of work: status 3, the best so far is written, every file whole."""
 
+import io
 import json
+import re
 import signal
 import struct
 import subprocess
@@ -11,6 +13,8 @@ import zipfile
 import pytest
 from running import command, dome, environment
 from schema import check_design, check_report
+
+from curveups.base.progress import Reporter
 
 
 def interrupted(word, *arguments, wait=0.0):
@@ -141,3 +145,17 @@ def test_stopping_where_there_is_nothing_yet(tmp_path):
     status, said = interrupted("remeshing", "design", "tower", "-o", tmp_path / "out", "--set", "L=3")
     assert status == 3 and said.splitlines()[-1] == "curveups: stopped", said
     assert not (tmp_path / "out").exists()
+
+
+def test_the_bar_of_work_whose_end_is_not_known_moves(monkeypatch):
+    class Terminal(io.StringIO):
+        def isatty(self):
+            return True
+
+    shown = Terminal()
+    bar = Reporter(stream=shown)
+    for now in range(4):
+        monkeypatch.setattr("curveups.base.progress.time.monotonic", lambda: 100.0 + now)
+        assert bar("reading the target", -1.0)
+    drawn = re.findall(r"\[(-*#-*)\] reading the target", shown.getvalue())
+    assert len(set(drawn)) == 4 and {len(one) for one in drawn} == {Reporter.WIDTH}

@@ -117,8 +117,9 @@ class Reporter:
         if fraction >= 0:
             full = round(min(fraction, 1.0) * self.WIDTH)
             bar = f"[{'#' * full}{'.' * (self.WIDTH - full)}] {100 * min(fraction, 1.0):3.0f} %"
-        else:
-            bar = f"[{'-' * self.WIDTH}]"
+        else:  # a mark that moves
+            at = int(5 * now) % self.WIDTH
+            bar = f"[{'-' * at}#{'-' * (self.WIDTH - 1 - at)}]"
         self._write(f"\r\033[K{bar} {what}"[:110])
 
     def _write(self, text: str) -> None:

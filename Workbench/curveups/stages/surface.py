@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any, Callable, Optional
 
@@ -71,7 +72,7 @@ def _run(inputs: Inputs, job: Job) -> Surface:
         job("reading the target")
         if source.read:
             return source.read(deflection, choice)
-        return read_target(Path(source.path), deflection, lambda: job("reading the target"), choice)
+        return read_target(Path(source.path), deflection, partial(job, "reading the target"), choice)
 
     scale, fit = get("scale"), get("fit")
     found = read(scale)

@@ -19,7 +19,7 @@ import tempfile
 import time
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable, Optional
+from typing import Any, Callable, Optional
 
 import numpy as np
 
@@ -31,9 +31,7 @@ from ..base.output import left_by_killed
 from .brep_file import is_whole_brep
 from .cad_creases import creases
 from .cad_parts import Choice, choose
-
-if TYPE_CHECKING:
-    from .mesh_files import Mesh
+from .mesh_files import GoOn, Mesh
 
 # Seconds for a file, for each MB of it, and at most: sound files of 10,000 faces have 9 MB (BREP) or 28
 # (STEP) and take a tenth of that.
@@ -69,7 +67,7 @@ class Read:
     creases: Optional[np.ndarray] = None
 
 
-def read_cad(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: True,
+def read_cad(path: Path, deflection: float, go_on: GoOn = lambda _: True,
              choice: Choice = Choice(), time_limit: Optional[float] = None) -> Read:
     """What is chosen of a STEP, IGES or BREP file, mm; `deflection` is the largest distance of the triangles
     from its surface, mm. Without a time limit (seconds) the file's size sets one. Raises CurveUpsError, and
@@ -132,7 +130,7 @@ def _is_whole_iges(data: bytes) -> bool:
     return len(said) == 4 and all(found[letter] == int(count) for letter, count in said)
 
 
-def _run(path: Path, deflection: float, choice: Choice, answer: Path, go_on: Callable[[], bool],
+def _run(path: Path, deflection: float, choice: Choice, answer: Path, go_on: GoOn,
          time_limit: float, where: Path) -> int:
     command = [freecad_session.python(), "-m", __name__, str(path), repr(deflection), str(answer),
                json.dumps(asdict(choice)), str(os.getpid())]
@@ -145,7 +143,7 @@ def _run(path: Path, deflection: float, choice: Choice, answer: Path, go_on: Cal
                 return child.wait(_LOOK)
             except subprocess.TimeoutExpired:
                 pass
-            if not go_on():
+            if not go_on(-1.0):
                 raise Stopped
             if time.monotonic() > end:
                 raise CurveUpsError(f"FreeCAD has not read the file within {time_limit:.0f} s", str(where),

@@ -15,14 +15,16 @@ import xml.etree.ElementTree as ElementTree
 import zipfile
 import zlib
 from pathlib import Path
-from typing import Any, Iterator, Sequence
+from typing import Any, Callable, Iterable, Iterator, Sequence, TypeVar
 
 import numpy as np
 
-from ..base.errors import CurveUpsError
+from ..base.errors import CurveUpsError, Stopped
 from .polygons import triangles_of
 
 Mesh = tuple[np.ndarray, np.ndarray]
+GoOn = Callable[[float], bool]  # told how much is read (0 to 1, negative where unknown); whether to go on
+_Item = TypeVar("_Item")
 
 # A target of more faces than this is no work for tiles of a printable size.
 MOST_FACES = 5_000_000
@@ -33,11 +35,20 @@ _3MF_UNITS = {"micron": 1e-3, "millimeter": 1.0, "centimeter": 10.0, "inch": 25.
               "foot": 304.8, "meter": 1000.0}
 
 
-def read_obj(path: Path) -> Mesh:
+def watched(items: Iterable[_Item], go_on: GoOn, read: Callable[[int], float],
+            stride: int = 5000) -> Iterator[_Item]:
+    """The items; `read`: how much of a file is read after so many. Raises Stopped."""
+    for number, item in enumerate(items):
+        if not number % stride and not go_on(read(number)):
+            raise Stopped
+        yield item
+
+
+def read_obj(path: Path, go_on: GoOn) -> Mesh:
     """Vertices and faces of a Wavefront OBJ; polygons become triangles, all else is passed over."""
     vertices: list[tuple[float, float, float]] = []
     faces: list[list[int]] = []
-    for number, line in _continued(_lines(path)):
+    for number, line in _continued(_lines(path, go_on)):
         words = line.split()
         if not words:
             continue
@@ -50,9 +61,9 @@ def read_obj(path: Path) -> Mesh:
     return _arrays(vertices, faces, path)
 
 
-def read_off(path: Path) -> Mesh:
+def read_off(path: Path, go_on: GoOn) -> Mesh:
     """Vertices and faces of an OFF file (ASCII, no colours needed)."""
-    rows = ((number, words) for number, line in _lines(path)
+    rows = ((number, words) for number, line in _lines(path, go_on)
             if (words := line.split("#")[0].split()))
     nothing: list[str] = []
     number, words = next(rows, (1, nothing))
@@ -83,14 +94,19 @@ def read_off(path: Path) -> Mesh:
     return _arrays(vertices, faces, path)
 
 
-def read_3mf(path: Path) -> Mesh:
+def read_3mf(path: Path, go_on: GoOn) -> Mesh:
     """All objects of a 3MF's build (or all objects, where nothing is built), in millimetres."""
     try:
         with zipfile.ZipFile(path) as archive:
             entry = archive.getinfo(_model_part(archive))
             if entry.file_size > MOST_3MF_BYTES:
                 raise CurveUpsError("the 3MF model is too large", str(path), "simplify the mesh")
-            root = ElementTree.fromstring(archive.read(entry))
+            parser = ElementTree.XMLParser()
+            with archive.open(entry) as model:
+                for piece in watched(iter(lambda: model.read(1 << 16), b""), go_on,
+                                     lambda count: 0.5 * (count << 16) / max(entry.file_size, 1), stride=1):
+                    parser.feed(piece)
+            root = parser.close()
     except (zipfile.BadZipFile, LookupError, ValueError, zlib.error, EOFError, RuntimeError,
             ElementTree.ParseError) as error:
         # LookupError and ValueError: an encoding that is not known, or that the parser does not take;
@@ -104,7 +120,7 @@ def read_3mf(path: Path) -> Mesh:
                             "export in millimetres")
     parts_v, parts_f, offset, count = [np.empty((0, 3))], [np.empty((0, 3), np.int32)], 0, 0
     try:
-        for vertices, faces in _3mf_meshes(root, namespace):
+        for vertices, faces in _3mf_meshes(root, namespace, go_on):
             if len(faces) and (faces.min() < 0 or faces.max() >= len(vertices)):
                 raise CurveUpsError("a face names a vertex that is not there", str(path),
                                     "export the file again")
@@ -126,18 +142,21 @@ def _model_part(archive: zipfile.ZipFile) -> str:
     return min(names, key=lambda name: (name.lower() != "3d/3dmodel.model", name))
 
 
-def _3mf_meshes(root: Any, namespace: str) -> Iterator[Mesh]:
+def _3mf_meshes(root: Any, namespace: str, go_on: GoOn) -> Iterator[Mesh]:
     """The meshes of the build, each as often as it is there."""
     objects = {item.get("id"): item for item in root.iter(namespace + "object")}
     visits = 0
+
+    def halfway(elements: Iterable[Any]) -> Iterator[Any]:
+        return watched(elements, go_on, lambda _: 0.5)
 
     @functools.lru_cache(None)
     def own(identity: str) -> Mesh:
         mesh = objects[identity]
         vertices = np.array([[float(v.get(axis)) for axis in "xyz"]
-                             for v in mesh.iter(namespace + "vertex")]).reshape(-1, 3)
+                             for v in halfway(mesh.iter(namespace + "vertex"))]).reshape(-1, 3)
         faces = np.array([[int(t.get(corner)) for corner in ("v1", "v2", "v3")]
-                          for t in mesh.iter(namespace + "triangle")], int).reshape(-1, 3)
+                          for t in halfway(mesh.iter(namespace + "triangle"))], int).reshape(-1, 3)
         return vertices, faces
 
     def collect(identity: str, transform: np.ndarray, depth: int) -> Iterator[Mesh]:
@@ -174,11 +193,12 @@ def _compose(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
     return np.vstack([inner[:3] @ outer[:3], _placed(inner[3], outer)])
 
 
-def _lines(path: Path) -> Iterator[tuple[int, str]]:
-    if path.stat().st_size > MOST_BYTES:
+def _lines(path: Path, go_on: GoOn) -> Iterator[tuple[int, str]]:
+    size = path.stat().st_size
+    if size > MOST_BYTES:
         raise CurveUpsError("the file is too large", str(path), "simplify the mesh")
     with open(path, encoding="utf-8-sig", errors="replace") as file:
-        yield from enumerate(file, 1)
+        yield from enumerate(watched(file, go_on, lambda _: file.buffer.tell() / max(size, 1)), 1)
 
 
 def _vertex(words: list[str], where: str) -> tuple[float, float, float]:

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any, Iterable, Optional
 
 import numpy as np
 
 from ..base.errors import CurveUpsError
-from .mesh_files import MOST_BYTES, Mesh, few_enough, require_corners, require_within
+from .mesh_files import MOST_BYTES, GoOn, Mesh, few_enough, require_corners, require_within, watched
 from .polygons import triangles_of
 
 _TYPES = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4",
@@ -38,7 +38,7 @@ class _Element:
     properties: list[_Property] = field(default_factory=list)
 
 
-def read_ply(path: Path) -> Mesh:
+def read_ply(path: Path, go_on: GoOn) -> Mesh:
     """Vertices and faces of a PLY file; polygons become triangles, other elements are passed over."""
     if path.stat().st_size > MOST_BYTES:
         raise CurveUpsError("the file is too large", str(path), "simplify the mesh")
@@ -46,7 +46,7 @@ def read_ply(path: Path) -> Mesh:
     data = data[3:] if data.startswith(b"\xef\xbb\xbf") else data
     try:
         order, elements, at = _header(data)
-        body: Any = _Bytes(data, at, order) if order else _Lines(data[at:])
+        body: Any = _Bytes(data, at, order, go_on) if order else _Lines(data[at:], go_on)
         V, polygons = np.zeros((0, 3)), None
         for element in elements:
             columns = body.read(element)
@@ -102,19 +102,21 @@ def _header(data: bytes) -> tuple[str, list[_Element], int]:
 class _Lines:
     """The body of a text file: a line for each entry."""
 
-    def __init__(self, text: bytes):
+    def __init__(self, text: bytes, go_on: GoOn):
         self._rows = [line for line in text.splitlines() if line.strip()]
         self._at = 0
+        self._go_on = go_on
 
     def read(self, element: _Element) -> dict[str, Any]:
         rows = self._rows[self._at : self._at + element.count]
         if len(rows) < element.count:
             raise ValueError(f"it ends early: {element.count} of {element.name} are announced")
+        asked = watched(rows, self._go_on, lambda count: (self._at + count - element.count) / len(self._rows))
         self._at += element.count
         if not any(one.count_type for one in element.properties):
-            return self._table(element, rows)
+            return self._table(element, asked)
         out: dict[str, list] = {one.name: [] for one in element.properties}
-        for row in rows:
+        for row in asked:
             words = row.split()
             at = 0
             for one in element.properties:
@@ -132,16 +134,17 @@ class _Lines:
         return out
 
     @staticmethod
-    def _table(element: _Element, rows: list[bytes]) -> dict[str, Any]:
-        table = [row.split() for row in rows]
-        width = len(element.properties)
-        for row, words in zip(rows, table):
+    def _table(element: _Element, rows: Iterable[bytes]) -> dict[str, Any]:
+        table, width = [], len(element.properties)
+        for row in rows:
+            words = row.split()
             if len(words) != width:
                 raise ValueError(f"a {element.name} does not have {width} numbers: {_shown(row)}")
-        try:
-            numbers = np.array([[float(word) for word in words] for words in table]).reshape(-1, width)
-        except ValueError as error:
-            raise ValueError(f"a {element.name} has what is no number: {error}") from None
+            try:
+                table.append([float(word) for word in words])
+            except ValueError as error:
+                raise ValueError(f"a {element.name} has what is no number: {error}") from None
+        numbers = np.array(table).reshape(-1, width)
         with np.errstate(over="ignore"):
             return {one.name: numbers[:, k].astype(one.type) if one.type[0] == "f" else numbers[:, k]
                     for k, one in enumerate(element.properties)}
@@ -150,8 +153,8 @@ class _Lines:
 class _Bytes:
     """The body of a binary file."""
 
-    def __init__(self, data: bytes, at: int, order: str):
-        self._data, self._at, self._order = data, at, order
+    def __init__(self, data: bytes, at: int, order: str, go_on: GoOn):
+        self._data, self._at, self._order, self._go_on = data, at, order, go_on
 
     def read(self, element: _Element) -> dict[str, Any]:
         if element.count == 0:
@@ -189,7 +192,7 @@ class _Bytes:
         if element.count > len(self._data) - self._at:  # a list is a byte or more
             raise ValueError(f"it ends early: {element.count} of {element.name} are announced")
         out: dict[str, list] = {one.name: [] for one in element.properties}
-        for _ in range(element.count):
+        for _ in watched(range(element.count), self._go_on, lambda _: self._at / len(self._data)):
             for one in element.properties:
                 if not one.count_type:
                     out[one.name].append(self._number(one.type, self._at))

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..base.errors import CurveUpsError
-from .mesh_files import MOST_BYTES, Mesh, few_enough
+from ..base.errors import CurveUpsError, Stopped
+from .mesh_files import MOST_BYTES, GoOn, Mesh, few_enough
 
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _NUMBER = rb"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
@@ -25,19 +25,33 @@ _TEXT_FACET = re.compile(
 _SOLID = re.compile(rb"\s*(?:end\s*)?solid\b[^\r\n]*", re.IGNORECASE)
 
 
-def read_stl(path: Path) -> Mesh:
+def read_stl(path: Path, go_on: GoOn) -> Mesh:
     """V (N x 3) and F (M x 3) of an STL file, equal corners merged."""
     if path.stat().st_size > MOST_BYTES:
         raise CurveUpsError("the file is too large", str(path), "simplify the mesh")
     data = path.read_bytes()
     text = data[3:] if data.startswith(b"\xef\xbb\xbf") else data
     is_text = text.lstrip()[:5].lower() == b"solid" and b"facet" in text[:2000].lower()
-    corners = _from_text(text, path) if is_text else _from_bytes(data, path)
+    corners = _from_text(text, path, go_on) if is_text else _from_bytes(data, path)
     few_enough(len(corners), path)
     if not np.isfinite(corners).all():
         raise CurveUpsError("a vertex is not finite", str(path), "repair the mesh")
-    V, F = np.unique(corners.reshape(-1, 3) + np.float32(0), axis=0, return_inverse=True)
-    return V.astype(float), F.reshape(-1, 3).astype(np.int32)
+    return _merged(corners.reshape(-1, 3) + np.float32(0), go_on)
+
+
+def _merged(corners: np.ndarray, go_on: GoOn) -> Mesh:
+    """As numpy's unique has rows, which takes three times as long."""
+    order = np.arange(len(corners))
+    for axis in (2, 1, 0):
+        if not go_on(0.9 - 0.1 * axis):
+            raise Stopped
+        order = order[np.argsort(corners[order, axis], kind="stable")]
+    sorted_corners = corners[order]
+    begins = np.ones(len(corners), bool)
+    begins[1:] = (sorted_corners[1:] != sorted_corners[:-1]).any(axis=1)
+    F = np.empty(len(corners), np.int32)
+    F[order] = np.cumsum(begins) - 1
+    return sorted_corners[begins].astype(float), F.reshape(-1, 3)
 
 
 def _from_bytes(data: bytes, path: Path) -> np.ndarray:
@@ -50,13 +64,15 @@ def _from_bytes(data: bytes, path: Path) -> np.ndarray:
     return np.frombuffer(data, _FACET, count, 84)["corners"]
 
 
-def _from_text(text: bytes, path: Path) -> np.ndarray:
+def _from_text(text: bytes, path: Path, go_on: GoOn) -> np.ndarray:
     """Facet by facet, nothing passed over but the lines that begin and end a solid."""
     numbers: list[bytes] = []
     at, ended = 0, False
     while True:
         facet = _TEXT_FACET.match(text, at)
         if facet:
+            if not len(numbers) % 45_000 and not go_on(0.7 * at / len(text)):
+                raise Stopped
             numbers.extend(facet.groups())
             at, ended = facet.end(), False
             continue

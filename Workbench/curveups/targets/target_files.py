@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Callable, Union
+from typing import Callable
 
 import numpy as np
 
@@ -12,27 +12,28 @@ from ..base.errors import CurveUpsError
 from . import mesh_files
 from .cad_files import ENDINGS, Read, read_cad
 from .cad_parts import Choice
-from .mesh_files import Mesh
+from .mesh_files import GoOn, Mesh
 from .ply_file import read_ply
 from .stl_file import read_stl
 
 FORMATS = "an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP"
 
 
-def read_target(path: Path, deflection: float, go_on: Callable[[], bool] = lambda: True,
+def read_target(path: Path, deflection: float, go_on: GoOn = lambda _: True,
                 choice: Choice = Choice()) -> Read:
     """The surface in a file, lengths in the file's own unit (CAD formats: mm).
 
-    Of CAD files: `deflection` is the largest distance of the triangles from the surface, mm; `go_on` may
-    stop the reading; `choice` says what of the part is the surface.
+    `go_on` may stop the reading. Of CAD files: `deflection` is the largest distance of the triangles from the
+    surface, mm; `choice` says what of the part is the surface. Raises CurveUpsError, and Stopped.
     """
     require_readable(path)
-    reader = _READERS[path.suffix.lower()]
     try:
         if path.stat().st_size == 0:
             raise CurveUpsError("the file is empty", str(path), "export it again")
-        read = reader(path, deflection, go_on, choice)
-        found = read if isinstance(read, Read) else Read(*read)
+        if path.suffix.lower() in ENDINGS:
+            found = read_cad(path, deflection, go_on, choice)
+        else:
+            found = Read(*_MESHES[path.suffix.lower()](path, go_on))
     except OSError as error:
         raise _unreadable(path, error) from error
     except MemoryError:
@@ -57,7 +58,7 @@ def require_readable(path: Path) -> None:
                             "give a file, or a built-in name from 'curveups targets'")
     if not file:
         raise CurveUpsError("the target is no file", str(path), f"give {FORMATS} file")
-    if path.suffix.lower() not in _READERS:
+    if path.suffix.lower() not in (*_MESHES, *ENDINGS):
         raise CurveUpsError(f"unknown format '{path.suffix or path.name}'", str(path),
                             f"give {FORMATS} file")
 
@@ -67,11 +68,7 @@ def _unreadable(path: Path, error: Exception) -> CurveUpsError:
                          "check its name and permissions")
 
 
-_READERS: dict[str, Callable[..., Union[Mesh, Read]]] = {
-    ".obj": lambda path, *_: mesh_files.read_obj(path),
-    ".off": lambda path, *_: mesh_files.read_off(path),
-    ".3mf": lambda path, *_: mesh_files.read_3mf(path),
-    ".stl": lambda path, *_: read_stl(path),
-    ".ply": lambda path, *_: read_ply(path),
-    **{ending: read_cad for ending in ENDINGS},
+_MESHES: dict[str, Callable[[Path, GoOn], Mesh]] = {
+    ".obj": mesh_files.read_obj, ".off": mesh_files.read_off, ".3mf": mesh_files.read_3mf, ".stl": read_stl,
+    ".ply": read_ply,
 }
