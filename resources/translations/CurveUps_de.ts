@@ -84,6 +84,10 @@
       <translation>Durchmesser eines Nählochs. Zapfen lassen ihm Platz, und ringsum bleibt p_floor an Material stehen. Von 0.2 bis 10 mm. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
+      <source>Direction of gravity as x,y,z in the coordinates of the target. Its length has no effect. Takes effect with Verify.</source>
+      <translation>Richtung der Schwerkraft als x,y,z in den Koordinaten des Ziels. Ihre Länge hat keine Wirkung. Wirkt mit „Prüfen“.</translation>
+    </message>
+    <message>
       <source>Distance between the axes of neighbouring anchors. From 1 to 500 mm. Takes effect at once.</source>
       <translation>Abstand der Achsen benachbarter Anker. Von 1 bis 500 mm. Wirkt sofort.</translation>
     </message>
@@ -298,18 +302,6 @@
     <message>
       <source>Young's modulus of the tiles' material. It says how far walls and bumps give way where tiles settle. From 10 to 1e+06 MPa. Takes effect with Verify.</source>
       <translation>Elastizitätsmodul des Materials der Kacheln. Er sagt, wie weit Wände und Noppen nachgeben, wo Kacheln sich setzen. Von 10 bis 1e+06 MPa. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>x component of the direction of gravity. From -1 to 1. Takes effect with Verify.</source>
-      <translation>x-Komponente der Richtung der Schwerkraft. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>y component of the direction of gravity. From -1 to 1. Takes effect with Verify.</source>
-      <translation>y-Komponente der Richtung der Schwerkraft. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
-    </message>
-    <message>
-      <source>z component of the direction of gravity. From -1 to 1. Takes effect with Verify.</source>
-      <translation>z-Komponente der Richtung der Schwerkraft. Von -1 bis 1. Wirkt mit „Prüfen“.</translation>
     </message>
   </context>
   <context>
@@ -1068,6 +1060,10 @@
     <message>
       <source>'curveups check' tries them with mending, too</source>
       <translation>„curveups check“ probiert sie auch mit Ausbessern</translation>
+    </message>
+    <message>
+      <source>'{0}' is no direction</source>
+      <translation>„{0}“ ist keine Richtung</translation>
     </message>
     <message>
       <source>'{0}' is no face</source>
@@ -1866,6 +1862,14 @@
       <translation>zusammengehörige Felder angeben, Längen in mm</translation>
     </message>
     <message>
+      <source>give auto, largest, none, or a plane as z=0, z&gt;0 or x&lt;12.5</source>
+      <translation>auto, largest, none oder eine Ebene wie z=0, z&gt;0 oder x&lt;12.5 angeben</translation>
+    </message>
+    <message>
+      <source>give auto, or a whole number from 1 to 24</source>
+      <translation>auto oder eine ganze Zahl von 1 bis 24 angeben</translation>
+    </message>
+    <message>
       <source>give corners in order, without crossings</source>
       <translation>Ecken der Reihe nach angeben, ohne Überkreuzungen</translation>
     </message>
@@ -1998,6 +2002,10 @@
       <translation>x y z in mm angeben, bei Marken mit dem Namen der Kachel davor</translation>
     </message>
     <message>
+      <source>give x,y,z: 0,0,-1</source>
+      <translation>x,y,z angeben: 0,0,-1</translation>
+    </message>
+    <message>
       <source>give {0} file</source>
       <translation>eine Datei angeben: {0}</translation>
     </message>
@@ -2010,8 +2018,8 @@
       <translation>{0} bis {1} angeben</translation>
     </message>
     <message>
-      <source>gravity has no direction: gravity_x, gravity_y and gravity_z are all 0</source>
-      <translation>die Schwerkraft hat keine Richtung: gravity_x, gravity_y und gravity_z sind alle 0</translation>
+      <source>gravity has no direction: gravity_direction is {0}</source>
+      <translation>die Schwerkraft hat keine Richtung: gravity_direction ist {0}</translation>
     </message>
     <message>
       <source>height of the pins</source>
@@ -2306,6 +2314,10 @@
       <translation>mit -o einen anderen Ordner nennen</translation>
     </message>
     <message>
+      <source>name faces as FreeCAD does, from 1: Face3,Face7-9</source>
+      <translation>Flächen nennen, wie FreeCAD es tut, ab 1: Face3,Face7-9</translation>
+    </message>
+    <message>
       <source>name it without slashes</source>
       <translation>ihn ohne Schrägstriche nennen</translation>
     </message>
@@ -2590,12 +2602,12 @@
       <translation>dimple_clearance erhöhen oder bumps auf none setzen</translation>
     </message>
     <message>
-      <source>raise fidelity, or see 'curveups check'</source>
-      <translation>fidelity erhöhen, oder siehe „curveups check“</translation>
-    </message>
-    <message>
       <source>raise friction_coefficient, or choose bumps=dimples</source>
       <translation>friction_coefficient erhöhen oder bumps=dimples wählen</translation>
+    </message>
+    <message>
+      <source>raise maximum_deviation, or see 'curveups check'</source>
+      <translation>maximum_deviation erhöhen, oder siehe „curveups check“</translation>
     </message>
     <message>
       <source>raise mesh_deviation or set mesh_bumps to off</source>
@@ -3598,8 +3610,8 @@
       <translation>Wand neben dem Nähloch</translation>
     </message>
     <message>
-      <source>walls stand back by {set:g} mm for what prints grow; a {printer} grows walls by {grows:g} mm: raise wall_growth</source>
-      <translation>Wände stehen um {set:g} mm zurück für das, was Drucke wachsen; ein {printer} lässt Wände um {grows:g} mm wachsen: wall_growth erhöhen</translation>
+      <source>walls stand back by {set:g} mm for what prints grow; a {printer} grows walls by {grows:g} mm: raise xy_compensation</source>
+      <translation>Wände stehen um {set:g} mm zurück für das, was Drucke wachsen; ein {printer} lässt Wände um {grows:g} mm wachsen: xy_compensation erhöhen</translation>
     </message>
     <message>
       <source>what was said of the layout's making is damaged or gone: Solve makes it</source>

@@ -70,7 +70,7 @@ def test_only_what_is_like_a_name_is_taken_for_it():
     ("design", "disc", "-o", "x", "--set", "L=-1"), ("design", "disc", "-o", "x", "--set", "L=nan"),
     ("design", "disc", "-o", "x", "--set", "L=1e9"), ("design", "disc", "-o", "x", "--set", "l=7"),
     ("design", "disc", "-o", "x", "--set", "bumps=maybe"),
-    ("design", "disc", "-o", "x", "--set", "verify=perhaps"),
+    ("design", "disc", "-o", "x", "--set", "run_verification=perhaps"),
     ("design", "disc", "-o", "x", "--set", "p_min=4"),
     ("design", "disc", "-o", "x", "--set", "bump_count=3.5"),
     ("design", "no-such-target", "-o", "x"), ("design", "disc", "-o", "x", "--config", "none.json"),
@@ -105,7 +105,7 @@ def test_several_settings_at_once(curveups, cap, tmp_path, settings):
         ran = curveups("design", *words, "-o", folder, "--no-remesh", "--no-solids", "--set", "verify=off")
         assert ran.status == 0, ran.err
         values = json.loads((folder / "design.json").read_text("utf-8"))["parameters"]
-        assert values["tau"] == 2.9 and values["d_gap_min"] == 0.7 and values["verify"] is False
+        assert values["tau"] == 2.9 and values["d_gap_min"] == 0.7 and values["run_verification"] is False
 
 
 @pytest.mark.parametrize("text", [

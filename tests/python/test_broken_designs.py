@@ -76,7 +76,7 @@ def test_broken_design(curveups, designed, tmp_path, name, command):
 
 
 def test_export_refuses_what_needs_a_new_layout(curveups, designed, tmp_path):
-    for setting in ("L=8", "d_gap_min=0.7", "verify=off"):
+    for setting in ("L=8", "d_gap_min=0.7", "run_verification=off"):
         ran = curveups("export", designed.folder / "design.json", "-o", tmp_path / "out",
                        "--set", setting)
         assert ran.status == 2 and setting.split("=")[0] in ran.error_lines[0]

@@ -229,7 +229,7 @@ def test_a_design_that_is_not_valid_names_the_sizes_that_check_does(curveups, tm
     assert curveups("check", path, "-o", tmp_path / "check").status == 1
     most = json.loads((tmp_path / "check" / "check.json").read_text("utf-8"))["recommended"]["H_body"]
     assert 0.5 < most < 3
-    assert curveups("design", path, "-o", tmp_path, "--no-solids", "--set", "repair=off").status == 1
+    assert curveups("design", path, "-o", tmp_path, "--no-solids", "--set", "run_repair=off").status == 1
     reasons = json.loads((tmp_path / "report.json").read_text("utf-8"))["reasons"]
     said, = (one for one in reasons if "'curveups check' finds nothing in the way" in one)
     name, _, value = said.removeprefix("suggested: ").split(",")[0].split(" or ")[0].partition("=")

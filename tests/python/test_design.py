@@ -116,7 +116,7 @@ def test_horns(curveups, tmp_path, sectors, rings, lies_flat):
     finding with a reason, and the geometry stays sound."""
     (tmp_path / "horn.obj").write_text(horn(sectors, rings))
     ran = curveups("design", tmp_path / "horn.obj", "-o", tmp_path / "out", "--no-remesh",
-                   "--no-solids", "--set", "verify=off")
+                   "--no-solids", "--set", "run_verification=off")
     assert ran.status == (0 if lies_flat else 1), ran.err
     design = json.loads((tmp_path / "out" / "design.json").read_text("utf-8"))
     report = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))
@@ -134,7 +134,7 @@ def test_supports_that_run_into_one_another_are_named(curveups, tmp_path):
         str(int(i) + 7) for i in m[0].split()[1:]), second)
     (tmp_path / "two.obj").write_text(dome(1) + second)
     ran = curveups("design", tmp_path / "two.obj", "-o", tmp_path / "out", "--no-remesh", "--no-solids",
-                   "--set", "verify=off")
+                   "--set", "run_verification=off")
     assert ran.status == 0, ran.err
     ran = curveups("export", tmp_path / "out" / "design.json", "-o", tmp_path / "wide", "--set",
                    "support_margin=40")
@@ -197,7 +197,7 @@ def test_cuts_by_edges_and_by_polyline(curveups, cap, tmp_path):
 def test_config_and_set(curveups, cap, tmp_path):
     (tmp_path / "c.json").write_text('{"H_body": 2.5, "d_gap_min": 0.7, "anchors": false}')
     ran = curveups("design", cap, "-o", tmp_path / "o", "--no-remesh", "--no-solids", "--config",
-                   tmp_path / "c.json", "--set", "H_body=2", "--set", "verify=off")
+                   tmp_path / "c.json", "--set", "H_body=2", "--set", "run_verification=off")
     assert ran.status == 0, ran.err
     parameters = json.loads((tmp_path / "o" / "design.json").read_text("utf-8"))["parameters"]
     assert (parameters["H_body"], parameters["d_gap_min"]) == (2, 0.7)
@@ -215,7 +215,7 @@ def test_materials_are_configurations(curveups, cap, tmp_path):
         other = tmp_path / "tiles.json"
         other.write_text('{"H_body": 2.5}')
         ran = curveups("design", cap, "-o", tmp_path / material.stem, "--no-remesh", "--no-solids",
-                       "--config", material, "--config", other, "--set", "verify=off")
+                       "--config", material, "--config", other, "--set", "run_verification=off")
         assert ran.status == 0, ran.err
         used = json.loads((tmp_path / material.stem / "design.json").read_text("utf-8"))["parameters"]
         given = json.loads(material.read_text("utf-8"))

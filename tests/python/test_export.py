@@ -18,17 +18,17 @@ def bowl(curveups, cap, tmp_path_factory):
     """The small cap seen from inside: back faces are larger than front faces."""
     folder = tmp_path_factory.mktemp("bowl")
     ran = curveups("design", cap, "-o", folder, "--no-remesh", "--no-solids", "--set", "flip=on",
-                   "--set", "verify=off")
+                   "--set", "run_verification=off")
     assert ran.status == 0, ran.err
     return folder
 
 
 def test_aliases_of_parameters_are_accepted(curveups, bowl, tmp_path):
-    ran = curveups("export", bowl / "design.json", "-o", tmp_path, "--set", "xy_compensation=0.125")
+    ran = curveups("export", bowl / "design.json", "-o", tmp_path, "--set", "wall_growth=0.125")
     assert ran.status == 0, ran.err
-    assert read(tmp_path)[0]["parameters"]["wall_growth"] == 0.125
+    assert read(tmp_path)[0]["parameters"]["xy_compensation"] == 0.125
     other = tmp_path / "other"
-    refused = curveups("export", bowl / "design.json", "-o", other, "--set", "maximum_deviation=1")
+    refused = curveups("export", bowl / "design.json", "-o", other, "--set", "fidelity=1")
     assert refused.status == 2 and "can't change on export" in refused.err
 
 

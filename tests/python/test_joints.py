@@ -13,7 +13,7 @@ from curveups.stages.joining import joints_of, not_joined
 from schema import read_run
 from shapes import obj_text, sphere
 
-SIZES = ("pieces=2", "L=8", "H_body=2", "verify=off")
+SIZES = ("pieces=2", "L=8", "H_body=2", "run_verification=off")
 
 
 @pytest.fixture(scope="module")
@@ -93,7 +93,7 @@ def test_the_stl_is_closed_and_has_the_holes(sewn):
 
 
 def test_one_piece_has_nothing_to_join(curveups, cap, tmp_path):
-    ran = curveups("design", cap, "-o", tmp_path, "--set", "joint=holes", "verify=off")
+    ran = curveups("design", cap, "-o", tmp_path, "--set", "joint=holes", "run_verification=off")
     assert ran.status == 0, ran.err
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     said, = (one for one in report["warnings"] if one["kind"] == "joint")

@@ -110,7 +110,7 @@ def test_the_number_is_kept_and_the_threads_do_not_matter(curveups, shapes_folde
         monkeypatch.setenv("CURVEUPS_THREADS", threads)
         out = tmp_path / threads
         ran = curveups("design", shapes_folder / "ring.obj", "-o", out, "--no-solids", "--set", "pieces=5",
-                       "L=10", "verify=off")
+                       "L=10", "run_verification=off")
         assert ran.status == 0, ran.err
         found.append((out / "design.json").read_bytes())
     assert found[0] == found[1]
@@ -122,7 +122,7 @@ def test_designs_reopen_with_their_pieces(curveups, shapes_folder, ball, tmp_pat
     design, _ = read_run(ball)
     (tmp_path / "cuts.json").write_text(json.dumps({"edges": design["cuts"]}))
     ran = curveups("design", shapes_folder / "ball.obj", "-o", tmp_path / "out", "--no-solids", "--set",
-                   "pieces=2", "verify=off", "--cuts", tmp_path / "cuts.json")
+                   "pieces=2", "run_verification=off", "--cuts", tmp_path / "cuts.json")
     assert ran.status == 0, ran.err
     again = json.loads((tmp_path / "out" / "design.json").read_text("utf-8"))
     assert again["cuts"] == design["cuts"]

@@ -176,7 +176,7 @@ def test_profiles_and_defaults_suit_their_printers(profile):
             values.set(name, value)
     printer = read_printer(values.get("printer"))
     assert values.get("p_min") >= values.get("p_floor") >= printer["smallest_feature_mm"]
-    assert values.get("wall_growth") >= printer["growth_mm"]
+    assert values.get("xy_compensation") >= printer["growth_mm"]
     assert values.get("d_gap_min") >= max(printer["smallest_gap_mm"], printer["smallest_feature_mm"])
     assert values.get("bumps") == "none" or values.get("bump_height") >= printer["resolution_mm"]
     assert values.get("support") != "soluble" or printer["materials"] > 1
@@ -187,11 +187,11 @@ def test_walls_that_meet_stand_back_by_what_the_printer_grows(exported):
         _, report = exported(*settings)
         return [w["what"] for w in report["warnings"] if w.get("kind") == "growth"]
 
-    assert said("bumps=none", "wall_growth=0.02") and said("bumps=dimples", "wall_growth=0.02")
-    assert "raise wall_growth" in said("bumps=none", "wall_growth=0.02")[0]
-    assert not said("bumps=none", "wall_growth=0.05")
-    assert said("bumps=none", "wall_growth=0.05", "printer=fdm")
-    assert not said("bumps=bumps", "wall_growth=0")  # their height keeps walls apart
+    assert said("bumps=none", "xy_compensation=0.02") and said("bumps=dimples", "xy_compensation=0.02")
+    assert "raise xy_compensation" in said("bumps=none", "xy_compensation=0.02")[0]
+    assert not said("bumps=none", "xy_compensation=0.05")
+    assert said("bumps=none", "xy_compensation=0.05", "printer=fdm")
+    assert not said("bumps=bumps", "xy_compensation=0")  # their height keeps walls apart
 
 
 def test_names_stay_as_they_are_in_titles(curveups, tmp_path):

@@ -118,7 +118,8 @@ OTHER = {"number": lambda row, now: now * 0.9 if row.minimum <= now * 0.9 else n
          "integer": lambda row, now: now + 1, "switch": lambda row, now: not now,
          "choice": lambda row, now: next(c for c in row.choices if c != now),
          "tiles": lambda row, now: "T00003", "faces": lambda row, now: "Face1",
-         "opening": lambda row, now: "none", "pieces": lambda row, now: "2"}
+         "opening": lambda row, now: "none", "pieces": lambda row, now: "2",
+         "direction": lambda row, now: "1,0,0"}
 
 
 def test_no_stage_reads_a_parameter_that_it_does_not_declare(project):
@@ -144,7 +145,7 @@ def test_no_stage_reads_a_parameter_that_it_does_not_declare(project):
     names = ("surface", "target", "cuts", "relief", "layout", "figures", "bodies", "suggestions")
     expected = {name: figures(name, base) for name in names}
     for row in table():
-        if row.name in ("verify", "L"):
+        if row.name in ("run_verification", "L"):
             continue
         other = changed(native.Parameters(base), **{row.name: OTHER[row.type](row, base.get(row.name))})
         for name in names:

@@ -72,7 +72,7 @@ def native_contacts(design):
 
 
 def test_settling_changes_no_design_and_may_be_left_out(curveups, cap, designed, tmp_path):
-    ran = curveups("design", cap, "-o", tmp_path, "--no-remesh", "--no-solids", "--set", "settle=off")
+    ran = curveups("design", cap, "-o", tmp_path, "--no-remesh", "--no-solids", "--set", "run_settling=off")
     assert ran.status == VALID and "valid, not settled" in ran.err
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     assert report["valid"] is True and report["holds"] is None
@@ -87,7 +87,7 @@ def test_settling_changes_no_design_and_may_be_left_out(curveups, cap, designed,
 
 def test_almost_no_friction_does_not_hold(curveups, tmp_path):
     """`valid` keeps its meaning; both are said."""
-    ran = curveups("design", "half-sphere", "-o", tmp_path, "--no-solids", "--set", "L=14", "repair=off",
+    ran = curveups("design", "half-sphere", "-o", tmp_path, "--no-solids", "--set", "L=14", "run_repair=off",
                    "friction_coefficient=0.01")
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     assert report["holds"] is False and "does not hold" in ran.err

@@ -42,13 +42,13 @@ def chosen(of, *names):
 
 def test_the_largest_length_within_fidelity():
     fidelity = 0.3
-    of = project(*dome(), fidelity=fidelity)
+    of = project(*dome(), maximum_deviation=fidelity)
     L = chosen(of, "L")["L"]
     made = project(*dome(), L=L).run(("target", "feasibility"))
     assert made["target"].sagitta <= fidelity and made["feasibility"].feasible
     beyond = project(*dome(), L=1.2 * L).run(("target",))["target"]
     assert beyond.sagitta > fidelity
-    assert chosen(project(*dome(), fidelity=2 * fidelity), "L")["L"] > L
+    assert chosen(project(*dome(), maximum_deviation=2 * fidelity), "L")["L"] > L
 
 
 def test_thickness_and_both():
@@ -56,7 +56,7 @@ def test_thickness_and_both():
     H_body = chosen(of, "H_body")["H_body"]
     assert 8 / 7 <= H_body <= 8 * 3 / 7
     assert project(*dome(), L=8.0, H_body=H_body).run(("feasibility",))["feasibility"].feasible
-    both = chosen(project(*dome(), fidelity=0.3), "L", "H_body")
+    both = chosen(project(*dome(), maximum_deviation=0.3), "L", "H_body")
     assert both["H_body"] <= both["L"] * 3 / 7
     assert project(*dome(), **both).run(("feasibility",))["feasibility"].feasible
 
@@ -64,12 +64,12 @@ def test_thickness_and_both():
 def test_a_fidelity_out_of_reach_is_refused():
     V, F = dome(26 * 2 ** 0.5, 40)  # a steep rim
     with pytest.raises(CurveUpsError, match="no L does"):
-        chosen(project(V, F, fidelity=1e-3), "L")
+        chosen(project(V, F, maximum_deviation=1e-3), "L")
 
 
 def test_auto_on_the_command_line(curveups, cap, tmp_path):
-    ran = curveups("design", cap, "-o", tmp_path, "--set", "L=auto", "H_body=auto", "fidelity=0.8",
-                   "verify=off", "--no-solids")
+    ran = curveups("design", cap, "-o", tmp_path, "--set", "L=auto", "H_body=auto", "maximum_deviation=0.8",
+                   "run_verification=off", "--no-solids")
     assert ran.status == 0, ran.err
     values = json.loads((tmp_path / "design.json").read_text("utf-8"))["parameters"]
     assert f"L = {values['L']:g} mm is chosen" in ran.err

@@ -116,7 +116,7 @@ def laid_out(curveups, tmp_path_factory):
     folder = tmp_path_factory.mktemp("laid-out")
     (folder / "dome.obj").write_text(dome(7))
     ran = curveups("design", folder / "dome.obj", "-o", folder, "--no-remesh", "--no-solids", "--set",
-                   "verify=off")
+                   "run_verification=off")
     assert ran.status == 0, ran.err
     return folder / "design.json"
 

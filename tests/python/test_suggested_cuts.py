@@ -9,7 +9,7 @@ from running import dome
 from schema import check_design, check_report
 from shapes import obj_text, ring, sphere, vase
 
-FAST = ("--no-solids", "--set", "L=14", "--set", "verify=off")
+FAST = ("--no-solids", "--set", "L=14", "--set", "run_verification=off")
 
 
 @pytest.fixture(scope="module")
@@ -125,7 +125,7 @@ def test_a_deep_vase_gets_suggestions_that_can_be_given_back(curveups, shapes_fo
 
 def test_a_design_that_fails_verification_says_what_may_help(curveups, shapes_folder, tmp_path):
     ran, design, report = run(curveups, shapes_folder, tmp_path, "sphere", "--no-solids", "--set", "L=12",
-                              "--set", "repair=off", "--auto-cuts", "1", status=1)
+                              "--set", "run_repair=off", "--auto-cuts", "1", status=1)
     assert report["valid"] is False
     applied = [cut["applied"] for cut in report["suggested_cuts"]]
     assert applied == sorted(applied, reverse=True) and applied[0] and not applied[-1]

@@ -11,7 +11,7 @@ import cad
 import pytest
 from running import ROOT, command, environment
 
-DESIGN = ("design", "disc", "-o", "out", "--no-solids", "--set", "verify=off")
+DESIGN = ("design", "disc", "-o", "out", "--no-solids", "--set", "run_verification=off")
 
 
 def run(folder, redirection, *arguments, **more):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The parameter table as data. The native module's build writes it from the one table in
-native/curveups/design/parameters.cpp, so that documents know their parameters without the module."""
+native/curveups/design/parameter_table.cpp, so that documents know their parameters without the module."""
 
 from __future__ import annotations
 

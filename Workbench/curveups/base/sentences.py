@@ -266,7 +266,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                            "a {printer} resolves",
                            "raise dimple_clearance, or set bumps to none"),
     "growth": "walls stand back by {set:g} mm for what prints grow; a {printer} grows walls by {grows:g} "
-              "mm: raise wall_growth",
+              "mm: raise xy_compensation",
     "thin_p_min": "p_min gave way to {least:.3g} mm at {at:6}, below what a {printer} makes ({makes:g} mm): "
                   "raise p_floor",
     # Repair and advice.

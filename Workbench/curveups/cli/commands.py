@@ -110,7 +110,7 @@ def parameters(options: Any, session: Session) -> int:
         if row.group != group:
             session.answer(f"{'' if group is None else chr(10)}{row.group}")
             group = row.group
-        session.answer(f"  {row.name:<22}{_default(row):<22}{_range(row):<29}{row.meaning}")
+        session.answer(f"  {row.name:<28}{_default(row):<22}{_range(row):<29}{row.meaning}")
     if not options.all:
         session.answer("\n'curveups parameters --all' lists the others, too")
     return VALID
@@ -123,7 +123,7 @@ def verify(options: Any, session: Session) -> int:
     design = _read_design(options.design)
     project = Project.of_design(design, str(options.design))
     parameters = project.parameters
-    parameters.set("verify", True)
+    parameters.set("run_verification", True)
     project.parameters = parameters
     results = project.run(asked_by("verify"), session.job, strict=True)
     if options.output:
@@ -308,7 +308,7 @@ def _default(row: Any) -> str:
 
 # What the texts of parameters name, by the type of their rows.
 TEXTS = {"tiles": "tile names", "faces": "face names", "opening": "auto, largest, none, z=0, ...",
-         "pieces": "1 to 24, or auto"}
+         "pieces": "1 to 24, or auto", "direction": "x,y,z"}
 
 
 def _range(row: Any) -> str:

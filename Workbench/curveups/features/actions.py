@@ -103,8 +103,8 @@ def check(design: Any) -> Results:
 
 def choose_sizes(design: Any, names: Collection[str] = sizes.AUTOMATIC) -> dict[str, float]:
     """Sets the length L of the tiles, their thickness H_body or both to what `auto` is on the command line:
-    the largest values that can be made and stay within `fidelity` of the surface. Raises CurveUpsError where
-    there are none, or where an expression says what they are."""
+    the largest values that can be made and stay within `maximum_deviation` of the surface. Raises
+    CurveUpsError where there are none, or where an expression says what they are."""
     found = _made.pop(("choose_sizes", design.Document.Name, design.Name), None)
     if found is None:
         found = sizes_work(design, names)(Job())

@@ -12,13 +12,14 @@ from ..base.native import native, translated
 from ..base.parameters import Parameter, parameter, table
 from ..stages.solids import read_printer
 
-# Two names belong to objects below a Design.
-_NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}
+# Two names belong to objects below a Design; two are those that documents and scripts know.
+_NAMES = {"support": "SupportKind", "anchors": "WithAnchors", "maximum_deviation": "Fidelity",
+          "xy_compensation": "WallGrowth"}
 
 _TYPES = {"integer": "App::PropertyInteger", "switch": "App::PropertyBool",
           "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString",
           "faces": "App::PropertyString", "opening": "App::PropertyString",
-          "pieces": "App::PropertyString"}
+          "pieces": "App::PropertyString", "direction": "App::PropertyString"}
 # Types whose editor shows the unit. Where a FreeCAD lacks one (density before 0.21) the number is
 # plain and its tooltip names the unit.
 _UNIT_TYPES = {"mm": "App::PropertyLength", "mm2": "App::PropertyArea",
@@ -80,6 +81,16 @@ def add_parameters(obj: Any, parameters: Any) -> None:
         if row.choices:
             setattr(obj, name, list(row.choices))
         _set(obj, row, parameters.get(row.name))
+    _join_gravity(obj)
+
+
+def _join_gravity(obj: Any) -> None:
+    """Earlier versions had a number an axis for the direction of gravity."""
+    former = ("GravityX", "GravityY", "GravityZ")
+    if set(former) <= set(obj.PropertiesList):
+        obj.GravityDirection = ",".join(f"{getattr(obj, name)!r}".removesuffix(".0") for name in former)
+        for name in former:
+            obj.removeProperty(name)
 
 
 def hide_retired(obj: Any) -> None:

@@ -216,8 +216,8 @@ class Project:
         values = native.Parameters(parameters)
         with translated(self.where or "parameters"):
             values.check()
-        if not values.get("verify"):
-            values.set("repair", False)
+        if not values.get("run_verification"):
+            values.set("run_repair", False)
         return values
 
 

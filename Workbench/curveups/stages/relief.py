@@ -56,7 +56,7 @@ def make_room(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any,
 
 
 def _asked(parameters: Any) -> bool:
-    return bool(parameters.get("repair") and parameters.get("move_vertices"))
+    return bool(parameters.get("run_repair") and parameters.get("move_vertices"))
 
 
 def _run(inputs: Inputs, job: Job) -> Relief:

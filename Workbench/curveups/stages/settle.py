@@ -82,7 +82,7 @@ class Settled(Result):
 
 def _run(inputs: Inputs, job: Job) -> Settled:
     values = inputs.parameters
-    if not values.get("settle") or not inputs["verification"].blocks:
+    if not values.get("run_settling") or not inputs["verification"].blocks:
         return Settled(note=_open(inputs, Finding("unsettled_design")))
     try:
         design = inputs["design"].design.with_parameters(values)

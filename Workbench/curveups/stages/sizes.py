@@ -134,10 +134,10 @@ class Trials:
         found = _last(values, lambda H_body: self(L, H_body).feasible)
         return None if found < 0 else values[found]
 
-    def largest_length(self, L: float, thickness: Callable[[float], float], fidelity: float,
+    def largest_length(self, L: float, thickness: Callable[[float], float], maximum_deviation: float,
                        where: str) -> float:
-        """The largest feasible length at which the surface stays within `fidelity` (mm) of its facets, which
-        was tried; L: one that was tried. Raises CurveUpsError where there is none."""
+        """The largest feasible length that was tried at which the surface stays within `maximum_deviation`
+        (mm) of its facets; L: one that was tried. Raises CurveUpsError where there is none."""
         low, high = value_range("L")
         values = [value for value in series(low, high) if LEAST_TILES <= self.tiles(value) <= MOST_CHOSEN]
         if not values:
@@ -145,11 +145,11 @@ class Trials:
                                 "check its unit (scale, fit)")
 
         def near(value: float) -> bool:
-            return self.sagitta(value) <= fidelity
+            return self.sagitta(value) <= maximum_deviation
 
         # It grows with the square of the length, as long as that is small against the curvature's radius.
         sagitta = self.sagitta(L)
-        guess = L * math.sqrt(fidelity / sagitta) if sagitta > 0 else values[-1]
+        guess = L * math.sqrt(maximum_deviation / sagitta) if sagitta > 0 else values[-1]
         place = int(np.argmin(np.abs(np.log(np.array(values) / guess))))
         while place > 0 and not near(values[place]):
             place = max(0, place - _STRIDE // 2)
@@ -157,8 +157,8 @@ class Trials:
         for place in range(last, -1, -1):
             if near(values[place]) and self(values[place], thickness(values[place])).feasible:
                 return values[place]
-        raise CurveUpsError(f"no L does that keeps tiles within {fidelity:g} mm of the surface", where,
-                            "raise fidelity, or see 'curveups check'")
+        raise CurveUpsError(f"no L does that keeps tiles within {maximum_deviation:g} mm of the surface",
+                            where, "raise maximum_deviation, or see 'curveups check'")
 
     def lengths(self, L: float) -> list[float]:
         """The series of lengths about L, with L itself in it."""
@@ -265,9 +265,9 @@ AUTOMATIC = ("L", "H_body")  # parameters that may be "auto"
 def choose(target: Any, cuts: CutRequest, parameters: Any, names: Collection[str], job: Job,
            where: str) -> dict[str, float]:
     """The largest feasible values of those of AUTOMATIC that are named: lengths at which the surface stays
-    within `fidelity` of its tiles, thicknesses up to _STOUTEST lengths. A length is looked for with the
-    thickness that is set or, where that is to be chosen, with _THINNEST lengths. Raises CurveUpsError where
-    there is none, and Stopped."""
+    within `maximum_deviation` of its tiles, thicknesses up to _STOUTEST lengths. A length is looked for with
+    the thickness that is set or, where that is to be chosen, with _THINNEST lengths. Raises CurveUpsError
+    where there is none, and Stopped."""
     found: dict[str, float] = {}
     trials = _trials(target, cuts, parameters, job)
     L, H_body = parameters.get("L"), parameters.get("H_body")
@@ -277,7 +277,7 @@ def choose(target: Any, cuts: CutRequest, parameters: Any, names: Collection[str
                                 "give cuts as polylines, or L as a number")
         thin = trials.thinnest
         thickness = (lambda L: max(_THINNEST * L, thin)) if "H_body" in names else (lambda L: H_body)
-        L = found["L"] = trials.largest_length(L, thickness, parameters.get("fidelity"), where)
+        L = found["L"] = trials.largest_length(L, thickness, parameters.get("maximum_deviation"), where)
     if "H_body" in names:
         thickest = trials.largest_thickness(L, _STOUTEST * L)
         if thickest is None:

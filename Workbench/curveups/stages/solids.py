@@ -228,9 +228,9 @@ def too_thin(relaxed: Sequence[Mapping[str, Any]], printer: dict) -> tuple[Findi
 
 def _fit_warnings(parameters: Any, printer: dict) -> Sequence[Finding]:
     """Walls that meet without bumps in between are as far apart as they stand back."""
-    if parameters.get("bumps") == "bumps" or parameters.get("wall_growth") >= printer["growth_mm"]:
+    if parameters.get("bumps") == "bumps" or parameters.get("xy_compensation") >= printer["growth_mm"]:
         return ()
-    return (Finding.about("growth", set=parameters.get("wall_growth"), printer=printer["name"],
+    return (Finding.about("growth", set=parameters.get("xy_compensation"), printer=printer["name"],
                           grows=printer["growth_mm"]),)
 
 

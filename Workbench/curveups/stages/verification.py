@@ -112,7 +112,7 @@ def verify(design: Any, job: Job, store: Any = None, weak_is_enough: bool = Fals
 
 
 def _verify(design: Any, inputs: Inputs, job: Job, weak_is_enough: bool = False) -> Verification:
-    if not inputs.parameters.get("verify"):
+    if not inputs.parameters.get("run_verification"):
         return Verification(note=Finding("unverified.off"))
     return verify(design.with_parameters(inputs.parameters), job, inputs.store, weak_is_enough)
 
@@ -142,7 +142,7 @@ def _verify_layout(inputs: Inputs, job: Job) -> LayoutVerification:
 def _verify_design(inputs: Inputs, job: Job) -> Verification:
     finished = inputs["design"]
     found = finished.verification or _verify(finished.design, inputs, job)
-    if not inputs.parameters.get("settle"):  # otherwise the tiles settle by it
+    if not inputs.parameters.get("run_settling"):  # otherwise the tiles settle by it
         inputs.store.clear()
     return found
 
@@ -188,7 +188,7 @@ class Recheck(Result):
 
 
 def _recheck(inputs: Inputs, job: Job) -> Recheck:
-    if not inputs.parameters.get("recheck") or not inputs["verification"].valid:
+    if not inputs.parameters.get("run_mesh_refinement_check") or not inputs["verification"].valid:
         return Recheck()
     finer = native.Parameters(inputs.parameters)
     finer.set("mesh_size", max(0.05, 0.5 * finer.get("mesh_size")))

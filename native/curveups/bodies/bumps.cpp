@@ -83,7 +83,7 @@ class Planner {
     for (int k = 0; k < count; ++k) {
       if (reason_[k].empty()) continue;
       plan_.bare.push_back({k, reason_[k]});
-      set_recess(tiles_.contacts[k], std::min(wall_recess(p_), p_.wall_growth));
+      set_recess(tiles_.contacts[k], std::min(wall_recess(p_), p_.xy_compensation));
     }
     if (!plan_.bare.empty()) build_bodies();
     return finish();

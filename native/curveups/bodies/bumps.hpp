@@ -36,7 +36,7 @@ struct BumpPlan {
 // The bumps of an interface (at least three, not on a line) are shared out between its two walls in
 // turn, so that they interleave; both walls stand back by half the height, so that every apex just
 // touches the wall that faces it when actuated. With "dimples" the facing wall has a hollow
-// concentric with each bump, and walls meet: they stand back by wall_growth only, as bare ones do.
+// concentric with each bump, and walls meet: they stand back by xy_compensation, as bare ones do.
 // Where three do not fit the diameter shrinks, to half at most; interfaces that are too small even
 // so, or whose bumps would touch a neighbour in the flat layout, stay bare. Throws
 // InfeasibleDesign, naming the tiles, where recessing or truncation leaves a tile without front or

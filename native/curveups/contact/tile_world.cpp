@@ -8,6 +8,7 @@
 
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/design/parameter_texts.hpp"
 
 namespace curveups {
 namespace {
@@ -200,7 +201,7 @@ class Builder {
   void add_ground() {
     const Parameters& p = bodies_.parameters;
     if (p.gravity != "resting") return;
-    const Vec3 up = -Vec3(p.gravity_x, p.gravity_y, p.gravity_z).normalized();
+    const Vec3 up = -direction_of(p.gravity_direction);
     const Vec3 along = up.unitOrthogonal(), across = up.cross(along);
     double lowest = std::numeric_limits<double>::infinity(), far = 0;
     for (int i = 0; i < count_; ++i) {

@@ -142,7 +142,7 @@ int lane_count() { return thread_count() == 1 ? 1 : 4 * thread_count(); }
 void parallel_gather(int count, const std::function<void(int, int, int)>& make,
                      const std::function<void(int, int, int)>& take) {
   auto end_of = [&](int begin) { return std::min(count, begin + gathered_range); };
-  if (thread_count() == 1 || count <= gathered_range) {
+  if (thread_count() == 1 || count < serial_terms) {
     for (int begin = 0; begin < count; begin += gathered_range) {
       checkpoint();
       make(begin, end_of(begin), 0);

@@ -16,6 +16,10 @@ int thread_count();
 // Not while a loop runs.
 void set_thread_count(int count);
 
+// The thread that asks works off fewer cheap terms than this: waking another thread takes longer,
+// and the system may have put that one aside.
+inline constexpr int serial_terms = 256;
+
 // Calls body(begin, end) on consecutive ranges that cover [0, count). An exception of a range is
 // rethrown once all have ended (the one of the lowest range).
 void parallel_ranges(int count, const std::function<void(int begin, int end)>& body);
@@ -54,11 +58,15 @@ void parallel_gather(int count, const Make& make, const Take& take) {
 // The sum of term(0), term(1), ... in this order.
 template <class Summand>
 double parallel_sum(int count, const Summand& summand) {
+  double sum = 0;
+  if (count < serial_terms) {
+    for (int i = 0; i < count; ++i) sum += summand(i);
+    return sum;
+  }
   std::vector<double> values(count);
   parallel_ranges(count, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) values[i] = summand(i);
   });
-  double sum = 0;
   for (double value : values) sum += value;
   return sum;
 }

@@ -6,6 +6,7 @@
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/design/parameter_texts.hpp"
 #include "curveups/design/remote_overlaps.hpp"
 
 namespace curveups {

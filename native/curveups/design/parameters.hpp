@@ -17,15 +17,15 @@ struct Parameters {
   double fit = 0.0;
   bool flip = false;
   std::string skin = "outer";
-  std::string faces;  // as check_faces reads them
+  std::string faces;  // of a CAD part
   std::string open = "auto";
   double L = 7.0;
-  double fidelity = 0.5;
+  double maximum_deviation = 0.5;
   double crease_angle = 180.0;
   std::string mend = "off";
   double mend_max = 2.0;
   bool mend_border = true;
-  std::string pieces = "1";  // as check_pieces reads it
+  std::string pieces = "1";  // "auto", or a number
   std::string joint = "none";
   double joint_hole = 1.0;
   // Tiles
@@ -51,7 +51,7 @@ struct Parameters {
   int bump_rows = 2;
   bool bump_recess = true;
   double dimple_clearance = 0.1;
-  double wall_growth = 0.05;
+  double xy_compensation = 0.05;
   // Support
   std::string support = "soluble";
   std::string orientation = "front-up";
@@ -91,16 +91,14 @@ struct Parameters {
   std::string gravity = "off";
   std::string held_tiles;  // as listed_tiles reads them
   double density = 1.18;
-  double gravity_x = 0.0;
-  double gravity_y = 0.0;
-  double gravity_z = -1.0;
+  std::string gravity_direction = "0,0,-1";  // as direction_of reads it
   // Repair
   bool move_vertices = true;
   // Stages
-  bool verify = true;
-  bool repair = true;
-  bool recheck = false;
-  bool settle = true;
+  bool run_verification = true;
+  bool run_repair = true;
+  bool run_mesh_refinement_check = false;
+  bool run_settling = true;
   std::string margin = "aim";
   bool window = false;
 };
@@ -149,8 +147,7 @@ struct ParameterInfo {
   double minimum = 0;  // numbers: the closed range
   double maximum = 0;
   std::vector<std::string_view> choices = {};  // texts; none where `text` says what they are
-  // Texts without choices: "tiles" (listed_tiles), "faces" (check_faces), "opening"
-  // (check_opening), "pieces" (check_pieces).
+  // The kind of a text without choices (parameter_texts.hpp).
   std::string_view text = {};
 };
 
@@ -169,18 +166,6 @@ bool is_retired(std::string_view name);
 // InvalidInput, naming the parameter and its range: unknown name, value of another type, not
 // finite, or out of range; leaves the parameters as they were.
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value);
-// The tiles of a list like "T00012, T00345" (the first tile is T00001), numbered from 0, ascending.
-// Throws InvalidInput for anything else.
-std::vector<int> listed_tiles(std::string_view text);
-// Numbers or names of faces of a CAD part, or ranges of them: "Face3, 7-9"; none is good, too.
-// Throws InvalidInput for anything else.
-void check_faces(std::string_view text);
-// Where a closed part is opened: "auto", "largest", "none", or a plane: "z=0", "x>12.5", "y<-3".
-// Throws InvalidInput for anything else.
-void check_opening(std::string_view text);
-// Into how many pieces a target is divided: "auto", or a whole number from 1 to 24. Throws
-// InvalidInput for anything else.
-void check_pieces(std::string_view text);
 ParameterValue get_parameter(const Parameters& parameters, std::string_view name);
 bool operator==(const Parameters& a, const Parameters& b);
 

@@ -14,7 +14,7 @@ std::array<double, 3> insets(Side side, const double* q) {
 }  // namespace
 
 double wall_recess(const Parameters& parameters) {
-  if (parameters.bumps != "bumps") return parameters.wall_growth;
+  if (parameters.bumps != "bumps") return parameters.xy_compensation;
   return parameters.bump_recess ? 0.5 * parameters.bump_height : 0.0;
 }
 

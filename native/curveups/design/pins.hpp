@@ -22,7 +22,7 @@ double pin_area(const TileMesh& tiles, int tile, Side side, const double* q);
 
 // How far each wall at a contact is recessed (mm, along its normal) so that the actuated shape
 // stays true: half of bump_height where bumps stand between walls (0 where recessing is off), and
-// where walls meet, with dimples or nothing on them, what a print grows by (wall_growth).
+// where walls meet, with dimples or nothing on them, what a print grows by (xy_compensation).
 double wall_recess(const Parameters& parameters);
 
 }  // namespace curveups

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "curveups/bodies/joint_holes.hpp"
+#include "curveups/design/parameter_texts.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/physics/membrane_domain.hpp"
 
@@ -15,10 +16,6 @@ namespace {
 constexpr double standard_gravity = 9.80665;  // m / s2
 constexpr double kilograms = 1e-6;            // of a mm3 at 1 g / cm3
 constexpr double membrane_density = 0.93;  // g / cm3: natural rubber (thermopedia.com/content/1105)
-
-Vec3 downwards(const Parameters& parameters) {
-  return Vec3(parameters.gravity_x, parameters.gravity_y, parameters.gravity_z).normalized();
-}
 
 class Weights {
  public:
@@ -135,7 +132,7 @@ Eigen::VectorXd least_pushes(const std::vector<Foot>& feet, const Vec3& down, do
 Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
                  const Parameters& p) {
   const TileMesh& tiles = geometry.tiles;
-  Weights out(tiles, downwards(p));
+  Weights out(tiles, direction_of(p.gravity_direction));
   if (p.gravity == "off") return Wrenches::Zero(tiles.tile_count(), 6);
   const BumpPlan plan = plan_bumps(geometry, poses, p);
   const JointHoles joints = plan_joint_holes(geometry, plan, q, p);
@@ -170,7 +167,7 @@ std::vector<int> held_tiles(const DesignGeometry& geometry, const Parameters& pa
   std::vector<int> named = listed_tiles(parameters.held_tiles);
   if (!named.empty()) return named;
   const TileMesh& tiles = geometry.tiles;
-  const Vec3 down = downwards(parameters);
+  const Vec3 down = direction_of(parameters.gravity_direction);
   const Points3 centres = tile_centres(tiles);
   const std::vector<int> piece = pieces_of_faces(tiles.topology, tiles.cut);
   std::vector<int> lowest(piece.empty() ? 0 : *std::max_element(piece.begin(), piece.end()) + 1,
@@ -195,7 +192,7 @@ Carried carry(const DesignGeometry& geometry, const Wrenches& weight,
   const int count = tiles.tile_count();
   Carried out{Wrenches::Zero(count, 6), {}, {}};
   if (parameters.gravity == "off" || count == 0) return out;
-  const Vec3 down = downwards(parameters);
+  const Vec3 down = direction_of(parameters.gravity_direction);
   const Points3 centres = tile_centres(tiles);
   const std::vector<int> piece = pieces_of_faces(tiles.topology, tiles.cut);
   const int pieces = *std::max_element(piece.begin(), piece.end()) + 1;

@@ -60,7 +60,7 @@ TEST(Constraints, DoNotDependOnHowTheLayoutIsTurned) {
 TEST(Constraints, ReportMeasuresEachViolation) {
   Parameters p;
   p.bumps = "none";
-  p.wall_growth = 0;
+  p.xy_compensation = 0;
   const TriangleMesh mesh = test::flat_patch(4);
   const DesignGeometry geometry = make_geometry(mesh, no_cuts, p);
   const double inradius = 7 * std::sqrt(0.75) / 3;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/design/parameter_texts.hpp"
 #include "curveups/design/parameters.hpp"
 
 namespace curveups {
@@ -22,18 +23,41 @@ TEST(Parameters, EveryRowIsCompleteAndItsDefaultInRange) {
   EXPECT_NO_THROW(check_parameters(p));
 }
 
-TEST(Parameters, WordsOfTheFieldAreAliases) {
+TEST(Parameters, NamesOfEarlierVersionsAreAliases) {
   Parameters p;
-  set_parameter(p, "xy_compensation", 0.25);
-  set_parameter(p, "maximum_deviation", std::string("0.75"));
-  set_parameter(p, "mesh_refinement_check", true);
-  EXPECT_EQ(p.wall_growth, 0.25);
-  EXPECT_EQ(p.fidelity, 0.75);
-  EXPECT_TRUE(p.recheck);
-  EXPECT_EQ(std::get<double>(get_parameter(p, "xy_compensation")), 0.25);
+  set_parameter(p, "wall_growth", 0.25);
+  set_parameter(p, "fidelity", std::string("0.75"));
+  set_parameter(p, "recheck", true);
+  set_parameter(p, "verify", false);
+  set_parameter(p, "repair", false);
+  set_parameter(p, "settle", false);
+  EXPECT_EQ(p.xy_compensation, 0.25);
+  EXPECT_EQ(p.maximum_deviation, 0.75);
+  EXPECT_TRUE(p.run_mesh_refinement_check);
+  EXPECT_FALSE(p.run_verification || p.run_repair || p.run_settling);
+  EXPECT_EQ(std::get<double>(get_parameter(p, "wall_growth")), 0.25);
   for (const ParameterInfo& info : parameter_table()) {
     EXPECT_EQ(find_parameter(info.name), &info) << "an alias hides " << info.name;
   }
+}
+
+TEST(Parameters, GravityHasOneDirection) {
+  Parameters p;
+  EXPECT_EQ(direction_of(p.gravity_direction), Vec3(0, 0, -1));
+  set_parameter(p, "gravity_direction", std::string("0, 3 -4"));
+  EXPECT_LT((direction_of(p.gravity_direction) - Vec3(0, 0.6, -0.8)).norm(), 1e-15);
+  set_parameter(p, "gravity_direction", std::string("0,0,-1"));
+  set_parameter(p, "gravity_x", -0.5);  // files of earlier versions
+  EXPECT_EQ(p.gravity_direction, "-0.5,0,-1");
+  EXPECT_THROW(set_parameter(p, "gravity_z", 2.0), InvalidInput);
+  for (const char* wrong : {"", "0,0", "0,0,-1,0", "0,0,down", "0,0,nan", "0,0,inf"}) {
+    EXPECT_THROW(set_parameter(p, "gravity_direction", std::string(wrong)), InvalidInput) << wrong;
+  }
+  EXPECT_EQ(p.gravity_direction, "-0.5,0,-1");
+  p.gravity_direction = "0,0,0";
+  EXPECT_NO_THROW(check_parameters(p));
+  p.gravity = "held";
+  EXPECT_THROW(check_parameters(p), InvalidInput);
 }
 
 TEST(Parameters, ListsOfTilesAreReadAsReportsNameThem) {

@@ -15,7 +15,7 @@ const Edges no_cuts(0, 2);
 Parameters without_bumps() {
   Parameters p;
   p.bumps = "none";
-  p.wall_growth = 0;
+  p.xy_compensation = 0;
   return p;
 }
 
@@ -72,7 +72,7 @@ TEST(Pins, PMinCountsFromTheRecessedEdge) {
   // Walls that meet stand back by what prints grow.
   for (const char* bumps : {"dimples", "none"}) {
     p.bumps = bumps;
-    EXPECT_EQ(wall_recess(p), p.wall_growth);
+    EXPECT_EQ(wall_recess(p), p.xy_compensation);
   }
 }
 

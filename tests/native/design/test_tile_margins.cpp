@@ -14,7 +14,7 @@ const Edges no_cuts(0, 2);
 Parameters plain() {
   Parameters p;
   p.bumps = "none";
-  p.wall_growth = 0;
+  p.xy_compensation = 0;
   return p;
 }
 

@@ -320,7 +320,7 @@ TEST(Bumps, NeverRecessBoundaryWallsAndLeaveTooSmallInterfacesBare) {
   for (const BareInterface& bare : model.bumps.bare) {
     const Contact& contact = model.geometry.tiles.contacts[bare.contact];
     for (int s = 0; s < 2; ++s) {
-      EXPECT_EQ(model.bumps.recess(contact.tile[s], contact.side[s]), p.wall_growth);
+      EXPECT_EQ(model.bumps.recess(contact.tile[s], contact.side[s]), p.xy_compensation);
     }
   }
   const PrintModel standard = make_print_model(test::sample_design(), "0.1");

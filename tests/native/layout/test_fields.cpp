@@ -25,7 +25,7 @@ TEST(TargetFields, FoldsAreTheDihedralAnglesWithTheirSign) {
 TEST(TargetFields, AFlatTargetIsStretchedByWhatItsGapsTake) {
   Parameters p;
   p.bumps = "none";
-  p.wall_growth = 0;
+  p.xy_compensation = 0;
   const TargetFields fields = target_fields(test::flat_patch(), no_cuts, p);
   // Equal tiles of inradius r with gaps of d: every place is scaled by 1 + d / (2 r).
   const TileMesh tiles = make_tile_mesh(test::flat_patch(), no_cuts, p.H_body);

@@ -41,7 +41,7 @@ TEST(Loads, WeightCountsPinsBumpsAndMembranes) {
   EXPECT_LT(light, newtons * (bodies + pins));  // recesses take more than bumps bring
   EXPECT_GT(light, 0.85 * newtons * (bodies + pins));
   p.bumps = "none";
-  p.wall_growth = 0;
+  p.xy_compensation = 0;
   EXPECT_NEAR(weight() / (newtons * (bodies + pins)), 1, 5e-3);  // and sheets of 0.01 mm
   EXPECT_GT(all, light);
   // 0.5 mm stretched by tau on the layout's area.
@@ -157,9 +157,9 @@ Carried one_tile_on_a_table(const Vec3& place, const Vec3& down = -Vec3::UnitZ()
   one.V *= turn.transpose();
   Parameters p;
   p.gravity = "resting";
-  p.gravity_x = down.x();
-  p.gravity_y = down.y();
-  p.gravity_z = down.z();
+  set_parameter(p, "gravity_x", down.x());
+  set_parameter(p, "gravity_y", down.y());
+  set_parameter(p, "gravity_z", down.z());
   const DesignGeometry geometry = make_geometry(one, Edges(0, 2), p);
   Wrenches weight = Wrenches::Zero(1, 6);
   const Vec3 at = one.V.transpose() * place - tile_centres(geometry.tiles).row(0).transpose();
@@ -215,8 +215,7 @@ TEST(Loads, ATableCarriesTheWeightAndNoneOfTheTension) {
   // On its side it stands on its rim, beside which its weight acts.
   design.parameters = dome().parameters;
   design.parameters.gravity = "resting";
-  design.parameters.gravity_x = 1;
-  design.parameters.gravity_z = 0;
+  design.parameters.gravity_direction = "1,0,0";
   EXPECT_NE(find_kind(verify_design(design, {}, {}).reasons, "tips_over"), nullptr);
 }
 

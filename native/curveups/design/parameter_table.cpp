@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+
+#include "curveups/design/membrane_models.hpp"
+#include "curveups/design/parameters.hpp"
+#include "curveups/design/support_kinds.hpp"
+
+namespace curveups {
+namespace {
+
+using P = Parameters;
+
+#define CURVEUPS_CHOICE(function, name, ...) name,
+
+// clang-format off
+std::vector<ParameterInfo> make_table() {
+  using namespace reader;
+  using namespace trait;
+  return {
+    {"scale", "", "Target",
+     "Multiply the coordinates of a file without units by this factor (1000 for metres).",
+     basic, target, &P::scale, 1e-6, 1e6},
+    {"fit", "mm", "Target",
+     "Scale the target until the longest side of its bounding box has this length. 0 leaves "
+     "its size to scale.",
+     basic, target, &P::fit, 0, 1e5},
+    {"flip", "", "Target",
+     "Swap front and back. Use this for a target whose normals point inwards.",
+     basic, target, &P::flip},
+    {"skin", "", "Target", "Choose which side of a CAD part with a wall becomes the target.",
+     0, target, &P::skin, 0, 0, {"outer", "inner", "middle"}},
+    {"faces", "", "Target",
+     "List the faces of a CAD part that become the target, such as Face3,Face7-9. Skin and "
+     "open choose them where the list is empty.",
+     0, target, &P::faces, 0, 0, {}, "faces"},
+    {"open", "", "Target",
+     "Choose what a closed CAD part loses: its largest planar face (auto, largest), the faces "
+     "in a plane (z=0), all below a plane (z>0), all above it (z<0), or nothing (none).",
+     0, target, &P::open, 0, 0, {}, "opening"},
+    {"L", "mm", "Target", "Mean edge length of the tiles. With --no-remesh the mesh decides.",
+     basic, target | tiles, &P::L, 0.5, 200},
+    {"maximum_deviation", "mm", "Target", "L=auto keeps the tiles within this distance of the target.",
+     0, target, &P::maximum_deviation, 1e-3, 100},
+    {"crease_angle", "deg", "Target",
+     "Keep creases of the target that are sharper than this as edges between tiles. 180 keeps "
+     "none.",
+     basic, target, &P::crease_angle, 1, 180},
+    {"mend", "", "Target",
+     "Choose what happens to a target that can't become tiles: off refuses it, on changes it.",
+     basic, target, &P::mend, 0, 0, {"off", "on"}},
+    {"mend_max", "mm", "Target",
+     "Largest distance by which mending may move a point of the target.",
+     0, target, &P::mend_max, 0, 1000},
+    {"mend_border", "", "Target",
+     "Let mending move the border of the target where tiles have too little space otherwise.",
+     0, target, &P::mend_border},
+    {"pieces", "", "Target",
+     "Number of pieces that the target is divided into (1 to 24). auto finds the smallest "
+     "number that lies flat.",
+     basic, pieces, &P::pieces, 0, 0, {}, "pieces"},
+    {"joint", "", "Target",
+     "Choose how pieces are joined after printing: holes gives the tiles along their borders "
+     "stitching holes.",
+     0, tiles, &P::joint, 0, 0, {"none", "holes"}},
+    {"joint_hole", "mm", "Target",
+     "Diameter of a stitching hole. Pins leave space for it, and p_floor of material stays "
+     "around it.",
+     0, tiles, &P::joint_hole, 0.2, 10},
+    {"H_body", "mm", "Tiles", "Thickness of a tile from its front face to its back face.",
+     basic | keeps_layout, tiles, &P::H_body, 0.2, 100},
+    {"H_pin", "mm", "Tiles",
+     "Height of the pins. The membranes are glued to the tops of the pins.",
+     basic | keeps_layout, tiles, &P::H_pin, 0.05, 50},
+    {"d_gap_min", "mm", "Layout",
+     "Least distance between two tiles in the flat layout. Bumps on walls that are not "
+     "recessed stand in this gap.",
+     basic, layout | bodies | support, &P::d_gap_min, 0, 20},
+    {"p_min", "mm", "Layout",
+     "Least distance from the edge of a pin to the (recessed) edge of its face.",
+     basic, tiles, &P::p_min, 0, 20},
+    {"p_floor", "mm", "Layout",
+     "Smallest value to which p_min may shrink at sharp folds. Use the smallest feature that "
+     "the printer makes.",
+     0, tiles, &P::p_floor, 0, 20},
+    {"p_max", "mm", "Layout",
+     "Largest distance from the edge of a pin to the edge of its face. Pins farther away pull "
+     "too weakly.",
+     0, tiles, &P::p_max, 0, 50},
+    {"A_pin_min", "mm2", "Layout", "Least area of a pin's top. It makes the glue hold.",
+     basic, tiles, &P::A_pin_min, 0, 1000},
+    {"A_pin_floor", "mm2", "Layout", "A pin with a smaller area makes the design invalid.",
+     0, tiles, &P::A_pin_floor, 0, 1000},
+    {"pin_clearance", "mm", "Layout",
+     "Distance that pins keep from facing pins and from truncation planes at sharp folds.",
+     0, tiles, &P::pin_clearance, 0, 5},
+    {"tau", "", "Layout",
+     "Stretch ratio of the membranes when they are glued. 3 gives nine times the area.",
+     basic, layout | physics, &P::tau, 1.05, 8},
+    {"w_a", "", "Layout",
+     "Weight of the alignment energy, which puts facing edges opposite each other.",
+     0, layout, &P::w_a, 0, 1e6},
+    {"w_p", "", "Layout", "Weight of the packing energy, which draws facing edges together.",
+     0, layout, &P::w_p, 0, 1e6},
+    {"w_s", "", "Layout",
+     "Weight of the spring energy, which keeps the membranes well and evenly stretched.",
+     0, layout, &P::w_s, 0, 1e6},
+    {"bumps", "", "Bumps",
+     "Choose what keeps contacts from sliding: bumps, dimples (bumps that snap into hollows) "
+     "or nothing (none).",
+     basic | keeps_layout, tiles, &P::bumps, 0, 0, {"bumps", "dimples", "none"}},
+    {"bump_height", "mm", "Bumps", "Height of a friction bump above its wall.",
+     basic | keeps_layout, tiles, &P::bump_height, 0.02, 5},
+    {"bump_diameter", "mm", "Bumps", "Diameter of a friction bump at its wall.",
+     keeps_layout, bodies, &P::bump_diameter, 0.1, 10},
+    {"bump_count", "", "Bumps", "Number of bumps on an interface. Its two tiles share them.",
+     keeps_layout, bodies, &P::bump_count, 3, 40},
+    {"bump_rows", "", "Bumps", "Number of rows of bumps on an interface.",
+     keeps_layout, bodies, &P::bump_rows, 2, 10},
+    {"bump_recess", "", "Bumps",
+     "Move walls with bumps back by half the bump height. This keeps the actuated shape from "
+     "swelling.",
+     keeps_layout, tiles, &P::bump_recess},
+    {"dimple_clearance", "mm", "Bumps", "Clearance between a bump and its dimple.",
+     keeps_layout, bodies, &P::dimple_clearance, 0, 2},
+    {"xy_compensation", "mm", "Bumps",
+     "Move each wall that meets another one without bumps back by this. It makes up for the "
+     "growth of printed walls (XY compensation).",
+     keeps_layout, tiles, &P::xy_compensation, 0, 1},
+    {"support", "", "Support",
+     "Choose what holds the layout together after printing: a soluble slab, breakaway bridges "
+     "or nothing (none).",
+     basic | keeps_layout, layout | support, &P::support, 0, 0,
+     {CURVEUPS_SUPPORT_KINDS(CURVEUPS_CHOICE)}},
+    {"orientation", "", "Support",
+     "Choose which side faces up in the print. With front-down, breakaway bridges span "
+     "between walls that stand already.",
+     basic | keeps_layout, support, &P::orientation, 0, 0, {"front-up", "front-down"}},
+    {"support_drop", "mm", "Support",
+     "Distance from the front pin tops down to the slab. It keeps the glue on the pins away "
+     "from the slab.",
+     keeps_layout, support, &P::support_drop, 0, 50},
+    {"support_margin", "mm", "Support", "Width of the slab around tiles and anchors.",
+     keeps_layout, layout | support, &P::support_margin, 0.2, 50},
+    {"bridge_width", "mm", "Support", "Width of a breakaway bridge.",
+     keeps_layout, support, &P::bridge_width, 0.1, 20},
+    {"bridge_thickness", "mm", "Support", "Thickness of a breakaway bridge.",
+     keeps_layout, support, &P::bridge_thickness, 0.1, 20},
+    {"bridge_notch", "mm", "Support", "Half the depth of the notches at which a bridge breaks.",
+     keeps_layout, support, &P::bridge_notch, 0, 10},
+    {"bridge_depth", "mm", "Support", "Depth to which a bridge enters each body.",
+     keeps_layout, support, &P::bridge_depth, 0, 5},
+    {"anchors", "", "Anchors",
+     "Add cylinders around the layout that carry the pull of the surplus membrane.",
+     basic | keeps_layout, layout | support, &P::anchors},
+    {"anchor_radius", "mm", "Anchors", "Radius of an anchor.",
+     keeps_layout, layout | support, &P::anchor_radius, 0.5, 100},
+    {"anchor_spacing", "mm", "Anchors", "Distance between the axes of neighbouring anchors.",
+     keeps_layout, support, &P::anchor_spacing, 1, 500},
+    {"anchor_distance", "mm", "Anchors",
+     "Distance from the outline of the layout to the anchors.",
+     keeps_layout, layout | support, &P::anchor_distance, 0.2, 200},
+    {"engrave", "", "Anchors",
+     "Engrave name, piece, version and side on a tab beside one anchor of each piece.",
+     keeps_layout, support, &P::engrave},
+    {"engrave_depth", "mm", "Anchors", "Depth of the engraving.",
+     keeps_layout, support, &P::engrave_depth, 0.05, 10},
+    {"printer", "", "Files", "Compare the print with the bed, gaps and features of this printer.",
+     basic | keeps_layout, check, &P::printer, 0, 0, {"polyjet", "resin", "fdm"}},
+    {"mesh_deviation", "mm", "Files",
+     "Largest distance of STL and 3MF facets from the curved surfaces (chord error).",
+     basic | keeps_layout, files, &P::mesh_deviation, 1e-4, 1},
+    {"mesh_bumps", "", "Files", "Include the bumps in STL and 3MF files.",
+     keeps_layout, files, &P::mesh_bumps},
+    {"step_structure", "", "Files",
+     "Write STEP files as an assembly with one part per body, or as one part with one solid "
+     "per body.",
+     keeps_layout, files, &P::step_structure, 0, 0, {"assembly", "one-part"}},
+    {"shear_modulus_front", "MPa", "Physics", "Shear modulus of the front membrane (latex).",
+     basic | keeps_layout, physics, &P::shear_modulus_front, 1e-3, 1e3},
+    {"shear_modulus_back", "MPa", "Physics", "Shear modulus of the back membrane (latex).",
+     basic | keeps_layout, physics, &P::shear_modulus_back, 1e-3, 1e3},
+    {"thickness_front", "mm", "Physics", "Thickness of the front membrane before it is stretched.",
+     basic | keeps_layout, physics, &P::thickness_front, 0.01, 10},
+    {"thickness_back", "mm", "Physics", "Thickness of the back membrane before it is stretched.",
+     basic | keeps_layout, physics, &P::thickness_back, 0.01, 10},
+    {"elongation_at_break", "%", "Physics",
+     "Elongation at which the membranes break, as their maker states it. The report warns "
+     "where they stretch further.",
+     keeps_layout, physics, &P::elongation_at_break, 1, 5000},
+    {"glue_strength", "MPa", "Physics",
+     "Shear stress that the glue between membranes and print withstands. The report compares "
+     "pins and anchors with it.",
+     keeps_layout, physics, &P::glue_strength, 1e-3, 100},
+    {"membrane_model", "", "Physics",
+     "Choose the energy of the membranes: tension-field (they wrinkle where squeezed) or "
+     "plain neo-hookean.",
+     keeps_layout, physics, &P::membrane_model, 0, 0, {CURVEUPS_MEMBRANE_MODELS(CURVEUPS_CHOICE)}},
+    {"mesh_size", "", "Physics",
+     "Size of the largest triangles of the coarser membrane mesh, as a fraction of L. Those "
+     "of the finer mesh have half of it.",
+     keeps_layout, physics, &P::mesh_size, 0.05, 2},
+    {"friction_coefficient", "", "Physics",
+     "Coefficient of Coulomb friction between tiles, also at bumps.",
+     basic | keeps_layout, physics, &P::friction_coefficient, 0.01, 10},
+    {"tile_modulus", "MPa", "Physics",
+     "Young's modulus of the tiles' material. It says how far walls and bumps give way where "
+     "tiles settle.",
+     keeps_layout, reader::settle, &P::tile_modulus, 10, 1e6},
+    {"hold_tolerance", "mm", "Physics",
+     "The shape holds where friction lets it drift by this at most, in the mean. 0 stands for "
+     "1 % of L.",
+     keeps_layout, reader::settle, &P::hold_tolerance, 0, 100},
+    {"margin", "", "Physics",
+     "Choose what a design must bear beyond its own values: nothing (off), margin_mismatch and "
+     "margin_friction where it can (aim), or these in any case (require).",
+     keeps_layout, reader::settle, &P::margin, 0, 0, {"off", "aim", "require"}},
+    {"margin_mismatch", "%", "Physics",
+     "How much harder than the other either membrane may pull within the margin.",
+     keeps_layout, reader::settle, &P::margin_mismatch, 0, 90},
+    {"margin_friction", "", "Physics",
+     "Least coefficient of friction within the margin.",
+     keeps_layout, reader::settle, &P::margin_friction, 0.01, 10},
+    {"window", "", "Physics",
+     "Find how far membranes, friction, glue and the print's growth may change, each alone, until "
+     "the shape no longer holds.",
+     keeps_layout, reader::settle, &P::window},
+    {"f_min_ratio", "", "Physics",
+     "Least normal force at each contact point, as a fraction of the mean normal force.",
+     keeps_layout, physics, &P::f_min_ratio, 0, 1},
+    {"gravity", "", "Physics",
+     "Choose what carries the weight of the tiles: nothing (off leaves it out), the held "
+     "tiles (held), or a plane below the piece (resting).",
+     keeps_layout, physics, &P::gravity, 0, 0, {"off", "held", "resting"}},
+    {"held_tiles", "", "Physics",
+     "List the tiles that carry the piece with gravity=held, such as T00012,T00345. An empty "
+     "list stands for the lowest tiles.",
+     keeps_layout, physics, &P::held_tiles, 0, 0, {}, "tiles"},
+    {"density", "g/cm3", "Physics", "Density of the tiles. It gives them their weight.",
+     keeps_layout, physics, &P::density, 0, 30},
+    {"gravity_direction", "", "Physics",
+     "Direction of gravity as x,y,z in the coordinates of the target. Its length has no effect.",
+     keeps_layout, physics, &P::gravity_direction, -1, 1, {}, "direction"},
+    {"move_vertices", "", "Repair",
+     "Let repair move vertices of the actuated surface slightly where poses and pins alone "
+     "don't suffice.",
+     0, reader::repair, &P::move_vertices},
+    {"run_verification", "", "Stages",
+     "Compute membranes and contact forces, and decide whether the design is valid.",
+     0, physics, &P::run_verification},
+    {"run_repair", "", "Stages",
+     "Give pins more space before the layout, and repair weak contacts after verification.",
+     0, reader::repair, &P::run_repair},
+    {"run_mesh_refinement_check", "", "Stages",
+     "Verify a second time on membrane meshes of half the size (mesh refinement check).",
+     0, reader::recheck, &P::run_mesh_refinement_check},
+    {"run_settling", "", "Stages",
+     "Let the tiles settle under their membranes, with friction, and report whether the shape "
+     "holds.",
+     keeps_layout, reader::settle, &P::run_settling},
+  };
+}
+// clang-format on
+
+// Names that files, documents and scripts of earlier versions have, and shorter ones.
+struct Alias {
+  std::string_view alias, name;
+};
+constexpr Alias aliases[] = {{"fidelity", "maximum_deviation"},
+                             {"wall_growth", "xy_compensation"},
+                             {"verify", "run_verification"},
+                             {"repair", "run_repair"},
+                             {"settle", "run_settling"},
+                             {"recheck", "run_mesh_refinement_check"},
+                             {"mesh_refinement_check", "run_mesh_refinement_check"},
+                             {"gravity_x", "gravity_direction"},
+                             {"gravity_y", "gravity_direction"},
+                             {"gravity_z", "gravity_direction"}};
+
+}  // namespace
+
+const std::vector<ParameterInfo>& parameter_table() {
+  static const std::vector<ParameterInfo> table = make_table();
+  return table;
+}
+
+const ParameterInfo* find_parameter(std::string_view name) {
+  for (const Alias& other : aliases) {
+    if (other.alias == name) name = other.name;
+  }
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.name == name) return &info;
+  }
+  return nullptr;
+}
+
+const std::vector<std::string_view>& retired_parameters() {
+  static const std::vector<std::string_view> names = {"tightness", "w_c", "w_pa", "w_tight"};
+  return names;
+}
+
+bool is_retired(std::string_view name) {
+  const auto& names = retired_parameters();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace curveups
