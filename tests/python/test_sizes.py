@@ -2,6 +2,7 @@
 """Sizes that the program chooses: L and H_body as auto, a target scaled to a size."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from curveups.targets.cad_files import Read
 from curveups.base.errors import CurveUpsError
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.stages import sizes
+from curveups.stages import feasibility, relief, sizes
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Job
 from curveups.stages.surface import Source
@@ -96,3 +97,23 @@ def test_built_ins_grow_without_facets():
     V = of.run(("surface",))["surface"].V
     assert np.ptp(V, axis=0).max() == pytest.approx(960, rel=1e-12)
     assert len(V) > len(native.builtin_target("half-sphere", 0.0035)[0])
+
+
+def test_where_a_quarter_of_the_pins_has_no_room_none_is_made(monkeypatch):
+    """Each facet of the dome is two tiles, which no thickness gives room: the search took minutes."""
+    asked = []
+    watched = SimpleNamespace(tile_margins=native.tile_margins, relieve_pins=lambda *given: (
+        asked.append(len(given[1])), native.relieve_pins(*given))[1])
+    monkeypatch.setattr(relief, "native", watched)
+    of, edges = project(*dome(parts=20), crease_angle=1), np.zeros((0, 2), np.int32)
+    target = of.run(("target",))["target"]
+    short = [one for one in feasibility.examine(target.V, target.F, edges, of.parameters, Job()).blocked
+             if one.obstacle == "pin"]
+    assert len(short) > 0.25 * 2 * len(target.F)
+    with monkeypatch.context() as within:
+        within.setattr(feasibility, "fair", None)  # nor by mending, which advice would name
+        assert not feasibility.sizes_do(target.V, target.F, edges, of.parameters, Job())
+        assert feasibility.mending(target.V, target.F, edges, of.parameters, Job()) is None and not asked
+    wide = project(*dome(parts=20)).run(("target",))["target"]
+    relief.make_room(wide.V, wide.F, edges, of.parameters, Job())
+    assert asked == [len(wide.F)]

@@ -19,7 +19,7 @@ from ..base.findings import Finding
 from ..base.native import native
 from ..base.value import Value
 from .fairing import fair
-from .relief import make_room
+from .relief import make_room, mostly_short
 from .stage import Inputs, Job, Result, Stage, digest
 
 _SIDES = ("front", "back")
@@ -112,6 +112,8 @@ def sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, j
 
 def _mends(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> Optional[float]:
     """The largest movement (mm) by which fairing gives way to sizes; None where it does not."""
+    if mostly_short(V, F, edges, parameters):
+        return None
     made = fair(V, F, parameters, job)
     largest = max(made.move, default=0.0)
     return float(largest) if largest > 0 and _sizes_do(made.V, F, edges, parameters, job) else None
@@ -123,10 +125,15 @@ def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, jo
 
 
 def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
-    blocked = {one.obstacle for one in _margins(V, F, edges, parameters, 0).blocked} - {"closed"}
+    def blocked_by(V: np.ndarray) -> set[str]:
+        return {one.obstacle for one in _margins(V, F, edges, parameters, 0).blocked} - {"closed"}
+
+    if mostly_short(V, F, edges, parameters):
+        return False
+    blocked = blocked_by(V)
     if blocked and not blocked & {"fold", "overlap"}:
-        found = examine(V, F, edges, parameters, job)
-        blocked = {one.obstacle for one in found.blocked} - {"closed"}
+        there, moved = make_room(V, F, edges, parameters, job)
+        return bool(moved) and not blocked_by(there)
     return not blocked
 
 

@@ -14,6 +14,9 @@ from ..base.native import native
 from .stage import Inputs, Job, Result, Row, Stage, digest, moved_vertices
 
 _SAME_THICKNESS = 0.05  # of a wall and the tiles that take its place, relative
+# Sides without a pin, as a share of all, from which none is given room: what one tile gains its neighbours
+# lose. Vertices of thousands of such sides would move for up to half a minute each time a size is tried.
+MOST_SHORT = 0.25
 
 
 @dataclass(frozen=True)
@@ -43,7 +46,7 @@ def make_room(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any,
               job: Job) -> tuple[np.ndarray, Optional[dict]]:
     """The vertices as they are from now on, and the block of report.json where some moved: none where
     nothing is to be done or the parameters do not ask for it."""
-    if not _asked(parameters):
+    if not _asked(parameters) or mostly_short(V, F, edges, parameters):
         return V, None
     relief = native.relieve_pins(V, F, edges, parameters, job)
     if not relief.relieved:
@@ -53,6 +56,13 @@ def make_room(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any,
                                     for pin in relief.relieved],
                       "remaining": len(relief.remaining),
                       "moved_vertices": moved_vertices(V, relief.V, F)}
+
+
+def mostly_short(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) -> bool:
+    """Whether so many pins have no room that moving vertices is of no use."""
+    margins = native.tile_margins(V, F, edges, parameters)
+    return bool(margins.shaped
+                and (np.asarray(margins.pin_area) < parameters.get("A_pin_floor")).mean() > MOST_SHORT)
 
 
 def _asked(parameters: Any) -> bool:
