@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "curveups/bodies/printed_body.hpp"
 #include "curveups/bodies/tile_print.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
@@ -41,6 +42,13 @@ class Builder {
   Builder(const Design& design, std::string version)
       : version_(std::move(version)), kind_(support_kind(design.parameters)) {
     static_cast<TileBodies&>(model_) = make_tile_bodies(design);
+    const Truncation& truncation = model_.geometry.truncation;
+    parallel_ranges(tiles().tile_count(), [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        const auto r = model_.bumps.recess.row(i);
+        model_.bumps.body[i] = printed_body(tiles(), truncation, i, {r[0], r[1], r[2]});
+      }
+    });
     model_.name = design.name;
   }
 
@@ -225,7 +233,7 @@ class Builder {
     parallel_ranges(tiles().tile_count(), [&](int begin, int end) {
       for (int i = begin; i < end; ++i) {
         PrintBody& body = model_.actuated[i];
-        body = make_tile_print(tiles(), tile_body(tiles(), model_.geometry.truncation, i), {},
+        body = make_tile_print(tiles(), printed_body(tiles(), model_.geometry.truncation, i), {},
                                model_.q.row(i).data(), i, p().H_pin);
         body.piece = model_.piece_of_tile[i];
         bore(body, model_.joints.of_tile[i], model_.joints.radius, tiles().H_body, {});
