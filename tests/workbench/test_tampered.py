@@ -95,7 +95,9 @@ def variants(xml):
                     yield f"{obj}-{name}-is-{k}", changed(with_text(text, name, value))
 
 
-# Others of ours, what there is not, and one of Python's.
+# Others of ours, what there is not, and one of Python's. Of a class of C, such as collections.OrderedDict,
+# FreeCAD 0.20 makes an object without calling the class, and crashes in Python's next garbage collection,
+# where the workbench is not installed too.
 CLASSES = (("curveups.features.cuts", "CutsProxy"), ("curveups.features.design", "DesignProxy"),
            ("nowhere", "Proxy"), ("json", "JSONDecoder"))
 
