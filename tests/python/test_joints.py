@@ -124,6 +124,7 @@ def test_tiles_of_standard_size_have_holes(curveups, ball_file, tmp_path):
     assert ran.status == 0, ran.err
     design, report = read_run(tmp_path)
     assert report["valid"] is True and len(borders(design)) > 20
+    assert report["holds"] is True  # each piece by itself: they do not lean on one another
     assert report["joints"]["edges"] == len(borders(design)) and report["joints"]["without"] == []
     assert not [one for one in report["warnings"] if one.get("kind") == "joint"]
     small, = (one for one in report["warnings"] if "pin sides can't reach A_pin_min" in one["what"])

@@ -212,8 +212,7 @@ std::vector<TouchingPair> find_touching(const std::vector<RigidBody>& bodies, co
   });
   near.clear();
   for (const auto& [k, l] : overlapping_boxes(low, high)) {
-    if (bodies[solid[k]].fixed && bodies[solid[l]].fixed) continue;
-    near.push_back({solid[k], solid[l]});
+    if (bodies[solid[k]].can_touch(bodies[solid[l]])) near.push_back({solid[k], solid[l]});
   }
   std::vector<TouchingPair> found(near.size());
   parallel_ranges(static_cast<int>(near.size()), [&](int begin, int end) {

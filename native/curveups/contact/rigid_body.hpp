@@ -22,10 +22,17 @@ struct BodySurface {
 };
 
 // Coordinates are about a point of the body near its middle. A body without faces is a point that
-// moves freely, such as a vertex of a membrane.
+// moves freely, such as a vertex of a membrane. Bodies of two pieces do not touch: pieces are apart.
 struct RigidBody {
   std::vector<BodySurface> faces;
   bool fixed = false;
+  int piece = every_piece;
+
+  static constexpr int every_piece = -1;  // of what touches all
+  bool can_touch(const RigidBody& other) const {
+    return !(fixed && other.fixed) &&
+           (piece == other.piece || piece == every_piece || other.piece == every_piece);
+  }
 };
 
 // Where each body is: the one pose type.

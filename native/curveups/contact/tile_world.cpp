@@ -9,6 +9,7 @@
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/design/parameter_texts.hpp"
+#include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
 namespace {
@@ -93,6 +94,7 @@ class Builder {
     const double R = sphere_radius(0.5 * p.bump_diameter, p.bump_height);
     const double tip_stiffness = sphere_stiffness(modulus_, R, force);
     const std::vector<std::array<int, 3>> contact_of = contacts_of_walls(tiles_);
+    const std::vector<int> piece = pieces_of_faces(tiles_.topology, tiles_.cut);
     list_.resize(count_);
     is_wall_.resize(count_);
     poses_.resize(count_);
@@ -110,6 +112,7 @@ class Builder {
         // A wall gives way as a layer of the material does, as deep as the tile's middle.
         const double depth = 2 * tiles_.area(i) / tiles_.length.row(i).sum();
         list_[i] = make_rigid_body(moved(body, motion), Vec3::Zero(), modulus_ / depth);
+        list_[i].piece = piece[i];
         poses_[i].t = centre;
         for (const BodyFace& face : body.faces) {
           is_wall_[i].push_back(face.tag >= body_tag::wall && face.tag < body_tag::wall + 3);

@@ -110,6 +110,21 @@ TEST(KnownAnswers, BlockCrossesAClearanceWithoutSticking) {
   }
 }
 
+TEST(KnownAnswers, BlocksOfTwoPiecesDoNotTouch) {
+  // Side by side, a tenth of a millimetre into one another: they push only within one piece.
+  for (int piece : {0, 1}) {
+    Scene scene;
+    scene.add(box(10, 10, 10, {0, 0}), false);
+    scene.add(box(10, 10, 10, {9.9, 0}), false);
+    scene.bodies[0].piece = 0;
+    scene.bodies[1].piece = piece;
+    auto world = scene.world(0.5);
+    world->settle(30);
+    const double apart = (world->poses()[1].t - world->poses()[0].t).norm();
+    EXPECT_NEAR(apart, piece == 0 ? 10 : 9.9, 1e-3) << piece;
+  }
+}
+
 // A block of 1 N between two walls that stand `gap` away from it on either side, or press into it.
 Scene between_walls(double gap) {
   Scene scene;
