@@ -40,6 +40,8 @@ _SHEETS: Mapping[str, tuple[str, ...]] = {
     **{f"assembly.{kind}": ("assembly_sheet", "make", kind) for kind in ("html", "pdf")},
     "tiles.svg": ("tile_map", "make"),
     **{f"trim.{kind}": ("trim", "make", kind) for kind in ("dxf", "svg")},
+    **{f"gauges.{kind}": ("gauges", "make", kind) for kind in ("dxf", "svg")},
+    "former.stl": ("gauges", "former"),
 }
 
 
@@ -125,7 +127,7 @@ def _contents(kit: Kit, design: str, stopped: bool) -> dict[str, Any]:
             "quantity": kit.quantity, "tiles": report["tiles"], "contacts": report["contacts"],
             "cuts": report["cuts"], "print": printed,
             **{name: report[name] for name in blocks if name in report},
-            "rings": kit.rings,
+            "rings": kit.rings, "gauges": kit.underside.figures,
             "glue": {"layer_mm": GLUE_LAYER, "volume_cm3": glue_volumes(printed["glue"])},
             "shop": {"rules": rules(report, parameters),
                      "quote": {**dict(quote(report, parameters, kit.quantity)),

@@ -17,6 +17,7 @@ from ..project.project import Results
 from ..report.exports import doubtful, plain
 from ..stages.solids import read_printer
 from .ring import rings
+from .underside import Underside
 
 
 @dataclass
@@ -75,6 +76,11 @@ class Kit:
     def rings(self) -> dict[str, Any]:
         """Sizes and strength of the stretching rings."""
         return rings(self.report["sheets"], self.report["print"]["bbox_mm"][2], self.printer["bed_mm"])
+
+    @cached_property
+    def underside(self) -> Underside:
+        """What ribs and former are made from."""
+        return Underside.of(self.results.design, self.results.parameters, self.report["area"])
 
     @cached_property
     def fused_stl(self) -> bytes:

@@ -41,7 +41,8 @@ _SECOND = """{second_mm2:.0f} mm², {second_cm3:.2f} cm³ of glue. Lay the secon
 its ring: the rings close face to face, {height:g} mm apart, and their teeth stand half a pitch beside one
 another. Rods in the holes at the corners align them. Press through the windows, as long as before."""
 _RELEASE = """when the glue holds, side by side. It pulls itself into shape. Help with your hands where it
-stays flat, from the middle outwards."""
+stays flat, from the middle outwards. Lay it over the kit's former, or its ribs: a gap shows where it
+is not in shape yet."""
 _TRIM = """trim the anchors off with the surplus membrane, {trim:g} mm outside of the outer pins, along
 rims, holes and cuts.{apart}"""
 _APART = " So the {pieces} pieces come apart: each holds its shape by itself."

@@ -22,7 +22,7 @@ struct BodySurface {
 };
 
 // Coordinates are about a point of the body near its middle. A body without faces is a point that
-// moves freely, such as a vertex of a membrane. Bodies of two pieces do not touch: pieces are apart.
+// moves freely, such as a vertex of a membrane. Bodies of two pieces do not touch.
 struct RigidBody {
   std::vector<BodySurface> faces;
   bool fixed = false;
