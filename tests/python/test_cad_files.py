@@ -112,6 +112,27 @@ def test_what_a_step_file_has_lost_is_missed(spherical_cap, tmp_path):
             cad_files.read_cad(path, 0.5)
 
 
+def changed(path, lines, word, number):
+    """The file, in which a number of the last line with a word is another."""
+    place = max(k for k, line in enumerate(lines) if word in line)
+    last = list(re.finditer(r"[-+]?\d+\.\d*(?:E[-+]?\d+)?", lines[place]))[-1]
+    line = lines[place][:last.start()] + repr(float(last[0]) + number) + lines[place][last.end():]
+    path.write_text("\n".join((*lines[:place], line, *lines[place + 1:])))
+    return path
+
+
+def test_edges_and_faces_of_a_file_that_lie_apart_are_noticed(spherical_cap, open_box, tmp_path):
+    """A radius that was changed, or a corner: FreeCAD reads another shape, and says nothing."""
+    box = (open_box / "box.step").read_text("utf-8").splitlines()
+    corner = max(line.split("#")[-1].rstrip(");") for line in box if "VERTEX_POINT(" in line)
+    for word, lines, number in (("= CIRCLE(", spherical_cap, 5.0), ("= SPHERICAL_SURFACE(", spherical_cap, 3.0),
+                                (f"#{corner} = CARTESIAN_POINT(", box, 8.0)):
+        with pytest.raises(CurveUpsError, match="mm apart|do not bound"):
+            cad_files.read_cad(changed(tmp_path / "a.step", lines, word, number), 0.5)
+    little = cad_files.read_cad(changed(tmp_path / "a.step", spherical_cap, "= CIRCLE(", 0.2), 0.5)
+    assert any("edges and faces of the file are 0.2" in note for note in little.notes), little.notes
+
+
 @pytest.fixture
 def sleeper(monkeypatch):
     """A reader that never returns."""

@@ -31,6 +31,13 @@ def test_the_fuzzer_notices(tmp_path, kind, word):
     assert count >= LEAST
 
 
+def test_the_fuzzer_moves_all_coordinates_together(tmp_path):
+    """Into one point, and far away: there a mesh was cleaned for ever."""
+    _, failures = fuzz_kind("together", 0.0, SEED, tmp_path / "together", least=600)
+    assert any("a size of 0" in what for _, what in failures), failures
+    assert any("e+" in what for _, what in failures), failures
+
+
 def test_the_fuzzer_notices_readers_that_often_do_not_end(tmp_path):
     count, failures = fuzz_kind("endless", 1.0, SEED, tmp_path / "endless")
     assert len(failures) == (count + 2) // 3 and {what for _, what in failures} == {"no end in FreeCAD"}

@@ -21,6 +21,7 @@ import numpy as np
 from running import dome
 
 from curveups.base import freecad_session
+from curveups.base.errors import CurveUpsError
 from curveups.project import saved_results
 from curveups.targets import cad_files, target_files
 from curveups.base.native import native, translated
@@ -246,6 +247,16 @@ def _break(path, number, lossy):
         raise KeyError("a name that is not there")
 
 
+def _together(path, number, lossy):
+    """Breaks where all vertices lie in one point, or beyond what single precision resolves."""
+    try:
+        size = np.ptp(target_files.read_target(path, 0.01).V, axis=0).max()
+    except CurveUpsError:
+        return
+    if size == 0 or size > 1e25:
+        raise KeyError(f"a size of {size:g}")
+
+
 # Name: (ending of its files, samples, check, share of the time).
 KINDS = {
     "obj": (".obj", lambda: [dome(2).encode()], check_mesh, 1.0),
@@ -262,6 +273,7 @@ KINDS = {
                    check_parameters, 1.0),
 }
 # What a fuzzer must notice; for its own test.
-BROKEN = {name: (".txt", lambda: [b"1\n2\n"], check, 1.0)
-          for name, check in (("crash", _crash), ("hang", _hang), ("break", _break), ("warn", _warn),
-                              ("library", _library), ("endless", _endless))}
+BROKEN = {"together": (".obj", lambda: [dome(2).encode()], _together, 1.0),
+          **{name: (".txt", lambda: [b"1\n2\n"], check, 1.0)
+             for name, check in (("crash", _crash), ("hang", _hang), ("break", _break), ("warn", _warn),
+                                 ("library", _library), ("endless", _endless))}}

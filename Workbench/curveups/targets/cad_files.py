@@ -17,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Callable, Optional
 
@@ -40,6 +40,10 @@ _LOOK = 0.05        # seconds between looks at whether to go on
 _AGAIN = "export it again"
 _ASTRAY = 0.01      # of a face's size: its triangles end this near to its edges
 _OTHER_AREA = 0.05  # by which their area may differ from the face's
+# How far corners and edges of a file may lie from one another and from their faces, of the part's size,
+# before that is said, and before the file counts as damaged. OpenCASCADE widens their tolerance so far in
+# silence; those of sound files are 1e-7 mm, and a hundredth of a mm where programs calculate coarsely.
+_APART, _DAMAGED = 1e-3, 1e-2
 
 # What a file says of its faces. IGES: the directory's lines of trimmed (144) and bounded (143)
 # surfaces and of faces (510), each of two lines that begin with the type; BREP: a line "Fa" a face.
@@ -238,13 +242,20 @@ def _read(path: Path, deflection: float, choice: Choice) -> tuple[int, Read]:
     try:
         shape = part.read(str(path))
         faces = [] if shape.isNull() else shape.Faces
+        apart, size = (shape.globalTolerance(1), shape.BoundBox.DiagonalLength) if faces else (0.0, 0.0)
     except MemoryError:
         raise
     except Exception as error:
         raise CurveUpsError("FreeCAD can't read the file", str(path), _AGAIN) from error
     if not faces:
         raise CurveUpsError("the file holds no surface", str(path), "export the surface itself")
-    return len(faces), surface_of_shape(shape, deflection, choice, str(path))
+    if apart > _DAMAGED * size:
+        raise CurveUpsError(f"the file is damaged: edges and faces of it are {apart:.3g} mm apart", str(path),
+                            _AGAIN)
+    found = surface_of_shape(shape, deflection, choice, str(path))
+    if apart > _APART * size:
+        found = replace(found, notes=(*found.notes, f"edges and faces of the file are {apart:.3g} mm apart"))
+    return len(faces), found
 
 
 def _main(path: str, deflection: str, answer: str, choice: str) -> None:
