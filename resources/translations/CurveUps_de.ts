@@ -3030,6 +3030,10 @@
       <translation>die Datei enthält keine Oberfläche</translation>
     </message>
     <message>
+      <source>the file is damaged: edges and faces of it are {0} mm apart</source>
+      <translation>die Datei ist beschädigt: Kanten und Flächen darin liegen {0} mm auseinander</translation>
+    </message>
+    <message>
       <source>the file is damaged: it has lost {0} of its entities (#{1})</source>
       <translation>die Datei ist beschädigt: ihr fehlen {0} Einträge (#{1})</translation>
     </message>

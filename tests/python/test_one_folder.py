@@ -2,6 +2,7 @@
 """The files of a folder belong together, whatever was there before and however a run ends."""
 
 import json
+import os
 import shutil
 import signal
 import subprocess
@@ -109,6 +110,16 @@ def test_a_report_that_can_not_be_removed_is_said(curveups, cap, tmp_path):
     ran = curveups("design", cap, "-o", tmp_path, "--no-remesh", "--no-solids")
     assert ran.status == 4 and "report.json" in ran.error_lines[0], ran.err
     assert names(tmp_path) == {"report.json"}
+
+
+@pytest.mark.parametrize("name", ["small-cap-tiles.stl", "design.json", "small-cap.FCStd"])
+def test_pipes_and_devices_in_the_folder_stay(curveups, cap, tmp_path, name):
+    """As root a rename replaced them, and a removal took them away."""
+    os.mkfifo(tmp_path / name)
+    ran = curveups("design", cap, "-o", tmp_path, "--no-remesh")
+    assert ran.status == 4 and len(ran.error_lines) == 1, ran.err
+    assert name in ran.error_lines[0] and "a device or a pipe has its name" in ran.error_lines[0]
+    assert (tmp_path / name).is_fifo() and "report.json" not in names(tmp_path)
 
 
 def not_ignored():

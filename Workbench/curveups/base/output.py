@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import errno
 import glob
 import os
 import re
@@ -118,6 +119,7 @@ class Folder:
         for name in names:
             try:
                 self._sweep(name)
+                self._require_file(name)
                 (self.path / name).unlink(missing_ok=True)
             except OSError as error:
                 raise CurveUpsError(f"a file of an earlier run can't be removed: {error.strerror}",
@@ -171,9 +173,16 @@ class Folder:
         for left in left_by_killed(self.path, f"{glob.escape(name)}*"):
             left.unlink(missing_ok=True)
 
+    def _require_file(self, name: str) -> None:
+        """Raises OSError where a device or a pipe has this name: nobody means it to go."""
+        place = self.path / name
+        if place.exists() and not place.is_file():
+            raise OSError(errno.EEXIST, "a folder, a device or a pipe has its name")
+
     def keep(self, prepared: Prepared) -> None:
         """Gives a prepared file its name."""
         try:
+            self._require_file(prepared.name)
             os.replace(prepared.path, self.path / prepared.name)
         except OSError as error:
             self._fail(prepared.name, error)
