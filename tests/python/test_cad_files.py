@@ -125,7 +125,8 @@ def test_edges_and_faces_of_a_file_that_lie_apart_are_noticed(spherical_cap, ope
     """A radius that was changed, or a corner: FreeCAD reads another shape, and says nothing."""
     box = (open_box / "box.step").read_text("utf-8").splitlines()
     corner = max(line.split("#")[-1].rstrip(");") for line in box if "VERTEX_POINT(" in line)
-    for word, lines, number in (("= CIRCLE(", spherical_cap, 5.0), ("= SPHERICAL_SURFACE(", spherical_cap, 3.0),
+    for word, lines, number in (("= CIRCLE(", spherical_cap, 5.0),
+                                ("= SPHERICAL_SURFACE(", spherical_cap, 3.0),
                                 (f"#{corner} = CARTESIAN_POINT(", box, 8.0)):
         with pytest.raises(CurveUpsError, match="mm apart|do not bound"):
             cad_files.read_cad(changed(tmp_path / "a.step", lines, word, number), 0.5)
