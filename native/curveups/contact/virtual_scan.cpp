@@ -4,6 +4,9 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
 namespace {
@@ -71,9 +74,13 @@ TriangleMesh fitted_surface(const TileMesh& tiles, const Points3& centres, const
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (int c = 0; c < 3; ++c) designed.V.row(3 * i + c) = tiles.mesh.V.row(tiles.mesh.F(i, c));
   }
-  const RigidMotion fit = best_fit(mesh.V, designed.V);
-  for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
-    mesh.V.row(v) = fit(mesh.V.row(v).transpose()).transpose();
+  const std::vector<int> piece = pieces_of_faces(tiles.topology, tiles.cut);
+  std::vector<std::vector<int>> corners(1 + *std::max_element(piece.begin(), piece.end()));
+  for (int v = 0; v < mesh.V.rows(); ++v) corners[piece[v / 3]].push_back(v);
+  for (const std::vector<int>& own : corners) {
+    const RigidMotion fit =
+        best_fit(mesh.V(own, Eigen::placeholders::all), designed.V(own, Eigen::placeholders::all));
+    for (int v : own) mesh.V.row(v) = fit(mesh.V.row(v).transpose()).transpose();
   }
   return mesh;
 }

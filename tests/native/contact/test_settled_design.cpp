@@ -120,6 +120,24 @@ TEST(SettledDesign, AScanIsOfTheShapeThatSettled) {
             found.converged && found.open_contacts.empty() && found.drift <= found.hold_tolerance);
 }
 
+TEST(VirtualScan, FitsEachPieceByItself) {
+  TriangleMesh mesh{Points3(8, 3), Triangles(4, 3)};
+  mesh.V << 0, 0, 0, 9, 0, 0, 9, 9, 0, 0, 9, 0,  //
+      20, 0, 0, 29, 0, 0, 29, 9, 0, 20, 9, 0;
+  mesh.F << 0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7;
+  const TileMesh tiles = make_tile_mesh(mesh, Edges(0, 2), 2);
+  const Points3 centres = tile_centres(tiles);
+  Poses poses(4);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized()).matrix();
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 centre = centres.row(i);
+    poses[i] = i < 2 ? RigidMotion{Eigen::Matrix3d::Identity(), centre}
+                     : RigidMotion{turn, turn * centre + Vec3(5, 0, 7)};
+  }
+  const TriangleMesh fitted = fitted_surface(tiles, centres, poses);
+  EXPECT_LT(scan_distances(fitted, ClosestPoints(mesh)).maxCoeff(), 1e-9);
+}
+
 TEST(TileWorld, PullsAsHardAsItsConditionsSay) {
   const Sample sample(dome());
   TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
