@@ -78,8 +78,12 @@ TriangleMesh fitted_surface(const TileMesh& tiles, const Points3& centres, const
   std::vector<std::vector<int>> corners(1 + *std::max_element(piece.begin(), piece.end()));
   for (int v = 0; v < mesh.V.rows(); ++v) corners[piece[v / 3]].push_back(v);
   for (const std::vector<int>& own : corners) {
-    const RigidMotion fit =
-        best_fit(mesh.V(own, Eigen::placeholders::all), designed.V(own, Eigen::placeholders::all));
+    Points3 from(own.size(), 3), to(own.size(), 3);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      from.row(k) = mesh.V.row(own[k]);
+      to.row(k) = designed.V.row(own[k]);
+    }
+    const RigidMotion fit = best_fit(from, to);
     for (int v : own) mesh.V.row(v) = fit(mesh.V.row(v).transpose()).transpose();
   }
   return mesh;
