@@ -111,6 +111,7 @@ TEXTS = {
     "one-point-often.obj": scaled(dome(3), 0.0),
     "far-away.obj": re.sub(r"v (\S+) (\S+) (\S+)", r"v 1e30 1e30 1e30", dome(3)),
     "beyond-squares.obj": scaled(dome(3), 1e200),
+    "beyond-squares-of-four.obj": "v 0 0 0\nv 1e200 0 0\nv 1e200 1e200 0\nv 0 1e200 0\nf 1 2 3 4\n",
     "metres.obj": scaled(dome(3), 1e-3),
     "not-off.off": "COFFEE\n",
     "short.off": "OFF\n3 1 0\n0 0 0\n10 0 0\n",

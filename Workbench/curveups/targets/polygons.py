@@ -26,6 +26,7 @@ def triangles_of(V: np.ndarray, polygons: Sequence[Sequence[int]]) -> np.ndarray
     return np.array(triangles, np.int32).reshape(-1, 3)
 
 
+@np.errstate(over="ignore", invalid="ignore")  # what overflows is too large for a target
 def _concave(V: np.ndarray, polygons: Sequence[Sequence[int]]) -> set[int]:
     """Numbers of the polygons that turn against their normal somewhere."""
     sizes = np.array([len(polygon) for polygon in polygons])
