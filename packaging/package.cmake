@@ -33,7 +33,8 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE "1~deb${release}")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 string(CONCAT CPACK_DEBIAN_PACKAGE_DEPENDS
-       "freecad (>= 0.20.2), python3-pivy, python3-numpy, python3-matplotlib, python3-ezdxf, "
+       "freecad (>= 0.20.2), python3-pivy, python3-numpy, python3-matplotlib, python3-scipy, "
+       "python3-ezdxf, "
        "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next_python})")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/packaging/debian/postinst"

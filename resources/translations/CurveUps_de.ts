@@ -1098,6 +1098,10 @@
       <translation>„{0}“ ist keine Kachel</translation>
     </message>
     <message>
+      <source>'{0}' is nothing that can be measured</source>
+      <translation>„{0}“ ist nichts, was gemessen werden kann</translation>
+    </message>
+    <message>
       <source>* an estimate: the layout may do a little better or worse</source>
       <translation>* eine Schätzung: die Abwicklung kann etwas besser oder schlechter ausfallen</translation>
     </message>
@@ -1316,6 +1320,10 @@
     <message>
       <source>actuated tiles overlap by {value:.3g} mm3 ({at})</source>
       <translation>Kacheln in Form überlappen um {value:.3g} mm3 ({at})</translation>
+    </message>
+    <message>
+      <source>add {0} of the sheet before it is stretched</source>
+      <translation>{0} der Bahn vor dem Dehnen hinzufügen</translation>
     </message>
     <message>
       <source>all corners of the surface lie in one point</source>
@@ -1930,12 +1938,20 @@
       <translation>name=value angeben</translation>
     </message>
     <message>
+      <source>give objects with {0}</source>
+      <translation>Objekte mit {0} angeben</translation>
+    </message>
+    <message>
       <source>give one flag per edge</source>
       <translation>einen Wert je Kante angeben</translation>
     </message>
     <message>
       <source>give one of the choices of membrane_model</source>
       <translation>eine der Möglichkeiten von membrane_model angeben</translation>
+    </message>
+    <message>
+      <source>give one of {0}</source>
+      <translation>eins von {0} angeben</translation>
     </message>
     <message>
       <source>give one within the range that 'curveups parameters' says</source>
@@ -2028,6 +2044,10 @@
     <message>
       <source>held by the {obstacle} of {at}</source>
       <translation>festgehalten von {obstacle} an {at}</translation>
+    </message>
+    <message>
+      <source>held has no times that are apart</source>
+      <translation>held hat keine Zeiten, die auseinander liegen</translation>
     </message>
     <message>
       <source>held_tiles names {0}, but there are {1} tiles</source>
@@ -2274,6 +2294,10 @@
       <translation>die Fläche reparieren oder als Netz exportieren</translation>
     </message>
     <message>
+      <source>mend this measurement</source>
+      <translation>diese Messung berichtigen</translation>
+    </message>
+    <message>
       <source>mending left these tiles with too little room for pins or under membranes</source>
       <translation>Das Ausbessern ließ diesen Kacheln zu wenig Platz für Zapfen oder unter Membranen</translation>
     </message>
@@ -2420,6 +2444,10 @@
     <message>
       <source>nothing is in the way of any tile</source>
       <translation>Keiner Kachel steht etwas im Weg</translation>
+    </message>
+    <message>
+      <source>nothing is measured</source>
+      <translation>nichts ist gemessen</translation>
     </message>
     <message>
       <source>nothing of the part has {0} {1} {2}</source>
@@ -2628,6 +2656,10 @@
     <message>
       <source>raise tau, or lower p_max so that pins pull more strongly</source>
       <translation>tau erhöhen oder p_max verringern, damit Zapfen stärker ziehen</translation>
+    </message>
+    <message>
+      <source>read the force over an hour or more</source>
+      <translation>die Kraft über eine Stunde oder länger ablesen</translation>
     </message>
     <message>
       <source>reading the target</source>
@@ -3732,6 +3764,18 @@
     <message>
       <source>{0} is no UTF-8 text</source>
       <translation>{0} ist kein UTF-8-Text</translation>
+    </message>
+    <message>
+      <source>{0} is no list of three or more measurements</source>
+      <translation>{0} ist keine Liste von drei oder mehr Messungen</translation>
+    </message>
+    <message>
+      <source>{0} is no number from {1} to {2}</source>
+      <translation>{0} ist keine Zahl von {1} bis {2}</translation>
+    </message>
+    <message>
+      <source>{0} needs {1}</source>
+      <translation>{0} braucht {1}</translation>
     </message>
     <message>
       <source>{0} points can't be laid onto a surface</source>

@@ -88,6 +88,11 @@ def make_parser() -> argparse.ArgumentParser:
     compare.add_argument("scan", type=Path, metavar="SCAN",
                          help="a mesh, or points as text: x y z a line, of markers T00012 x y z")
     _output_argument(compare)
+
+    calibrate = _command(commands, "calibrate", "fit materials and the printer's growth to measured coupons",
+                         quiet=False)
+    calibrate.add_argument("measured", type=Path, metavar="MEASURED.json")
+    _output_argument(calibrate)
     return parser
 
 

@@ -16,7 +16,7 @@ from ..base.profiles import ABOUT, profile_path
 from ..base.progress import Interrupt, Reporter
 from ..base.reading import read_text
 from ..features.document_file import write_document
-from ..kit import files as kit_files, scan
+from ..kit import calibration, files as kit_files, scan
 from ..project.project import Project, Results
 from ..report import check as check_report
 from ..report.exports import write_spares
@@ -176,8 +176,20 @@ def compare(options: Any, session: Session) -> int:
     return VALID
 
 
+def calibrate(options: Any, session: Session) -> int:
+    """curveups calibrate"""
+    require_folder_name(options.output)
+    found = calibration.calibrate(calibration.read_measured(read_json_object(options.measured),
+                                                            str(options.measured)))
+    calibration.write_calibration(found, options.output)
+    for line in calibration.said(found):
+        session.answer(line)
+    return VALID
+
+
 COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,
-            "verify": verify, "export": export, "kit": kit, "compare": compare}
+            "verify": verify, "export": export, "kit": kit, "compare": compare,
+            "calibrate": calibrate}
 
 
 def _design_project(options: Any, session: Session) -> tuple[Project, bool]:

@@ -14,8 +14,8 @@ struct VirtualScan {
   double hausdorff = 0;                            // the larger of both directions' largest
 };
 
-// The front triangles, three vertices of their own a tile, after the rigid motion of each piece that
-// fits it best to where it was designed. centres: where the tiles' bodies have their origins.
+// The front triangles, three vertices of their own a tile, after the rigid motion of each piece
+// that fits it best to where it was designed. centres: where the tiles' bodies have their origins.
 TriangleMesh fitted_surface(const TileMesh& tiles, const Points3& centres, const Poses& poses);
 
 // Of corners, edge midpoints and middle of every triangle: so many rows a triangle.
