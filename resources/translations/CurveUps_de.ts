@@ -441,8 +441,8 @@
       <translation>Hier erscheinen Energie und Verletzung</translation>
     </message>
     <message>
-      <source>Violation, mm</source>
-      <translation>Verletzung, mm</translation>
+      <source>Violation</source>
+      <translation>Verletzung</translation>
     </message>
     <message>
       <source>Weak points</source>
@@ -623,7 +623,7 @@
     </message>
     <message>
       <source>Feasibility smoothing</source>
-      <translation>Glättung für die Machbarkeit</translation>
+      <translation>Machbar glätten</translation>
     </message>
     <message>
       <source>Files</source>
@@ -691,7 +691,7 @@
     </message>
     <message>
       <source>Settled forces</source>
-      <translation>Kräfte nach dem Setzen</translation>
+      <translation>Gesetzte Kräfte</translation>
     </message>
     <message>
       <source>Sheets of latex</source>
@@ -1559,7 +1559,7 @@
     </message>
     <message>
       <source>compute the layout with joint=holes, so that pins make room</source>
-      <translation>das Layout mit joint=holes berechnen, damit Zapfen Platz machen</translation>
+      <translation>die Abwicklung mit joint=holes berechnen, damit Zapfen Platz machen</translation>
     </message>
     <message>
       <source>contact {contact} has {share:.2f} of f_min: {why}</source>
@@ -2411,7 +2411,7 @@
     </message>
     <message>
       <source>no small change of layout, pins or vertices lifts it</source>
-      <translation>keine kleine Änderung von Layout, Zapfen oder Ecken hebt ihn</translation>
+      <translation>keine kleine Änderung von Abwicklung, Zapfen oder Ecken hebt ihn</translation>
     </message>
     <message>
       <source>no such target</source>
@@ -3127,11 +3127,11 @@
     </message>
     <message>
       <source>the layout did not converge in {iterations} iterations</source>
-      <translation>Das Layout konvergierte nicht in {iterations} Iterationen</translation>
+      <translation>Die Abwicklung konvergierte nicht in {iterations} Iterationen</translation>
     </message>
     <message>
       <source>the layout did not converge in {iterations} iterations; all constraints hold</source>
-      <translation>Das Layout konvergierte nicht in {iterations} Iterationen; alle Nebenbedingungen gelten</translation>
+      <translation>Die Abwicklung konvergierte nicht in {iterations} Iterationen; alle Nebenbedingungen gelten</translation>
     </message>
     <message>
       <source>the layout holds a number that is not finite</source>
@@ -3139,7 +3139,7 @@
     </message>
     <message>
       <source>the layout is badly stretched: its flat map scales tiles {spread:.3g} times differently, and the membrane is slack at {slack} places</source>
-      <translation>Das Layout ist stark verzerrt: seine flache Karte skaliert Kacheln {spread:.3g}-fach verschieden, und die Membran ist an {slack} Stellen schlaff</translation>
+      <translation>Die Abwicklung ist stark verzerrt: ihre flache Karte skaliert Kacheln {spread:.3g}-fach verschieden, und die Membran ist an {slack} Stellen schlaff</translation>
     </message>
     <message>
       <source>the layout is {0} m wide</source>
@@ -4007,7 +4007,7 @@
     </message>
     <message>
       <source>of the layout, L = {length}, Tau = {tau}</source>
-      <translation>des Layouts, L = {length}, Tau = {tau}</translation>
+      <translation>der Abwicklung, L = {length}, Tau = {tau}</translation>
     </message>
     <message>
       <source>of the target, L = {length}</source>
@@ -4015,7 +4015,7 @@
     </message>
     <message>
       <source>of the verified layout, L = {length}, Tau = {tau}</source>
-      <translation>des geprüften Layouts, L = {length}, Tau = {tau}</translation>
+      <translation>der geprüften Abwicklung, L = {length}, Tau = {tau}</translation>
     </message>
     <message>
       <source>out of date: {why}</source>

@@ -18,6 +18,10 @@ INSIDE = Path(__file__).with_name("inside_freecad.py")
 # What FreeCAD's home folder has of the workbench: all of it, nothing, all but the native module, and all with
 # a native module that can't be loaded.
 HOMES = ("workbench", "nothing", "no native", "broken native")
+# Or, in words, what a user with all of it has chosen: a group of preferences, and what it holds.
+CHOICES = {"german": ("General", '<FCText Name="Language">German</FCText>'),
+           "dark": ("MainWindow", '<FCText Name="StyleSheet">Behave-dark.qss</FCText>'),
+           "inch": ("Units", '<FCInt Name="UserSchema" Value="3"/>')}
 # Displays that a window is on.
 SCREENS: dict[Any, str] = {True: "1440x900x24 -dpi 96", "4K": "3840x2160x24 -dpi 192"}
 
@@ -31,7 +35,8 @@ class FreeCADProcess:
 
     def __init__(self, folder: Path, home: str = "workbench", window: Any = False) -> None:
         self._log = folder / "log"
-        place = freecad_home(folder / "home", home == "workbench")
+        place = freecad_home(folder / "home", home not in HOMES[1:])
+        choose(place, [CHOICES[word] for word in home.split() if home not in HOMES])
         if home in HOMES[2:]:
             for mods in place.glob(".local/share/FreeCAD/**/Mod"):
                 _checkout_with(mods / "CurveUps", b"no library" if home == "broken native" else None)
@@ -103,6 +108,16 @@ def freecad_home(folder: Path, with_workbench: bool) -> Path:
         if with_workbench:
             (base / "Mod" / "CurveUps").symlink_to(ROOT)
     return folder
+
+
+def choose(home: Path, choices: list[tuple[str, str]]) -> None:
+    """Writes preferences."""
+    groups = "".join(f'<FCParamGroup Name="{group}">{entry}</FCParamGroup>' for group, entry in choices)
+    for name in reversed(("Root", "BaseApp", "Preferences")):
+        groups = f'<FCParamGroup Name="{name}">{groups}</FCParamGroup>'
+    for folder in (home / ".config/FreeCAD", home / ".config/FreeCAD/v1-1"):
+        folder.mkdir(parents=True)
+        (folder / "user.cfg").write_text(f"<FCParameters>{groups}</FCParameters>", encoding="utf-8")
 
 
 def own_name(nodeid: str) -> str:

@@ -6,6 +6,7 @@ focus. Waiting runs the window's own event loop.
 """
 
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -51,7 +52,10 @@ def until(condition, seconds=30, what=""):
 
 
 def display(*arguments):
-    """Runs xdotool. The window goes on meanwhile, as it answers the display."""
+    """Runs xdotool, at places in Qt's pixels. The window goes on meanwhile, as it answers the display."""
+    if arguments[0] == "mousemove":
+        ratio = window.devicePixelRatioF()
+        arguments = ("mousemove", *(round(ratio * place) for place in arguments[1:3]), *arguments[3:])
     running = subprocess.Popen(["xdotool", *map(str, arguments)])
     until(lambda: running.poll() is not None, 20, f"xdotool {arguments}")
     assert running.returncode == 0, arguments
@@ -84,14 +88,18 @@ def at_rest_place(widget):
 
 
 def cut_off(form):
-    """Texts below a widget that are not seen whole, nor in a tooltip."""
-    found = []
+    """Texts below a widget that are not seen whole, nor in a tooltip; a panel that is wider than its dock."""
+    found = [("too wide by", area.objectName(), area.horizontalScrollBar().maximum())
+             for area in window.findChildren(QtGui.QScrollArea)
+             if area.isAncestorOf(form) and area.horizontalScrollBar().maximum() > 0]
     for one in form.findChildren(QtGui.QWidget):
         if one.visibleRegion().isEmpty():
             continue
         if isinstance(one, QtGui.QLabel) and one.text():
             lacks = (one.heightForWidth(one.width()) > one.height() if one.wordWrap()
                      else one.sizeHint().width() > one.width())
+        elif isinstance(one, QtGui.QAbstractSpinBox) and one.property("rawValue"):
+            lacks = not re.search("[1-9]", one.text()) and not re.search("= .*[1-9]", one.toolTip())
         elif isinstance(one, QtGui.QLineEdit):
             lacks = one.fontMetrics().horizontalAdvance(one.text() or one.placeholderText()) > one.width() - 4
         elif isinstance(one, QtGui.QComboBox):
@@ -113,6 +121,17 @@ def cut_off(form):
         if lacks and (not text or text not in one.toolTip()):
             found.append((type(one).__name__, one.objectName(), text))
     return found
+
+
+def texts(form):
+    """All texts that are seen below a widget."""
+    for one in form.findChildren(QtGui.QWidget):
+        if one.isVisible():
+            kinds = ("text", "currentText", "title")
+            yield from (getattr(one, kind)() for kind in kinds if hasattr(one, kind))
+            if isinstance(one, QtGui.QTreeWidget):
+                yield from (item.text(column) for item in (one.headerItem(), *rows_of(one))
+                            for column in range(one.columnCount()))
 
 
 def rows_of(tree):
@@ -321,8 +340,9 @@ def picture(name):
     settle(150)
     image = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
     image.save(os.path.join(_pictures, name + ".png"))
-    area = window.findChild(QtGui.QMdiArea)
-    corner, wide, high = area.mapToGlobal(QtCore.QPoint(0, 0)), area.width(), area.height()
+    area, ratio = window.findChild(QtGui.QMdiArea), window.devicePixelRatioF()
+    corner = area.mapToGlobal(QtCore.QPoint(0, 0)) * ratio
+    wide, high = int(area.width() * ratio), int(area.height() * ratio)
     return len({image.pixel(corner.x() + wide * column // 80, corner.y() + high * row // 80)
                 for column in range(16, 64) for row in range(16, 64)})
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What tests in the window begin with and wait for. This module is imported inside of FreeCAD alone."""
 
+import re
+
 import FreeCAD
 import FreeCADGui
 import numpy as np
@@ -9,6 +11,10 @@ from curveups.window.panels import panel as panels
 from curveups.window.overlays import overlay_of
 from curveups.window.run import LIVE
 from robot import QtGui, display, fill, on_screen, settle, tidy
+
+# Words that no German text has, but names of files may.
+ENGLISH = re.compile(r"(?<![\w-])(the|tiles|are|back|front|face|lower|with|room|margin|checking|writing|of"
+                     r"|to)(?!\w|-|\.\w)")
 
 
 def begin():
@@ -98,5 +104,5 @@ def click_edge(design, x, y):
     return pair
 
 
-__all__ = ["LIVE", "begin", "click_edge", "edge_at", "enter", "example", "in_units", "move_to", "opened",
-           "panel", "point_in"]
+__all__ = ["ENGLISH", "LIVE", "begin", "click_edge", "edge_at", "enter", "example", "in_units", "move_to",
+           "opened", "panel", "point_in"]

@@ -80,6 +80,11 @@ def pictures(tmp_path):
 if INSIDE:
     import FreeCAD
     import FreeCADGui
+    from PySide import QtGui
+
+    # As the profile has them.
+    _SCHEMA = FreeCAD.Units.getSchema()
+    _STYLE = QtGui.QApplication.instance().styleSheet() if FreeCAD.GuiUp else ""
 
     @pytest.fixture(autouse=True)
     def fresh():
@@ -94,10 +99,10 @@ if INSIDE:
 
             FreeCADGui.Control.closeDialog()
             FreeCADGui.Selection.clearSelection()
-            robot.QtGui.QApplication.instance().setStyleSheet("")
-        if FreeCAD.Units.getSchema() != 0:
-            FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", 0)
-            FreeCAD.Units.setSchema(0)
+            robot.QtGui.QApplication.instance().setStyleSheet(_STYLE)
+        if FreeCAD.Units.getSchema() != _SCHEMA:
+            FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", _SCHEMA)
+            FreeCAD.Units.setSchema(_SCHEMA)
         for name in list(FreeCAD.listDocuments()):
             FreeCAD.closeDocument(name)
         if FreeCAD.GuiUp:

@@ -11,11 +11,10 @@ import Mesh
 import pytest
 from curveups.features import document as documents
 from curveups.window.overlays import overlay_of
-from robot import (QtCore, choose_file, click, click_at, close_panel, cut_off, display, fill,
-                   in_dialog, keep_pictures_in, keys, on_screen, picture, press, report, settle, tidy,
-                   until, widget)
+from robot import (choose_file, click, click_at, close_panel, fill, in_dialog, keep_pictures_in, keys,
+                   on_screen, picture, press, report, settle, tidy, until, widget)
 from running import ROOT, dome
-from steps import LIVE, panel
+from steps import LIVE
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -261,57 +260,3 @@ def test_the_whole_way(tmp_path):
             raise
         assert "Traceback" not in report() and "unexpected" not in report(), report()[-2000:]
     assert len(list(pictures.glob("*.png"))) >= 19 and not (pictures / "failed.png").exists()
-
-
-def test_an_own_stl_becomes_print_files(tmp_path):
-    """A bowl, in a fresh profile; each step is a picture in build/own-stl, and no text is cut off."""
-    pictures = ROOT / "build" / "own-stl"
-    shutil.rmtree(pictures, ignore_errors=True)
-    keep_pictures_in(pictures)
-    (tmp_path / "bowl.obj").write_text(dome(4))
-    bowl = Mesh.Mesh(str(tmp_path / "bowl.obj"))
-    bowl.flipNormals()
-    bowl.write(str(tmp_path / "bowl.stl"))
-    FreeCADGui.activateWorkbench("CurveUpsWorkbench")
-    tidy()
-
-    def shown(name, verdict=""):
-        picture(name)
-        assert not cut_off(panel().form), (name, cut_off(panel().form))
-        assert not verdict or verdict in panel().form.verdict.text(), panel().form.verdict.text()
-
-    in_dialog(lambda: keys("ctrl+o"), lambda: choose_file(str(tmp_path / "bowl.stl")))
-    until(lambda: FreeCAD.ActiveDocument and FreeCAD.ActiveDocument.Objects, 30, "the mesh")
-    view = FreeCADGui.ActiveDocument.ActiveView
-    view.viewTop()
-    view.fitAll()
-    settle(300)
-    click_at(on_screen(FreeCAD.ActiveDocument.Objects[0].Mesh.BoundBox.Center))
-    picture("01-opened")
-    press("CurveUps_NewDesign")
-    until(lambda: len(FreeCAD.ActiveDocument.Objects) > 1, 20, "the design")
-    press("CurveUps_Check")
-    idle()
-    shown("02-checked", ">Feasible<")
-    press("CurveUps_Solve")
-    idle()
-    shown("03-solved", ": valid")
-    press("CurveUps_Overlay")
-    slider = widget("morph")
-    ends = [slider.mapToGlobal(QtCore.QPoint(int((slider.width() - 1) * share), slider.height() // 2))
-            for share in (overlay_of(design()).morph(), 1)]
-    display("mousemove", ends[0].x(), ends[0].y(), "mousedown", 1)
-    display("mousemove", (ends[0].x() + ends[1].x()) // 2, ends[0].y())
-    shown("04-folding")
-    display("mousemove", ends[1].x() + 30, ends[1].y(), "mouseup", 1)  # the end stops it
-    until(lambda: overlay_of(design()).morph() == 1, 10, "the shape")
-    shown("05-folded")
-    press("CurveUps_Export")
-    fill(widget("folder"), str(tmp_path / "files"))
-    click(widget("write"))
-    until(lambda: LIVE.busy or (tmp_path / "files").is_dir(), 20, "the export to begin")
-    idle()
-    shown("06-exported")
-    names = {path.name for path in (tmp_path / "files").iterdir()}
-    assert {"report.html", "bowl-design-print.3mf", "bowl-design-print.step"} <= names, names
-    assert "Traceback" not in report() and "unexpected" not in report(), report()[-2000:]

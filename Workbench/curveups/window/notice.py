@@ -20,7 +20,7 @@ from ..base.errors import CurveUpsError, Stopped, tile_name
 from ..base.findings import Finding, Style
 from ..base.sentences import CONTEXT
 from ..features.properties import as_properties
-from .guide import SCHEME, link_to, show_guide
+from .guide import SCHEME, link, link_to, show_guide
 from .qt import RESOURCES, QtCore, QtGui, QtWidgets, translate
 from .selection import select_tiles
 from .units import in_user_units
@@ -110,7 +110,7 @@ def _templates() -> list[tuple[str, re.Pattern]]:
 
 
 def _link(tile: int) -> str:
-    return f'<a href="{tile_name(tile)}">{tile_name(tile)}</a>'
+    return link(tile_name(tile), tile_name(tile))
 
 
 _PLAIN = Style(words_of)

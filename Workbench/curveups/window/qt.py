@@ -4,6 +4,7 @@ QtGui), later ones have Qt 5 or 6 with one."""
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,8 @@ try:
 except ImportError:
     QtWidgets = QtGui
 
-__all__ = ("EventFilter", "QtCore", "QtGui", "QtWidgets", "QT_TRANSLATE_NOOP", "load_ui", "translate")
+__all__ = ("EventFilter", "QtCore", "QtGui", "QtWidgets", "QT_TRANSLATE_NOOP", "ink_and_paper", "load_ui",
+           "translate")
 
 RESOURCES = Path(__file__).parents[3] / "resources"
 
@@ -29,6 +31,24 @@ def translate(context: str, text: str, **values: Any) -> str:
 def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
     """Marks a text that FreeCAD or a later `translate` translates."""
     return text
+
+
+@lru_cache(maxsize=None)
+def _sample() -> Any:
+    """A label that nobody sees. It stays: PySide would take later widgets at its address for it."""
+    label = QtWidgets.QLabel(FreeCADGui.getMainWindow())
+    label.hide()
+    return label
+
+
+def ink_and_paper() -> tuple[Any, Any]:
+    """Colours of text and of what is behind it, those of labels in the window: a style sheet's too."""
+    label = _sample()
+    label.ensurePolished()
+    ink, paper = (label.palette().color(role) for role in (label.foregroundRole(), label.backgroundRole()))
+    if ink.lightness() > 128 and paper.lightness() > 128:  # what is below the label shines through
+        paper = QtGui.QColor(32, 32, 32)
+    return ink, paper
 
 
 def load_ui(name: str) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import re
-from typing import Sequence
+from typing import Any, Sequence
 
 import FreeCAD
 
@@ -44,6 +44,12 @@ def text_of(value: float, unit: str, size: float) -> str:
         return "–"
     factor, name = user_unit(unit, size)
     return f"{short(value * factor)} {name}".rstrip()
+
+
+def whole(quantity: Any) -> str:
+    """FreeCAD's quantity with three digits."""
+    _, per_unit, unit = quantity.getUserPreferred()
+    return f"{short(quantity.Value / per_unit)} {unit}"
 
 
 def in_user_units(text: str) -> str:

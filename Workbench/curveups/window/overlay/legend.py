@@ -16,7 +16,7 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
-from ..qt import QtCore, QtGui, QtWidgets
+from ..qt import QtCore, ink_and_paper
 from ..units import short, user_unit
 from . import colours
 from .mouse import Mouse
@@ -128,7 +128,7 @@ class Legend:
         self._body.removeAllChildren()
         if content is None:
             return
-        paper, ink = _theme()
+        ink, paper = (colour.getRgbF()[:3] for colour in ink_and_paper())
         lines = _lines(content)
         longest = max([len(line) for _, line in lines] + [len(self.heading), 10])
         wide = longest * _letter(_SIZE * scale()) / scale() + 24
@@ -242,13 +242,6 @@ def _letter(size: float) -> float:
         return float(action.getBoundingBox().getSize()[0])
 
     return (width(20) - width(10)) / 10
-
-
-def _theme() -> tuple[tuple, tuple]:
-    """Colours for paper and ink, those of the window."""
-    palette = QtWidgets.QApplication.palette()
-    return (palette.color(QtGui.QPalette.Window).getRgbF()[:3],
-            palette.color(QtGui.QPalette.WindowText).getRgbF()[:3])
 
 
 def _polygon(corners: Sequence[tuple], colour: Sequence[float], transparency: float = 0.0) -> Any:

@@ -8,6 +8,7 @@ import math
 from typing import Any, Optional, Sequence
 
 from ..qt import QtCore, QtGui, QtWidgets, translate
+from ..units import text_of
 
 # Told apart in print and by eyes that see no red or green (Okabe and Ito), on light and dark grounds.
 _ENERGY, _VIOLATION, _WEAK = "#0072B2", "#D55E00", "#009E73"
@@ -21,14 +22,14 @@ class Curves(QtWidgets.QLabel):
     def __init__(self, parent: Any = None):
         super().__init__(parent)
         self.setMinimumHeight(110)
-        self._curves: list[tuple[str, str, Sequence[float]]] = []
+        self._curves: list[tuple[str, str, str, Sequence[float]]] = []  # name, unit, colour, values
 
     def show_status(self, status: Any) -> None:
         """Takes the figures of a worker's status."""
-        curves = [(translate("CurveUpsCurves", "Energy"), _ENERGY, status.energies),
-                  (translate("CurveUpsCurves", "Violation, mm"), _VIOLATION, status.violations),
-                  (translate("CurveUpsCurves", "Weak points"), _WEAK, status.weak_points)]
-        self._curves = [curve for curve in curves if len(curve[2])]
+        curves = [(translate("CurveUpsCurves", "Energy"), "", _ENERGY, status.energies),
+                  (translate("CurveUpsCurves", "Violation"), "mm", _VIOLATION, status.violations),
+                  (translate("CurveUpsCurves", "Weak points"), "", _WEAK, status.weak_points)]
+        self._curves = [curve for curve in curves if len(curve[-1])]
         self.update()
 
     def paintEvent(self, event: Any) -> None:
@@ -42,10 +43,11 @@ class Curves(QtWidgets.QLabel):
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
         line_height = painter.fontMetrics().height()
         plot = QtCore.QRectF(self.rect()).adjusted(8, 8 + line_height * len(self._curves), -8, -8)
-        for number, (name, colour, values) in enumerate(self._curves):
+        for number, (name, unit, colour, values) in enumerate(self._curves):
             shade = QtGui.QColor(_DARK.get(colour, colour) if dark else colour)
             painter.setPen(QtGui.QPen(shade, 2))
-            painter.drawText(8, 4 + line_height * (number + 1), f"{name}: {values[-1]:.4g}")
+            last = text_of(values[-1], unit, values[-1])
+            painter.drawText(8, 4 + line_height * (number + 1), f"{name}: {last}")
             path = _path(values, plot)
             if path is not None:
                 painter.drawPath(path)

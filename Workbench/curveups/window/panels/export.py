@@ -16,10 +16,12 @@ from ...features.document import settings_of
 from ...features.proxy import HIDDEN
 from ...project.worker import Status
 from ...report.exports import Choice, choices, file_names, other_report
+from ..guide import link
 from ..macro import call, named
 from ..notice import errors_shown, shown
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
+from ..units import text_of
 from . import preferences
 from .panel import Panel, enable, idle
 
@@ -41,6 +43,9 @@ class ExportPanel(Panel):
         form.deviation.setProperty("unit", "mm")
         form.deviation.setProperty("minimum", 0.0001)
         form.deviation.setProperty("rawValue", self._parameters.get("mesh_deviation"))
+        form.deviation.valueChanged.connect(lambda *_: self._show_deviation())
+        self._about = form.deviation.toolTip()
+        self._show_deviation()
         form.names.setText(preferences.export_mask())
         form.folder.textChanged.connect(lambda text: form.folder.setToolTip(text))  # it may be long
         form.folder.setText(self._folder())
@@ -142,6 +147,12 @@ class ExportPanel(Panel):
         self.form.doubts.setVisible(bool(found))
         self.form.insist.setVisible(bool(found))
 
+    def _show_deviation(self) -> None:
+        """What the field may round off."""
+        field = self.form.deviation
+        value = float(field.property("rawValue"))
+        field.setToolTip(f"{self._about}\n= {text_of(value, 'mm', value)}")
+
     def _show_names(self) -> None:
         try:
             names = list(file_names(self.design.Label, self.choice()).values())
@@ -170,7 +181,7 @@ def _links(folder: Path, names: list[str]) -> list[str]:
               for name in names if name == "report.html"]
     found += [(folder / name, translate("CurveUpsExport", "open {name} in the slicer", name=name))
               for name in names if name.endswith(".3mf")]
-    return [f'<a href="{escape(path.absolute().as_uri())}">{escape(text)}</a>' for path, text in found]
+    return [link(escape(path.absolute().as_uri()), escape(text)) for path, text in found]
 
 
 def _bodies(kind: str) -> str:

@@ -80,7 +80,9 @@ class Panel(ABC):
         self.form = load_ui(ui)
         if QtWidgets.QApplication.instance().styleSheet():  # dark themes give buttons much empty room
             self.form.setStyleSheet("QPushButton { padding-left: 3px; padding-right: 3px; }")
-        self.form.setWindowTitle(title)
+        # FreeCAD makes the panel as wide as its title.
+        letters = self.form.fontMetrics()
+        self.form.setWindowTitle(letters.elidedText(title, QtCore.Qt.ElideRight, 9 * letters.height()))
         self.form.setProperty("CurveUpsTopic", self.TOPIC)
         self._overlay = overlay_of(design)
         self._reveal = Reveal(design)

@@ -15,7 +15,7 @@ from ..macro import assign
 from ..notice import errors_shown
 from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, translate
-from ..units import in_user_units
+from ..units import in_user_units, whole
 
 PAUSE = 400  # ms without typing after which an edit counts
 
@@ -51,7 +51,6 @@ class ParameterRows:
             label = self._labels[name] = QtWidgets.QLabel(_spaced(name))
             form.addRow(label, _in_row(field, beside[name]()) if name in beside else field)
             self._fields[name] = field
-        self._show_tips()
         place.addWidget(self._page)
         self.refresh()
         unit_observers.append(self._show_units)
@@ -63,6 +62,7 @@ class ParameterRows:
             for name, field in self._fields.items():
                 if name not in self._pending:
                     _show(field, getattr(self._object, name))
+            self._show_tips()
         finally:
             self._filling = False
 
@@ -107,23 +107,25 @@ class ParameterRows:
         """The user's unit schema is another: fields write their numbers anew."""
         self._filling = True
         try:
-            self._show_tips()
             for name, field in self._fields.items():
                 value = getattr(self._object, name)
                 if hasattr(value, "Unit"):
                     field.setProperty("unit", value.getUserPreferred()[2])
                     # Not the field's own number, which is read from the digits of its text.
                     field.setProperty("rawValue", self._pending.get(name, value.Value))
+            self._show_tips()
         except (RuntimeError, ReferenceError):  # the panel or the design went without a word
             unit_observers.remove(self._show_units)
         finally:
             self._filling = False
 
     def _show_tips(self) -> None:
+        """What parameters mean, and their values, which fields may round off: 0.02 mm is 0.00 in there."""
         for name, field in self._fields.items():
-            about = translate("App::Property", self._object.getDocumentationOfProperty(name))
+            about = in_user_units(translate("App::Property", self._object.getDocumentationOfProperty(name)))
+            value = getattr(self._object, name)
             for part in (field, self._labels[name]):
-                part.setToolTip(in_user_units(about))
+                part.setToolTip(f"{about}\n= {whole(value)}" if hasattr(value, "Unit") else about)
 
     def _edit(self, name: str, value: Any) -> None:
         if self._filling:

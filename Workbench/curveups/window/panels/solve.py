@@ -271,16 +271,22 @@ class SolvePanel(Panel):
         last = tree.topLevelItem(count - 1) if count else None
         stage = status.stage
         if last is not None and (not goes_on or last.data(0, QtCore.Qt.UserRole) != stage):
-            last.setText(0, f"{DONE} {last.text(0)[2:]}")
+            _mark(last, DONE, last.text(0)[2:])
         if not goes_on or not stage:
             return
         if stage not in self._began:
             self._began[stage] = now
-            shown = translate("CurveUpsSolve", label_of(stage))
-            last = QtWidgets.QTreeWidgetItem([f"{RUNNING} {shown}", ""])
+            last = QtWidgets.QTreeWidgetItem()
+            _mark(last, RUNNING, translate("CurveUpsSolve", label_of(stage)))
             last.setData(0, QtCore.Qt.UserRole, stage)
             last.setTextAlignment(1, QtCore.Qt.AlignRight)
             tree.addTopLevelItem(last)
             tree.scrollToItem(last)
         if last is not None and last.data(0, QtCore.Qt.UserRole) == stage:
             last.setText(1, f"{now - self._began[stage]:.1f} s")
+
+
+def _mark(item: Any, mark: str, stage: str) -> None:
+    """The line of a stage, which may be wider than the dock."""
+    item.setText(0, f"{mark} {stage}")
+    item.setToolTip(0, item.text(0))
