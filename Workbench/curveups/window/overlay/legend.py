@@ -97,8 +97,7 @@ class Legend:
         """A unit is a pixel of a usual screen; the bar stands at the left, half-way up."""
         if not action.getTypeId().isDerivedFrom(coin.SoGLRenderAction.getClassTypeId()):
             return
-        region = coin.SoViewportRegionElement.get(action.getState())
-        width, height = region.getViewportSizePixels().getValue()
+        width, height = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels()
         if (width, height) == self._size or not height:
             return
         self._size = (width, height)

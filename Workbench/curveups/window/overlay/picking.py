@@ -54,7 +54,7 @@ def pick(view: Any, position: Sequence[float], design: Any = None) -> Optional[P
 def ray(view: Any, position: Sequence[float]) -> tuple[np.ndarray, np.ndarray]:
     """Start (mm) and direction (unit) of the line of sight through a pixel."""
     region = view.getViewer().getSoRenderManager().getViewportRegion()
-    width, height = region.getViewportSizePixels().getValue()
+    width, height = region.getViewportSizePixels()
     aspect = width / height
     volume = view.getCameraNode().getViewVolume(aspect)
     if aspect < 1:  # as the viewer does it for tall windows
