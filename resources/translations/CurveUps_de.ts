@@ -1234,10 +1234,6 @@
       <translation>ein größeres L, dünnere Kacheln (H_body) oder ein kleineres A_pin_min geben Zapfen Platz</translation>
     </message>
     <message>
-      <source>a length or an angle of a bevel is not positive</source>
-      <translation>eine Länge oder ein Winkel einer Fase ist nicht positiv</translation>
-    </message>
-    <message>
       <source>a membrane triangle has no area in the actuated shape</source>
       <translation>ein Membrandreieck hat in Form keinen Flächeninhalt</translation>
     </message>

@@ -134,38 +134,6 @@ def mended(V, F, **values):
     return Project("made", parameters, given, "made").run(("fairing",), Job())
 
 
-def box_corner():
-    """Three faces of a box of 40 mm that meet in a corner."""
-    V, F = sheet(lambda x, y: 0.0, 20, 20)
-    V = V - V.min(axis=0)
-    places, inverse = np.unique(np.vstack([V, V[:, [2, 0, 1]], V[:, [1, 2, 0]]]), axis=0, return_inverse=True)
-    return places, inverse.reshape(-1)[np.vstack([F + k * len(V) for k in range(3)])]
-
-
-def test_the_edges_of_a_box_are_rounded_evenly_along_their_length(run):
-    """Tiles across them would bite them off in teeth, as far as each happens to lie."""
-    V, F = box_corner()
-    ran, report, _ = run((V, F), "mend=on")
-    assert ran.status == 0, ran.err
-    assert any("120 mm of edges rounded" in action for action in report["mending"]["actions"])
-    assert any("more than mend_max (2 mm)" in one["what"] for one in report["warnings"])
-    made = mended(V, F)
-    places = np.linspace(12, 38, 100)[:, None]  # along an edge, away from the corner
-    for axis in np.eye(3):
-        depth = native.distances(places * axis, made["fairing"].V, made["target"].F)
-        assert np.ptp(depth) < 1 and depth.max() < 3.5, depth
-
-
-def test_edges_that_tiles_bend_round_stay_between_tiles():
-    V, F = sheet(lambda x, y: -abs(x) / math.sqrt(3), 30, 20)
-    target = mended(V, F)["target"]
-    ridge = np.abs(target.V[:, 0]) < 1e-9
-    assert ridge.sum() >= 9 and native.surface_deviation(target.V, target.F, V, F)[-1] < 1e-6
-    assert not any("rounded" in action for action in target.actions)
-    # Nothing is an edge among the facets of a scan.
-    assert not any("rounded" in action for action in mended(*scan())["target"].actions)
-
-
 def test_a_surface_that_ends_too_far_from_the_target_is_named():
     """A bump that tiles are too large for, without an edge that could stay."""
     V, F = sheet(lambda x, y: 4 * math.exp(-(x * x + y * y) / 18), 40, 60)

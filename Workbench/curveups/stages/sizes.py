@@ -124,7 +124,7 @@ class Trials:
         return Trial(L, H_body, H_pin, tiles, feasible)
 
     def _remesh(self, L: float) -> tuple[np.ndarray, np.ndarray, float]:
-        made, _ = remesh(*self._surface, L, self._parameters, self._job, self._creases)
+        made = remesh(*self._surface, L, self._parameters, self._job, self._creases)
         return made.V, made.F, float(made.sagitta)
 
     def largest_thickness(self, L: float, most: float) -> Optional[float]:

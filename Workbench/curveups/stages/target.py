@@ -97,32 +97,18 @@ def _run(inputs: Inputs, job: Job) -> Target:
         return Target(V, F, V, F, float(lengths.mean()), float(lengths.std() / lengths.mean()), 0.0,
                       tuple(notes), found, L, surface.wall)
     creases = _creases(surface, V, F)
-    made, bevel = remesh(V, F, L, inputs.parameters, job, creases)
-    if bevel is not None and bevel.length > 0:
-        *_, depth = native.surface_deviation(bevel.V, bevel.F, V, F, job)
-        mended["actions"] = (*mended["actions"],
-                             f"{bevel.length:.0f} mm of edges rounded, by up to {depth:.2g} mm")
-        mended["mended_by"] = max(mended.get("mended_by", 0.0), float(depth))
+    made = remesh(V, F, L, inputs.parameters, job, creases)
     return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta, tuple(notes), found, None,
                   surface.wall, creases=creases, **mended)
 
 
 def remesh(V: np.ndarray, F: np.ndarray, L: float, parameters: Any, job: Job,
-           creases: Optional[np.ndarray] = None) -> tuple[Any, Any]:
-    """The native RemeshResult of a clean mesh, and the BevelledMesh that it was made from, if any. creases:
-    edges (E x 2) of a CAD part, which stay. Other edges stay where facets turn by more than crease_angle;
-    those of what is to be mended are bevelled where they are too sharp, and its boundaries may be ragged."""
-    if creases is not None:
-        kept: dict[str, Any] = {"features": creases}
-    else:
-        kept = {"crease_angle": parameters.get("crease_angle")}
-    if parameters.get("mend") != "on":
-        return native.remesh(V, F, L, job, **kept), None
-    reach = CORNER_REACH * L
-    if creases is not None:
-        return native.remesh(V, F, L, job, **kept, corner_reach=reach), None
-    bevel = native.bevel_edges(V, F, L, job)
-    return native.remesh(bevel.V, bevel.F, L, job, **kept, features=bevel.lines, corner_reach=reach), bevel
+           creases: Optional[np.ndarray] = None) -> Any:
+    """The native RemeshResult of a clean mesh. creases: edges (E x 2) that stay; None: those where facets
+    turn by more than crease_angle. Boundaries of what is to be mended may be ragged."""
+    kept = {"crease_angle": parameters.get("crease_angle")} if creases is None else {"features": creases}
+    return native.remesh(V, F, L, job, **kept,
+                         corner_reach=CORNER_REACH * L if parameters.get("mend") == "on" else 0.0)
 
 
 def _creases(surface: Any, V: np.ndarray, F: np.ndarray) -> Optional[np.ndarray]:

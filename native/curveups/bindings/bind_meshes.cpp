@@ -2,7 +2,6 @@
 // Built-in targets, and what makes a target of a mesh.
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/geometry/bevel_edges.hpp"
 #include "curveups/geometry/builtin_targets.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/closest_points.hpp"
@@ -166,22 +165,6 @@ void bind_meshes(py::module_& module) {
       py::arg("progress") = py::none(),
       "Takes non-manifold parts apart, removes crumbs and small intersections, fills holes whose "
       "edge is shorter than hole_edge mm.");
-
-  py::class_<BevelledMesh>(module, "BevelledMesh", "A mesh whose sharpest edges are bevelled.")
-      .def_property_readonly("V", [](const BevelledMesh& m) { return m.mesh.V; })
-      .def_property_readonly("F", [](const BevelledMesh& m) { return m.mesh.F; })
-      .def_readonly("lines", &BevelledMesh::lines)
-      .def_readonly("length", &BevelledMesh::length);
-  module.def(
-      "bevel_edges",
-      [](const PointsIn& V, const TrianglesIn& F, double L, py::object progress) {
-        const TriangleMesh mesh = read_mesh(V, F);
-        return without_gil(std::move(progress),
-                           [&](const Progress&) { return bevel_edges(mesh, {L}); });
-      },
-      py::arg("V"), py::arg("F"), py::arg("L"), py::arg("progress") = py::none(),
-      "Bevels edges that are too sharp for two tiles with edges of L mm; lines (vertex pairs) are "
-      "to stay edges of the tiling, length is that of all bevels (mm).");
 
   py::class_<RemeshResult>(module, "RemeshResult", "A uniform triangulation and its figures.")
       .def_property_readonly("V", [](const RemeshResult& r) { return r.mesh.V; })

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -26,17 +25,17 @@ Neighbours neighbours_of(const Edges& edges) {
   return next;
 }
 
-}  // namespace
-
-Edges to_edges(const VertexPairs& pairs) {
+Edges to_edges(const std::vector<std::array<int, 2>>& pairs) {
   Edges out(static_cast<Eigen::Index>(pairs.size()), 2);
   for (std::size_t e = 0; e < pairs.size(); ++e) out.row(e) << pairs[e][0], pairs[e][1];
   return out;
 }
 
+}  // namespace
+
 Edges crease_edges(const TriangleMesh& mesh, const MeshTopology& topology, double angle,
                    double least) {
-  VertexPairs sharp;
+  std::vector<std::array<int, 2>> sharp;
   for (const MeshEdge& edge : topology.edges) {
     if (edge.boundary()) continue;
     const Vec3 a = face_area_vector(mesh, edge.face[0]), b = face_area_vector(mesh, edge.face[1]);
@@ -45,11 +44,7 @@ Edges crease_edges(const TriangleMesh& mesh, const MeshTopology& topology, doubl
     sharp.push_back({std::min(edge.v[0], edge.v[1]), std::max(edge.v[0], edge.v[1])});
   }
   std::sort(sharp.begin(), sharp.end());
-  return long_lines(mesh, sharp, least);
-}
-
-Edges long_lines(const TriangleMesh& mesh, const VertexPairs& pairs, double least) {
-  const Neighbours next = neighbours_of(to_edges(pairs));
+  const Neighbours next = neighbours_of(to_edges(sharp));
   std::set<int> noise, seen;  // vertices of sets that are too short
   for (const auto& entry : next) {
     if (!seen.insert(entry.first).second) continue;
@@ -63,10 +58,10 @@ Edges long_lines(const TriangleMesh& mesh, const VertexPairs& pairs, double leas
     }
     if (length < least) noise.insert(part.begin(), part.end());
   }
-  VertexPairs out;
-  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(out),
-               [&](const auto& pair) { return noise.count(pair[0]) == 0; });
-  return to_edges(out);
+  sharp.erase(std::remove_if(sharp.begin(), sharp.end(),
+                             [&](const auto& pair) { return noise.count(pair[0]) != 0; }),
+              sharp.end());
+  return to_edges(sharp);
 }
 
 std::vector<FeatureLine> feature_lines(const Edges& edges, const std::vector<char>& is_end) {

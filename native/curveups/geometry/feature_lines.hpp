@@ -2,9 +2,6 @@
 // Lines of a surface that are to stay edges of its tiling, so that a fold runs between tiles.
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "curveups/geometry/triangle_mesh.hpp"
 
 namespace curveups {
@@ -14,11 +11,6 @@ namespace curveups {
 // (mm) altogether: noise. Faces without area have no creases.
 Edges crease_edges(const TriangleMesh& mesh, const MeshTopology& topology, double angle,
                    double least);
-
-using VertexPairs = std::vector<std::array<int, 2>>;
-Edges to_edges(const VertexPairs& pairs);
-// The pairs without connected sets of them that are shorter than `least` (mm) altogether.
-Edges long_lines(const TriangleMesh& mesh, const VertexPairs& pairs, double least);
 
 struct FeatureLine {
   std::vector<int> vertices;  // along the line; of a closed one each once
