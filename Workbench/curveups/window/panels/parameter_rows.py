@@ -151,7 +151,17 @@ class ParameterRows:
 
     def _number(self, name: str, whole: bool) -> Any:
         """FreeCAD's field, which reads units and expressions."""
-        field = FreeCADGui.UiLoader().createWidget("Gui::IntSpinBox" if whole else "Gui::QuantitySpinBox")
+        taken: list[Any] = []
+        while True:
+            field = FreeCADGui.UiLoader().createWidget("Gui::IntSpinBox" if whole else "Gui::QuantitySpinBox")
+            which = _value_of(field)
+            try:
+                field.valueChanged.connect(lambda *_: self._edit_number(name, which))
+                break
+            except RuntimeError:  # PySide 6 takes it for a deleted one that had its address
+                if len(taken) == 9:
+                    raise
+                taken.append(field)
         if whole:
             field.setRange(-2**31, 2**31 - 1)  # the design says the range, with the remedy
         value = getattr(self._object, name)
@@ -161,8 +171,6 @@ class ParameterRows:
             binding = FreeCADGui.ExpressionBinding(field)
             binding.bind(self._object, name)
             self._bindings.append(binding)  # lives as long as the field
-        which = _value_of(field)
-        field.valueChanged.connect(lambda *_: self._edit_number(name, which))
         return field
 
     def _edit_number(self, name: str, which: str) -> None:
