@@ -11,7 +11,7 @@ from curveups.stages import BY_NAME
 pytestmark = pytest.mark.freecad
 
 PARTS = ("Target", "Layout", "Verification", "Tiles")
-TEXTS = {"tiles": "T00002", "faces": "Face1", "opening": "largest", "pieces": "2"}
+TEXTS = {"tiles": "T00002", "faces": "Face1", "opening": "largest", "pieces": "2", "direction": "1,0,0"}
 
 
 def another(row, value):
