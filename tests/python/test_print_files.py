@@ -151,7 +151,8 @@ def test_what_a_printer_cannot_make_is_said(exported):
     # The slab's walls are what bumps leave of the gap between unrecessed walls.
     _, report = exported("printer=fdm", "bumps=dimples", "bump_height=0.4")
     walls, = (w["what"] for w in report["warnings"] if "slab's walls" in w["what"])
-    assert "as thin as 0.378 mm" in walls and "makes 0.4 mm" in walls
+    thin = float(walls.split("as thin as ")[1].split()[0])  # compilers differ in the last digit
+    assert 0.376 < thin < 0.38 and "makes 0.4 mm" in walls
     _, report = exported("printer=fdm", "support=breakaway", "bumps=none")
     said = {warning.get("kind"): warning for warning in report["warnings"]}
     assert not {"material", "resolution"} & set(said)

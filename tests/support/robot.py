@@ -302,7 +302,9 @@ def press(command):
                 return [one.text().replace("&", ""), *rest]
         return None
 
-    top = next(one for one in window.menuBar().actions() if one.text() == "&CurveUps")
+    # FreeCAD makes the menus anew where a workbench or a document changes.
+    top = until(lambda: next((one for one in window.menuBar().actions() if one.text() == "&CurveUps"), None),
+                10, "the menu CurveUps")
     menu = top.menu()
     found = way(menu)
     assert found, f"{command} has neither a button nor an entry"
