@@ -202,7 +202,7 @@ def test_config_and_set(curveups, cap, tmp_path):
     parameters = json.loads((tmp_path / "o" / "design.json").read_text("utf-8"))["parameters"]
     assert (parameters["H_body"], parameters["d_gap_min"]) == (2, 0.7)
     assert parameters["anchors"] is False
-    assert parameters["verify"] is False and parameters["repair"] is False
+    assert parameters["run_verification"] is False and parameters["run_repair"] is False
     report = json.loads((tmp_path / "o" / "report.json").read_text("utf-8"))
     assert report["valid"] is None and report["reasons"] == ["verification was off"]
     assert "physics" not in report
