@@ -4,7 +4,6 @@ QtGui), later ones have Qt 5 or 6 with one."""
 
 from __future__ import annotations
 
-import gc
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -54,8 +53,6 @@ def ink_and_paper() -> tuple[Any, Any]:
 
 def load_ui(name: str) -> Any:
     """The widget that resources/ui/`name`.ui describes, with its children as attributes."""
-    # Closed panels are cycles of references. PySide takes a new widget for one of theirs at its address.
-    gc.collect()
     return FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
 
 
