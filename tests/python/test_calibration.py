@@ -104,6 +104,11 @@ def test_what_was_not_measured_stays_out(curveups, tmp_path):
     assert parameters(shrunk)["printer.json"] == {"xy_compensation": 0}
 
 
+def test_a_printer_that_adds_nothing_has_no_growth():
+    exact = calibrate(read_measured({"growth": rows(nominal_mm=[9, 9, 9], measured_mm=[9, 9, 9])}, ""))
+    assert (exact["xy_compensation"].value, exact["xy_compensation"].misfit) == (0, 0)
+
+
 @pytest.mark.parametrize("data, said", [
     ({}, "nothing is measured"), ({"colour": 3}, "'colour'"), ({"friction": []}, "friction is no list"),
     ({"friction": rows(angle_deg=[27, 28])}, "three or more"),

@@ -154,7 +154,7 @@ def _fit(matrix: np.ndarray, values: np.ndarray, pick: Sequence[float], unit: st
     solution, spread, covariance = _least_squares(matrix, values)
     weights = np.asarray(pick)
     return _with_interval(float(weights @ solution), math.sqrt(weights @ covariance @ weights),
-                          len(values) - matrix.shape[1], len(values), unit, spread / float(np.mean(values)))
+                          len(values) - matrix.shape[1], len(values), unit, _share(spread, values))
 
 
 def _ratio(matrix: np.ndarray, values: np.ndarray, above: Sequence[float], below: Sequence[float]) -> Fitted:
@@ -164,7 +164,7 @@ def _ratio(matrix: np.ndarray, values: np.ndarray, above: Sequence[float], below
     ratio = float(a @ solution / (b @ solution))
     slope = (a - ratio * b) / (b @ solution)
     return _with_interval(ratio, math.sqrt(slope @ covariance @ slope), len(values) - matrix.shape[1],
-                          len(values), "", spread / float(np.mean(values)))
+                          len(values), "", _share(spread, values))
 
 
 def _mean(values: np.ndarray, unit: str) -> Fitted:
@@ -184,7 +184,13 @@ def _with_interval(value: float, deviation: float, freedom: int, points: int, un
     from scipy.stats import t  # half a second, which other commands would pay
 
     reach = float(t.ppf(0.975, freedom)) * deviation
-    return Fitted(value, value - reach, value + reach, points, unit, abs(misfit))
+    return Fitted(value, value - reach, value + reach, points, unit, misfit)
+
+
+def _share(spread: float, values: np.ndarray) -> float:
+    """Of the mean measurement, 0 where all are."""
+    mean = float(np.mean(np.abs(values)))
+    return spread / mean if mean > 0 else 0.0
 
 
 def _rows(name: str, rows: Any, where: str) -> dict[str, np.ndarray]:
