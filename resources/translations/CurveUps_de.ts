@@ -979,12 +979,12 @@
       <translation>Abweichung</translation>
     </message>
     <message>
-      <source>Fold angle</source>
-      <translation>Faltwinkel</translation>
+      <source>Dihedral angle</source>
+      <translation>Diederwinkel</translation>
     </message>
     <message>
-      <source>Fold margin</source>
-      <translation>Spielraum der Faltung</translation>
+      <source>Dihedral margin</source>
+      <translation>Spielraum des Diederwinkels</translation>
     </message>
     <message>
       <source>Friction ratio</source>
@@ -995,8 +995,8 @@
       <translation>Spalt</translation>
     </message>
     <message>
-      <source>Membrane room</source>
-      <translation>Platz für Membranen</translation>
+      <source>Membrane clearance</source>
+      <translation>Abstand der Membranen</translation>
     </message>
     <message>
       <source>Membrane stretch</source>
@@ -1019,8 +1019,8 @@
       <translation>Zapfenfläche</translation>
     </message>
     <message>
-      <source>Pin room</source>
-      <translation>Platz für Zapfen</translation>
+      <source>Pin area margin</source>
+      <translation>Spielraum der Zapfenfläche</translation>
     </message>
     <message>
       <source>contacts below f_min</source>
@@ -1550,6 +1550,14 @@
       <translation>das Netz zuerst säubern</translation>
     </message>
     <message>
+      <source>clearance of the back membrane, mm</source>
+      <translation>Abstand der Membran hinten, mm</translation>
+    </message>
+    <message>
+      <source>clearance of the front membrane, mm</source>
+      <translation>Abstand der Membran vorn, mm</translation>
+    </message>
+    <message>
       <source>coarsening the scan</source>
       <translation>Scan vergröbern</translation>
     </message>
@@ -1640,6 +1648,10 @@
     <message>
       <source>designs are not written as {0}</source>
       <translation>Entwürfe werden nicht als {0} geschrieben</translation>
+    </message>
+    <message>
+      <source>dihedral margin, deg</source>
+      <translation>Spielraum des Diederwinkels, Grad</translation>
     </message>
     <message>
       <source>dimples are {clearance:g} mm wider than bumps, less than the {least:g} mm that a {printer} resolves</source>
@@ -1738,10 +1750,6 @@
       <translation>gewendete Flächen</translation>
     </message>
     <message>
-      <source>fairing the target</source>
-      <translation>Zielfläche glätten</translation>
-    </message>
-    <message>
       <source>fill the gap or widen it</source>
       <translation>die Lücke füllen oder verbreitern</translation>
     </message>
@@ -1756,10 +1764,6 @@
     <message>
       <source>flatten each by itself</source>
       <translation>jede für sich abwickeln</translation>
-    </message>
-    <message>
-      <source>fold margin, deg</source>
-      <translation>Spielraum der Faltung, Grad</translation>
     </message>
     <message>
       <source>folds and neighbours leave no room for pins on {0}{1}</source>
@@ -2550,20 +2554,20 @@
       <translation>Zapfenfläche</translation>
     </message>
     <message>
+      <source>pin area margin back, mm2</source>
+      <translation>Spielraum der Zapfenfläche hinten, mm2</translation>
+    </message>
+    <message>
+      <source>pin area margin front, mm2</source>
+      <translation>Spielraum der Zapfenfläche vorn, mm2</translation>
+    </message>
+    <message>
       <source>pin insets leave their bounds by {violation:.3g} mm</source>
       <translation>Zapfen verlassen ihre Grenzen um {violation:.3g} mm</translation>
     </message>
     <message>
       <source>pin keep-out</source>
       <translation>Sperrbereich der Zapfen</translation>
-    </message>
-    <message>
-      <source>pin room back, mm2</source>
-      <translation>Platz für Zapfen hinten, mm2</translation>
-    </message>
-    <message>
-      <source>pin room front, mm2</source>
-      <translation>Platz für Zapfen vorn, mm2</translation>
     </message>
     <message>
       <source>pins of at least A_pin_floor ({A_pin_floor:.3g} mm2) leave no room for stitching holes of {joint_hole:.3g} mm</source>
@@ -2766,14 +2770,6 @@
       <translation>Abwicklung wiederherstellen</translation>
     </message>
     <message>
-      <source>room of the back membrane, mm</source>
-      <translation>Platz für die Membran hinten, mm</translation>
-    </message>
-    <message>
-      <source>room of the front membrane, mm</source>
-      <translation>Platz für die Membran vorn, mm</translation>
-    </message>
-    <message>
       <source>run 'curveups design' with it</source>
       <translation>„curveups design“ damit ausführen</translation>
     </message>
@@ -2876,6 +2872,10 @@
     <message>
       <source>simplify the part, or export it again or as a mesh</source>
       <translation>das Teil vereinfachen, erneut exportieren oder als Netz exportieren</translation>
+    </message>
+    <message>
+      <source>smoothing the target</source>
+      <translation>Zielfläche glätten</translation>
     </message>
     <message>
       <source>so does mend=on, which moves vertices by up to {moved:.2g} mm</source>

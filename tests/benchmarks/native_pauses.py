@@ -79,7 +79,7 @@ def main() -> None:
 
     calls: dict[str, Call] = {
         "solve_layout": lambda sink: native.solve_layout(V, F, cuts, p, sink),
-        "relieve_pins": lambda sink: native.relieve_pins(V, F, cuts, p, sink),
+        "smooth_for_pins": lambda sink: native.smooth_for_pins(V, F, cuts, p, sink),
         "suggest_cuts": lambda sink: native.suggest_cuts(V, F, cuts, p, 1, [], sink),
         "verify_design": lambda sink: native.verify_design(design, None, sink),
         "settle_design": lambda sink: native.settle_design(design, None, sink),

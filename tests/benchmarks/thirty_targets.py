@@ -38,7 +38,7 @@ from running import command, environment  # noqa: E402
 
 Surface = tuple[np.ndarray, np.ndarray]
 LONGEST = 400  # seconds a design may take
-ADVICE = re.compile(r"suggested: ((?:\w+=\S+ ?)+), with which it is valid")  # of stages/trials.py
+ADVICE = re.compile(r"suggested: ((?:\w+=\S+ ?)+), with which it is valid")  # of stages/parameter_search.py
 # Of stages/sizes.py, the last that it names.
 ADVICE_OF_ERRORS = re.compile(r".* sizes that were tried, (?:\S+ or )*(\S+=\S+)(?: with (\S+))? does")
 

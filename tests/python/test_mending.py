@@ -10,7 +10,7 @@ from curveups.targets.cad_files import Read
 from curveups.base.errors import Stopped
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.stages import trials
+from curveups.stages import parameter_search
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Inputs, Job
 from curveups.stages.surface import Source
@@ -211,14 +211,14 @@ def test_where_membranes_cut_other_sizes_are_tried(run, monkeypatch):
         tried.append(sizes)
         return len(tried) == 3
 
-    monkeypatch.setattr(trials, "_valid", valid)
-    monkeypatch.setattr(trials, "sizes_do", lambda *given: True)
+    monkeypatch.setattr(parameter_search, "_valid", valid)
+    monkeypatch.setattr(parameter_search, "sizes_do", lambda *given: True)
     parameters = native.Parameters()
     inputs = Inputs(parameters, {"verification": Verified, "target": Given, "fairing": Given, "cuts": Given,
                                  "cut request": CutRequest()})
-    assert not trials.STAGE.run(inputs, Job()).advice() and not tried
+    assert not parameter_search.STAGE.run(inputs, Job()).advice() and not tried
     parameters.set("mend", "on")
-    said, = trials.STAGE.run(inputs, Job()).advice()
+    said, = parameter_search.STAGE.run(inputs, Job()).advice()
     assert tried == [(("H_pin", 1.2),), (("H_pin", 1.5),), (("H_body", 1.5),)]
     assert "H_body=1.5, with" in str(said)
 
@@ -234,12 +234,12 @@ def test_what_is_tried_is_the_design_that_it_becomes():
     inputs = Inputs(parameters, {}, elsewhere=made.elsewhere)
     heard = []
     job = Job(listen=lambda *iterate: heard.append(iterate))
-    assert trials._valid(inputs, (("H_pin", 1.0),), job, [60]) == results["verification"].valid
-    assert trials._valid(inputs, (("H_pin", 0.2),), job, [60]) is False
+    assert parameter_search._valid(inputs, (("H_pin", 1.0),), job, [60]) == results["verification"].valid
+    assert parameter_search._valid(inputs, (("H_pin", 0.2),), job, [60]) is False
     assert made.parameters.get("H_pin") == 1.0 and made.out_of_date("verification") == ()
     assert not heard  # whoever watches the design sees no other
     with pytest.raises(Stopped):
-        trials._valid(inputs, (("H_pin", 1.0),), Job(lambda what, fraction: False), [60])
+        parameter_search._valid(inputs, (("H_pin", 1.0),), Job(lambda what, fraction: False), [60])
 
 
 def test_all_that_is_tried_shares_a_number_of_steps_of_repair():
@@ -254,6 +254,6 @@ def test_all_that_is_tried_shares_a_number_of_steps_of_repair():
         return {}
 
     outer = Job()
-    found = trials.other_sizes(Inputs(native.Parameters(), {}, elsewhere=repaired_for_ever), outer)
+    found = parameter_search.other_sizes(Inputs(native.Parameters(), {}, elsewhere=repaired_for_ever), outer)
     assert found.found is None and found.tried == 4 and not outer.stopped
-    assert taken == [trials._REPAIR_STEPS + 1, 1, 1, 1]
+    assert taken == [parameter_search._REPAIR_STEPS + 1, 1, 1, 1]

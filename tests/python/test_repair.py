@@ -59,16 +59,16 @@ def test_vertices_make_room_for_pins(curveups, steep, tmp_path):
     assert report["deviation"]["max_mm"] < 1e-9
 
     report, moved = run(curveups, steep, tmp_path / "on", *setting)
-    relief = report["relief"]
-    assert len(relief["pin_sides"]) == small and relief["remaining"] == 0
+    pin_smoothing = report["relief"]
+    assert len(pin_smoothing["pin_sides"]) == small and pin_smoothing["remaining"] == 0
     assert report["constraints"]["pin_sides_below_area"] == 0
-    assert all(side["area_before_mm2"] < 9 for side in relief["pin_sides"])
-    assert len(relief["moved_vertices"]) == np.count_nonzero(
+    assert all(side["area_before_mm2"] < 9 for side in pin_smoothing["pin_sides"])
+    assert len(pin_smoothing["moved_vertices"]) == np.count_nonzero(
         np.any(np.array(moved["V"]) != np.array(moved["target"]["V"]), axis=1))
-    assert relief["moved_vertices"][0]["mm"] == pytest.approx(relief["largest_move_mm"])
+    assert pin_smoothing["moved_vertices"][0]["mm"] == pytest.approx(pin_smoothing["largest_move_mm"])
     # What moved, and from where, is in the design; how far, in the report.
     distance = np.linalg.norm(np.array(moved["V"]) - np.array(moved["target"]["V"]), axis=1)
-    assert np.isclose(distance.max(), relief["largest_move_mm"], atol=1e-9)
+    assert np.isclose(distance.max(), pin_smoothing["largest_move_mm"], atol=1e-9)
     assert 0 < report["deviation"]["max_mm"] <= distance.max() + 1e-9
     assert moved["target"]["V"] == design["V"]
 

@@ -11,7 +11,7 @@ from curveups.targets.cad_files import Read
 from curveups.base.errors import CurveUpsError
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.stages import feasibility, relief, sizes
+from curveups.stages import feasibility, pin_smoothing, sizes
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Job
 from curveups.stages.surface import Source
@@ -46,9 +46,9 @@ def test_the_largest_length_within_fidelity():
     of = project(*dome(), maximum_deviation=fidelity)
     L = chosen(of, "L")["L"]
     made = project(*dome(), L=L).run(("target", "feasibility"))
-    assert made["target"].sagitta <= fidelity and made["feasibility"].feasible
+    assert made["target"].chord_error <= fidelity and made["feasibility"].feasible
     beyond = project(*dome(), L=1.2 * L).run(("target",))["target"]
-    assert beyond.sagitta > fidelity
+    assert beyond.chord_error > fidelity
     assert chosen(project(*dome(), maximum_deviation=2 * fidelity), "L")["L"] > L
 
 
@@ -102,18 +102,18 @@ def test_built_ins_grow_without_facets():
 def test_where_a_quarter_of_the_pins_has_no_room_none_is_made(monkeypatch):
     """Each facet of the dome is two tiles, which no thickness gives room: the search took minutes."""
     asked = []
-    watched = SimpleNamespace(tile_margins=native.tile_margins, relieve_pins=lambda *given: (
-        asked.append(len(given[1])), native.relieve_pins(*given))[1])
-    monkeypatch.setattr(relief, "native", watched)
+    watched = SimpleNamespace(tile_margins=native.tile_margins, smooth_for_pins=lambda *given: (
+        asked.append(len(given[1])), native.smooth_for_pins(*given))[1])
+    monkeypatch.setattr(pin_smoothing, "native", watched)
     of, edges = project(*dome(parts=20), crease_angle=1), np.zeros((0, 2), np.int32)
     target = of.run(("target",))["target"]
     short = [one for one in feasibility.examine(target.V, target.F, edges, of.parameters, Job()).blocked
              if one.obstacle == "pin"]
     assert len(short) > 0.25 * 2 * len(target.F)
     with monkeypatch.context() as within:
-        within.setattr(feasibility, "fair", None)  # nor by mending, which advice would name
+        within.setattr(feasibility, "smooth_target", None)  # nor by mending, which advice would name
         assert not feasibility.sizes_do(target.V, target.F, edges, of.parameters, Job())
         assert feasibility.mending(target.V, target.F, edges, of.parameters, Job()) is None and not asked
     wide = project(*dome(parts=20)).run(("target",))["target"]
-    relief.make_room(wide.V, wide.F, edges, of.parameters, Job())
+    pin_smoothing.smooth_for_pins(wide.V, wide.F, edges, of.parameters, Job())
     assert asked == [len(wide.F)]

@@ -86,9 +86,9 @@ def test_fields_have_a_value_per_tile_or_contact(design):
     before = native.target_fields(design.V, design.F, design.cuts, design.parameters)
     after = native.design_fields(design)
     assert {name: len(values) for name, values in before.items()} == {
-        "contact_tiles": contacts, "fold_angle": contacts, "pin_room": tiles, "conformal_stretch": tiles,
-        "least_stretch": tiles, "most_stretch": tiles}
+        "contact_tiles": contacts, "dihedral_angle": contacts, "pin_area_margin": tiles,
+        "conformal_stretch": tiles, "least_stretch": tiles, "most_stretch": tiles}
     assert {name: len(values) for name, values in after.items()} == {
         "contact_tiles": contacts, "gap": contacts, "pin_area": tiles}
-    assert (before["fold_angle"] > 0).all()  # a dome is convex everywhere
+    assert (before["dihedral_angle"] > 0).all()  # a dome is convex everywhere
     assert (after["pin_area"] > 0).all()

@@ -85,7 +85,7 @@ def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
     # Tiles that can't be made are drawn, marked and listed all the same.
     overlay = overlay_of(design)
     assert overlay.shows_target and overlay.note == "", overlay.note
-    assert overlay.field().name == "Fold margin", overlay.fields()
+    assert overlay.field().name == "Dihedral margin", overlay.fields()
     problems = overlay.scene.fields["Obstacles"].problems
     assert len(problems) and "Not feasible" in form.verdict.text(), form.verdict.text()
     assert picture("not-feasible") > 20
@@ -99,9 +99,9 @@ def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
     until(lambda: [tile + 1 for tile in overlay.selected] == [int(item.text(0)[1:])], 5, "its tile")
     rows = {form.margins.topLevelItem(row).text(0): form.margins.topLevelItem(row)
             for row in range(form.margins.topLevelItemCount())}
-    row = next(row for name, row in rows.items() if name.startswith("room of the front"))
+    row = next(row for name, row in rows.items() if name.startswith("clearance of the front"))
     click_item(form.margins, row)
-    until(lambda: overlay.field().name == "Membrane room", 5, "its field")
+    until(lambda: overlay.field().name == "Membrane clearance", 5, "its field")
 
     # A thickness that does is taken over and checked; both are steps of undo.
     assert "HBody" in form.use_thickness.text(), form.use_thickness.text()
@@ -136,11 +136,12 @@ def test_the_target_of_a_solved_design_is_checked_beside_its_layout(pictures):
     press("CurveUps_Check")
     form = widget("CheckPanel")
     checking(form)
-    assert overlay.scene.flat is None and "Fold margin" in overlay.fields()
+    assert overlay.scene.flat is None and "Dihedral margin" in overlay.fields()
     assert design.Verdict == "valid" and "Feasible" in form.verdict.text()
     picture("of-a-valid-design")
     close_panel()
-    until(lambda: overlay.scene.flat is not None and "Fold margin" not in overlay.fields(), 10, "the layout")
+    until(lambda: overlay.scene.flat is not None and "Dihedral margin" not in overlay.fields(), 10,
+          "the layout")
     assert design.Verdict == "valid"
 
 
@@ -277,7 +278,7 @@ def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
     assert any(" in" in text or '"' in text for text in said), said
     assert "HBody = " in form.advice.text() and not any("_" in text for text in said), said
     row = next(form.margins.topLevelItem(k) for k in range(form.margins.topLevelItemCount())
-               if form.margins.topLevelItem(k).text(0).startswith("pin room front"))
+               if form.margins.topLevelItem(k).text(0).startswith("pin area margin front"))
     # The area that is wanted, A_pin_floor, in square inches.
     wanted = design.APinFloor.Value / 25.4 ** 2
     assert abs(float(row.child(0).text(1)) - wanted) < 0.01 * wanted, (row.child(0).text(1), wanted)

@@ -42,7 +42,7 @@ def test_german(tmp_path):
     assert tip.startswith("Dehnung der Membranen"), tip
     designs.take(design, designs.project_of(design).run(("target",)))
     settle(500)
-    assert overlay_of(design).legend.content.title == "Faltwinkel"
+    assert overlay_of(design).legend.content.title == "Diederwinkel"
     FreeCADGui.ActiveDocument.ActiveView.viewTop()
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
     overlay_of(design).set_field("Friction ratio")  # there is none yet: the first one stays
@@ -81,7 +81,7 @@ def test_a_check_is_german(pictures):
         # A click on a margin colours the tiles by it still.
         row = form.margins.visualItemRect(margins[2])
         click_at(form.margins.viewport().mapToGlobal(row.center()))
-        until(lambda: overlay_of(design).field().name == "Pin room", 10, "the field of the margin")
+        until(lambda: overlay_of(design).field().name == "Pin area margin", 10, "the field of the margin")
         verdict = show(SolvePanel, design).form.verdict.text()
         assert "es gibt noch keine Abwicklung" in verdict, verdict
     finally:

@@ -107,7 +107,7 @@ def test_pictures_are_as_they_were(shape, morph, dome_document, pictures):
 
     now = difference(shape)
     # What it would be with other colours, without a legend, or in another shape, is far more.
-    overlay.set_field("Fold angle")
+    overlay.set_field("Dihedral angle")
     changed = [difference("colours")]
     overlay.set_field("Normal force")
     overlay.legend.show(None)

@@ -22,7 +22,7 @@ WORDS = ("front", "back", "gap", "pin area", "pin keep-out", "inset at its limit
 # What long work says that it is doing; {0} stands for a name or a number.
 PROGRESS = (
     "working", "reading the target", "mending the target", "coarsening the scan", "remeshing",
-    "checking the target", "registering the scan", "fairing the target", "dividing into pieces",
+    "checking the target", "registering the scan", "smoothing the target", "dividing into pieces",
     "dividing into {0} pieces",
     "dividing into 1 piece", "looking for cuts", "making room for pins", "checking tiles", "trying {0}",
     "layout", "restoring the layout", "measuring deviation", "membrane", "front membrane", "back membrane",
@@ -34,9 +34,10 @@ PROGRESS = (
     "meshing bodies", "uniting bodies", "drawing pictures", "writing {0}")
 # What a check compares, in its order.
 MARGINS = (
-    "fold margin, deg", "back face / front face", "pin room front, mm2", "pin room back, mm2",
-    "room of the front membrane, mm", "room of the back membrane, mm", "stretch / least that leaves gaps",
-    "stretch / most before slack", "pairs of tiles that run into one another")
+    "dihedral margin, deg", "back face / front face", "pin area margin front, mm2",
+    "pin area margin back, mm2", "clearance of the front membrane, mm", "clearance of the back membrane, mm",
+    "stretch / least that leaves gaps", "stretch / most before slack",
+    "pairs of tiles that run into one another")
 ESTIMATE = "* an estimate: the layout may do a little better or worse"  # of a margin
 
 # The sentence, or both.

@@ -17,7 +17,7 @@ def changes(report: Mapping[str, Any]) -> list[str]:
     """Sections on what was changed of the target and its tiles; none where nothing was."""
     parts: list[str] = []
     for heading, block, lines in (("Mending", "mending", _mending),
-                                  ("Feasibility smoothing", "relief", _relief),
+                                  ("Feasibility smoothing", "relief", _pin_smoothing),
                                   ("Repair", "repair", _repair),
                                   ("Mesh refinement check", "recheck", _recheck)):
         if block in report:
@@ -53,7 +53,7 @@ def _mm(value: float) -> str:
     return f"{show(value)} mm"
 
 
-def _relief(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
+def _pin_smoothing(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
     sides = [(tile_name(one["tile"]), one["side"], one["area_before_mm2"]) for one in block["pin_sides"]]
     text = (f"Moving vertices gave pins more space: {_moved(block)}. {len(sides)} pin sides had less "
             f"than A_pin_min before, and {block['remaining']} still have less.")

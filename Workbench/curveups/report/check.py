@@ -20,26 +20,29 @@ Row = tuple[str, str, str, str, str]
 
 
 def build_check(results: Results) -> dict[str, Any]:
-    """check.json. A fold margin is in degrees; numbers that there are none of (no back face, no flat map)
-    are NaN here and null in the file."""
+    """check.json. Dihedral angles and their margins are in degrees; numbers that there are
+    none of (no back face, no flat map) are NaN here and null in the file."""
     found, sizes = results["feasibility"], results["sizes"]
     get = results.parameters.get
     return {
         "format": FORMAT, "version": VERSION, "name": results.name, "feasible": found.feasible,
         "L": get("L"), "H_body": get("H_body"), "H_pin": get("H_pin"),
-        "tiles": [{"tile": i, "fold_margin": float(found.fold_margin[i]),
-                   "back_scale": float(found.back_scale[i]), "pin_room_mm2": found.pin_room[i].tolist(),
-                   "membrane_room_mm": found.membrane_room[i].tolist(), "stretch": float(found.stretch[i]),
-                   "stretch_range": found.stretch_range[i].tolist()} for i in range(len(found.F))],
-        "contacts": [{"tiles": pair, "fold_deg": float(fold), "fold_margin": float(room),
+        "tiles": [{"tile": i, "fold_margin": float(found.least_dihedral_margin[i]),
+                   "back_scale": float(found.back_scale[i]),
+                   "pin_room_mm2": found.pin_area_margin[i].tolist(),
+                   "membrane_room_mm": found.membrane_clearance[i].tolist(),
+                   "stretch": float(found.stretch[i]), "stretch_range": found.stretch_range[i].tolist()}
+                  for i in range(len(found.F))],
+        "contacts": [{"tiles": pair, "fold_deg": float(dihedral), "fold_margin": float(margin),
                       "interface": float(share)}
-                     for pair, fold, room, share in zip(found.contacts.tolist(), found.fold, found.fold_room,
-                                                        found.interface_share)],
+                     for pair, dihedral, margin, share in zip(
+                         found.contacts.tolist(), found.dihedral, found.dihedral_margin,
+                         found.interface_share)],
         "blocked": [{"tile": one.tile, "why": str(one.why), "obstacle": one.obstacle, "certain": one.certain}
                     for one in found.blocked],
         "trimmed": found.trimmed.tolist(), "overlapping": found.overlapping.tolist(),
         "pins_meeting": found.meeting.tolist(),
-        "relieved_pin_sides": found.relieved, "mending_would_move_mm": found.mending,
+        "relieved_pin_sides": found.reached, "mending_would_move_mm": found.mending,
         "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body,
                         "H_pin": sizes.H_pin,
                         "together": (dict(zip(("H_body", "H_pin"), sizes.together)) if sizes.together
@@ -67,10 +70,11 @@ def rows(results: Results) -> list[Row]:
     with np.errstate(divide="ignore", invalid="ignore"):  # where not even the smallest pins hold a membrane
         low, high = (found.stretch[:, None] / found.stretch_range).T
     sides = list(enumerate(("front", "back")))
-    table = [_row(found.fold_margin, "0", short["fold"]), _row(found.back_scale, "0", short["fold"]),
-             *(_row(found.pin_room[:, side] + least, f"{floor:g}",
+    table = [_row(found.least_dihedral_margin, "0", short["fold"]),
+             _row(found.back_scale, "0", short["fold"]),
+             *(_row(found.pin_area_margin[:, side] + least, f"{floor:g}",
                     sum(one.is_at("pin", name) for one in found.blocked)) for side, name in sides),
-             *(_row(found.membrane_room[:, side], f"{SAG * height:g} *",
+             *(_row(found.membrane_clearance[:, side], f"{SAG * height:g} *",
                     sum(one.is_at("membrane", name) for one in found.blocked)) for side, name in sides),
              _row(low, f"{TOO_NARROW:g} *", short["stretch"]),
              _row(high, f"{TOO_SLACK:g} *", short["stretch"], True),

@@ -18,8 +18,8 @@ import numpy as np
 from ..base.findings import Finding
 from ..base.native import native
 from ..base.value import Value
-from .fairing import fair
-from .relief import make_room, mostly_short
+from .pin_smoothing import mostly_short, smooth_for_pins
+from .target_smoothing import smooth_target
 from .stage import Inputs, Job, Result, Stage, digest
 
 _SIDES = ("front", "back")
@@ -60,20 +60,20 @@ class Feasibility(Result):
     L: float                      # mean edge length, mm
     blocked: tuple[Obstacle, ...]
     contacts: np.ndarray          # N x 2 tiles
-    fold: np.ndarray              # N, degrees, convex positive
-    fold_room: np.ndarray         # N, degrees by which it could grow before a back face vanishes
-    fold_margin: np.ndarray       # M, degrees: the least of the tile's contacts; NaN: it has none
+    dihedral: np.ndarray          # N, degrees, convex positive
+    dihedral_margin: np.ndarray   # N, degrees by which it could grow before a back face vanishes
+    least_dihedral_margin: np.ndarray  # M, degrees, of the tile's contacts; NaN: it has none
     back_scale: np.ndarray        # M: back face's length over the front's
     interface_share: np.ndarray   # N: interface's back edge over its front edge; NaN: no back faces
-    pin_room: np.ndarray          # M x 2, mm2: largest pin's area less A_pin_min; NaN: no back faces
-    membrane_room: np.ndarray     # M x 2, mm: of pins' tops over corners; NaN: no back faces
+    pin_area_margin: np.ndarray   # M x 2, mm2: largest pin's area less A_pin_min; NaN: no back faces
+    membrane_clearance: np.ndarray  # M x 2, mm: of pins' tops over corners; NaN: no back faces
     stretch: np.ndarray           # M, of the conformal map; NaN: there is none
     stretch_range: np.ndarray     # M x 2: below the first the tile has no gaps, above the other its
     #                               membranes are slack
     trimmed: np.ndarray           # pairs of tiles without a common vertex that are cut off
     overlapping: np.ndarray       # pairs that no plane parts
     meeting: np.ndarray           # other pairs without a common vertex of which pins run into one another
-    relieved: int                 # pin sides for which vertices were moved
+    reached: int                  # pin sides for which vertices were moved
     mending: Optional[float] = None  # mm, by how much mend=on would move vertices so that sizes do; None: it
     #                                  is on, it would not help, or there is nothing to mend
 
@@ -95,11 +95,11 @@ class Feasibility(Result):
 def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> Feasibility:
     """The margins of a remeshed target that is cut along `edges` (C x 2), after pins have made room for
     themselves as before a layout. Raises native errors where it is no mesh of tiles at all."""
-    relieved = 0
+    reached = 0
     if native.tile_margins(V, F, edges, parameters).shaped:
-        V, moved = make_room(V, F, edges, parameters, job)
-        relieved = len(moved["pin_sides"]) if moved else 0
-    return _margins(V, F, edges, parameters, relieved)
+        V, moved = smooth_for_pins(V, F, edges, parameters, job)
+        reached = len(moved["pin_sides"]) if moved else 0
+    return _margins(V, F, edges, parameters, reached)
 
 
 def sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
@@ -114,7 +114,7 @@ def _mends(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job
     """The largest movement (mm) by which fairing gives way to sizes; None where it does not."""
     if mostly_short(V, F, edges, parameters):
         return None
-    made = fair(V, F, parameters, job)
+    made = smooth_target(V, F, parameters, job)
     largest = max(made.move, default=0.0)
     return float(largest) if largest > 0 and _sizes_do(made.V, F, edges, parameters, job) else None
 
@@ -132,12 +132,12 @@ def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, 
         return False
     blocked = blocked_by(V)
     if blocked and not blocked & {"fold", "overlap"}:
-        there, moved = make_room(V, F, edges, parameters, job)
+        there, moved = smooth_for_pins(V, F, edges, parameters, job)
         return bool(moved) and not blocked_by(there)
     return not blocked
 
 
-def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, relieved: int) -> Feasibility:
+def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, reached: int) -> Feasibility:
     margins = native.tile_margins(V, F, edges, parameters)
     maps = native.target_fields(V, F, edges, parameters)
     count, contacts = len(F), np.asarray(margins.contacts)
@@ -145,26 +145,28 @@ def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, r
         pin_area, share = np.asarray(margins.pin_area), np.asarray(margins.interface_share)
     else:
         pin_area, share = np.full((count, 2), np.nan), np.full(len(contacts), np.nan)
-    fold_room = np.asarray(margins.fold_room)
-    fold_margin = np.full(count, np.inf)
+    dihedral_margin = np.asarray(margins.dihedral_margin)
+    least_dihedral_margin = np.full(count, np.inf)
     for side in range(2):
-        np.minimum.at(fold_margin, contacts[:, side], fold_room)
-    fold_margin[np.isinf(fold_margin)] = np.nan
+        np.minimum.at(least_dihedral_margin, contacts[:, side], dihedral_margin)
+    least_dihedral_margin[np.isinf(least_dihedral_margin)] = np.nan
     stretch = np.asarray(maps["conformal_stretch"])
     overlapping = np.array(margins.overlapping, np.int32).reshape(-1, 2)
     meeting = _meeting(V, F, edges, parameters, overlapping) if margins.shaped else overlapping
-    room = np.asarray(margins.membrane_room) if margins.shaped else np.full((count, 2), np.nan)
+    clearance = np.asarray(margins.membrane_clearance) if margins.shaped else np.full((count, 2), np.nan)
     ranges = np.stack([maps["least_stretch"], maps["most_stretch"]], axis=1)
     blocked = [_obstacle("fold", tile) for tile in np.flatnonzero(margins.back_scale < 1e-3)]
     blocked += [*_without_pins(pin_area, parameters.get("A_pin_floor")), *_overlapping(overlapping),
                 *_facing(meeting)]
     blocked += [_obstacle("closed.tile", tile) for tile in np.flatnonzero(np.isnan(stretch))]
-    blocked += [*_cut_by_membranes(room, SAG * parameters.get("H_pin")), *_badly_stretched(stretch, ranges)]
+    blocked += [*_cut_by_membranes(clearance, SAG * parameters.get("H_pin")),
+                *_badly_stretched(stretch, ranges)]
     return Feasibility(
         V, F, float(native.mean_edge_length(V, F)), tuple(sorted(blocked, key=lambda one: one.tile)),
-        contacts, np.asarray(margins.fold), fold_room, fold_margin, np.asarray(margins.back_scale), share,
-        pin_area - parameters.get("A_pin_min"), room, stretch, ranges,
-        np.array(margins.trimmed, np.int32).reshape(-1, 2), overlapping, meeting, relieved)
+        contacts, np.asarray(margins.dihedral), dihedral_margin, least_dihedral_margin,
+        np.asarray(margins.back_scale), share, pin_area - parameters.get("A_pin_min"), clearance,
+        stretch, ranges, np.array(margins.trimmed, np.int32).reshape(-1, 2), overlapping, meeting,
+        reached)
 
 
 def _obstacle(kind: str, tile: int, certain: bool = True, **figures: Any) -> Obstacle:
@@ -196,12 +198,12 @@ def _facing(pairs: np.ndarray) -> Iterator[Obstacle]:
         yield _obstacle("overlap.pins", a, certain=False, other=(int(b),))
 
 
-def _cut_by_membranes(room: np.ndarray, least: float) -> Iterator[Obstacle]:
+def _cut_by_membranes(clearance: np.ndarray, least: float) -> Iterator[Obstacle]:
     with np.errstate(invalid="ignore"):
-        low = np.argwhere(room < least)
+        low = np.argwhere(clearance < least)
     for tile, side in low:
-        yield _obstacle("membrane.room", tile, certain=False, side=_SIDES[side], room=float(room[tile, side]),
-                        least=least)
+        yield _obstacle("membrane.room", tile, certain=False, side=_SIDES[side], least=least,
+                        room=float(clearance[tile, side]))
 
 
 def _badly_stretched(stretch: np.ndarray, ranges: np.ndarray) -> Iterator[Obstacle]:

@@ -56,7 +56,7 @@ class Layout(Result):
 
 
 def _run(inputs: Inputs, job: Job) -> Layout:
-    target, relief, edges = inputs["target"], inputs["relief"], inputs["cuts"].edges
+    target, smoothed, edges = inputs["target"], inputs["relief"], inputs["cuts"].edges
     start = time.perf_counter()
     first: list[float] = []
 
@@ -66,13 +66,13 @@ def _run(inputs: Inputs, job: Job) -> Layout:
         return job(what, fraction)
 
     try:
-        found = native.solve_layout(relief.V, target.F, edges, inputs.parameters, progress,
+        found = native.solve_layout(smoothed.V, target.F, edges, inputs.parameters, progress,
                                     job.listener("layout"))
     except native.InfeasibleDesign:
         with with_advice(inputs, CutRequest(edges), job):
             raise
-    design = native.Design(inputs["source"].name, inputs.parameters, relief.V, target.F, found.T, found.q,
-                           edges, None if relief.moved is None else (inputs["fairing"].V, target.F))
+    design = native.Design(inputs["source"].name, inputs.parameters, smoothed.V, target.F, found.T, found.q,
+                           edges, None if smoothed.moved is None else (inputs["fairing"].V, target.F))
     return Layout(design, bool(found.converged), bool(found.stopped), int(found.iterations),
                   int(found.collision_rounds), int(found.separations), found.largest_violation_mm,
                   {name: float(value) for name, value in found.energies.items()}, first[0] if first else 0.0)

@@ -44,7 +44,7 @@ def series(low: float, high: float) -> list[float]:
 
 
 @dataclass(frozen=True)
-class Trial:
+class Candidate:
     """What came of one size."""
 
     L: float
@@ -54,7 +54,7 @@ class Trial:
     feasible: bool
 
 
-class Trials:
+class ParameterSearch:
     """Sizes on one surface (V, F, creases: what is remeshed). What can't be remeshed or has no tiles is not
     feasible; only stopping ends the search."""
 
@@ -64,8 +64,8 @@ class Trials:
         self._outer, self._job, self._trying = job, Job(self._tell), ""
         self._parameters = parameters
         self.thinnest = max(value_range("H_body")[0], parameters.get("p_floor"))  # that a printer makes
-        self.made: dict[tuple[float, float, float], Trial] = {}
-        self._sagittas: dict[float, float] = {}
+        self.made: dict[tuple[float, float, float], Candidate] = {}
+        self._chord_errors: dict[float, float] = {}
         corners = V[F]
         self._area = float(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0],
                                                    corners[:, 2] - corners[:, 0]), axis=1).sum() / 2)
@@ -76,11 +76,11 @@ class Trials:
         return self._area / (math.sqrt(3) / 4 * L * L)
 
     def start_from(self, L: float, made: Any) -> None:
-        """What there is already at this length: V, F, sagitta."""
+        """What there is already at this length: V, F, chord error."""
         self._mesh = lru_cache(maxsize=1)(
-            lambda asked: (made.V, made.F, made.sagitta) if asked == L else self._remesh(asked))
+            lambda asked: (made.V, made.F, made.chord_error) if asked == L else self._remesh(asked))
 
-    def __call__(self, L: float, H_body: float, H_pin: Optional[float] = None) -> Trial:
+    def __call__(self, L: float, H_body: float, H_pin: Optional[float] = None) -> Candidate:
         """H_pin: else as it is set."""
         pin = float(self._parameters.get("H_pin") if H_pin is None else H_pin)
         known = self.made.get((L, H_body, pin))
@@ -89,16 +89,16 @@ class Trials:
             known = self.made[L, H_body, pin] = self._try(L, H_body, pin)
         return known
 
-    def sagitta(self, L: float) -> float:
+    def chord_error(self, L: float) -> float:
         """Largest distance of the surface from its facets, mm; NaN where it can't be remeshed."""
-        if L not in self._sagittas:
+        if L not in self._chord_errors:
             self._say(f"trying L = {L:g} mm")
             try:
                 with translated():
-                    self._sagittas[L] = self._mesh(L)[2]
+                    self._chord_errors[L] = self._mesh(L)[2]
             except CurveUpsError:
-                self._sagittas[L] = math.nan
-        return self._sagittas[L]
+                self._chord_errors[L] = math.nan
+        return self._chord_errors[L]
 
     def _say(self, trying: str) -> None:
         self._trying = trying
@@ -109,7 +109,7 @@ class Trials:
         """Of a trial's own work nothing is told: its fraction is none of the search, whose end is unknown."""
         return self._outer(self._trying)
 
-    def _try(self, L: float, H_body: float, H_pin: float) -> Trial:
+    def _try(self, L: float, H_body: float, H_pin: float) -> Candidate:
         values = native.Parameters(self._parameters)
         for name, value in (("L", L), ("H_body", H_body), ("H_pin", H_pin)):
             values.set(name, value)
@@ -121,11 +121,11 @@ class Trials:
                 feasible = sizes_do(V, F, all_cuts(self._cuts, V, F, values, self._job), values, self._job)
         except CurveUpsError:
             feasible = False
-        return Trial(L, H_body, H_pin, tiles, feasible)
+        return Candidate(L, H_body, H_pin, tiles, feasible)
 
     def _remesh(self, L: float) -> tuple[np.ndarray, np.ndarray, float]:
         made = remesh(*self._surface, L, self._parameters, self._job, self._creases)
-        return made.V, made.F, float(made.sagitta)
+        return made.V, made.F, float(made.chord_error)
 
     def largest_thickness(self, L: float, most: float) -> Optional[float]:
         """The largest feasible thickness of a series from `thinnest` to `most`, found by bisection; None
@@ -145,11 +145,11 @@ class Trials:
                                 "check its unit (scale, fit)")
 
         def near(value: float) -> bool:
-            return self.sagitta(value) <= maximum_deviation
+            return self.chord_error(value) <= maximum_deviation
 
         # It grows with the square of the length, as long as that is small against the curvature's radius.
-        sagitta = self.sagitta(L)
-        guess = L * math.sqrt(maximum_deviation / sagitta) if sagitta > 0 else values[-1]
+        chord_error = self.chord_error(L)
+        guess = L * math.sqrt(maximum_deviation / chord_error) if chord_error > 0 else values[-1]
         place = int(np.argmin(np.abs(np.log(np.array(values) / guess))))
         while place > 0 and not near(values[place]):
             place = max(0, place - _STRIDE // 2)
@@ -269,17 +269,17 @@ def choose(target: Any, cuts: CutRequest, parameters: Any, names: Collection[str
     the thickness that is set or, where that is to be chosen, with _THINNEST lengths. Raises CurveUpsError
     where there is none, and Stopped."""
     found: dict[str, float] = {}
-    trials = _trials(target, cuts, parameters, job)
+    search = _search(target, cuts, parameters, job)
     L, H_body = parameters.get("L"), parameters.get("H_body")
     if "L" in names:
         if not _can_remesh(target, cuts):
             raise CurveUpsError("L can't be auto where the mesh is given", where,
                                 "give cuts as polylines, or L as a number")
-        thin = trials.thinnest
+        thin = search.thinnest
         thickness = (lambda L: max(_THINNEST * L, thin)) if "H_body" in names else (lambda L: H_body)
-        L = found["L"] = trials.largest_length(L, thickness, parameters.get("maximum_deviation"), where)
+        L = found["L"] = search.largest_length(L, thickness, parameters.get("maximum_deviation"), where)
     if "H_body" in names:
-        thickest = trials.largest_thickness(L, _STOUTEST * L)
+        thickest = search.largest_thickness(L, _STOUTEST * L)
         if thickest is None:
             raise CurveUpsError(f"no thickness up to {_STOUTEST * L:.3g} mm does for L = {L:g} mm", where,
                                 "see 'curveups check'")
@@ -312,22 +312,22 @@ def sizes_that_do(inputs: Inputs, cuts: CutRequest, job: Job) -> tuple[list[Size
     target, unmended = inputs["target"], native.Parameters(inputs.parameters)
     unmended.set("mend", "off")
     L, H_body = unmended.get("L"), unmended.get("H_body")
-    trials = _trials(target, cuts, unmended, job)
-    found = {"H_body": trials.largest_thickness(L, H_body)}
+    search = _search(target, cuts, unmended, job)
+    found = {"H_body": search.largest_thickness(L, H_body)}
     if _can_remesh(target, cuts):
-        found["L"] = trials.nearest_length(L, H_body)
-    found["H_pin"] = trials.least_pin(L, H_body)
+        found["L"] = search.nearest_length(L, H_body)
+    found["H_pin"] = search.least_pin(L, H_body)
     options: list[Sizes] = [((name, value),) for name, value in found.items() if value is not None]
     if found["H_pin"] is None and found.get("L") is None:
-        together = trials.thinner_with_pins(L, H_body, found["H_body"])
+        together = search.thinner_with_pins(L, H_body, found["H_body"])
         options += [tuple(zip(("H_body", "H_pin"), together))] if together else []
-    return options, len(trials.made)
+    return options, len(search.made)
 
 
-def _trials(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> Trials:
-    trials = Trials(target.source_V, target.source_F, cuts, parameters, job, target.creases)
-    trials.start_from(parameters.get("L"), target)
-    return trials
+def _search(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> ParameterSearch:
+    search = ParameterSearch(target.source_V, target.source_F, cuts, parameters, job, target.creases)
+    search.start_from(parameters.get("L"), target)
+    return search
 
 
 def _can_remesh(target: Any, cuts: CutRequest) -> bool:
@@ -360,14 +360,14 @@ class Recommendation(Result):
 def _run(inputs: Inputs, job: Job) -> Recommendation:
     target, cuts = inputs["target"], inputs["cut request"]
     L, H_body = inputs.parameters.get("L"), inputs.parameters.get("H_body")
-    trials = _trials(target, cuts, inputs.parameters, job)
+    search = _search(target, cuts, inputs.parameters, job)
     most = max(THICKEST * L, H_body)
-    thickness = trials.largest_thickness(L, most)
-    lengths = trials.range_of_lengths(L, H_body) if _can_remesh(target, cuts) else None
-    pin = trials.least_pin(L, H_body)
-    together = trials.thinner_with_pins(L, H_body, thickness) if pin is None and lengths is None else None
-    tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in trials.made.values())
-    return Recommendation(lengths, thickness, pin, most, trials(L, H_body).feasible, tried, together)
+    thickness = search.largest_thickness(L, most)
+    lengths = search.range_of_lengths(L, H_body) if _can_remesh(target, cuts) else None
+    pin = search.least_pin(L, H_body)
+    together = search.thinner_with_pins(L, H_body, thickness) if pin is None and lengths is None else None
+    tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in search.made.values())
+    return Recommendation(lengths, thickness, pin, most, search(L, H_body).feasible, tried, together)
 
 
 STAGE = Stage("sizes", ("target", "cut request"),

@@ -33,7 +33,7 @@ class Target(Result):
     source_F: np.ndarray
     mean_edge: float
     edge_cv: float
-    sagitta: float
+    chord_error: float
     notes: tuple[str, ...]
     found: tuple[Finding, ...]       # warnings
     own_length: Optional[float]      # L, where the mesh is taken as it is
@@ -59,7 +59,7 @@ class Target(Result):
 
     def report(self) -> dict[str, Any]:
         return {"target": {"mean_edge_mm": self.mean_edge, "edge_cv": self.edge_cv,
-                           "sagitta_mm": self.sagitta, "notes": list(self.notes)}}
+                           "sagitta_mm": self.chord_error, "notes": list(self.notes)}}
 
     def warnings(self) -> Sequence[Finding]:
         return self.found
@@ -98,8 +98,8 @@ def _run(inputs: Inputs, job: Job) -> Target:
                       tuple(notes), found, L, surface.wall)
     creases = _creases(surface, V, F)
     made = remesh(V, F, L, inputs.parameters, job, creases)
-    return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.sagitta, tuple(notes), found, None,
-                  surface.wall, creases=creases, **mended)
+    return Target(made.V, made.F, V, F, made.mean_edge, made.edge_cv, made.chord_error, tuple(notes), found,
+                  None, surface.wall, creases=creases, **mended)
 
 
 def remesh(V: np.ndarray, F: np.ndarray, L: float, parameters: Any, job: Job,

@@ -84,16 +84,18 @@ void bind_layout(py::module_& module) {
         }();
         py::dict out;
         out["contact_tiles"] = fields.contacts;
-        out["fold_angle"] = fields.fold;
-        out["pin_room"] = fields.pin_room;
+        out["dihedral_angle"] = fields.dihedral;
+        out["pin_area_margin"] = fields.pin_area_margin;
         out["conformal_stretch"] = fields.stretch;
         out["least_stretch"] = fields.least_stretch;
         out["most_stretch"] = fields.most_stretch;
         return out;
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
-      "What can be said before a layout. Per contact: contact_tiles (N x 2), fold_angle (degrees, "
-      "convex positive). Per tile: pin_room (M x 2, front and back, mm2: the largest pin's area "
+      "What can be said before a layout. Per contact: contact_tiles (N x 2), dihedral_angle "
+      "(degrees, "
+      "convex positive). Per tile: pin_area_margin (M x 2, front and back, mm2: the largest pin's "
+      "area "
       "less A_pin_min), conformal_stretch (by how much the layout's start scales the tile's place; "
       "NaN where there is no flat map), least_stretch (below it the start leaves the tile less "
       "than d_gap_min, which a layout may make up for), most_stretch (above it the start has a "

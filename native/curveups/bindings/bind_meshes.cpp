@@ -171,7 +171,7 @@ void bind_meshes(py::module_& module) {
       .def_property_readonly("F", [](const RemeshResult& r) { return r.mesh.F; })
       .def_readonly("mean_edge", &RemeshResult::mean_edge)
       .def_readonly("edge_cv", &RemeshResult::edge_cv)
-      .def_readonly("sagitta", &RemeshResult::sagitta)
+      .def_readonly("chord_error", &RemeshResult::chord_error)
       .def_readonly("features", &RemeshResult::features);
 
   module.def(

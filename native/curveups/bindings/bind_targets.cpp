@@ -4,8 +4,8 @@
 #include "curveups/bodies/facing_pins.hpp"
 #include "curveups/design/target_checks.hpp"
 #include "curveups/design/tile_margins.hpp"
-#include "curveups/refinement/fairing.hpp"
-#include "curveups/refinement/pin_relief.hpp"
+#include "curveups/refinement/pin_smoothing.hpp"
+#include "curveups/refinement/target_smoothing.hpp"
 
 namespace curveups::bindings {
 
@@ -26,8 +26,8 @@ void bind_targets(py::module_& module) {
                           "What tiles (M) and contacts (N) of a target have left before they can't "
                           "be made.")
       .def_readonly("contacts", &TileMargins::contacts, "N x 2 tiles.")
-      .def_readonly("fold", &TileMargins::fold, "N, degrees, convex positive.")
-      .def_readonly("fold_room", &TileMargins::fold_room,
+      .def_readonly("dihedral", &TileMargins::dihedral, "N, degrees, convex positive.")
+      .def_readonly("dihedral_margin", &TileMargins::dihedral_margin,
                     "N, degrees by which the fold could grow before a back face vanishes.")
       .def_readonly("back_scale", &TileMargins::back_scale,
                     "Per tile: length of the back face over that of the front face.")
@@ -37,7 +37,7 @@ void bind_targets(py::module_& module) {
                     "Per contact: the interface's back edge over its front edge; 0: a hinge.")
       .def_readonly("pin_area", &TileMargins::pin_area,
                     "M x 2, front and back, mm2: of the largest pin there.")
-      .def_readonly("membrane_room", &TileMargins::membrane_room,
+      .def_readonly("membrane_clearance", &TileMargins::membrane_clearance,
                     "M x 2, front and back, mm: how far pins' tops stand over the tile's corners "
                     "and contacts; negative: a membrane cuts into it.")
       .def_readonly("trimmed", &TileMargins::trimmed,
@@ -73,41 +73,41 @@ void bind_targets(py::module_& module) {
       .def_property_readonly(
           "side", [](const SmallPin& p) { return p.side == Side::front ? "front" : "back"; })
       .def_readonly("area", &SmallPin::area, "mm2");
-  py::class_<PinRelief>(module, "PinRelief", "Vertices moved so that pins have room.")
-      .def_property_readonly("V", [](const PinRelief& r) { return r.mesh.V; })
-      .def_readonly("largest_move_mm", &PinRelief::largest_move)
-      .def_readonly("relieved", &PinRelief::relieved)
-      .def_readonly("remaining", &PinRelief::remaining);
+  py::class_<PinSmoothing>(module, "PinSmoothing", "Vertices moved so that pins have room.")
+      .def_property_readonly("V", [](const PinSmoothing& r) { return r.mesh.V; })
+      .def_readonly("largest_move_mm", &PinSmoothing::largest_move)
+      .def_readonly("reached", &PinSmoothing::reached)
+      .def_readonly("remaining", &PinSmoothing::remaining);
   module.def(
-      "relieve_pins",
+      "smooth_for_pins",
       [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, const Parameters& parameters,
          py::object progress) {
         const TriangleMesh mesh = read_mesh(V, F);
         const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return relieve_pins(mesh, edges, parameters, sink);
+          return smooth_for_pins(mesh, edges, parameters, sink);
         });
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
       py::arg("progress") = py::none(),
       "Moves vertices a little where folds leave pin sides less than A_pin_min.");
 
-  py::class_<FairedSurface>(module, "FairedSurface", "Vertices moved so that tiles are possible.")
-      .def_property_readonly("V", [](const FairedSurface& s) { return s.mesh.V; })
-      .def_readonly("move", &FairedSurface::move, "of each vertex, mm")
-      .def_readonly("fixed", &FairedSurface::fixed)
-      .def_readonly("remaining", &FairedSurface::remaining)
-      .def_readonly("overlapping", &FairedSurface::overlapping)
-      .def_readonly("steps", &FairedSurface::steps);
+  py::class_<SmoothedTarget>(module, "FairedSurface", "Vertices moved so that tiles are possible.")
+      .def_property_readonly("V", [](const SmoothedTarget& s) { return s.mesh.V; })
+      .def_readonly("move", &SmoothedTarget::move, "of each vertex, mm")
+      .def_readonly("fixed", &SmoothedTarget::fixed)
+      .def_readonly("remaining", &SmoothedTarget::remaining)
+      .def_readonly("overlapping", &SmoothedTarget::overlapping)
+      .def_readonly("steps", &SmoothedTarget::steps);
   module.def(
-      "fair_surface",
+      "smooth_target",
       [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts, const EdgesIn& kept,
          double largest_move, const Parameters& parameters, py::object progress) {
         const TriangleMesh mesh = read_mesh(V, F);
         const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
         const Edges lines = read_edges(kept, mesh.V.rows(), "kept");
         return without_gil(std::move(progress), [&](const Progress& sink) {
-          return fair_surface(mesh, edges, lines, largest_move, parameters, sink);
+          return smooth_target(mesh, edges, lines, largest_move, parameters, sink);
         });
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("kept"), py::arg("largest_move"),

@@ -92,12 +92,12 @@ std::vector<Vec2> largest_triangle(const Polygon& region) {
 
 }  // namespace
 
-std::vector<Vec2> bump_pattern(const Polygon& room, int count, int rows, double spacing) {
+std::vector<Vec2> bump_pattern(const Polygon& region, int count, int rows, double spacing) {
   auto good = [&](const std::vector<Vec2>& centres) {
     return spread_out(centres) && far_apart(centres, spacing);
   };
-  std::vector<Vec2> found = in_rows(room, count, rows);
-  if (!good(found)) found = largest_triangle(room);
+  std::vector<Vec2> found = in_rows(region, count, rows);
+  if (!good(found)) found = largest_triangle(region);
   if (!good(found)) return {};
   std::sort(found.begin(), found.end(), [](const Vec2& a, const Vec2& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());

@@ -137,7 +137,7 @@ class Planner {
       common = intersection(common, convex_hull(corners));
     }
     common = inset(common, radius + edge_margin);
-    if (dimples) common = room_for_hollows(k, plane, hollow, std::move(common));
+    if (dimples) common = region_for_hollows(k, plane, hollow, std::move(common));
     if (p_.support == "soluble" && p_.support_drop >= p_.H_pin) {
       // The slab ends beside the walls: caps stay below its top, so that it need not cut them.
       const double top = p_.H_pin - p_.support_drop - p_.bump_height - radius;
@@ -152,8 +152,8 @@ class Planner {
 
   // The part of the region in which hollows, whichever wall they are in, keep their distance from
   // the other faces of their tile and from hollows that stand as near to the corner as they do.
-  Polygon room_for_hollows(int k, const InterfacePlane& plane, const Shape& hollow,
-                           Polygon room) const {
+  Polygon region_for_hollows(int k, const InterfacePlane& plane, const Shape& hollow,
+                             Polygon region) const {
     const double R = sphere_radius(hollow.radius, hollow.height), flat = R - hollow.height;
     const Contact& contact = tiles_.contacts[k];
     const double length = (geometry_.patches[k].point[1] - plane.origin).norm();
@@ -173,18 +173,18 @@ class Planner {
                                  ? face.plane.distance(origin - flat * inward) + R + material_
                                  : face.plane.distance(origin) +
                                        hollow.radius * std::sqrt(1 - slope * slope) + material_;
-        room = clip(room, Vec2(n.dot(u), n.dot(v)), -depth);
+        region = clip(region, Vec2(n.dot(u), n.dot(v)), -depth);
       }
       for (int end = 0; end < 2; ++end) {
         const double sine = std::sin(0.5 * corner_angle(tile, end ? next3(wall) : wall));
         const double keep = (hollow.radius + 0.5 * material_) / sine;
         // Tile 0 runs along u from the origin, tile 1 the other way.
         const bool at_origin = (end == 0) == (s == 0);
-        room = at_origin ? clip(room, -Vec2::UnitX(), -keep)
-                         : clip(room, Vec2::UnitX(), length - keep);
+        region = at_origin ? clip(region, -Vec2::UnitX(), -keep)
+                           : clip(region, Vec2::UnitX(), length - keep);
       }
     }
-    return room;
+    return region;
   }
 
   double corner_angle(int tile, int corner) const {

@@ -37,7 +37,7 @@ class Planner {
       if (!place(k)) plan_.closed.push_back(k);
     }
     if (!plan_.closed.empty()) {
-      plan_.possible = joint_room(tiles_, truncation_, p_);
+      plan_.possible = joint_limits(tiles_, truncation_, p_);
     }
     return std::move(plan_);
   }
@@ -71,7 +71,7 @@ class Planner {
 
   // Where tile s of the joint leaves room: each face of its body but front and back keeps the
   // hole's surface p_floor away, at the faces' height where it comes nearest.
-  Range room(const Joint& joint, int s) const {
+  Range free_range(const Joint& joint, int s) const {
     const int tile = joint.tile[s];
     const double length = tiles_.length(tile, joint.side[s]);
     Range range{0, length};
@@ -114,7 +114,7 @@ class Planner {
     for (int s = 0; s < 2; ++s) {
       if (!clear_of_pins(joint.tile[s], joint.side[s])) return false;
     }
-    const Range a = room(joint, 0), b = room(joint, 1);
+    const Range a = free_range(joint, 0), b = free_range(joint, 1);
     const Range both{std::max(a.low, b.low), std::min(a.high, b.high)};
     if (both.empty()) return false;
     const double length = tiles_.length(joint.tile[0], joint.side[0]);

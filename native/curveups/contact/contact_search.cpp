@@ -131,9 +131,9 @@ class PairSearch {
     std::reverse(other.begin(), other.end());  // it looks the other way
     const Polygon common = intersection(own, other);
     if (common.size() < 3) return;
-    const double room = std::max(area(common), least_share * std::min(area(own), area(other)));
+    const double shared = std::max(area(common), least_share * std::min(area(own), area(other)));
     const double stiffness = reference.stiffness * facing.stiffness /
-                             (reference.stiffness + facing.stiffness) * room /
+                             (reference.stiffness + facing.stiffness) * shared /
                              (2.0 * static_cast<double>(common.size()));
     // The facing plane as the reference sees it.
     const Eigen::Matrix3d R = at(first).R.transpose() * at(second).R;

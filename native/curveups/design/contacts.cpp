@@ -20,7 +20,7 @@ double slope_at(const TileMesh& tiles, const Truncation& truncation, int tile, i
   const Vec2 direction =
       (tiles.front[tile][next3(edge)] - tiles.front[tile][edge]) / tiles.length(tile, edge);
   const Vec3 along = (at_start ? 1.0 : -1.0) * Vec3(direction.x(), direction.y(), 0);
-  const double half = 0.5 * tiles.fold(tile, edge);
+  const double half = 0.5 * tiles.dihedral(tile, edge);
   const Vec2 in = tiles.inward(tile, edge);
   const Vec3 down(in.x() * std::sin(half), in.y() * std::sin(half), -std::cos(half));
   double slope = -std::numeric_limits<double>::infinity();
@@ -53,7 +53,7 @@ std::vector<ContactPatch> compute_contact_patches(const TileMesh& tiles,
                end = tiles.mesh.V.row(tiles.mesh.F(i, next3(t)));
     const double length = tiles.length(i, t);
     const Vec3 along = (end - start) / length;
-    const double half = 0.5 * tiles.fold(i, t);
+    const double half = 0.5 * tiles.dihedral(i, t);
     const Vec2 in = tiles.inward(i, t);
     const Vec3 down =
         std::sin(half) * (in.x() * frame.x + in.y() * frame.y) - std::cos(half) * frame.z;

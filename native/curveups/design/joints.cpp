@@ -22,7 +22,7 @@ std::vector<Joint> find_joints(const TileMesh& tiles) {
 
 double joint_depth(const TileMesh& tiles, const Parameters& p, int tile, int t) {
   return std::max(0.0, tiles.back_shift(tile, t)) + 0.5 * p.joint_hole +
-         p.p_floor / std::cos(0.5 * tiles.fold(tile, t));
+         p.p_floor / std::cos(0.5 * tiles.dihedral(tile, t));
 }
 
 double joint_inset(const TileMesh& tiles, const Parameters& p, int tile, Side side, int t) {

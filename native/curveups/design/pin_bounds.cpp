@@ -18,7 +18,7 @@ double lower_bound(const TileMesh& tiles, const Parameters& p, int tile, Side si
                    double p_min) {
   const int edge = tiles.topology.edge_of(tile, t);
   const bool interior = tiles.topology.neighbour(tile, t) >= 0;
-  const double half = 0.5 * tiles.fold(tile, t);
+  const double half = 0.5 * tiles.dihedral(tile, t);
   const double recess = interior && !tiles.cut[edge] ? wall_recess(p) / std::cos(half) : 0.0;
   const double bend = side == Side::front ? -half : half;  // positive: concave on this side
   const double facing = bend > 0 ? p.H_pin * std::tan(bend) + p.pin_clearance : 0.0;
@@ -34,7 +34,7 @@ double upper_bound(const TileMesh& tiles, const Parameters& p, int tile, Side si
   if (least > 0) return std::max(p.p_max, least + between);
   const int edge = tiles.topology.edge_of(tile, t);
   if (tiles.topology.neighbour(tile, t) < 0 || tiles.cut[edge]) return p.p_max;
-  const double half = 0.5 * tiles.fold(tile, t);
+  const double half = 0.5 * tiles.dihedral(tile, t);
   const double bend = side == Side::front ? half : -half;  // positive: convex on this side
   if (bend <= 0) return p.p_max;
   return std::min(p.p_max, p.H_pin / std::tan(bend) - p.pin_clearance);
@@ -108,8 +108,8 @@ double least_inset_sum(const Vec3& weight, const double* lower, const double* up
 
 }  // namespace
 
-PinRoom pin_room(const TileMesh& tiles, const Truncation& truncation, const Parameters& p, int tile,
-                 Side side, double p_min, const std::array<double, 3>& least) {
+PinRegion pin_region(const TileMesh& tiles, const Truncation& truncation, const Parameters& p,
+                     int tile, Side side, double p_min, const std::array<double, 3>& least) {
   const int first = inset_index(side, 0);
   const double face_z = side == Side::front ? 0.0 : -tiles.H_body;
   const double top_z = side == Side::front ? p.H_pin : face_z - p.H_pin;
@@ -119,7 +119,7 @@ PinRoom pin_room(const TileMesh& tiles, const Truncation& truncation, const Para
     upper[first + t] =
         std::max(lower[first + t] + between, upper_bound(tiles, p, tile, side, t, least[t]));
   }
-  PinRoom out;
+  PinRegion out;
   const auto& planes = side == Side::front ? truncation.front_pins : truncation.of_tile;
   for (const TruncationPlane& plane : planes[tile]) {
     add_keepouts(tiles, tile, side, plane, p.pin_clearance, {face_z, top_z}, lower.data(),
@@ -149,14 +149,14 @@ constexpr double enough = 1.02;  // times A_pin_floor, beside holes: room for in
 // The room that is left beside holes of joints, or as much of the way there as A_pin_floor lets
 // pins go: bounds follow vertices without a jump. least: becomes what was asked of the insets for
 // it.
-PinRoom beside_holes(const TileMesh& tiles, const Truncation& truncation, const Parameters& p,
-                     int tile, Side side, const Array6& joint, std::array<double, 3>& least) {
+PinRegion beside_holes(const TileMesh& tiles, const Truncation& truncation, const Parameters& p,
+                       int tile, Side side, const Array6& joint, std::array<double, 3>& least) {
   const auto part = [&](double share) {
     for (int t = 0; t < 3; ++t) least[t] = share * joint(tile, inset_index(side, t));
-    return pin_room(tiles, truncation, p, tile, side, p.p_min, least);
+    return pin_region(tiles, truncation, p, tile, side, p.p_min, least);
   };
-  const auto fits = [&](const PinRoom& room) { return room.area >= enough * p.A_pin_floor; };
-  PinRoom whole = part(1);
+  const auto fits = [&](const PinRegion& region) { return region.area >= enough * p.A_pin_floor; };
+  PinRegion whole = part(1);
   if (fits(whole)) return whole;
   double low = 0, high = 1;
   for (int k = 0; k < 30; ++k) {
@@ -179,49 +179,49 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
   for (int i = 0; i < count; ++i) {
     for (Side side : {Side::front, Side::back}) {
       std::array<double, 3> least{};  // for holes of joints
-      auto with = [&](double p_min) { return pin_room(tiles, truncation, p, i, side, p_min); };
-      PinRoom room = with(p.p_min);
-      if (room.area < p.A_pin_floor && p.p_floor < p.p_min) {
+      auto with = [&](double p_min) { return pin_region(tiles, truncation, p, i, side, p_min); };
+      PinRegion region = with(p.p_min);
+      if (region.area < p.A_pin_floor && p.p_floor < p.p_min) {
         double low = 0.1 * p.p_min, high = p.p_min;
         for (int k = 0; k < 30; ++k) {
           const double middle = 0.5 * (low + high);
           (with(middle).area >= 1.02 * p.A_pin_floor ? low : high) = middle;
         }
         const double lowered = std::max(low, p.p_floor);
-        const PinRoom asked = std::exchange(room, with(lowered));
+        const PinRegion asked = std::exchange(region, with(lowered));
         for (int t = 0; t < 3; ++t) {
           // Where facing pins bound the inset, p_min does not.
-          if (room.lower[t] < asked.lower[t]) {
+          if (region.lower[t] < asked.lower[t]) {
             out.relaxed.push_back({"p_min", i, side, t, p.p_min, lowered});
           }
         }
       } else if (joint.row(i).maxCoeff() > 0) {
-        room = beside_holes(tiles, truncation, p, i, side, joint, least);
+        region = beside_holes(tiles, truncation, p, i, side, joint, least);
       }
       for (int t = 0; t < 3; ++t) {
         const double upper = upper_bound(tiles, p, i, side, t, least[t]);
-        if (room.upper[t] > upper) {
-          out.relaxed.push_back({"p_max", i, side, t, upper, room.upper[t]});
+        if (region.upper[t] > upper) {
+          out.relaxed.push_back({"p_max", i, side, t, upper, region.upper[t]});
         }
       }
       for (int t = 0; t < 3; ++t) {
-        out.lower(i, inset_index(side, t)) = room.lower[t];
-        out.upper(i, inset_index(side, t)) = room.upper[t];
+        out.lower(i, inset_index(side, t)) = region.lower[t];
+        out.upper(i, inset_index(side, t)) = region.upper[t];
       }
       // A hair of room where only a single point would be feasible; less of it where that would
       // cost A_pin_floor.
-      const bool small = room.area < p.A_pin_min * (1 + 1e-4);
+      const bool small = region.area < p.A_pin_min * (1 + 1e-4);
       const double possible =
-          std::max(0.99 * room.area, std::min(1.001 * p.A_pin_floor, 0.999 * room.area));
+          std::max(0.99 * region.area, std::min(1.001 * p.A_pin_floor, 0.999 * region.area));
       out.least_area(i, static_cast<int>(side)) = small ? possible : p.A_pin_min;
-      if (small) out.small.push_back({i, side, room.area});
-      out.keepouts.insert(out.keepouts.end(), room.keepouts.begin(), room.keepouts.end());
+      if (small) out.small.push_back({i, side, region.area});
+      out.keepouts.insert(out.keepouts.end(), region.keepouts.begin(), region.keepouts.end());
     }
   }
   return out;
 }
 
-JointRoom joint_room(const TileMesh& tiles, const Truncation& truncation, Parameters p) {
+JointLimits joint_limits(const TileMesh& tiles, const Truncation& truncation, Parameters p) {
   // The largest A_pin_floor that such holes leave.
   const auto area = [&](double hole) {
     p.joint_hole = hole;
@@ -231,9 +231,9 @@ JointRoom joint_room(const TileMesh& tiles, const Truncation& truncation, Parame
       if (!(joint.row(i).maxCoeff() > 0)) continue;
       for (Side side : {Side::front, Side::back}) {
         const int at = inset_index(side, 0);
-        const PinRoom room = pin_room(tiles, truncation, p, i, side, p.p_min,
-                                      {joint(i, at), joint(i, at + 1), joint(i, at + 2)});
-        least = std::min(least, room.area / enough);
+        const PinRegion region = pin_region(tiles, truncation, p, i, side, p.p_min,
+                                            {joint(i, at), joint(i, at + 1), joint(i, at + 2)});
+        least = std::min(least, region.area / enough);
       }
     }
     return least;

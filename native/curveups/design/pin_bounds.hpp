@@ -20,7 +20,7 @@ struct PinKeepout {
 };
 
 // What one side of a tile leaves for its pin.
-struct PinRoom {
+struct PinRegion {
   std::array<double, 3> lower, upper;  // of the insets, mm
   std::vector<PinKeepout> keepouts;    // those that can bind within the bounds
   double scale;  // of the largest pin against the front triangle; negative where none is possible
@@ -29,8 +29,9 @@ struct PinRoom {
 
 // Bounds as in compute_pin_bounds, with the given p_min, and insets of at least `least` (mm) for
 // holes of joints, which it does not look for by itself.
-PinRoom pin_room(const TileMesh& tiles, const Truncation& truncation, const Parameters& parameters,
-                 int tile, Side side, double p_min, const std::array<double, 3>& least = {0, 0, 0});
+PinRegion pin_region(const TileMesh& tiles, const Truncation& truncation,
+                     const Parameters& parameters, int tile, Side side, double p_min,
+                     const std::array<double, 3>& least = {0, 0, 0});
 
 // A pin side whose area is below A_pin_min.
 struct SmallPin {
@@ -69,11 +70,12 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
                              const Parameters& parameters);
 
 // What would leave room for a hole on both sides of every joint, by the bounds of pins.
-struct JointRoom {
+struct JointLimits {
   double hole;  // the largest joint_hole, no larger than the one that is set; 0 where not even one
                 // as wide as p_floor has room
   double area;  // the largest A_pin_floor with the joint_hole that is set, mm2
 };
-JointRoom joint_room(const TileMesh& tiles, const Truncation& truncation, Parameters parameters);
+JointLimits joint_limits(const TileMesh& tiles, const Truncation& truncation,
+                         Parameters parameters);
 
 }  // namespace curveups

@@ -78,9 +78,9 @@ bool separating_plane(const Kept& a, const Kept& b, Plane& plane) {
     for (const Vec3& p : b.points) b_low = std::min(b_low, axis.dot(p));
     if (b_low - a_high < -tolerance::snap) return;
     const Plane candidate{axis, 0.5 * (a_high + b_low)};
-    const double room = std::min(-candidate.distance(a.middle), candidate.distance(b.middle));
-    if (room <= best) return;
-    best = room;
+    const double clearance = std::min(-candidate.distance(a.middle), candidate.distance(b.middle));
+    if (clearance <= best) return;
+    best = clearance;
     plane = candidate;
   };
   auto edges = [](const std::vector<Vec3>& points) {

@@ -61,7 +61,7 @@ std::vector<Finding> check_target(const TriangleMesh& mesh, const Edges& cuts,
     }
   }
   if (!closed.empty()) {
-    const double hole = std::floor(100 * joint_room(tiles, truncation, parameters).hole) / 100;
+    const double hole = std::floor(100 * joint_limits(tiles, truncation, parameters).hole) / 100;
     findings.push_back({hole > 0 ? "joint.room" : "joint.no_room",
                         std::move(closed),
                         {{"A_pin_floor", parameters.A_pin_floor},

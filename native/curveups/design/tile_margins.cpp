@@ -6,7 +6,7 @@
 #include <set>
 
 #include "curveups/design/contacts.hpp"
-#include "curveups/design/membrane_room.hpp"
+#include "curveups/design/membrane_clearance.hpp"
 #include "curveups/design/pins.hpp"
 #include "curveups/design/remote_overlaps.hpp"
 
@@ -21,30 +21,31 @@ double back_scale(const TileMesh& tiles, int i) {
   return 1 - tiles.back_shift.row(i).dot(tiles.length.row(i)) / (2 * tiles.area(i));
 }
 
-double fold_room(const TileMesh& tiles, int i, int t, double scale) {
+double dihedral_margin(const TileMesh& tiles, int i, int t, double scale) {
   const double spare = 2 * tiles.area(i) * scale / (tiles.length(i, t) * tiles.H_body);
-  const double half = 0.5 * tiles.fold(i, t);
+  const double half = 0.5 * tiles.dihedral(i, t);
   return 2 * (std::atan(std::tan(half) + spare) - half);
 }
 
-void add_membrane_room(const TileMesh& tiles, const Array6& lower, double H_pin, TileMargins& out) {
-  out.membrane_room.setConstant(tiles.tile_count(), 2, H_pin);
-  auto lessen = [&](int tile, Side side, double room) {
-    double& value = out.membrane_room(tile, static_cast<int>(side));
-    value = std::min(value, room);
+void add_membrane_clearance(const TileMesh& tiles, const Array6& lower, double H_pin,
+                            TileMargins& out) {
+  out.membrane_clearance.setConstant(tiles.tile_count(), 2, H_pin);
+  auto lessen = [&](int tile, Side side, double clearance) {
+    double& value = out.membrane_clearance(tile, static_cast<int>(side));
+    value = std::min(value, clearance);
   };
   const std::vector<std::vector<int>> around = tiles_around_inner_vertices(tiles);
   for (Side side : {Side::front, Side::back}) {
     for (std::size_t v = 0; v < around.size(); ++v) {
-      const std::vector<double> rooms =
-          corner_rooms(tiles, lower, H_pin, side, static_cast<int>(v), around[v]);
-      for (std::size_t k = 0; k < rooms.size(); ++k) lessen(around[v][k], side, rooms[k]);
+      const std::vector<double> clearances =
+          corner_clearances(tiles, lower, H_pin, side, static_cast<int>(v), around[v]);
+      for (std::size_t k = 0; k < clearances.size(); ++k) lessen(around[v][k], side, clearances[k]);
     }
     for (const Contact& contact : tiles.contacts) {
-      const double fold = tiles.fold(contact.tile[0], contact.side[0]);
+      const double dihedral = tiles.dihedral(contact.tile[0], contact.side[0]);
       for (int s = 0; s < 2; ++s) {
         const double q = lower(contact.tile[s], inset_index(side, contact.side[s]));
-        lessen(contact.tile[s], side, edge_room(fold, side, q, H_pin));
+        lessen(contact.tile[s], side, edge_clearance(dihedral, side, q, H_pin));
       }
     }
   }
@@ -75,13 +76,13 @@ void add_shapes(const TileMesh& tiles, const Parameters& parameters, TileMargins
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (Side side : {Side::front, Side::back}) {
       out.pin_area(i, static_cast<int>(side)) =
-          pin_room(tiles, truncation, parameters, i, side, parameters.p_min).area;
+          pin_region(tiles, truncation, parameters, i, side, parameters.p_min).area;
     }
   }
   for (const SmallPin& pin : bounds.small) {
     out.pin_area(pin.tile, static_cast<int>(pin.side)) = pin.area;
   }
-  add_membrane_room(tiles, bounds.lower, parameters.H_pin, out);
+  add_membrane_clearance(tiles, bounds.lower, parameters.H_pin, out);
 }
 
 }  // namespace
@@ -94,17 +95,18 @@ TileMargins tile_margins(const TriangleMesh& mesh, const Edges& cuts,
   out.back_scale.resize(tiles.tile_count());
   for (int i = 0; i < tiles.tile_count(); ++i) out.back_scale[i] = back_scale(tiles, i);
   out.contacts = contact_tiles(tiles);
-  out.fold.resize(contact_count);
-  out.fold_room.resize(contact_count);
+  out.dihedral.resize(contact_count);
+  out.dihedral_margin.resize(contact_count);
   for (Eigen::Index k = 0; k < contact_count; ++k) {
     const Contact& contact = tiles.contacts[static_cast<std::size_t>(k)];
-    out.fold[k] = degrees * tiles.fold(contact.tile[0], contact.side[0]);
-    double room = 180;
+    out.dihedral[k] = degrees * tiles.dihedral(contact.tile[0], contact.side[0]);
+    double clearance = 180;
     for (int s = 0; s < 2; ++s) {
       const int i = contact.tile[s];
-      room = std::min(room, degrees * fold_room(tiles, i, contact.side[s], out.back_scale[i]));
+      clearance = std::min(clearance,
+                           degrees * dihedral_margin(tiles, i, contact.side[s], out.back_scale[i]));
     }
-    out.fold_room[k] = room;
+    out.dihedral_margin[k] = clearance;
   }
   out.shaped = tiles_without_back(tiles).empty();
   if (out.shaped) add_shapes(tiles, parameters, out);

@@ -49,7 +49,7 @@ std::array<Vec2, 3> inset_triangle(const std::array<Vec2, 3>& triangle,
 
 Vec3 TileMesh::wall_normal(int tile, int t) const {
   const Vec2 out = -inward(tile, t);
-  const double half = 0.5 * fold(tile, t);
+  const double half = 0.5 * dihedral(tile, t);
   // The wall leans inwards by half the fold on a ridge: its back edge lies H tan(half) inside.
   return Vec3(out.x() * std::cos(half), out.y() * std::cos(half), -std::sin(half));
 }
@@ -71,7 +71,7 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
   tiles.front.resize(count);
   tiles.back.resize(count);
   tiles.length.resize(count, 3);
-  tiles.fold.setZero(count, 3);
+  tiles.dihedral.setZero(count, 3);
   tiles.back_shift.setZero(count, 3);
   tiles.area.resize(count);
   std::vector<int> flat;
@@ -99,10 +99,10 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
     if (edge.boundary()) continue;
     const Vec3 direction = Vec3(mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).normalized();
     const Vec3 n0 = tiles.frame[edge.face[0]].z, n1 = tiles.frame[edge.face[1]].z;
-    const double fold = std::atan2(n0.cross(n1).dot(direction), n0.dot(n1));
+    const double dihedral = std::atan2(n0.cross(n1).dot(direction), n0.dot(n1));
     for (int s = 0; s < 2; ++s) {
-      tiles.fold(edge.face[s], edge.side[s]) = fold;
-      tiles.back_shift(edge.face[s], edge.side[s]) = H_body * std::tan(0.5 * fold);
+      tiles.dihedral(edge.face[s], edge.side[s]) = dihedral;
+      tiles.back_shift(edge.face[s], edge.side[s]) = H_body * std::tan(0.5 * dihedral);
     }
     if (!tiles.cut[e]) {
       tiles.contacts.push_back(

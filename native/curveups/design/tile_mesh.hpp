@@ -46,7 +46,7 @@ struct TileMesh {
   std::vector<std::array<Vec2, 3>> front;  // front corners, counter-clockwise
   std::vector<std::array<Vec2, 3>> back;   // back corners before truncation
   Array3 length;                           // of front edges, mm
-  Array3 fold;        // signed dihedral deviation at each edge, rad: convex (ridge) positive, 0 at
+  Array3 dihedral;    // signed dihedral deviation at each edge, rad: convex (ridge) positive, 0 at
                       // the boundary; kept across cuts, whose lips stand side by side when actuated
   Array3 back_shift;  // how far each back edge lies inside the front one, mm: H_body tan(fold / 2)
   Eigen::VectorXd area;  // of front triangles, mm2

@@ -198,7 +198,7 @@ ConvexBody tile_body(const TileMesh& tiles, const Truncation& truncation, int ti
                      const std::array<double, 3>& recess) {
   std::array<double, 3> at_front, at_back;
   for (int t = 0; t < 3; ++t) {
-    at_front[t] = recess[t] / std::cos(0.5 * tiles.fold(tile, t));
+    at_front[t] = recess[t] / std::cos(0.5 * tiles.dihedral(tile, t));
     at_back[t] = at_front[t] + tiles.back_shift(tile, t);
   }
   ConvexBody body = make_frustum(inset_triangle(tiles.front[tile], at_front), 0,

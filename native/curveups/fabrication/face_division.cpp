@@ -25,8 +25,8 @@ struct PlaneAxes {
 };
 
 // From a circle to the nearest other loop of the face; not more than its radius.
-double room_around(const PrintBody& body, const PlanarFace& face, int circle,
-                   const PlaneAxes& axes) {
+double clearance_around(const PrintBody& body, const PlanarFace& face, int circle,
+                        const PlaneAxes& axes) {
   const Vec2 centre = axes(body.circles[circle].centre);
   const double radius = body.circles[circle].radius;
   double least = radius;
@@ -51,12 +51,12 @@ double room_around(const PrintBody& body, const PlanarFace& face, int circle,
 BodyLoop add_ring(PrintBody& body, const PlanarFace& face, const BodyLoop& hole,
                   const PlaneAxes& axes) {
   const BodyCircle& circle = body.circles[hole.circle];
-  const double room = room_around(body, face, hole.circle, axes);
-  if (!(room > tolerance::snap)) {
+  const double clearance = clearance_around(body, face, hole.circle, axes);
+  if (!(clearance > tolerance::snap)) {
     throw TopologyError("the outlines of a plane face cross or touch each other",
                         "check the layout for bodies that overlap");
   }
-  const double corner = circle.radius + 0.4 * room, side = circle.radius + 0.2 * room;
+  const double corner = circle.radius + 0.4 * clearance, side = circle.radius + 0.2 * clearance;
   const int count = std::max(6, static_cast<int>(std::ceil(pi / std::acos(side / corner))));
   PlanarFace ring;
   ring.normal = face.normal;

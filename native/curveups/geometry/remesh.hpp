@@ -19,10 +19,10 @@ struct RemeshOptions {
 
 struct RemeshResult {
   TriangleMesh mesh;
-  double mean_edge;  // mm
-  double edge_cv;    // standard deviation of the edge lengths over their mean
-  double sagitta;    // largest distance of the input surface from the facets, mm
-  Edges features;    // the edges that lie on creases and given features, by vertices of `mesh`
+  double mean_edge;    // mm
+  double edge_cv;      // standard deviation of the edge lengths over their mean
+  double chord_error;  // largest distance of the input surface from the facets, mm
+  Edges features;      // the edges that lie on creases and given features, by vertices of `mesh`
 };
 
 // Splits, collapses and flips edges (M. Botsch, L. Kobbelt, "A remeshing approach to

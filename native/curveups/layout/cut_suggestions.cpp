@@ -34,14 +34,14 @@ double energy_of(const std::optional<LayoutFigures>& figures) {
 }
 
 // Sides of tiles that have room for a pin, however small.
-int sides_with_room(const PinBounds& bounds) {
+int feasible_sides(const PinBounds& bounds) {
   return static_cast<int>((bounds.least_area.array() > 0).count());
 }
 
 struct Tried {
   CutCandidate cut;
   double unevenness = 0;
-  int sides_with_room = 0;
+  int feasible_sides = 0;
   std::optional<LayoutFigures> figures;
 };
 
@@ -126,14 +126,14 @@ class Suggester {
             make_geometry(mesh_, with(with(cuts_, pending), found[k].cut.edges), parameters_);
         checkpoint();
         found[k].unevenness = unevenness(cut.tiles, relative_scale(cut.tiles));
-        found[k].sides_with_room = sides_with_room(cut.pin_bounds);
+        found[k].feasible_sides = feasible_sides(cut.pin_bounds);
       }
     });
     // Along a cut tiles are truncated further, which may take all room from a pin.
     const int sides =
-        sides_with_room(make_geometry(mesh_, with(cuts_, pending), parameters_).pin_bounds);
+        feasible_sides(make_geometry(mesh_, with(cuts_, pending), parameters_).pin_bounds);
     found.erase(std::remove_if(found.begin(), found.end(),
-                               [&](const Tried& tried) { return tried.sides_with_room < sides; }),
+                               [&](const Tried& tried) { return tried.feasible_sides < sides; }),
                 found.end());
     std::stable_sort(found.begin(), found.end(),
                      [](const Tried& a, const Tried& b) { return a.unevenness < b.unevenness; });

@@ -62,8 +62,8 @@ double widest_gap(const TileMesh& tiles, const Parameters& p, const Contact& con
   double least = std::numeric_limits<double>::infinity();
   const int i = contact.tile[0], j = contact.tile[1];
   for (Side side : {Side::front, Side::back}) {
-    const double fold = tiles.fold(i, contact.side[0]);
-    const double half = side == Side::front ? 0.5 * fold : -0.5 * fold;
+    const double dihedral = tiles.dihedral(i, contact.side[0]);
+    const double half = side == Side::front ? 0.5 * dihedral : -0.5 * dihedral;
     const double q1 = widest_inset(tiles, p, i, side), q2 = widest_inset(tiles, p, j, side);
     const double shift = side == Side::back ? 2 * tiles.back_shift(i, contact.side[0]) : 0.0;
     const double length = spring_length(q1, q2, half, p.H_pin).length;
@@ -80,15 +80,15 @@ TargetFields target_fields(const TriangleMesh& mesh, const Edges& cuts, const Pa
   const auto contact_count = static_cast<Eigen::Index>(tiles.contacts.size());
   TargetFields out;
   out.contacts = contact_tiles(tiles);
-  out.fold.resize(contact_count);
+  out.dihedral.resize(contact_count);
   out.least_stretch.resize(count);
   out.most_stretch.setConstant(count, std::numeric_limits<double>::infinity());
   for (int i = 0; i < count; ++i) {
-    out.least_stretch[i] = room_with_gap(tiles, i, p.d_gap_min) / tile_inradius(tiles, i);
+    out.least_stretch[i] = inradius_with_gap(tiles, i, p.d_gap_min) / tile_inradius(tiles, i);
   }
   for (Eigen::Index k = 0; k < contact_count; ++k) {
     const Contact& contact = tiles.contacts[static_cast<std::size_t>(k)];
-    out.fold[k] = degrees * tiles.fold(contact.tile[0], contact.side[0]);
+    out.dihedral[k] = degrees * tiles.dihedral(contact.tile[0], contact.side[0]);
     const double gap = widest_gap(tiles, p, contact);
     for (int i : contact.tile) {
       const double most = 1 + gap / (2 * tile_inradius(tiles, i));
@@ -96,12 +96,12 @@ TargetFields target_fields(const TriangleMesh& mesh, const Edges& cuts, const Pa
     }
   }
   const Truncation truncation = truncate_at_vertices(tiles);
-  out.pin_room.resize(count, 2);
+  out.pin_area_margin.resize(count, 2);
   parallel_ranges(count, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       for (Side side : {Side::front, Side::back}) {
-        out.pin_room(i, static_cast<int>(side)) =
-            pin_room(tiles, truncation, p, i, side, p.p_min).area - p.A_pin_min;
+        out.pin_area_margin(i, static_cast<int>(side)) =
+            pin_region(tiles, truncation, p, i, side, p.p_min).area - p.A_pin_min;
       }
     }
   });

@@ -11,9 +11,9 @@ namespace curveups {
 using PerSide = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 struct TargetFields {
-  Edges contacts;           // N x 2 tiles
-  Eigen::VectorXd fold;     // N, degrees: convex (ridge) positive
-  PerSide pin_room;         // M, mm2: area of the largest pin less A_pin_min
+  Edges contacts;            // N x 2 tiles
+  Eigen::VectorXd dihedral;  // N, degrees: convex (ridge) positive
+  PerSide pin_area_margin;   // M, mm2: area of the largest pin less A_pin_min
   Eigen::VectorXd stretch;  // M: by how much the layout's start scales the tile's place; a map that
                             // turns the tile over counts as 0; NaN where a piece has no flat map (a
                             // closed one, say)

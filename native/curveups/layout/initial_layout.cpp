@@ -18,7 +18,7 @@ double tile_inradius(const TileMesh& tiles, int tile) {
   return inradius(tiles.area(tile), tiles.length.row(tile).sum());
 }
 
-double room_with_gap(const TileMesh& tiles, int tile, double d_gap_min) {
+double inradius_with_gap(const TileMesh& tiles, int tile, double d_gap_min) {
   const double outside = std::max(0.0, -tiles.back_shift.row(tile).mean());
   return tile_inradius(tiles, tile) + outside + 0.5 * d_gap_min;
 }
@@ -45,11 +45,13 @@ LayoutState initial_layout(const LayoutModel& model) {
       const int i = piece[k];
       std::array<Vec2, 3> corner;
       for (int t = 0; t < 3; ++t) corner[t] = map.row(mesh.F(static_cast<Eigen::Index>(k), t));
-      const double room =
+      const double flat_inradius =
           inradius(0.5 * std::abs(wedge(corner[1] - corner[0], corner[2] - corner[0])),
                    (corner[1] - corner[0]).norm() + (corner[2] - corner[1]).norm() +
                        (corner[0] - corner[2]).norm());
-      if (room > 0) needed.push_back(room_with_gap(tiles, i, model.parameters.d_gap_min) / room);
+      if (flat_inradius > 0) {
+        needed.push_back(inradius_with_gap(tiles, i, model.parameters.d_gap_min) / flat_inradius);
+      }
     }
     if (!needed.empty()) {
       std::nth_element(needed.begin(), needed.begin() + static_cast<long>(needed.size() / 2),

@@ -14,7 +14,7 @@ double tile_inradius(const TileMesh& tiles, int tile);
 
 // The inradius of the place that a tile takes with half a gap around it, mm; tiles that grow
 // towards the back take more.
-double room_with_gap(const TileMesh& tiles, int tile, double d_gap_min);
+double inradius_with_gap(const TileMesh& tiles, int tile, double d_gap_min);
 
 // Conformal map of each piece, of the mesh opened along the cuts, scaled so that the median tile
 // just fits with its gap; pieces stand side by side. Insets start a little above their lower

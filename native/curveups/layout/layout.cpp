@@ -39,7 +39,7 @@ class KnownPairs {
   std::set<std::pair<int, int>> pairs_;
 };
 
-void require_room_for_pins(const PinBounds& bounds) {
+void require_pin_regions(const PinBounds& bounds) {
   std::vector<int> without;
   for (const SmallPin& pin : bounds.small) {
     if (pin.area <= 0 && (without.empty() || without.back() != pin.tile)) {
@@ -58,7 +58,7 @@ void require_room_for_pins(const PinBounds& bounds) {
 LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& parameters,
                           const Progress& progress, LayoutEffort effort,
                           const LayoutCallback& callback) {
-  require_room_for_pins(geometry.pin_bounds);
+  require_pin_regions(geometry.pin_bounds);
   LayoutModel model = make_layout_model(geometry, parameters);
   LayoutState state = initial_layout(model);
   LayoutTerms energies = make_energies(model);

@@ -56,8 +56,8 @@ Remedies find_remedies(const Design& design, const std::vector<int>& pins,
   if (!pins.empty()) {
     double thickness = std::numeric_limits<double>::infinity(), larger = 0;
     for (const PinScale& pin : pin_scales(geometry, p, pins)) {
-      const double room = 1 - pin.insets - pin.least;
-      if (pin.shift * thickness > room) thickness = room / pin.shift;
+      const double slack = 1 - pin.insets - pin.least;
+      if (pin.shift * thickness > slack) thickness = slack / pin.shift;
       const double rest = 1 - pin.shift * p.H_body;  // what no larger tile changes
       larger = rest > 0 ? std::max(larger, (pin.insets + pin.least) / rest)
                         : std::numeric_limits<double>::infinity();

@@ -52,8 +52,8 @@ class SpringEnergy : public LayoutTerm {
     const int i = contact.tile[0], t = contact.side[0], j = contact.tile[1], u = contact.side[1];
     const PlacedTile placed_i(x[0]), placed_j(x[1]);
     const PinMiddle p(model_.tiles[i], placed_i, side, t), q(model_.tiles[j], placed_j, side, u);
-    const double fold = model_.geometry->tiles.fold(i, t);
-    const double half = side == Side::front ? 0.5 * fold : -0.5 * fold;
+    const double dihedral = model_.geometry->tiles.dihedral(i, t);
+    const double half = side == Side::front ? 0.5 * dihedral : -0.5 * dihedral;
     const auto [distance, by_q1, by_q2] = spring_length(
         x[0][inset_unknown(side, t)], x[1][inset_unknown(side, u)], half, model_.parameters.H_pin);
     const Vec2 a = q.position - p.position;

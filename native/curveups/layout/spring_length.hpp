@@ -12,8 +12,8 @@ struct SpringLength {
   double length, by_q1, by_q2;
 };
 
-inline SpringLength spring_length(double q1, double q2, double half_fold, double H_pin) {
-  const double c = std::cos(half_fold), s = std::sin(half_fold);
+inline SpringLength spring_length(double q1, double q2, double half_dihedral, double H_pin) {
+  const double c = std::cos(half_dihedral), s = std::sin(half_dihedral);
   const double wide = (q1 + q2) * c + 2 * H_pin * s, high = (q1 - q2) * s;
   const double length = std::sqrt(wide * wide + high * high);
   return {length, (wide * c + high * s) / length, (wide * c - high * s) / length};

@@ -152,17 +152,17 @@ bool ConeProgram::factorize() {
     circle_[p] = cone_scaling(z_.circle.row(p), l_.circle.row(p));
     Vec3 column = circle_[p].W_squared.col(0) / mu_;
     column.x() /= mu_;
-    const double room = 1 + w * column.x();
-    D_e0_.row(p) = column.transpose() / room;
+    const double denominator = 1 + w * column.x();
+    D_e0_.row(p) = column.transpose() / denominator;
     Matrix3d& D = D_inverse_[p];
-    D.col(0) = column / room;
-    D.row(0) = column.transpose() / room;
+    D.col(0) = column / denominator;
+    D.row(0) = column.transpose() / denominator;
     D.bottomRightCorner<2, 2>() = circle_[p].tangential + column.tail<2>() *
                                                               column.tail<2>().transpose() /
-                                                              (column.x() * room);
+                                                              (column.x() * denominator);
     if (rho_ != 0) {
-      D_e_.row(p) << 1 / room, -w * column.y() / room, -w * column.z() / room;
-      pivot_ += w / room;
+      D_e_.row(p) << 1 / denominator, -w * column.y() / denominator, -w * column.z() / denominator;
+      pivot_ += w / denominator;
     }
   }
   if (!system_.factorize(D_inverse_)) return false;

@@ -45,10 +45,10 @@ template <class Constraint>
 struct InteriorPoint<Constraint>::Linearization {
   using Values = std::vector<std::vector<typename Constraint::Value>>;
 
-  // room: what another linearization had its values in.
+  // kept: memory of another linearization, for the values.
   Linearization(int blocks, const Terms<W>& energies, const Constraints& constraints,
-                const Places& places, Values room)
-      : values(std::move(room)) {
+                const Places& places, Values kept)
+      : values(std::move(kept)) {
     values.resize(constraints.size());
     std::vector<Coupling> couplings;
     for (const auto& energy : energies) {
@@ -100,9 +100,9 @@ void InteriorPoint<Constraint>::begin(Vector& z, double mu) {
   upper_multiplier_.resize(lower_multiplier_.size());
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const auto& [block, unknown, lower, upper] = bounds_[k];
-    const double room = std::min(0.01, 0.1 * (upper - lower));
+    const double distance = std::min(0.01, 0.1 * (upper - lower));
     double& value = z(block, unknown);
-    value = std::clamp(value, lower + room, upper - room);
+    value = std::clamp(value, lower + distance, upper - distance);
     lower_multiplier_(k) = mu / (value - lower);
     upper_multiplier_(k) = mu / (upper - value);
   }
@@ -383,14 +383,14 @@ void InteriorPoint<Constraint>::iterate(Vector& z, double mu_start, double mu_en
   begin(z, mu);
   const int blocks = static_cast<int>(z.rows());
   std::unique_ptr<Linearization> linearization;
-  const auto make_room = [&] {
-    typename Linearization::Values room;
-    if (linearization) room = std::move(linearization->values);
+  const auto linearize_anew = [&] {
+    typename Linearization::Values kept;
+    if (linearization) kept = std::move(linearization->values);
     linearization.reset();
     linearization =
-        std::make_unique<Linearization>(blocks, energies_, constraints_, places_, std::move(room));
+        std::make_unique<Linearization>(blocks, energies_, constraints_, places_, std::move(kept));
   };
-  make_room();
+  linearize_anew();
   Step step;
   for (; report.iterations < max_iterations; ++report.iterations) {
     linearize(z, *linearization);
@@ -401,7 +401,7 @@ void InteriorPoint<Constraint>::iterate(Vector& z, double mu_start, double mu_en
     if (linearization->error(mu) <= barrier_accuracy * mu) {
       if (discover && discover(z, mu)) {
         take_new_constraints(z, mu);
-        make_room();
+        linearize_anew();
         linearize(z, *linearization);
       } else if (mu <= mu_end) {
         report.status = SolveStatus::converged;

@@ -36,7 +36,7 @@ struct SupernodalCholesky::Update {
 
 struct SupernodalCholesky::Workspace {
   explicit Workspace(std::size_t all_rows) : place(all_rows) {}
-  void make_room(std::size_t products, std::size_t targets) {
+  void reserve(std::size_t products, std::size_t targets) {
     if (static_cast<std::size_t>(product.size()) < products) product.resize(products);
     if (target.size() < targets) target.resize(targets);
   }
@@ -123,7 +123,7 @@ bool SupernodalCholesky::factorize(Subtree& subtree, Workspace& own) {
     for (int d = last_[s], next = -1; d >= 0; d = next) {
       next = before_[d];
       const Update update = update_of(d, s);
-      own.make_room(update.size(), update.height);
+      own.reserve(update.size(), update.height);
       multiply(update, own.place, own.product.data(), own.target.data());
       subtract(update, own.product.data(), own.target.data(), s, 0, columns(s));
       pass_on(d, update.first + update.width, s);
@@ -159,7 +159,7 @@ bool SupernodalCholesky::factorize_above(int s, Workspace& own) {
       products += update.size();
       targets += static_cast<std::size_t>(update.height);
     }
-    own.make_room(products, targets);
+    own.reserve(products, targets);
     const auto product = [&](int k) { return own.product.data() + product_begin[k]; };
     const auto target = [&](int k) { return own.target.data() + target_begin[k]; };
     const int count = static_cast<int>(updates.size());

@@ -9,7 +9,7 @@ Shape::Shape(const TriangleMesh& mesh, const Edges& cuts, const Parameters& para
       model(make_layout_model(geometry, parameters)) {
   PinBounds& bounds = geometry.pin_bounds;
   bounds.upper =
-      bounds.upper.cwiseMin(caps.cwiseMax((bounds.lower.array() + capped_room).matrix()));
+      bounds.upper.cwiseMin(caps.cwiseMax((bounds.lower.array() + least_capped_range).matrix()));
 }
 
 void Iterate::keep_pin_bounds() {

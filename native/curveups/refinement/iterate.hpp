@@ -21,7 +21,7 @@ struct Shape {
 };
 
 // The least room an inset keeps where it is capped, mm.
-inline constexpr double capped_room = 0.005;
+inline constexpr double least_capped_range = 0.005;
 
 // Copies share the shape.
 struct Iterate {

@@ -30,7 +30,7 @@ bool cap_insets(const std::vector<Touch>& touches, const Iterate& place, Array6&
     for (int t = 0; t < 3; ++t) {
       const int k = inset_index(touch.side, t);
       const double q = std::min(place.state(tile, inset_unknown(touch.side, t)), caps(tile, k));
-      const double lower = bounds.lower(tile, k) + capped_room;
+      const double lower = bounds.lower(tile, k) + least_capped_range;
       const double drawn = std::max(lower, q - 0.1 - 2 * (safe_clearance - touch.clearance));
       if (!(drawn < q)) continue;
       caps(tile, k) = drawn;

@@ -28,7 +28,7 @@ std::vector<Vec2> stone(int k, double thickness) {
 // Whether there is a thrust: by the half-planes in which the crown's thrust H and moment M may lie.
 bool thrust_line_exists(double thickness, double friction) {
   const double most = 1e3;
-  Polygon room = {{0, -most}, {most, -most}, {most, most}, {0, most}};
+  Polygon region = {{0, -most}, {most, -most}, {most, most}, {0, most}};
   double weight = 0;
   Vec2 moment = Vec2::Zero();  // of weights, first moments
   for (int k = stones / 2; k >= 0; --k) {
@@ -41,8 +41,8 @@ bool thrust_line_exists(double thickness, double friction) {
     // Normal and shear are linear in H, the moment about the centre linear in H and M.
     auto keep = [&](double h, double m, double constant) {  // h H + m M + constant >= 0
       const Vec2 normal(-h, -m);
-      if (normal.norm() > 0 && !room.empty()) {
-        room = clip(room, normal / normal.norm(), constant / normal.norm());
+      if (normal.norm() > 0 && !region.empty()) {
+        region = clip(region, normal / normal.norm(), constant / normal.norm());
       }
     };
     const double n_h = tangent.x(), n_0 = weight * -tangent.y();
@@ -59,7 +59,7 @@ bool thrust_line_exists(double thickness, double friction) {
       moment += w * Vec2(centroid(body).x(), centroid(body).z());
     }
   }
-  return room.size() >= 3;
+  return region.size() >= 3;
 }
 
 bool arch_stands(double thickness, double friction) {

@@ -32,9 +32,9 @@ TEST(Pins, AreaIsThatOfTheCorners) {
 
 TEST(Pins, FoldsLimitInsetsAtPinLevel) {
   // 1.6 rad: concave behind, so that facing back pins meet where q < H tan(0.8).
-  const double fold = 1.6;
+  const double dihedral = 1.6;
   const Parameters p = without_bumps();
-  const DesignGeometry geometry = make_geometry(test::hinge(fold, 20), no_cuts, p);
+  const DesignGeometry geometry = make_geometry(test::hinge(dihedral, 20), no_cuts, p);
   const Contact& contact = geometry.tiles.contacts[0];
   const int t = contact.side[0];
   EXPECT_NEAR(geometry.pin_bounds.lower(0, inset_index(Side::back, t)),
@@ -61,8 +61,8 @@ TEST(Pins, FoldsLimitInsetsAtPinLevel) {
 
 TEST(Pins, PMinCountsFromTheRecessedEdge) {
   Parameters p;
-  const double fold = 0.2;
-  const DesignGeometry geometry = make_geometry(test::hinge(fold), no_cuts, p);
+  const double dihedral = 0.2;
+  const DesignGeometry geometry = make_geometry(test::hinge(dihedral), no_cuts, p);
   const int t = geometry.tiles.contacts[0].side[0];
   EXPECT_NEAR(geometry.pin_bounds.lower(0, inset_index(Side::front, t)),
               p.p_min + 0.5 * p.bump_height / std::cos(0.1), 1e-12);
@@ -101,7 +101,7 @@ TEST(Pins, WhatGivesWayIsListedAndKeepsTheFloor) {
   const Truncation truncation = truncate_at_vertices(tiles);
   const int tile = 0;
   auto area_with = [&](double p_min) {
-    return pin_room(tiles, truncation, p, tile, Side::back, p_min).area;
+    return pin_region(tiles, truncation, p, tile, Side::back, p_min).area;
   };
   const double asked = area_with(p.p_min), most = area_with(p.p_floor);
   ASSERT_GT(most, 1.1 * asked);
@@ -126,7 +126,7 @@ TEST(Pins, WhatGivesWayIsListedAndKeepsTheFloor) {
     EXPECT_LT(bound.to, p.p_min);
     EXPECT_EQ(enough.lower(tile, inset_index(Side::back, bound.edge)), bound.to);
   }
-  EXPECT_GE(pin_room(tiles, truncation, p, tile, Side::back, of_tile(enough)[0].to).area,
+  EXPECT_GE(pin_region(tiles, truncation, p, tile, Side::back, of_tile(enough)[0].to).area,
             p.A_pin_floor);
   // Where even the floor does not do, the side is named as too small and the floor holds.
   p.A_pin_floor = 1.5 * most;

@@ -24,22 +24,22 @@ TEST(TileMargins, AFlatSheetLacksNothing) {
   ASSERT_TRUE(margins.shaped);
   EXPECT_TRUE(margins.back_scale.isApproxToConstant(1, 1e-12));
   EXPECT_TRUE(margins.interface_share.isApproxToConstant(1, 1e-9));
-  EXPECT_TRUE(margins.membrane_room.isApproxToConstant(p.H_pin, 1e-12));
+  EXPECT_TRUE(margins.membrane_clearance.isApproxToConstant(p.H_pin, 1e-12));
   EXPECT_TRUE(margins.trimmed.empty() && margins.overlapping.empty());
 }
 
 TEST(TileMargins, AFoldThatGrowsByItsRoomTakesTheBackFace) {
   const Parameters p = plain();
-  for (double fold : {-0.6, 0.0, 0.5}) {
-    const TileMargins margins = tile_margins(test::hinge(fold, 10), no_cuts, p);
-    const double room = margins.fold_room[0] * M_PI / 180;
-    ASSERT_GT(room, 0.1);
-    const TileMargins just = tile_margins(test::hinge(fold + 0.999 * room, 10), no_cuts, p);
+  for (double dihedral : {-0.6, 0.0, 0.5}) {
+    const TileMargins margins = tile_margins(test::hinge(dihedral, 10), no_cuts, p);
+    const double margin = margins.dihedral_margin[0] * M_PI / 180;
+    ASSERT_GT(margin, 0.1);
+    const TileMargins just = tile_margins(test::hinge(dihedral + 0.999 * margin, 10), no_cuts, p);
     EXPECT_GT(just.back_scale.minCoeff(), 0);
     EXPECT_LT(just.back_scale.minCoeff(), 0.02);
-    const TileMargins over = tile_margins(test::hinge(fold + 1.001 * room, 10), no_cuts, p);
+    const TileMargins over = tile_margins(test::hinge(dihedral + 1.001 * margin, 10), no_cuts, p);
     EXPECT_FALSE(over.shaped);
-    EXPECT_LT(over.fold_room[0], 0);
+    EXPECT_LT(over.dihedral_margin[0], 0);
     EXPECT_EQ(over.pin_area.rows(), 0);
   }
 }
@@ -70,17 +70,17 @@ TEST(TileMargins, MembranesHaveTheRoomOfThePinsAroundATip) {
     const double half = 0.5 * std::acos(a.dot(b) / (a.norm() * b.norm()));
     const double away = p.p_min / std::sin(half);
     const double expected = p.H_pin * std::cos(slope) - away * std::sin(slope);
-    EXPECT_NEAR(margins.membrane_room.col(0).minCoeff(), expected, 1e-9);
+    EXPECT_NEAR(margins.membrane_clearance.col(0).minCoeff(), expected, 1e-9);
   }
-  EXPECT_LT(tile_margins(pyramid(count, 0.9, 20), no_cuts, p).membrane_room.minCoeff(), 0);
+  EXPECT_LT(tile_margins(pyramid(count, 0.9, 20), no_cuts, p).membrane_clearance.minCoeff(), 0);
   // Turned over, the tip is on the back.
   TriangleMesh over = pyramid(count, 0.9, 20);
   over.F.col(1).swap(over.F.col(2));
   Parameters thin = p;
   thin.H_body = 0.2;
   const TileMargins margins = tile_margins(over, no_cuts, thin);
-  EXPECT_LT(margins.membrane_room.col(1).minCoeff(), 0);
-  EXPECT_GT(margins.membrane_room.col(0).minCoeff(), 0);
+  EXPECT_LT(margins.membrane_clearance.col(1).minCoeff(), 0);
+  EXPECT_GT(margins.membrane_clearance.col(0).minCoeff(), 0);
 }
 
 TEST(TileMargins, SheetsNearerThanTheirTilesAreNamedInPairs) {

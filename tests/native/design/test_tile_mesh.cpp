@@ -11,12 +11,12 @@ namespace {
 const Edges no_cuts(0, 2);
 
 TEST(TileMesh, FoldIsPositiveOnARidgeAndBackShrinksByHTanHalf) {
-  for (double fold : {0.4, -0.3, 0.0}) {
-    const TileMesh tiles = make_tile_mesh(test::hinge(fold), no_cuts, 3);
+  for (double dihedral : {0.4, -0.3, 0.0}) {
+    const TileMesh tiles = make_tile_mesh(test::hinge(dihedral), no_cuts, 3);
     ASSERT_EQ(tiles.contacts.size(), 1u);
     const Contact& contact = tiles.contacts[0];
-    EXPECT_NEAR(tiles.fold(contact.tile[0], contact.side[0]), fold, 1e-12);
-    EXPECT_NEAR(tiles.back_shift(0, contact.side[0]), 3 * std::tan(0.5 * fold), 1e-12);
+    EXPECT_NEAR(tiles.dihedral(contact.tile[0], contact.side[0]), dihedral, 1e-12);
+    EXPECT_NEAR(tiles.back_shift(0, contact.side[0]), 3 * std::tan(0.5 * dihedral), 1e-12);
     for (int t = 0; t < 3; ++t) {
       if (t != contact.side[0]) {
         EXPECT_EQ(tiles.back_shift(0, t), 0);
@@ -75,7 +75,7 @@ TEST(TileMesh, CutsRemoveContactsAndKeepFolds) {
   cuts << 1, 0;
   const TileMesh tiles = make_tile_mesh(mesh, cuts, 3);
   EXPECT_TRUE(tiles.contacts.empty());
-  EXPECT_NEAR(tiles.fold.maxCoeff(), 0.3, 1e-12);
+  EXPECT_NEAR(tiles.dihedral.maxCoeff(), 0.3, 1e-12);
   cuts << 0, 2;
   EXPECT_THROW(make_tile_mesh(mesh, cuts, 3), InvalidInput);  // a boundary edge
 }

@@ -76,8 +76,8 @@ TEST(TileShapes, VolumesAreThoseOfFrustumsAndPrisms) {
 }
 
 TEST(TileShapes, TilesOfAHingeMeetInTheBisectorPlane) {
-  const double fold = 0.7;
-  const TriangleMesh mesh = test::hinge(fold);
+  const double dihedral = 0.7;
+  const TriangleMesh mesh = test::hinge(dihedral);
   const TileShapes shapes = tile_shapes(mesh, Edges(0, 2), Parameters(), {}, {});
   EXPECT_EQ(shapes.flat.rows(), 0);
   EXPECT_EQ(shapes.actuated_pins.rows(), 0);
@@ -91,7 +91,8 @@ TEST(TileShapes, TilesOfAHingeMeetInTheBisectorPlane) {
     EXPECT_NEAR(c(3 + t, 0), 0, 1e-9);
     EXPECT_NEAR(c(3 + next3(t), 0), 0, 1e-9);
     // H / cos(fold / 2) below the edge.
-    EXPECT_NEAR(std::abs(c(3 + t, 2) - start.z()), Parameters().H_body / std::cos(fold / 2), 1e-9);
+    EXPECT_NEAR(std::abs(c(3 + t, 2) - start.z()), Parameters().H_body / std::cos(dihedral / 2),
+                1e-9);
   }
 }
 

@@ -233,7 +233,7 @@ TEST(JointHoles, PinsMakeRoomAsFarAsTheirAreaLetsThem) {
   EXPECT_TRUE(with.pin_bounds.small.empty());
   EXPECT_TRUE(with.pin_bounds.relaxed.empty());
   // What is named does; a little more does not.
-  const JointRoom possible = joint_room(with.tiles, with.truncation, wide);
+  const JointLimits possible = joint_limits(with.tiles, with.truncation, wide);
   ASSERT_GT(possible.hole, 0.5);
   ASSERT_LT(possible.hole, 3.0);
   for (double hole : {possible.hole, possible.hole + 0.05}) {
@@ -243,7 +243,7 @@ TEST(JointHoles, PinsMakeRoomAsFarAsTheirAreaLetsThem) {
     EXPECT_EQ(all, hole == possible.hole) << hole;
   }
   Parameters small = sewn(1.2);
-  const double area = joint_room(with.tiles, with.truncation, small).area;
+  const double area = joint_limits(with.tiles, with.truncation, small).area;
   ASSERT_LT(area, small.A_pin_min);
   ASSERT_GT(area, small.A_pin_floor);
   for (double share : {1.0, 1.1}) {

@@ -56,8 +56,8 @@ TEST(Coarsen, ScansAreRemeshedOnTheirOwnSurface) {
   EXPECT_NEAR(result.mean_edge, 6, 0.2);
   EXPECT_LT(result.edge_cv, 0.13);
   const double sampled = largest_distance(fine.V, ClosestPoints(result.mesh));
-  EXPECT_GE(result.sagitta, sampled);
-  EXPECT_LT(result.sagitta, sampled + 0.02);
+  EXPECT_GE(result.chord_error, sampled);
+  EXPECT_LT(result.chord_error, sampled + 0.02);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST_P(RemeshBuiltin, IsUniform) {
   EXPECT_NEAR(mean_edge_length(result.mesh), result.mean_edge, 1e-9);
   EXPECT_LT(result.edge_cv, 0.12);
   EXPECT_LT(largest_distance(result.mesh.V, ClosestPoints(target)), 0.005 * L);
-  EXPECT_LT(result.sagitta, 0.08 * L);
+  EXPECT_LT(result.chord_error, 0.08 * L);
   EXPECT_NEAR(surface_area(result.mesh), surface_area(target), 0.02 * surface_area(target));
   const MeshTopology topology = build_topology(result.mesh.F, result.mesh.V.rows());
   for (const MeshEdge& edge : topology.edges) {
@@ -104,11 +104,11 @@ Folds folds_of(const TriangleMesh& mesh) {
   for (const MeshEdge& edge : topology.edges) {
     if (edge.boundary()) continue;
     const Vec3 a = face_area_vector(mesh, edge.face[0]), b = face_area_vector(mesh, edge.face[1]);
-    const double fold = std::atan2(a.cross(b).norm(), a.dot(b));
-    if (fold < M_PI / 9) continue;
+    const double dihedral = std::atan2(a.cross(b).norm(), a.dot(b));
+    if (dihedral < M_PI / 9) continue;
     ++folds.count;
     folds.length += (mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).norm();
-    folds.sharpest = std::max(folds.sharpest, fold);
+    folds.sharpest = std::max(folds.sharpest, dihedral);
   }
   return folds;
 }
@@ -124,14 +124,14 @@ TEST(Remesh, CreasesStayEdges) {
   EXPECT_EQ(folds.count, kept.features.rows());
   EXPECT_NEAR(folds.length, 60, 1e-9);
   EXPECT_NEAR(folds.sharpest, 2 * std::atan(slope), 1e-9);
-  EXPECT_LT(kept.sagitta, 1e-9);
+  EXPECT_LT(kept.chord_error, 1e-9);
   EXPECT_LT(kept.edge_cv, 0.13);
   for (int e = 0; e < kept.features.rows(); ++e) {
     for (int k = 0; k < 2; ++k) EXPECT_NEAR(kept.mesh.V(kept.features(e, k), 0), 38, 1e-9);
   }
   const RemeshResult through = remesh(roof, {7});
   EXPECT_EQ(through.features.rows(), 0);
-  EXPECT_GT(through.sagitta, 0.5);
+  EXPECT_GT(through.chord_error, 0.5);
   // A threshold that nothing reaches changes nothing.
   EXPECT_EQ(remesh(roof, {7, {}, 80 * M_PI / 180}).mesh.V, through.mesh.V);
 }
@@ -145,7 +145,7 @@ TEST(Remesh, CreasesOfABoxMeetInItsCorners) {
   });
   const RemeshResult result = remesh(box, {6, {}, 0.7});
   EXPECT_NEAR(folds_of(result.mesh).length, 60, 1e-9);
-  EXPECT_LT(result.sagitta, 1e-9);
+  EXPECT_LT(result.chord_error, 1e-9);
   EXPECT_TRUE(check_mesh(result.mesh, 6, false).empty());
 }
 
@@ -227,7 +227,7 @@ TEST(Remesh, IsTheSameOnAnyNumberOfThreads) {
   set_thread_count(before);
   EXPECT_EQ(one.mesh.V, three.mesh.V);
   EXPECT_EQ(one.mesh.F, three.mesh.F);
-  EXPECT_EQ(one.sagitta, three.sagitta);
+  EXPECT_EQ(one.chord_error, three.chord_error);
 }
 
 // Share of the worst face: twice its area over the square of its longest edge, seen from above.

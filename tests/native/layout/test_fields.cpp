@@ -15,10 +15,10 @@ namespace {
 const Edges no_cuts(0, 2);
 
 TEST(TargetFields, FoldsAreTheDihedralAnglesWithTheirSign) {
-  for (double fold : {0.4, -0.7}) {
-    const TargetFields fields = target_fields(test::hinge(fold, 20), no_cuts, {});
-    ASSERT_EQ(fields.fold.size(), 1);
-    EXPECT_NEAR(fields.fold[0], fold * 180 / M_PI, 1e-9);
+  for (double dihedral : {0.4, -0.7}) {
+    const TargetFields fields = target_fields(test::hinge(dihedral, 20), no_cuts, {});
+    ASSERT_EQ(fields.dihedral.size(), 1);
+    EXPECT_NEAR(fields.dihedral[0], dihedral * 180 / M_PI, 1e-9);
   }
 }
 
@@ -36,7 +36,7 @@ TEST(TargetFields, AFlatTargetIsStretchedByWhatItsGapsTake) {
     // Pins p_min from all edges of a triangle: its area by the inradius.
     const double r = tile_inradius(tiles, i), left = 1 - p.p_min / r;
     for (int side = 0; side < 2; ++side) {
-      EXPECT_NEAR(fields.pin_room(i, side), tiles.area(i) * left * left - p.A_pin_min, 1e-9);
+      EXPECT_NEAR(fields.pin_area_margin(i, side), tiles.area(i) * left * left - p.A_pin_min, 1e-9);
     }
   }
 }
@@ -60,12 +60,12 @@ TEST(TargetFields, WhatCannotBeMadeIsShownRatherThanRefused) {
   Parameters thick;
   thick.H_body = 60;
   const TargetFields fields = target_fields(test::cone(), no_cuts, thick);
-  EXPECT_LT(fields.pin_room.minCoeff(), 0);
-  EXPECT_TRUE(fields.pin_room.allFinite());
+  EXPECT_LT(fields.pin_area_margin.minCoeff(), 0);
+  EXPECT_TRUE(fields.pin_area_margin.allFinite());
   // A closed surface has folds and no flat map.
   const TargetFields closed = target_fields(test::sphere(3, 30), no_cuts, {});
-  EXPECT_TRUE(closed.fold.allFinite());
-  EXPECT_GT(closed.fold.mean(), 0);
+  EXPECT_TRUE(closed.dihedral.allFinite());
+  EXPECT_GT(closed.dihedral.mean(), 0);
   EXPECT_TRUE(closed.stretch.array().isNaN().all());
   TriangleMesh broken = test::dome(3);
   broken.F(0, 0) = 100000;

@@ -74,8 +74,8 @@ TriangleMesh single_triangle(double L) {
   return mesh;
 }
 
-TriangleMesh hinge(double fold, double L) {
-  const double h = L * std::sqrt(0.75), c = std::cos(0.5 * fold), s = std::sin(0.5 * fold);
+TriangleMesh hinge(double dihedral, double L) {
+  const double h = L * std::sqrt(0.75), c = std::cos(0.5 * dihedral), s = std::sin(0.5 * dihedral);
   TriangleMesh mesh;
   mesh.V.resize(4, 3);
   mesh.V << 0, 0, 0, 0, L, 0, -h * c, 0.5 * L, -h * s, h * c, 0.5 * L, -h * s;

@@ -28,7 +28,7 @@ TriangleMesh ripples(int n = 8, double L = 7);
 TriangleMesh single_triangle(double L = 7);
 
 // Two triangles that share an edge along y, folded down by `fold` (rad, convex positive).
-TriangleMesh hinge(double fold, double L = 7);
+TriangleMesh hinge(double dihedral, double L = 7);
 
 // (columns + 1) x (rows + 1) points of the unit square put through `place`, two faces per cell,
 // counter-clockwise in the square.

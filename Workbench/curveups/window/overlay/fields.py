@@ -103,9 +103,9 @@ def target_fields(V: np.ndarray, F: np.ndarray, cuts: np.ndarray, parameters: An
     found = cache(lambda: native.target_fields(V, F, cuts, parameters))
     limits: dict[str, Any] = {"limit": 0.0} if judge else {}
     return [
-        Field("Fold angle", "deg", CONTACT, lambda: aligned(found(), "fold_angle", contacts), signed=True,
-              shape=(len(contacts),)),
-        Field("Pin room", "mm^2", SIDE, lambda: found()["pin_room"], "low", mark="diamond",
+        Field("Dihedral angle", "deg", CONTACT, lambda: aligned(found(), "dihedral_angle", contacts),
+              signed=True, shape=(len(contacts),)),
+        Field("Pin area margin", "mm^2", SIDE, lambda: found()["pin_area_margin"], "low", mark="diamond",
               problem="tiles with less space for pins than APinMin, before Solve makes space",
               shape=(len(F), 2), **limits),
         Field("Conformal stretch", "", TILE, lambda: found()["conformal_stretch"], "low",
@@ -116,14 +116,14 @@ def check_fields(found: Any, parameters: Any, contacts: np.ndarray) -> list[Fiel
     """Of a target that was checked (stages/feasibility.py): margins, after pins have made room for
     themselves, and the tiles that something is in the way of, by how many things that are."""
     count = len(found.F)
-    margins = {"contact_tiles": found.contacts, "fold_room": found.fold_room}
+    margins = {"contact_tiles": found.contacts, "dihedral_margin": found.dihedral_margin}
     floor = parameters.get("A_pin_floor") - parameters.get("A_pin_min")
     tiles = [one.tile for one in found.blocked]
     return [
-        Field("Fold margin", "deg", CONTACT, lambda: aligned(margins, "fold_room", contacts), "low", 0.0,
-              shape=(len(contacts),)),
-        Field("Pin room", "mm^2", SIDE, lambda: found.pin_room, "low", floor, shape=(count, 2)),
-        Field("Membrane room", "mm", SIDE, lambda: found.membrane_room, "low",
+        Field("Dihedral margin", "deg", CONTACT, lambda: aligned(margins, "dihedral_margin", contacts), "low",
+              0.0, shape=(len(contacts),)),
+        Field("Pin area margin", "mm^2", SIDE, lambda: found.pin_area_margin, "low", floor, shape=(count, 2)),
+        Field("Membrane clearance", "mm", SIDE, lambda: found.membrane_clearance, "low",
               SAG * parameters.get("H_pin"), shape=(count, 2)),
         Field("Obstacles", "", TILE, lambda: np.bincount(tiles, minlength=count), "high", 0.5, "cross",
               problem="tiles that can't be made or are likely to fail", shape=(count,))]

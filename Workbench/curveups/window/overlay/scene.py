@@ -129,7 +129,7 @@ class Scene:
         return replace(self, **shapes_of(shapes, self.parameters), membranes=(), fields=known)
 
 
-_OF_TARGET = ("Fold angle", "Pin room", "Conformal stretch")
+_OF_TARGET = ("Dihedral angle", "Pin area margin", "Conformal stretch")
 
 
 def scene_of(project: Any) -> Optional[Scene]:
@@ -149,8 +149,8 @@ def target_scene_of(project: Any) -> Optional[Scene]:
     if target is None:
         return None
     names = ("feasibility", "relief", "fairing", "division")
-    check, relief, fairing, division = (_current(project, name) for name in names)
-    V = next((one.V for one in (check, relief, fairing) if one is not None), target.V)
+    check, for_pins, smoothed, division = (_current(project, name) for name in names)
+    V = next((one.V for one in (check, for_pins, smoothed) if one is not None), target.V)
     edges = np.empty((0, 2), np.int32) if division is None else division.edges
     try:
         shapes = shapes_of(native.tile_shapes_at(V, target.F, edges, parameters), parameters)

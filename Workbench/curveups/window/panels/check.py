@@ -26,8 +26,9 @@ from .panel import Panel, enable, idle
 
 _MOST, _LETTERS = 300, 24  # obstacles; letters in a line
 # The fields of the overlay that show the margins.
-_FIELDS = dict(zip(MARGINS, ("Fold margin", "Fold margin", "Pin room", "Pin room", "Membrane room",
-                             "Membrane room", "Conformal stretch", "Conformal stretch", "Obstacles")))
+_FIELDS = dict(zip(MARGINS, ("Dihedral margin", "Dihedral margin", "Pin area margin", "Pin area margin",
+                             "Membrane clearance", "Membrane clearance", "Conformal stretch",
+                             "Conformal stretch", "Obstacles")))
 
 
 class CheckPanel(Panel):

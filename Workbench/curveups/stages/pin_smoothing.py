@@ -20,7 +20,7 @@ MOST_SHORT = 0.25
 
 
 @dataclass(frozen=True)
-class Relief(Result):
+class PinSmoothing(Result):
     """V: N x 3, where the tiles' vertices are from now on."""
 
     V: np.ndarray
@@ -42,20 +42,20 @@ class Relief(Result):
         return (Row("relief", seconds),) if self.asked else ()
 
 
-def make_room(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any,
-              job: Job) -> tuple[np.ndarray, Optional[dict]]:
+def smooth_for_pins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any,
+                    job: Job) -> tuple[np.ndarray, Optional[dict]]:
     """The vertices as they are from now on, and the block of report.json where some moved: none where
     nothing is to be done or the parameters do not ask for it."""
     if not _asked(parameters) or mostly_short(V, F, edges, parameters):
         return V, None
-    relief = native.relieve_pins(V, F, edges, parameters, job)
-    if not relief.relieved:
+    smoothed = native.smooth_for_pins(V, F, edges, parameters, job)
+    if not smoothed.reached:
         return V, None
-    return relief.V, {"largest_move_mm": relief.largest_move_mm,
-                      "pin_sides": [{"tile": int(pin.tile), "side": pin.side, "area_before_mm2": pin.area}
-                                    for pin in relief.relieved],
-                      "remaining": len(relief.remaining),
-                      "moved_vertices": moved_vertices(V, relief.V, F)}
+    return smoothed.V, {"largest_move_mm": smoothed.largest_move_mm,
+                        "pin_sides": [{"tile": int(pin.tile), "side": pin.side, "area_before_mm2": pin.area}
+                                      for pin in smoothed.reached],
+                        "remaining": len(smoothed.remaining),
+                        "moved_vertices": moved_vertices(V, smoothed.V, F)}
 
 
 def mostly_short(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) -> bool:
@@ -69,11 +69,11 @@ def _asked(parameters: Any) -> bool:
     return bool(parameters.get("run_repair") and parameters.get("move_vertices"))
 
 
-def _run(inputs: Inputs, job: Job) -> Relief:
+def _run(inputs: Inputs, job: Job) -> PinSmoothing:
     target, edges, parameters = inputs["target"], inputs["cuts"].edges, inputs.parameters
-    V, moved = make_room(inputs["fairing"].V, target.F, edges, parameters, job)
+    V, moved = smooth_for_pins(inputs["fairing"].V, target.F, edges, parameters, job)
     found = settle(native.check_target(V, target.F, edges, parameters), inputs.where)
-    return Relief(V, (*found, *_other_thickness(target.wall, parameters)), _asked(parameters), moved)
+    return PinSmoothing(V, (*found, *_other_thickness(target.wall, parameters)), _asked(parameters), moved)
 
 
 def _other_thickness(wall: Optional[float], parameters: Any) -> Iterator[Finding]:

@@ -82,12 +82,12 @@ def _valid(inputs: Inputs, sizes: Sizes, job: Job, steps: list[int]) -> bool:
 
     def count(stage: str, *_: object) -> None:
         steps[0] -= stage == "repair"
-        trial.stopped |= steps[0] < 0
+        candidate.stopped |= steps[0] < 0
 
-    trial = Job(job, count)
+    candidate = Job(job, count)
     assert inputs.elsewhere is not None
     try:
-        found = inputs.elsewhere(dict(sizes), ("verification",), trial)
+        found = inputs.elsewhere(dict(sizes), ("verification",), candidate)
     except CurveUpsError:
         return False
     except Stopped:
@@ -96,7 +96,7 @@ def _valid(inputs: Inputs, sizes: Sizes, job: Job, steps: list[int]) -> bool:
         return False
     if job.stopped:
         raise Stopped
-    return bool(not trial.stopped and found["layout"].converged and found["verification"].valid)
+    return bool(not candidate.stopped and found["layout"].converged and found["verification"].valid)
 
 
 STAGE = Stage("trials", ("target", "fairing", "cut request", "cuts", "verification"),

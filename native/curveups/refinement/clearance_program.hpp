@@ -21,11 +21,12 @@ struct MoveLimits {
   double step, whole;
 };
 
-class RoomProgram {
+class ClearanceProgram {
  public:
-  // The arguments must outlive this. membranes: whether they need room, too (membrane_room.hpp).
-  RoomProgram(const TriangleMesh& target, const Edges& cuts, const Parameters& parameters,
-              bool membranes = false);
+  // The arguments must outlive this. membranes: whether they need room, too
+  // (membrane_clearance.hpp).
+  ClearanceProgram(const TriangleMesh& target, const Edges& cuts, const Parameters& parameters,
+                   bool membranes = false);
 
   // As make_geometry; where tiles have no back face, without what follows from bodies (planes,
   // interfaces): shaped is then false.
@@ -66,7 +67,7 @@ class RoomProgram {
   const Parameters& parameters_;
   bool membranes_;
   Eigen::VectorXd weight_;  // A_j of Eq. 4
-  Array3 fold_;             // of the target
+  Array3 dihedral_;         // of the target
 };
 
 // The vertices of the tiles around these: of all tiles that share a vertex with one of theirs.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/refinement/room_program.hpp"
+#include "curveups/refinement/clearance_program.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "curveups/core/parallel.hpp"
-#include "curveups/design/membrane_room.hpp"
+#include "curveups/design/membrane_clearance.hpp"
 #include "curveups/design/pin_bounds.hpp"
 #include "curveups/design/vertex_patch.hpp"
 #include "curveups/numerics/least_step.hpp"
@@ -20,8 +20,9 @@ namespace {
 constexpr double goal = 1.03, kept = 1.002, near_minimum = 1.5;
 
 // The same for room under membranes, as parts of H_pin.
-constexpr double gap_goal = least_membrane_room + 0.1, gap_kept = least_membrane_room + 0.002,
-                 near_gap = 2 * least_membrane_room;
+constexpr double gap_goal = least_membrane_clearance + 0.1,
+                 gap_kept = least_membrane_clearance + 0.002,
+                 near_gap = 2 * least_membrane_clearance;
 
 // Folds sharper than this must not become sharper: they already bound insets on either side.
 constexpr double sharp = 0.3;  // rad
@@ -29,21 +30,21 @@ constexpr double sharp = 0.3;  // rad
 // By how much the linear scale of the largest pin exceeds that of `share` times A_pin_min, in mm.
 double excess(const TileMesh& tiles, const Truncation& truncation, const Parameters& p, int tile,
               Side side, double share) {
-  const double scale = pin_room(tiles, truncation, p, tile, side, p.p_min).scale;
+  const double scale = pin_region(tiles, truncation, p, tile, side, p.p_min).scale;
   return p.L * (scale - std::sqrt(share * p.A_pin_min / tiles.area(tile)));
 }
 
 void set_lower(const TileMesh& tiles, const Truncation& truncation, const Parameters& p, int tile,
                Side side, Array6& lower) {
-  const PinRoom room = pin_room(tiles, truncation, p, tile, side, p.p_min);
-  for (int t = 0; t < 3; ++t) lower(tile, inset_index(side, t)) = room.lower[t];
+  const PinRegion clearance = pin_region(tiles, truncation, p, tile, side, p.p_min);
+  for (int t = 0; t < 3; ++t) lower(tile, inset_index(side, t)) = clearance.lower[t];
 }
 
 }  // namespace
 
 // One requirement: room for a pin, a fold that is not to become sharper, or room under a membrane
 // over the corners at a vertex or over the edge of a tile.
-struct RoomProgram::Need {
+struct ClearanceProgram::Need {
   enum Kind { tile_shape, corner_gap, edge_gap };
   Kind kind;
   int at, edge;  // a tile and its edge, -1: of a pin; or a vertex
@@ -55,16 +56,16 @@ struct RoomProgram::Need {
 };
 
 // Room under a membrane; need: its share is yet to be said.
-struct RoomProgram::Gap {
+struct ClearanceProgram::Gap {
   Need need;
-  double room;             // mm
+  double clearance;        // mm
   std::vector<int> tiles;  // that it belongs to
 };
 
-RoomProgram::RoomProgram(const TriangleMesh& target, const Edges& cuts,
-                         const Parameters& parameters, bool membranes)
+ClearanceProgram::ClearanceProgram(const TriangleMesh& target, const Edges& cuts,
+                                   const Parameters& parameters, bool membranes)
     : target_(target), cuts_(cuts), parameters_(parameters), membranes_(membranes) {
-  fold_ = make_tile_mesh(target, cuts, parameters.H_body).fold;
+  dihedral_ = make_tile_mesh(target, cuts, parameters.H_body).dihedral;
   weight_ = Eigen::VectorXd::Zero(target.V.rows());
   for (int i = 0; i < target.F.rows(); ++i) {
     const double third = face_area_vector(target, i).norm() / 3;
@@ -72,7 +73,7 @@ RoomProgram::RoomProgram(const TriangleMesh& target, const Edges& cuts,
   }
 }
 
-DesignGeometry RoomProgram::geometry(const TriangleMesh& mesh) const {
+DesignGeometry ClearanceProgram::geometry(const TriangleMesh& mesh) const {
   DesignGeometry here;
   here.tiles = make_tile_mesh(mesh, cuts_, parameters_.H_body);
   here.shaped = tiles_without_back(here.tiles).empty();
@@ -83,35 +84,36 @@ DesignGeometry RoomProgram::geometry(const TriangleMesh& mesh) const {
   return here;
 }
 
-double RoomProgram::missing(const DesignGeometry& here) const {
+double ClearanceProgram::missing(const DesignGeometry& here) const {
   double sum = 0;
   for (const SmallPin& pin : here.pin_bounds.small) {
     const double lack = -excess(here.tiles, here.truncation, parameters_, pin.tile, pin.side, 1);
     sum += std::isfinite(lack) ? std::max(0.0, lack) : 100 * parameters_.L;
   }
-  for (const Gap& gap : gaps(here, least_membrane_room)) {
-    sum += least_membrane_room * parameters_.H_pin - gap.room;
+  for (const Gap& gap : gaps(here, least_membrane_clearance)) {
+    sum += least_membrane_clearance * parameters_.H_pin - gap.clearance;
   }
   return sum;
 }
 
-std::vector<SmallPin> RoomProgram::lacking(const DesignGeometry& here) const {
+std::vector<SmallPin> ClearanceProgram::lacking(const DesignGeometry& here) const {
   std::vector<SmallPin> out = here.pin_bounds.small;
   PinSides known;
   for (const SmallPin& pin : out) known.insert({pin.tile, pin.side});
-  for (const Gap& gap : gaps(here, least_membrane_room)) {
+  for (const Gap& gap : gaps(here, least_membrane_clearance)) {
     for (int tile : gap.tiles) {
       if (!known.insert({tile, gap.need.side}).second) continue;
-      const double area =
-          pin_room(here.tiles, here.truncation, parameters_, tile, gap.need.side, parameters_.p_min)
-              .area;
+      const double area = pin_region(here.tiles, here.truncation, parameters_, tile, gap.need.side,
+                                     parameters_.p_min)
+                              .area;
       out.push_back({tile, gap.need.side, area});
     }
   }
   return out;
 }
 
-std::vector<RoomProgram::Gap> RoomProgram::gaps(const DesignGeometry& here, double most) const {
+std::vector<ClearanceProgram::Gap> ClearanceProgram::gaps(const DesignGeometry& here,
+                                                          double most) const {
   std::vector<Gap> out;
   if (!membranes_ || !here.shaped) return out;
   const TileMesh& tiles = here.tiles;
@@ -126,16 +128,19 @@ std::vector<RoomProgram::Gap> RoomProgram::gaps(const DesignGeometry& here, doub
   for (Side side : {Side::front, Side::back}) {
     for (int v = 0; v < static_cast<int>(around.size()); ++v) {
       if (around[v].empty()) continue;
-      const std::vector<double> rooms = corner_rooms(tiles, lower, H_pin, side, v, around[v]);
-      const double room = *std::min_element(rooms.begin(), rooms.end());
-      if (room < limit) out.push_back({{Need::corner_gap, v, -1, side, 0}, room, around[v]});
+      const std::vector<double> clearances =
+          corner_clearances(tiles, lower, H_pin, side, v, around[v]);
+      const double clearance = *std::min_element(clearances.begin(), clearances.end());
+      if (clearance < limit)
+        out.push_back({{Need::corner_gap, v, -1, side, 0}, clearance, around[v]});
     }
     for (const Contact& contact : tiles.contacts) {
       for (int s = 0; s < 2; ++s) {
         const int tile = contact.tile[s], edge = contact.side[s];
-        const double room =
-            edge_room(tiles.fold(tile, edge), side, lower(tile, inset_index(side, edge)), H_pin);
-        if (room < limit) out.push_back({{Need::edge_gap, tile, edge, side, 0}, room, {tile}});
+        const double clearance = edge_clearance(tiles.dihedral(tile, edge), side,
+                                                lower(tile, inset_index(side, edge)), H_pin);
+        if (clearance < limit)
+          out.push_back({{Need::edge_gap, tile, edge, side, 0}, clearance, {tile}});
       }
     }
   }
@@ -143,8 +148,8 @@ std::vector<RoomProgram::Gap> RoomProgram::gaps(const DesignGeometry& here, doub
 }
 
 // at: as `tiles` numbers the tile or vertex.
-double RoomProgram::value(const Need& need, const TileMesh& tiles, const Truncation& truncation,
-                          int at) const {
+double ClearanceProgram::value(const Need& need, const TileMesh& tiles,
+                               const Truncation& truncation, int at) const {
   if (need.kind != Need::tile_shape) {
     std::vector<int> around(1, at);
     if (need.kind == Need::corner_gap) {
@@ -158,19 +163,21 @@ double RoomProgram::value(const Need& need, const TileMesh& tiles, const Truncat
     const double H_pin = parameters_.H_pin, wanted = need.share * H_pin;
     if (need.kind == Need::edge_gap) {
       const double inset = lower(at, inset_index(need.side, need.edge));
-      return edge_room(tiles.fold(at, need.edge), need.side, inset, H_pin) - wanted;
+      return edge_clearance(tiles.dihedral(at, need.edge), need.side, inset, H_pin) - wanted;
     }
-    const std::vector<double> rooms = corner_rooms(tiles, lower, H_pin, need.side, at, around);
-    return *std::min_element(rooms.begin(), rooms.end()) - wanted;
+    const std::vector<double> clearances =
+        corner_clearances(tiles, lower, H_pin, need.side, at, around);
+    return *std::min_element(clearances.begin(), clearances.end()) - wanted;
   }
   if (need.edge < 0) return excess(tiles, truncation, parameters_, at, need.side, need.share);
-  const double before = fold_(need.at, need.edge), now = tiles.fold(at, need.edge);
+  const double before = dihedral_(need.at, need.edge), now = tiles.dihedral(at, need.edge);
   return 0.5 * parameters_.L * (before > 0 ? before - now : now - before);
 }
 
-std::vector<RoomProgram::Row> RoomProgram::rows(const DesignGeometry& here, const PinSides& small,
-                                                const PinSides& asked,
-                                                const std::vector<int>& vertices) const {
+std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& here,
+                                                          const PinSides& small,
+                                                          const PinSides& asked,
+                                                          const std::vector<int>& vertices) const {
   struct Entry {
     Need need;
     Vec3 derivative;
@@ -210,16 +217,16 @@ std::vector<RoomProgram::Row> RoomProgram::rows(const DesignGeometry& here, cons
         const int tile = patch.tiles[k];
         for (int t = 0; t < 3; ++t) add_gaps(Need::edge_gap, tile, t, k);
         for (Side side : {Side::front, Side::back}) {
-          const PinRoom room =
-              pin_room(here.tiles, here.truncation, parameters_, tile, side, parameters_.p_min);
-          const bool close = room.area < near_minimum * parameters_.A_pin_min;
-          if (!std::isfinite(room.scale) || !(close || asked.count({tile, side}))) continue;
+          const PinRegion clearance =
+              pin_region(here.tiles, here.truncation, parameters_, tile, side, parameters_.p_min);
+          const bool close = clearance.area < near_minimum * parameters_.A_pin_min;
+          if (!std::isfinite(clearance.scale) || !(close || asked.count({tile, side}))) continue;
           local.push_back(
               {{Need::tile_shape, tile, -1, side, asked.count({tile, side}) ? goal : kept}, k});
         }
         for (int t = 0; t < 3; ++t) {
           if (here.tiles.topology.neighbour(tile, t) < tile) continue;  // each edge once
-          if (std::abs(fold_(tile, t)) > sharp) {
+          if (std::abs(dihedral_(tile, t)) > sharp) {
             local.push_back({{Need::tile_shape, tile, t, Side::front, 0}, k});
           }
         }
@@ -260,8 +267,8 @@ std::vector<RoomProgram::Row> RoomProgram::rows(const DesignGeometry& here, cons
   return out;
 }
 
-bool RoomProgram::step(const std::vector<Row>& rows, const std::vector<int>& vertices,
-                       const MoveLimits& limits, TriangleMesh& mesh) const {
+bool ClearanceProgram::step(const std::vector<Row>& rows, const std::vector<int>& vertices,
+                            const MoveLimits& limits, TriangleMesh& mesh) const {
   const Eigen::Index count = 3 * static_cast<Eigen::Index>(vertices.size());
   const double trust = limits.step, limit = limits.whole;
   LeastStepProblem problem;

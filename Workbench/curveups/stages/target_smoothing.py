@@ -19,7 +19,7 @@ _NO_CUTS = np.zeros((0, 2), np.int32)
 
 
 @dataclass(frozen=True)
-class Fairing(Result):
+class TargetSmoothing(Result):
     """V: N x 3, where the target's vertices are from now on."""
 
     V: np.ndarray
@@ -49,16 +49,16 @@ class Fairing(Result):
                         "movement", {"V": self.V, "F": self.F, "values": self.distance}),)
 
 
-def fair(V: np.ndarray, F: np.ndarray, parameters: Any, job: Job) -> Any:
+def smooth_target(V: np.ndarray, F: np.ndarray, parameters: Any, job: Job) -> Any:
     """The native FairedSurface of a remeshed target."""
-    return native.fair_surface(V, F, _NO_CUTS, _NO_CUTS, parameters.get("mend_max"), parameters, job)
+    return native.smooth_target(V, F, _NO_CUTS, _NO_CUTS, parameters.get("mend_max"), parameters, job)
 
 
-def _run(inputs: Inputs, job: Job) -> Fairing:
+def _run(inputs: Inputs, job: Job) -> TargetSmoothing:
     target, parameters = inputs["target"], inputs.parameters
     if parameters.get("mend") != "on":
-        return Fairing(target.V)
-    made = fair(target.V, target.F, parameters, job)
+        return TargetSmoothing(target.V)
+    made = smooth_target(target.V, target.F, parameters, job)
     move = np.asarray(made.move, float)
     moved, largest = int((move > 0).sum()), float(move.max(initial=0.0))
     border = move[_border(target.F)]
@@ -80,7 +80,7 @@ def _run(inputs: Inputs, job: Job) -> Fairing:
     V = np.ascontiguousarray(made.V) if moved else target.V
     found += _far(V, target, parameters.get("mend_max"), job)
     shown = (target.F, native.distances(V, *target.given)) if actions else ()
-    return Fairing(V, True, block, tuple(found), *shown)
+    return TargetSmoothing(V, True, block, tuple(found), *shown)
 
 
 def _far(V: np.ndarray, target: Any, most: float, job: Job) -> list[Finding]:

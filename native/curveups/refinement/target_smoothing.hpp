@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A surface faired to feasibility: the least movement of its vertices (room_program.hpp) for which
-// every tile has a back face and room for its pins on both sides. Folds, thickness, insets and
-// truncation planes meet in that room: a fold is too sharp where it leaves a tile none. The same
-// closed forms as in the relief of pins, without its narrow limits, and before it: where folds
+// A surface faired to feasibility: the least movement of its vertices (clearance_program.hpp) for
+// which every tile has a back face and room for its pins on both sides. Folds, thickness, insets
+// and truncation planes meet in that room: a fold is too sharp where it leaves a tile none. The
+// same closed forms as in the relief of pins, without its narrow limits, and before it: where folds
 // leave tiles no back face there is no design yet.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace curveups {
 
-struct FairedSurface {
+struct SmoothedTarget {
   TriangleMesh mesh;  // the given one, bit for bit, where nothing was to be done or nothing helped
   std::vector<double> move;         // of each vertex, mm
   std::vector<SmallPin> fixed;      // sides that had too little room, with what they had
@@ -28,8 +28,8 @@ struct FairedSurface {
 // that nothing asks for stay. Deterministic; faired again, the result stays as it is unless sides
 // remain. Throws what make_tile_mesh throws, InvalidInput (a kept edge names no vertex,
 // largest_move negative or not finite), Cancelled.
-FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Edges& kept,
-                           double largest_move, const Parameters& parameters,
-                           const Progress& progress);
+SmoothedTarget smooth_target(const TriangleMesh& mesh, const Edges& cuts, const Edges& kept,
+                             double largest_move, const Parameters& parameters,
+                             const Progress& progress);
 
 }  // namespace curveups

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/refinement/pin_relief.hpp"
+#include "curveups/refinement/pin_smoothing.hpp"
 
 #include <algorithm>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/refinement/room_program.hpp"
+#include "curveups/refinement/clearance_program.hpp"
 
 namespace curveups {
 namespace {
@@ -15,8 +15,8 @@ constexpr int patience = 3;
 
 // The target moved as little as lets sides reach A_pin_min. Sides out of reach leave `asked`:
 // nothing moves for them.
-TriangleMesh lift(const RoomProgram& program, const TriangleMesh& target, double L, PinSides& asked,
-                  const Progress& progress) {
+TriangleMesh lift(const ClearanceProgram& program, const TriangleMesh& target, double L,
+                  PinSides& asked, const Progress& progress) {
   const PinSides small = asked;
   const std::vector<int> vertices = vertices_around(asked, target);
   const MoveLimits limits{L / 40, largest_move_of_L * L};
@@ -49,11 +49,11 @@ TriangleMesh lift(const RoomProgram& program, const TriangleMesh& target, double
 
 }  // namespace
 
-PinRelief relieve_pins(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters,
-                       const Progress& progress) {
+PinSmoothing smooth_for_pins(const TriangleMesh& mesh, const Edges& cuts,
+                             const Parameters& parameters, const Progress& progress) {
   const DesignGeometry given = make_geometry(mesh, cuts, parameters);
-  const RoomProgram program(mesh, cuts, parameters);
-  PinRelief out;
+  const ClearanceProgram program(mesh, cuts, parameters);
+  PinSmoothing out;
   out.mesh = mesh;
   out.remaining = given.pin_bounds.small;
   PinSides asked;
@@ -76,7 +76,7 @@ PinRelief relieve_pins(const TriangleMesh& mesh, const Edges& cuts, const Parame
     if (pin.area < parameters.A_pin_floor && area >= parameters.A_pin_floor) return out;
   }
   for (const SmallPin& pin : out.remaining) {
-    if (!small.count({pin.tile, pin.side})) out.relieved.push_back(pin);
+    if (!small.count({pin.tile, pin.side})) out.reached.push_back(pin);
   }
   out.mesh = moved;
   out.largest_move = (moved.V - mesh.V).rowwise().norm().maxCoeff();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/design/membrane_room.hpp"
+#include "curveups/design/membrane_clearance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ std::vector<std::vector<int>> tiles_around_inner_vertices(const TileMesh& tiles)
   return around;
 }
 
-std::vector<double> corner_rooms(const TileMesh& tiles, const Array6& lower, double H_pin,
-                                 Side side, int vertex, const std::vector<int>& around) {
+std::vector<double> corner_clearances(const TileMesh& tiles, const Array6& lower, double H_pin,
+                                      Side side, int vertex, const std::vector<int>& around) {
   struct PinnedCorner {
     Vec3 corner, top;
   };
@@ -51,8 +51,8 @@ std::vector<double> corner_rooms(const TileMesh& tiles, const Array6& lower, dou
   return out;
 }
 
-double edge_room(double fold, Side side, double inset, double H_pin) {
-  const double half = side == Side::front ? 0.5 * fold : -0.5 * fold;
+double edge_clearance(double dihedral, Side side, double inset, double H_pin) {
+  const double half = side == Side::front ? 0.5 * dihedral : -0.5 * dihedral;
   return H_pin * std::cos(half) - inset * std::sin(half);
 }
 

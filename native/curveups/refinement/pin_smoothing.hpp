@@ -12,11 +12,10 @@
 
 namespace curveups {
 
-struct PinRelief {
-  TriangleMesh mesh;        // moved; the given one, bit for bit, where nothing was to be done
-  double largest_move = 0;  // of a vertex, mm
-  std::vector<SmallPin>
-      relieved;  // sides below A_pin_min that now reach it, with their area before
+struct PinSmoothing {
+  TriangleMesh mesh;              // moved; the given one, bit for bit, where nothing was to be done
+  double largest_move = 0;        // of a vertex, mm
+  std::vector<SmallPin> reached;  // sides below A_pin_min that now reach it, with their area before
   std::vector<SmallPin> remaining;
 };
 
@@ -24,7 +23,7 @@ struct PinRelief {
 // beside the dents. Folds beyond 0.3 rad do not become sharper. Sides out of reach are left as they
 // are, and no vertex moves for them. Throws what make_geometry throws for the given mesh;
 // Cancelled.
-PinRelief relieve_pins(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters,
-                       const Progress& progress);
+PinSmoothing smooth_for_pins(const TriangleMesh& mesh, const Edges& cuts,
+                             const Parameters& parameters, const Progress& progress);
 
 }  // namespace curveups

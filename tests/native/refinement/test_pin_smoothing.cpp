@@ -3,7 +3,7 @@
 
 #include "curveups/design/pin_bounds.hpp"
 #include "curveups/design/vertex_patch.hpp"
-#include "curveups/refinement/pin_relief.hpp"
+#include "curveups/refinement/pin_smoothing.hpp"
 #include "support/meshes.hpp"
 
 namespace curveups {
@@ -18,40 +18,40 @@ double least_largest_area(const TriangleMesh& mesh, const Parameters& parameters
   double least = 1e300;
   for (int i = 0; i < geometry.tiles.tile_count(); ++i) {
     for (Side side : {Side::front, Side::back}) {
-      const PinRoom room =
-          pin_room(geometry.tiles, geometry.truncation, parameters, i, side, parameters.p_min);
-      least = std::min(least, room.area);
+      const PinRegion region =
+          pin_region(geometry.tiles, geometry.truncation, parameters, i, side, parameters.p_min);
+      least = std::min(least, region.area);
     }
   }
   return least;
 }
 
-TEST(PinRelief, MovesVerticesUntilEverySideReachesTheLeastArea) {
+TEST(PinSmoothing, MovesVerticesUntilEverySideReachesTheLeastArea) {
   const TriangleMesh mesh = ridge();
   Parameters parameters;
   parameters.A_pin_min = 1.1 * least_largest_area(mesh, parameters);
-  const PinRelief relief = relieve_pins(mesh, Edges(0, 2), parameters, {});
-  EXPECT_FALSE(relief.relieved.empty());
-  EXPECT_TRUE(relief.remaining.empty());
-  EXPECT_GT(relief.largest_move, 0);
-  EXPECT_LT((relief.mesh.V - mesh.V).cwiseAbs().maxCoeff(), parameters.L / 30 + 1e-9);
-  EXPECT_GE(least_largest_area(relief.mesh, parameters), parameters.A_pin_min);
+  const PinSmoothing smoothed = smooth_for_pins(mesh, Edges(0, 2), parameters, {});
+  EXPECT_FALSE(smoothed.reached.empty());
+  EXPECT_TRUE(smoothed.remaining.empty());
+  EXPECT_GT(smoothed.largest_move, 0);
+  EXPECT_LT((smoothed.mesh.V - mesh.V).cwiseAbs().maxCoeff(), parameters.L / 30 + 1e-9);
+  EXPECT_GE(least_largest_area(smoothed.mesh, parameters), parameters.A_pin_min);
   // The movement stays where it is needed.
-  const Eigen::VectorXd move = (relief.mesh.V - mesh.V).rowwise().norm();
+  const Eigen::VectorXd move = (smoothed.mesh.V - mesh.V).rowwise().norm();
   EXPECT_EQ(move(0), 0);
-  EXPECT_LT(move.mean(), 0.3 * relief.largest_move);
+  EXPECT_LT(move.mean(), 0.3 * smoothed.largest_move);
 }
 
-TEST(PinRelief, LeavesAloneWhatNeedsNothingOrCannotBeHelped) {
+TEST(PinSmoothing, LeavesAloneWhatNeedsNothingOrCannotBeHelped) {
   const TriangleMesh mesh = ridge();
   Parameters parameters;
   parameters.A_pin_min = 0.9 * least_largest_area(mesh, parameters);
-  const PinRelief nothing = relieve_pins(mesh, Edges(0, 2), parameters, {});
+  const PinSmoothing nothing = smooth_for_pins(mesh, Edges(0, 2), parameters, {});
   EXPECT_TRUE(nothing.remaining.empty());
   EXPECT_EQ(nothing.mesh.V, mesh.V);
   parameters.A_pin_min = 18;  // of 21 mm2 that a tile has
-  const PinRelief impossible = relieve_pins(mesh, Edges(0, 2), parameters, {});
-  EXPECT_TRUE(impossible.relieved.empty());
+  const PinSmoothing impossible = smooth_for_pins(mesh, Edges(0, 2), parameters, {});
+  EXPECT_TRUE(impossible.reached.empty());
   EXPECT_FALSE(impossible.remaining.empty());
   EXPECT_EQ(impossible.mesh.V, mesh.V);
 }

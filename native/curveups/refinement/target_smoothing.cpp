@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/refinement/fairing.hpp"
+#include "curveups/refinement/target_smoothing.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/refinement/room_program.hpp"
+#include "curveups/refinement/clearance_program.hpp"
 
 namespace curveups {
 namespace {
@@ -25,14 +25,14 @@ PinSides sides_of(const std::vector<SmallPin>& pins) {
 // How far a surface is from one that tiles can be: less is better, first of what is no design.
 struct Shortfall {
   std::size_t impossible;  // tiles without a back face, pairs that no plane parts
-  double room;             // missing, mm
+  double clearance;        // missing, mm
 
   bool operator<(const Shortfall& o) const {
-    return impossible != o.impossible ? impossible < o.impossible : room < o.room - 1e-3;
+    return impossible != o.impossible ? impossible < o.impossible : clearance < o.clearance - 1e-3;
   }
 };
 
-Shortfall shortfall(const RoomProgram& program, const DesignGeometry& here) {
+Shortfall shortfall(const ClearanceProgram& program, const DesignGeometry& here) {
   Shortfall out{here.truncation.unresolved.size(), program.missing(here)};
   // Tiles without back faces hide the pairs: they weigh more than any number of these.
   if (!here.shaped) {
@@ -75,14 +75,14 @@ void keep_faces(const TriangleMesh& before, TriangleMesh& after) {
 }
 
 // The way to less and less that is missing; the best surface on it stands in `best`.
-struct Fairing {
+struct TargetSmoothing {
   const TriangleMesh& given;
-  const RoomProgram& program;
+  const ClearanceProgram& program;
   const MoveLimits limits;
   const Progress& progress;
   PinSides lacked;  // sides of the given surface without room
   Shortfall least;
-  FairedSurface best;
+  SmoothedTarget best;
 
   // From the given surface until nothing is missing or no step helps; fixed: vertices that stay.
   void improve(const std::vector<char>& fixed) {
@@ -93,7 +93,7 @@ struct Fairing {
     for (int step = 1, since = 0; step <= most_steps && since < patience; ++step, ++since) {
       const std::size_t left = std::min(lacked.size(), best.remaining.size());
       if (!keep_going(
-              progress, "fairing the target",
+              progress, "smoothing the target",
               static_cast<double>(lacked.size() - left) / static_cast<double>(lacked.size()))) {
         throw Cancelled();
       }
@@ -126,22 +126,23 @@ struct Fairing {
 
 }  // namespace
 
-FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Edges& kept,
-                           double largest_move, const Parameters& parameters,
-                           const Progress& progress) {
+SmoothedTarget smooth_target(const TriangleMesh& mesh, const Edges& cuts, const Edges& kept,
+                             double largest_move, const Parameters& parameters,
+                             const Progress& progress) {
   if (!(largest_move >= 0) || !std::isfinite(largest_move)) {
     throw InvalidInput("the surface can't be moved by that much", "give mend_max in mm");
   }
   if (kept.size() > 0 && (kept.minCoeff() < 0 || kept.maxCoeff() >= mesh.V.rows())) {
     throw InvalidInput("a kept edge names a vertex that there is not", "give pairs of vertices");
   }
-  const RoomProgram program(mesh, cuts, parameters, true);
+  const ClearanceProgram program(mesh, cuts, parameters, true);
   const DesignGeometry here = program.geometry(mesh);
   const std::vector<SmallPin> lacking = program.lacking(here);
   // Coordinates are bounded one by one: the corner of their box is largest_move away.
   const MoveLimits limits{largest_step_of_L * parameters.L, largest_move / std::sqrt(3.0)};
-  Fairing fairing{mesh, program, limits, progress, sides_of(lacking), shortfall(program, here), {}};
-  FairedSurface& out = fairing.best;
+  TargetSmoothing smoothing{
+      mesh, program, limits, progress, sides_of(lacking), shortfall(program, here), {}};
+  SmoothedTarget& out = smoothing.best;
   out.mesh = mesh;
   out.move.assign(mesh.V.rows(), 0);
   out.remaining = lacking;
@@ -154,8 +155,8 @@ FairedSurface fair_surface(const TriangleMesh& mesh, const Edges& cuts, const Ed
   for (const MeshEdge& edge : here.tiles.topology.edges) {
     if (edge.boundary()) fixed[edge.v[0]] = fixed[edge.v[1]] = 1;
   }
-  fairing.improve(fixed);
-  if (parameters.mend_border && !out.remaining.empty()) fairing.improve(kept_only);
+  smoothing.improve(fixed);
+  if (parameters.mend_border && !out.remaining.empty()) smoothing.improve(kept_only);
   for (int v = 0; v < mesh.V.rows(); ++v) out.move[v] = (out.mesh.V.row(v) - mesh.V.row(v)).norm();
   const PinSides small = sides_of(out.remaining);
   for (const SmallPin& pin : lacking) {

@@ -5,8 +5,8 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
-#include "curveups/refinement/fairing.hpp"
-#include "curveups/refinement/room_program.hpp"
+#include "curveups/refinement/clearance_program.hpp"
+#include "curveups/refinement/target_smoothing.hpp"
 #include "support/meshes.hpp"
 
 namespace curveups {
@@ -22,7 +22,7 @@ TriangleMesh roof(double slope) {
 // Rows against central differences in a random direction of all vertices.
 void expect_derivatives(const TriangleMesh& mesh, const Parameters& parameters, bool shaped,
                         bool membranes = false) {
-  const RoomProgram program(mesh, none, parameters, membranes);
+  const ClearanceProgram program(mesh, none, parameters, membranes);
   const DesignGeometry here = program.geometry(mesh);
   ASSERT_EQ(here.shaped, shaped);
   PinSides asked;
@@ -39,7 +39,7 @@ void expect_derivatives(const TriangleMesh& mesh, const Parameters& parameters, 
   std::uniform_real_distribution<double> unit(-1, 1);
   const Points3 direction = Points3::NullaryExpr(mesh.V.rows(), 3, [&] { return unit(random); });
   const double h = 1e-5;
-  std::vector<std::vector<RoomProgram::Row>> there;
+  std::vector<std::vector<ClearanceProgram::Row>> there;
   for (double side : {1.0, -1.0}) {
     TriangleMesh moved = mesh;
     moved.V += side * h * direction;
@@ -57,7 +57,7 @@ void expect_derivatives(const TriangleMesh& mesh, const Parameters& parameters, 
   }
 }
 
-TEST(RoomProgram, RowsAreDerivatives) {
+TEST(ClearanceProgram, RowsAreDerivatives) {
   Parameters parameters;
   // Off symmetry, where the closed forms have kinks.
   std::mt19937 random(5);
@@ -81,7 +81,7 @@ void expect_possible(const TriangleMesh& mesh, const Parameters& parameters) {
   EXPECT_TRUE(geometry.truncation.unresolved.empty());
 }
 
-TEST(Fairing, MakesBackFacesAndRoomWithLittleMovement) {
+TEST(TargetSmoothing, MakesBackFacesAndRoomWithLittleMovement) {
   // A tent inside of a plate.
   const TriangleMesh mesh = test::lifted_patch(12, 7, [](double x, double y) {
     return 10 * std::max(0.0, 1 - std::hypot(std::max(std::abs(x) - 12, 0.0), y) / 8);
@@ -89,97 +89,97 @@ TEST(Fairing, MakesBackFacesAndRoomWithLittleMovement) {
   Parameters parameters;
   parameters.H_body = 8;
   EXPECT_THROW(make_geometry(mesh, none, parameters), InfeasibleDesign);
-  const FairedSurface faired = fair_surface(mesh, none, none, 5, parameters, {});
-  EXPECT_FALSE(faired.fixed.empty());
-  const double largest = *std::max_element(faired.move.begin(), faired.move.end());
+  const SmoothedTarget smoothed = smooth_target(mesh, none, none, 5, parameters, {});
+  EXPECT_FALSE(smoothed.fixed.empty());
+  const double largest = *std::max_element(smoothed.move.begin(), smoothed.move.end());
   EXPECT_LE(largest, 5);
   EXPECT_GT(largest, 0.1);
   const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
   for (const MeshEdge& edge : topology.edges) {
     if (!edge.boundary()) continue;
-    for (int v : edge.v) EXPECT_EQ(faired.move[v], 0) << "of the boundary";
+    for (int v : edge.v) EXPECT_EQ(smoothed.move[v], 0) << "of the boundary";
   }
-  EXPECT_LT(faired.remaining.size(), faired.fixed.size());
-  EXPECT_NO_THROW(make_geometry(faired.mesh, none, parameters));
+  EXPECT_LT(smoothed.remaining.size(), smoothed.fixed.size());
+  EXPECT_NO_THROW(make_geometry(smoothed.mesh, none, parameters));
 }
 
-TEST(Fairing, MakesRoomUnderMembranesAndMovesTheBorderWhereNothingElseDoes) {
+TEST(TargetSmoothing, MakesRoomUnderMembranesAndMovesTheBorderWhereNothingElseDoes) {
   const TriangleMesh mesh = roof(1.3);
   Parameters parameters;
   parameters.mend_border = false;
-  const FairedSurface held = fair_surface(mesh, none, none, 3, parameters, {});
+  const SmoothedTarget held = smooth_target(mesh, none, none, 3, parameters, {});
   ASSERT_FALSE(held.remaining.empty());
   parameters.mend_border = true;
-  const FairedSurface faired = fair_surface(mesh, none, none, 3, parameters, {});
-  EXPECT_LT(faired.remaining.size(), held.remaining.size());
-  const RoomProgram program(faired.mesh, none, parameters, true);
-  const std::vector<SmallPin> lacking = program.lacking(program.geometry(faired.mesh));
-  EXPECT_EQ(lacking.size(), faired.remaining.size());
+  const SmoothedTarget smoothed = smooth_target(mesh, none, none, 3, parameters, {});
+  EXPECT_LT(smoothed.remaining.size(), held.remaining.size());
+  const ClearanceProgram program(smoothed.mesh, none, parameters, true);
+  const std::vector<SmallPin> lacking = program.lacking(program.geometry(smoothed.mesh));
+  EXPECT_EQ(lacking.size(), smoothed.remaining.size());
   const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
   double of_border = 0;
   for (const MeshEdge& edge : topology.edges) {
     if (!edge.boundary()) continue;
     const int v = edge.v[0];
-    of_border = std::max(of_border, faired.move[v]);
+    of_border = std::max(of_border, smoothed.move[v]);
     EXPECT_EQ(held.move[v], 0);
     if (std::abs(mesh.V(v, 1)) > 20) {
-      EXPECT_EQ(faired.move[v], 0) << "far from the ridge";
+      EXPECT_EQ(smoothed.move[v], 0) << "far from the ridge";
     }
   }
   EXPECT_GT(of_border, 0.1);
   EXPECT_LE(of_border, 3);
 }
 
-TEST(Fairing, EndsWithTilesThatAreAllPossible) {
+TEST(TargetSmoothing, EndsWithTilesThatAreAllPossible) {
   // A bump inside of a plate, so that nothing is held by the boundary.
   const TriangleMesh mesh = test::lifted_patch(12, 7, [](double x, double y) {
     return 10 * std::max(0.0, 1 - std::hypot(x - 2, y - 1) / 16);
   });
   Parameters parameters;
   parameters.H_body = 4;
-  const RoomProgram program(mesh, none, parameters);
+  const ClearanceProgram program(mesh, none, parameters);
   ASSERT_FALSE(program.geometry(mesh).pin_bounds.small.empty());
-  const FairedSurface faired = fair_surface(mesh, none, none, 4, parameters, {});
-  EXPECT_TRUE(faired.remaining.empty());
-  expect_possible(faired.mesh, parameters);
+  const SmoothedTarget smoothed = smooth_target(mesh, none, none, 4, parameters, {});
+  EXPECT_TRUE(smoothed.remaining.empty());
+  expect_possible(smoothed.mesh, parameters);
   // Again: nothing is to be done.
-  const FairedSurface again = fair_surface(faired.mesh, none, none, 4, parameters, {});
-  EXPECT_EQ(again.mesh.V, faired.mesh.V);
+  const SmoothedTarget again = smooth_target(smoothed.mesh, none, none, 4, parameters, {});
+  EXPECT_EQ(again.mesh.V, smoothed.mesh.V);
   EXPECT_EQ(again.steps, 0);
   // Far away nothing moves.
   EXPECT_LT(
-      std::count_if(faired.move.begin(), faired.move.end(), [](double m) { return m > 0.01; }),
+      std::count_if(smoothed.move.begin(), smoothed.move.end(), [](double m) { return m > 0.01; }),
       mesh.V.rows() / 2);
   // The same on any number of threads.
   const int threads = thread_count();
   set_thread_count(3);
-  EXPECT_EQ(fair_surface(mesh, none, none, 4, parameters, {}).mesh.V, faired.mesh.V);
+  EXPECT_EQ(smooth_target(mesh, none, none, 4, parameters, {}).mesh.V, smoothed.mesh.V);
   set_thread_count(threads);
 }
 
-TEST(Fairing, StaysWithinItsBoundAndKeepsWhatIsNamed) {
+TEST(TargetSmoothing, StaysWithinItsBoundAndKeepsWhatIsNamed) {
   const TriangleMesh mesh = roof(1.1);
   Parameters parameters;
   parameters.H_body = 5;
-  const FairedSurface little = fair_surface(mesh, none, none, 0.2, parameters, {});
+  const SmoothedTarget little = smooth_target(mesh, none, none, 0.2, parameters, {});
   EXPECT_LE(*std::max_element(little.move.begin(), little.move.end()), 0.2);
   EXPECT_FALSE(little.remaining.empty());
-  EXPECT_EQ(fair_surface(mesh, none, none, 0, parameters, {}).mesh.V, mesh.V);
+  EXPECT_EQ(smooth_target(mesh, none, none, 0, parameters, {}).mesh.V, mesh.V);
   Edges kept(1, 2);
-  const FairedSurface free = fair_surface(mesh, none, none, 3, parameters, {});
+  const SmoothedTarget free = smooth_target(mesh, none, none, 3, parameters, {});
   const int moved =
       static_cast<int>(std::max_element(free.move.begin(), free.move.end()) - free.move.begin());
   kept << moved, moved;
-  EXPECT_EQ(fair_surface(mesh, none, kept, 3, parameters, {}).move[moved], 0);
-  EXPECT_THROW(fair_surface(mesh, none, none, -1, parameters, {}), InvalidInput);
-  EXPECT_THROW(fair_surface(mesh, none, Edges::Constant(1, 2, 9999), 1, parameters, {}),
+  EXPECT_EQ(smooth_target(mesh, none, kept, 3, parameters, {}).move[moved], 0);
+  EXPECT_THROW(smooth_target(mesh, none, none, -1, parameters, {}), InvalidInput);
+  EXPECT_THROW(smooth_target(mesh, none, Edges::Constant(1, 2, 9999), 1, parameters, {}),
                InvalidInput);
-  EXPECT_THROW(fair_surface(mesh, none, none, 3, parameters,
-                            [](const std::string&, double) { return false; }),
+  EXPECT_THROW(smooth_target(mesh, none, none, 3, parameters,
+                             [](const std::string&, double) { return false; }),
                Cancelled);
   // What is possible already stays as it is.
   const TriangleMesh dome = test::dome();
-  EXPECT_EQ(fair_surface(dome, none, none, 3, Parameters(), {}).mesh.V, dome.V);
+  EXPECT_EQ(smooth_target(dome, none, none, 3, Parameters(), {}).mesh.V, dome.V);
 }
 
 }  // namespace
