@@ -129,7 +129,7 @@ class _Asking:
             wrong, stays = str(error), False
         if wrong:
             hook.pytest_runtest_logreport(report=pytest.TestReport(
-                item.nodeid, item.location, item.keywords, "failed", wrong,
+                item.nodeid, item.location, dict.fromkeys(item.keywords, 1), "failed", wrong,
                 "teardown" if "call" in said else "call"))
         if not stays:
             self._end()

@@ -67,13 +67,26 @@ def click_at(point, button=1, times=1):
     display("click", "--repeat", times, "--delay", 60, button)
 
 
-def click(widget, times=1, button=1):
+def scroll_to(widget, place):
+    """As a user does, to a place in a widget of a panel."""
     above = widget.parentWidget()
-    while above is not None:  # as a user scrolls
+    while above is not None:
         if isinstance(above, QtGui.QScrollArea):
-            above.ensureWidgetVisible(widget)
+            at = widget.mapTo(above.widget(), place)
+            above.ensureVisible(at.x(), at.y())
             settle(100)
         above = above.parentWidget()
+
+
+def click_item(tree, item):
+    """Of a tree in a panel."""
+    tree.scrollToItem(item)
+    scroll_to(tree.viewport(), tree.visualItemRect(item).center())
+    click_at(tree.viewport().mapToGlobal(tree.visualItemRect(item).center()))
+
+
+def click(widget, times=1, button=1):
+    scroll_to(widget, widget.rect().center())
     assert widget.isVisible() and widget.isEnabled(), (widget.objectName(), widget.isVisible())
     click_at(at_rest_place(widget), button, times)
 
@@ -99,7 +112,7 @@ def cut_off(form):
             lacks = (one.heightForWidth(one.width()) > one.height() if one.wordWrap()
                      else one.sizeHint().width() > one.width())
         elif isinstance(one, QtGui.QAbstractSpinBox) and one.property("rawValue"):
-            lacks = not re.search("[1-9]", one.text()) and not re.search("= .*[1-9]", one.toolTip())
+            lacks = not re.search("[1-9]", one.text())
         elif isinstance(one, QtGui.QLineEdit):
             lacks = one.fontMetrics().horizontalAdvance(one.text() or one.placeholderText()) > one.width() - 4
         elif isinstance(one, QtGui.QComboBox):
@@ -264,8 +277,8 @@ def tree_entry(obj):
                 tree.scrollToItem(item)
                 settle(100)
                 rect = tree.visualItemRect(item)
-                rect.setWidth(min(rect.width(), 60))
-                return tree.viewport().mapToGlobal(rect.center())
+                rect.setLeft(min(rect.left() + 58, rect.right()))  # past the eye and the icon
+                return tree.viewport().mapToGlobal(QtCore.QPoint(rect.left(), rect.center().y()))
     raise AssertionError(f"{obj.Label} is not in the tree")
 
 
@@ -283,6 +296,11 @@ def choose_file(path):
 
 def action(command):
     return FreeCADGui.Command.get(command).getAction()[0]
+
+
+def entry_of(*commands):
+    """What menus call FreeCAD's command, the first of these that it has: versions differ."""
+    return next(action(one).text().replace("&", "") for one in commands if one in FreeCADGui.listCommands())
 
 
 def press(command):

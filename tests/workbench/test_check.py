@@ -12,8 +12,8 @@ from curveups.features import actions
 from curveups.window.overlay.colours import MARK
 from curveups.window.overlays import overlay_of
 from curveups.window.units import in_user_units
-from robot import (at_rest, click, click_at, close_panel, picture, press, QtCore, QtGui, report, settle,
-                   until, widget)
+from robot import (at_rest, click, click_item, close_panel, picture, press, QtCore, QtGui, report,
+                   settle, until, widget)
 from steps import begin, example, in_units, LIVE, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -58,16 +58,6 @@ def marked():
             found = (pixel >> 16 & 255, pixel >> 8 & 255, pixel & 255)
             count += all(abs(a - b) < 12 for a, b in zip(found, wanted))
     return count
-
-
-def click_item(tree, item):
-    area = tree.parentWidget()
-    while not isinstance(area, QtGui.QScrollArea):
-        area = area.parentWidget()
-    area.ensureWidgetVisible(tree)
-    tree.scrollToItem(item)
-    settle(200)
-    click_at(tree.viewport().mapToGlobal(tree.visualItemRect(item).center()))
 
 
 def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):

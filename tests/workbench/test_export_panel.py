@@ -9,8 +9,8 @@ import FreeCADGui
 import pytest
 from curveups.features import document as designs
 from curveups.window import qt
-from robot import (QtGui, choose, choose_file, click, click_at, close_panel, fill, in_dialog, keys,
-                   menu_bar, picture, press, report, settle, tree_entry, until, widget, write)
+from robot import (QtGui, choose, choose_file, click, click_at, close_panel, entry_of, fill, in_dialog,
+                   keys, menu_bar, picture, press, report, settle, tree_entry, until, widget, write)
 from steps import LIVE, example, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -107,7 +107,7 @@ def export(obj, kind, path):
         click(widget("fileNameEdit"))
         choose_file(str(path))
 
-    in_dialog(lambda: choose(lambda: menu_bar("File"), "Export..."), answer)
+    in_dialog(lambda: choose(lambda: menu_bar("File"), entry_of("Std_Export")), answer)
     return path.read_bytes()
 
 

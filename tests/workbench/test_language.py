@@ -13,8 +13,8 @@ from curveups.window.overlays import overlay_of
 from curveups.window.panels.export import ExportPanel
 from curveups.window.panels.panel import show
 from curveups.window.panels.solve import SolvePanel
-from robot import (QtCore, QtGui, at_rest, choose, choose_file, click, click_at, cut_off, fill, in_dialog,
-                   keys, menu_bar, picture, press, settle, until, widget)
+from robot import (QtCore, QtGui, at_rest, choose, choose_file, click, click_at, click_item, cut_off,
+                   entry_of, fill, in_dialog, keys, menu_bar, picture, press, settle, until, widget)
 from steps import ENGLISH, LIVE, example, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -79,8 +79,7 @@ def test_a_check_is_german(pictures):
         for text in (*said, *reasons, form.note.text(), *(row.text(0) for row in margins)):
             assert not ENGLISH.search(text), text
         # A click on a margin colours the tiles by it still.
-        row = form.margins.visualItemRect(margins[2])
-        click_at(form.margins.viewport().mapToGlobal(row.center()))
+        click_item(form.margins, margins[2])
         until(lambda: overlay_of(design).field().name == "Pin area margin", 10, "the field of the margin")
         verdict = show(SolvePanel, design).form.verdict.text()
         assert "es gibt noch keine Abwicklung" in verdict, verdict
@@ -152,12 +151,14 @@ def test_the_preference_page_keeps_what_panels_show(dome_document, pictures):
     store = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/CurveUps")
 
     def change():
-        window = QtGui.QApplication.activeModalWidget()
-        names = window.findChild(QtGui.QListWidget)
-        row = next(row for row in range(names.count()) if names.item(row).text() == "CurveUps")
-        names.scrollToItem(names.item(row))
+        dialog = QtGui.QApplication.activeModalWidget()
+        view, place = next((view, place) for view in dialog.findChildren(QtGui.QAbstractItemView)
+                           if view.isVisible() for place in view.model().match(
+                               view.model().index(0, 0), QtCore.Qt.DisplayRole, "CurveUps", 1,
+                               QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive))
+        view.scrollTo(place)
         settle(200)
-        click_at(names.viewport().mapToGlobal(names.visualItemRect(names.item(row)).center()))
+        click_at(view.viewport().mapToGlobal(view.visualRect(place).center()))
         box = widget("all_parameters")
         picture("preferences")
         click_at(box.mapToGlobal(QtCore.QPoint(10, box.height() // 2)))
@@ -165,7 +166,7 @@ def test_the_preference_page_keeps_what_panels_show(dome_document, pictures):
         keys("Return")
 
     try:
-        in_dialog(lambda: choose(lambda: menu_bar("Edit"), "Preferences"), change)
+        in_dialog(lambda: choose(lambda: menu_bar("Edit"), entry_of("Std_DlgPreferences")), change)
         document, design = opened(dome_document)
         form = show(SolvePanel, design).form
         assert form.all.isChecked() and form.findChild(QtGui.QWidget, "Fidelity") is not None

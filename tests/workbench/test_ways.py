@@ -17,8 +17,9 @@ from curveups.features import document as designs
 from curveups.window import commands, qt
 from curveups.window.overlay import cameras
 from freecad_process import command as started
-from robot import (QtCore, QtGui, choose, click, click_at, close_panel, fill, in_dialog, keys, menu_bar,
-                   on_screen, picture, press, report, settle, tree_entry, until, widget, window, write)
+from robot import (QtCore, QtGui, choose, click, click_at, close_panel, entry_of, fill, in_dialog, keys,
+                   menu_bar, on_screen, picture, press, report, settle, tree_entry, until, widget, window,
+                   write)
 from steps import LIVE, begin, click_edge, edge_at, enter, example, panel, point_in
 
 pytestmark = pytest.mark.freecad(window=True, timeout=600)
@@ -206,13 +207,14 @@ def test_cuts_by_the_menu_over_a_tile_and_in_a_new_view(prepared, pictures):
 def recording(start):
     """By the menu Macro; start: whether it starts or ends."""
     if not start:
-        return choose(lambda: menu_bar("Macro"), "Stop macro recording")
+        stop = entry_of("Std_MacroStopRecord", "Std_DlgMacroRecord")
+        return choose(lambda: menu_bar("Macro"), stop)
 
     def begin_it():
         write("everything")
         click(widget("buttonStart"))
 
-    in_dialog(lambda: choose(lambda: menu_bar("Macro"), "Macro recording"), begin_it)
+    in_dialog(lambda: choose(lambda: menu_bar("Macro"), entry_of("Std_DlgMacroRecord")), begin_it)
 
 
 def state_of(document):

@@ -82,6 +82,10 @@ def _settled(text: str, name: str) -> str:
         text = set_property(text, date, "")
     text = set_property(text, "Uid", str(uuid.uuid5(uuid.NAMESPACE_URL, name)))
     text = set_property(text, "Label", name)
+    # FreeCAD 1.1 takes the colour of its default material before that of the view.
+    text = re.sub(r'<Properties Count="(\d+)"((?:(?!</Properties>).)*?)'
+                  r'<Property name="ShapeMaterial".*?</Property>\s*',
+                  lambda match: f'<Properties Count="{int(match[1]) - 1}"{match[2]}', text, flags=re.DOTALL)
     count = itertools.count(1)
     return re.sub(r'(<Object type="[^"]*" name="[^"]*" id=)"\d+"',
                   lambda match: f'{match[1]}"{next(count)}"', text)

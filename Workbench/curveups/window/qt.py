@@ -9,15 +9,15 @@ from pathlib import Path
 from typing import Any
 
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtCore, QtGui, QtUiTools
 
 try:
     from PySide import QtWidgets
 except ImportError:
     QtWidgets = QtGui
 
-__all__ = ("EventFilter", "QtCore", "QtGui", "QtWidgets", "QT_TRANSLATE_NOOP", "ink_and_paper", "load_ui",
-           "translate")
+__all__ = ("EventFilter", "QtCore", "QtGui", "QtWidgets", "QT_TRANSLATE_NOOP", "freecad_field",
+           "ink_and_paper", "load_ui", "translate")
 
 RESOURCES = Path(__file__).parents[3] / "resources"
 
@@ -51,9 +51,52 @@ def ink_and_paper() -> tuple[Any, Any]:
     return ink, paper
 
 
+class _Loader(QtUiTools.QUiLoader):
+    """Makes widgets in Python. PySide may take those that C++ makes for deleted ones of other types that had
+    their addresses."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.made: dict[str, Any] = {}
+
+    def createWidget(self, kind: str, parent: Any = None, name: str = "") -> Any:
+        if hasattr(QtWidgets, kind):
+            widget = getattr(QtWidgets, kind)(parent)
+        else:
+            widget = freecad_field(kind)
+            widget.setParent(parent)
+        widget.setObjectName(name)
+        self.made[name] = widget
+        return widget
+
+
 def load_ui(name: str) -> Any:
     """The widget that resources/ui/`name`.ui describes, with its children as attributes."""
-    return FreeCADGui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
+    loader = _Loader()
+    form = loader.load(str(RESOURCES / "ui" / f"{name}.ui"))
+    for child, widget in loader.made.items():
+        if widget is not form:
+            setattr(form, child, widget)
+    return form
+
+
+def freecad_field(kind: str) -> Any:
+    """FreeCAD's own field, which reads units and expressions. PySide 6 may take it for a deleted one that had
+    its address: then another is made."""
+    taken: list[Any] = []
+    while True:
+        field = FreeCADGui.UiLoader().createWidget(kind)
+        try:
+            field.valueChanged.connect(_nothing)
+            return field
+        except RuntimeError:
+            if len(taken) == 9:
+                raise
+            taken.append(field)
+
+
+def _nothing(*_: Any) -> None:
+    pass
 
 
 class EventFilter(QtCore.QObject):

@@ -57,8 +57,13 @@ class Prisms:
             lines.addChild(part)
         self._rims.addChild(lines)
         self._rims.addChild(coin.SoInfo())
+        # FreeCAD's actions of selection enter groups. They lack what a level of detail asks of an action,
+        # which ends FreeCAD 1.1. They pass kits by.
+        kit, contents = coin.SoWrapperKit(), coin.SoSeparator()
+        contents.addChild(self._rims)
+        kit.setPart("contents", contents)
         self.node.addChild(faces)
-        self.node.addChild(self._rims)
+        self.node.addChild(kit)
 
     def set_corners(self, corners: np.ndarray) -> None:
         """M x 6 x 3, mm."""
