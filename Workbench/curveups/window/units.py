@@ -11,6 +11,7 @@ import FreeCAD
 
 _NUMBER = r"\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 _FREECADS = {"mm": "mm", "mm2": "mm^2", "mm3": "mm^3", "N": "N", "MPa": "MPa"}
+_MOST_DECIMALS = 9
 _TO = "to|bis"  # in a range, in any of our languages
 _QUANTITY = re.compile(
     rf"(?<![\w.])({_NUMBER})(?: ({_TO}) ({_NUMBER}))? ({'|'.join(_FREECADS)})(?![\w/^])")
@@ -50,6 +51,17 @@ def whole(quantity: Any) -> str:
     """FreeCAD's quantity with three digits."""
     _, per_unit, unit = quantity.getUserPreferred()
     return f"{short(quantity.Value / per_unit)} {unit}"
+
+
+def show_number(field: Any, value: Any) -> None:
+    """A number or a quantity in FreeCAD's field, with the user's decimals, or as many more as three digits
+    need: 0.02 mm are 0.000787 in."""
+    quantity = FreeCAD.Units.Quantity(value)
+    size, decimals = abs(quantity.Value / quantity.getUserPreferred()[1]), quantity.Format["Precision"]
+    while decimals < _MOST_DECIMALS and abs(round(size, decimals) - size) > 0.005 * size:
+        decimals += 1
+    quantity.Format = {**quantity.Format, "Precision": decimals}
+    field.setProperty("value", quantity)
 
 
 def in_user_units(text: str) -> str:

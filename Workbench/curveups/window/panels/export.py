@@ -21,7 +21,7 @@ from ..macro import call, named
 from ..notice import errors_shown, shown
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
-from ..units import text_of
+from ..units import show_number
 from . import preferences
 from .panel import Panel, enable, idle
 
@@ -42,10 +42,7 @@ class ExportPanel(Panel):
         self._tick_files()
         form.deviation.setProperty("unit", "mm")
         form.deviation.setProperty("minimum", 0.0001)
-        form.deviation.setProperty("rawValue", self._parameters.get("mesh_deviation"))
-        form.deviation.valueChanged.connect(lambda *_: self._show_deviation())
-        self._about = form.deviation.toolTip()
-        self._show_deviation()
+        show_number(form.deviation, FreeCAD.Units.Quantity(f"{self._parameters.get('mesh_deviation')} mm"))
         form.names.setText(preferences.export_mask())
         form.folder.textChanged.connect(lambda text: form.folder.setToolTip(text))  # it may be long
         form.folder.setText(self._folder())
@@ -146,12 +143,6 @@ class ExportPanel(Panel):
         self.form.doubts.setText("<br>".join(f"<b>{shown(self.design, one)}</b>" for one in found))
         self.form.doubts.setVisible(bool(found))
         self.form.insist.setVisible(bool(found))
-
-    def _show_deviation(self) -> None:
-        """What the field may round off."""
-        field = self.form.deviation
-        value = float(field.property("rawValue"))
-        field.setToolTip(f"{self._about}\n= {text_of(value, 'mm', value)}")
 
     def _show_names(self) -> None:
         try:

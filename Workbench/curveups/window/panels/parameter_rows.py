@@ -8,14 +8,15 @@ from contextlib import suppress
 from types import MappingProxyType
 from typing import Any, Callable, Mapping
 
+import FreeCAD
 import FreeCADGui
 
 from ...features.actions import transaction
 from ..macro import assign
 from ..notice import errors_shown
 from ..overlay.watching import unit_observers
-from ..qt import QtCore, QtWidgets, translate
-from ..units import in_user_units, whole
+from ..qt import QtCore, QtWidgets, freecad_field, translate
+from ..units import in_user_units, show_number, whole
 
 PAUSE = 400  # ms without typing after which an edit counts
 
@@ -112,7 +113,8 @@ class ParameterRows:
                 if hasattr(value, "Unit"):
                     field.setProperty("unit", value.getUserPreferred()[2])
                     # Not the field's own number, which is read from the digits of its text.
-                    field.setProperty("rawValue", self._pending.get(name, value.Value))
+                    number = self._pending.get(name, value.Value)
+                    show_number(field, FreeCAD.Units.Quantity(number, value.Unit))
             self._show_tips()
         except (RuntimeError, ReferenceError):  # the panel or the design went without a word
             unit_observers.remove(self._show_units)
@@ -120,7 +122,7 @@ class ParameterRows:
             self._filling = False
 
     def _show_tips(self) -> None:
-        """What parameters mean, and their values, which fields may round off: 0.02 mm is 0.00 in there."""
+        """What parameters mean, and their values, of which fields show three digits."""
         for name, field in self._fields.items():
             about = in_user_units(translate("App::Property", self._object.getDocumentationOfProperty(name)))
             value = getattr(self._object, name)
@@ -150,18 +152,9 @@ class ParameterRows:
         return field
 
     def _number(self, name: str, whole: bool) -> Any:
-        """FreeCAD's field, which reads units and expressions."""
-        taken: list[Any] = []
-        while True:
-            field = FreeCADGui.UiLoader().createWidget("Gui::IntSpinBox" if whole else "Gui::QuantitySpinBox")
-            which = _value_of(field)
-            try:
-                field.valueChanged.connect(lambda *_: self._edit_number(name, which))
-                break
-            except RuntimeError:  # PySide 6 takes it for a deleted one that had its address
-                if len(taken) == 9:
-                    raise
-                taken.append(field)
+        field = freecad_field("Gui::IntSpinBox" if whole else "Gui::QuantitySpinBox")
+        which = _value_of(field)
+        field.valueChanged.connect(lambda *_: self._edit_number(name, which))
         if whole:
             field.setRange(-2**31, 2**31 - 1)  # the design says the range, with the remedy
         value = getattr(self._object, name)
@@ -198,10 +191,10 @@ def _show(field: Any, value: Any) -> None:
         field.setCurrentText(value)
     elif isinstance(field, QtWidgets.QLineEdit):
         field.setText(value)
-    else:
-        number = _number_of(value)
-        if field.property(_value_of(field)) != number:
-            field.setProperty(_value_of(field), number)
+    elif isinstance(field, QtWidgets.QSpinBox):
+        field.setValue(value)
+    elif not field.hasFocus() or field.property("rawValue") != _number_of(value):  # or while it is typed
+        show_number(field, value)
 
 
 def _number_of(value: Any) -> Any:
