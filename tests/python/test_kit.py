@@ -17,7 +17,6 @@ from matplotlib.image import imread
 from curveups.base.errors import Stopped
 from curveups.kit import drawing, files, latex, tile_map
 from curveups.kit.kit import Kit
-from curveups.kit.underside import Underside
 from curveups.project.project import Project
 from curveups.report.data import build_report
 from curveups.report.exports import Choice, file_names
@@ -387,48 +386,6 @@ def test_a_stop_between_pages_ends_the_pdf():
 
     with pytest.raises(Stopped):
         drawing.tiled_pdf(latex.template("a", BLOCK), [], stop)
-
-
-def hemisphere(radius, rings=40, around=120):
-    turn = np.linspace(0, 2 * np.pi, around, endpoint=False)
-    V = [(0, 0, radius)]
-    for angle in np.linspace(0, np.pi / 2, rings + 1)[1:]:
-        V += list(zip(radius * np.sin(angle) * np.cos(turn), radius * np.sin(angle) * np.sin(turn),
-                      np.full(around, radius * np.cos(angle))))
-    F = [(0, 1 + i, 1 + (i + 1) % around) for i in range(around)]
-    for start in range(1, 1 + (rings - 1) * around, around):
-        for i in range(around):
-            a, b = start + i, start + (i + 1) % around
-            F += [(a, a + around, b + around), (a, b + around, b)]
-    return np.array(V), np.array(F)
-
-
-def test_ribs_and_former_fill_a_hemisphere_and_can_be_put_together():
-    V, F = hemisphere(48)
-    under = Underside.below(V, F, 4.1)
-    inner = 43.9
-    i, j = np.indices(under.heights.shape)
-    away = np.hypot(i - inner, j - inner)
-    there = away < 40
-    wanted = 10 + np.sqrt(inner**2 - away[there]**2)
-    assert np.abs(under.heights[there] - wanted).max() < 0.15
-    assert len(under.ribs) == 6
-    for rib in under.ribs:
-        assert rib.slots, rib.name
-        # Both faces of the sheet stay below the sphere, and one nearly touches it.
-        across = abs(rib.place - inner) + np.array([1.5, 2.0])[:, None]
-        touching, lower = 10 + np.sqrt(np.maximum(0, inner**2 - across**2 - (rib.x - inner)**2))
-        assert (rib.top - touching).max() < 0.1 and (lower - rib.top).max() < 0.1, rib.name
-        for place, height in rib.slots:
-            others = [one for one in under.ribs if one.axis != rib.axis and abs(one.place - place) < 1e-9]
-            assert any((rib.place, height) in one.slots for one in others)
-        outline = rib.outline()
-        x, y = outline[:-1].T
-        area = 0.5 * np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))
-        cut = sum(height / 2 if rib.axis else np.interp(place, rib.x, rib.top) - height / 2
-                  for place, height in rib.slots) * 3.1
-        assert area == pytest.approx(np.trapezoid(rib.top, rib.x) - cut if hasattr(np, "trapezoid")
-                                     else np.trapz(rib.top, rib.x) - cut, rel=2e-3)
 
 
 def test_ribs_and_former_are_read_by_other_programs(kit):

@@ -20,6 +20,7 @@ from ..report.files import keep_design
 from ..report.shop import latex, quote, rules
 from ..stages import asked_by
 from ..stages.stage import Job
+from .gauges import figures
 from .kit import Kit
 
 FORMAT, VERSION = "curveups-kit", 1
@@ -127,7 +128,7 @@ def _contents(kit: Kit, design: str, stopped: bool) -> dict[str, Any]:
             "quantity": kit.quantity, "tiles": report["tiles"], "contacts": report["contacts"],
             "cuts": report["cuts"], "print": printed,
             **{name: report[name] for name in blocks if name in report},
-            "rings": kit.rings, "gauges": kit.underside.figures,
+            "rings": kit.rings, "gauges": figures(kit.undersides),
             "glue": {"layer_mm": GLUE_LAYER, "volume_cm3": glue_volumes(printed["glue"])},
             "shop": {"rules": rules(report, parameters),
                      "quote": {**dict(quote(report, parameters, kit.quantity)),

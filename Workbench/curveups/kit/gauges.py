@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Ribs at full size, to be cut of a sheet, and the former as a body."""
+"""Ribs at full size, to be cut of a sheet, and the former as a body; of each piece one beside the other."""
 
 from __future__ import annotations
 
+from typing import Any, Sequence
+
+import numpy as np
+
 from .drawing import Drawing, dxf, svg
 from .kit import Kit
-from .underside import SHEET
+from .underside import CLEARANCE, SHEET, Rib, Underside
 
-GAP = 6.0  # mm between ribs on the drawing
+GAP = 6.0  # mm between ribs, and between formers
 
 
 def make(kit: Kit, kind: str) -> bytes:
@@ -16,20 +20,44 @@ def make(kit: Kit, kind: str) -> bytes:
 
 
 def former(kit: Kit) -> bytes:
-    """A closed body as binary STL."""
-    return kit.underside.body()
+    """A closed body a piece as binary STL."""
+    return former_stl(kit.undersides)
+
+
+def former_stl(undersides: Sequence[Underside]) -> bytes:
+    """Bodies side by side."""
+    sizes = [under.size[0] + GAP for under in undersides]
+    corners = np.concatenate([under.facets() + (float(sum(sizes[:number])), 0, 0)
+                              for number, under in enumerate(undersides)])
+    rows = np.zeros(len(corners), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
+    rows["corners"] = corners
+    return b"CurveUps former".ljust(80) + np.uint32(len(rows)).tobytes() + rows.tobytes()
+
+
+def named(undersides: Sequence[Underside]) -> list[tuple[str, Rib]]:
+    """Ribs with their names: U and V by their directions, and first the piece where there are several."""
+    return [(f"P{piece} {rib.name}" if len(undersides) > 1 else rib.name, rib)
+            for piece, under in enumerate(undersides, 1) for rib in under.ribs]
+
+
+def figures(undersides: Sequence[Underside]) -> dict[str, Any]:
+    """For kit.json."""
+    return {"ribs": [name for name, _ in named(undersides)], "sheet_mm": SHEET, "slot_mm": SHEET + CLEARANCE,
+            "step_mm": max(under.step for under in undersides),
+            "height_mm": max(float(np.nanmax(under.heights)) for under in undersides),
+            "former_cm3": sum(under.volume for under in undersides)}
 
 
 def ribs(kit: Kit) -> Drawing:
     """Layer cut: closed outlines, one above the other; each has its name."""
-    found = kit.underside.ribs
-    width = max((rib.length for rib in found), default=0.0) + 2 * GAP
+    found = named(kit.undersides)
+    width = max((rib.length for _, rib in found), default=0.0) + 2 * GAP
     height = GAP
     drawing = Drawing(f"{kit.title}, ribs of {SHEET:g} mm", (width, 0.0))
-    for rib in found:
+    for name, rib in found:
         outline = rib.outline() - [rib.x[0] - GAP, -height]
         drawing.line("cut", *outline)
-        drawing.text(GAP + 1, height + 1, 3.0, rib.name)
+        drawing.text(GAP + 1, height + 1, 3.0, name)
         height += float(rib.top.max()) + GAP
     drawing.size = (width, height)
     return drawing

@@ -78,8 +78,8 @@ class Kit:
         return rings(self.report["sheets"], self.report["print"]["bbox_mm"][2], self.printer["bed_mm"])
 
     @cached_property
-    def underside(self) -> Underside:
-        """What ribs and former are made from."""
+    def undersides(self) -> list[Underside]:
+        """What ribs and former of each piece are made from."""
         return Underside.of(self.results.design, self.results.parameters, self.report["area"])
 
     @cached_property

@@ -14,14 +14,18 @@ from typing import Any, Iterator, Mapping
 
 import numpy as np
 
+from ..base.native import native
+
 SHEET = 3.0      # mm, thickness of the ribs' material
 CLEARANCE = 0.1  # mm that slots are wider
 FOOT = 10.0      # mm of ribs and former below the lowest point
 SPACING = 30.0   # mm between ribs, about
+TWO = 24.0       # mm of a piece with two ribs in a direction
 MOST_RIBS = 12   # in a direction
 STEP = 1.0       # mm between samples of the shape
 MOST_STEPS = 400
 LEAST_RIB = 8.0  # mm
+LEAST_AREA = 100.0  # mm2 of a part of the former
 
 
 @dataclass(frozen=True)
@@ -32,15 +36,22 @@ class Underside:
     step: float
 
     @classmethod
-    def of(cls, design: Any, parameters: Any, area: Mapping[str, float]) -> Underside:
-        """Below the back membrane as it lies on the pins of an actuated design. area: of report.json."""
-        get = parameters.get
-        membrane = get("thickness_back") * area["flat_cm2"] / (get("tau") ** 2 * area["actuated_cm2"])
-        return cls.below(np.asarray(design.V), np.asarray(design.F), get("H_body") + get("H_pin") + membrane)
+    def of(cls, design: Any, parameters: Any, area: Mapping[str, float]) -> list[Underside]:
+        """Below the membranes as they lie on the pins, of each piece of an actuated design. area: of
+        report.json."""
+        get, V, F = parameters.get, np.asarray(design.V), np.asarray(design.F)
+        thin = area["flat_cm2"] / (get("tau") ** 2 * area["actuated_cm2"])
+        back, front = (get("H_pin") + thin * get(f"thickness_{side}") for side in ("back", "front"))
+        piece = np.asarray(native.pieces_of_faces(V, F, design.cuts))
+        return [cls.below(V, F[piece == number], get("H_body") + back, front)
+                for number in range(int(piece.max(initial=0)) + 1)]
 
     @classmethod
-    def below(cls, V: np.ndarray, F: np.ndarray, depth: float) -> Underside:
-        """V: N x 3, F: M x 3, counter-clockwise seen from the front; depth: mm from there to the back."""
+    def below(cls, V: np.ndarray, F: np.ndarray, depth: float, rise: float = 0.0) -> Underside:
+        """V: N x 3, F: M x 3, counter-clockwise seen from the front; depth, rise: mm from there to the back
+        and to the front, which is below where the shell turns under itself."""
+        used, F = np.unique(F, return_inverse=True)
+        V, F = V[used], F.reshape(-1, 3)
         normals = np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]])
         sums = np.zeros_like(V)
         for corner in range(3):
@@ -50,21 +61,29 @@ class Underside:
         bent = np.einsum("nck,nk->n", units[F], faces) / 3  # a vertex moves further than its faces
         cosine = np.ones(len(V))
         np.minimum.at(cosine, F, np.broadcast_to(bent[:, None], F.shape))
-        back = V - depth * units / np.maximum(cosine, 0.5)[:, None]
-        placed = back @ _frame(normals).T
-        low, high = placed.min(0), placed.max(0)
+        out = units / np.maximum(cosine, 0.5)[:, None]
+        frame = _frame(normals)
+        down = normals @ frame[2] < 0
+        placed = np.concatenate([(V - depth * out)[F], (V + rise * out)[F[down]]]) @ frame.T
+        low, high = placed.min((0, 1)), placed.max((0, 1))
         step = max(STEP, float((high - low)[:2].max()) / MOST_STEPS)
         placed = placed - [*low[:2], low[2] - FOOT]
         heights = np.full(tuple((np.floor((high - low)[:2] / step) + 1).astype(int)), np.nan)
-        for triangle in placed[F]:
+        for triangle in placed:
             _lower(heights, triangle, step)
         return cls(heights, step)
 
     @cached_property
     def cells(self) -> np.ndarray:
-        """Squares between samples that have the shell above all corners; none touch by a corner alone."""
+        """Squares between samples that have the shell above all corners; none touch by a corner alone, and
+        none are slivers but for the largest part."""
+        from scipy.ndimage import label  # which other commands would pay
+
         there = np.isfinite(self.heights)
-        found = there[:-1, :-1] & there[1:, :-1] & there[:-1, 1:] & there[1:, 1:]
+        parts, _ = label(there[:-1, :-1] & there[1:, :-1] & there[:-1, 1:] & there[1:, 1:])
+        counts = np.bincount(parts.ravel())[1:]
+        large = counts >= min(LEAST_AREA / self.step**2, counts.max(initial=0))
+        found = np.concatenate([[False], large])[parts]
         while True:
             a, b, c, d = found[:-1, :-1], found[1:, :-1], found[:-1, 1:], found[1:, 1:]
             crossed = (a & d & ~b & ~c) | (b & c & ~a & ~d)
@@ -73,8 +92,8 @@ class Underside:
             found[:-1, :-1] &= ~crossed
             found[1:, :-1] &= ~crossed
 
-    def body(self) -> bytes:
-        """What is below, down to the ground, as binary STL."""
+    def facets(self) -> np.ndarray:
+        """Of what is below, down to the ground: corners, n x 3 x 3."""
         cells = self.cells
         i, j = np.nonzero(cells)
         corners = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -87,35 +106,40 @@ class Underside:
             rim = ~wide[i + 1 + di, j + 1 + dj]
             a, b = side, (side + 1) % 4
             quads.append(np.stack([ground[rim, a], ground[rim, b], top[rim, b], top[rim, a]], axis=1))
-        triangles = np.concatenate([quad[:, pick] for quad in quads for pick in ([0, 1, 2], [0, 2, 3])])
-        rows = np.zeros(len(triangles), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
-        rows["corners"] = triangles
-        return b"CurveUps former".ljust(80) + np.uint32(len(rows)).tobytes() + rows.tobytes()
+        return np.concatenate([quad[:, pick] for quad in quads for pick in ([0, 1, 2], [0, 2, 3])])
 
     def _points(self, at: np.ndarray) -> np.ndarray:
         return np.concatenate([at * self.step, self.heights[at[..., 0], at[..., 1]][..., None]], axis=-1)
 
     @property
-    def figures(self) -> dict[str, Any]:
-        """For kit.json."""
-        return {"ribs": [rib.name for rib in self.ribs], "sheet_mm": SHEET, "slot_mm": SHEET + CLEARANCE,
-                "step_mm": self.step, "height_mm": float(np.nanmax(self.heights)),
-                "former_cm3": float(self.heights[:-1, :-1][self.cells].sum() * self.step**2 / 1000)}
+    def size(self) -> tuple[float, float]:
+        """mm along u and v."""
+        u, v = self.heights.shape
+        return (u - 1) * self.step, (v - 1) * self.step
+
+    @property
+    def volume(self) -> float:
+        """Of the body, cm3."""
+        top = self.heights
+        means = (top[:-1, :-1] + top[1:, :-1] + top[:-1, 1:] + top[1:, 1:]) / 4
+        return float(means[self.cells].sum() * self.step**2 / 1000)
 
     @cached_property
     def ribs(self) -> list[Rib]:
-        """Those along u, then those along v."""
-        found = [rib for axis in (0, 1) for rib in self._ribs(axis)]
-        along, across = ([rib for rib in found if rib.axis == axis] for axis in (0, 1))
-        for a in along:
-            for b in across:
+        """Those along u, then those along v; each meets one of the others. Where two would meet too close to
+        an end, that end goes, and what it met with it: slots follow when all ends are known."""
+        found = [[*self._ribs(axis)] for axis in (0, 1)]
+        while any([a.yields(b) or b.yields(a) for a in found[0] for b in found[1]]):
+            found = [[rib for rib in ribs if rib.length > LEAST_RIB] for ribs in found]
+        for a in found[0]:
+            for b in found[1]:
                 a.meet(b)
-        return [rib for rib in found if rib.length > LEAST_RIB]
+        return [rib for rib in (*found[0], *found[1]) if rib.slots]
 
     def _ribs(self, axis: int) -> Iterator[Rib]:
         heights = self.heights if axis == 0 else self.heights.T
         size = heights.shape[1]
-        count = int(np.clip(round(size * self.step / SPACING), 2, MOST_RIBS))
+        count = int(np.clip(round(size * self.step / SPACING), 1 + (size * self.step > TWO), MOST_RIBS))
         half = int(np.ceil(SHEET / 2 / self.step))
         for number in range(count):
             place = int((number + 0.75) / (count + 0.5) * size)
@@ -146,25 +170,31 @@ class Rib:
     def length(self) -> float:
         return float(self.x[-1] - self.x[0]) if len(self.x) > 1 else 0.0
 
+    def meets(self, other: Rib) -> bool:
+        return self._spans(other.place) and other._spans(self.place)
+
+    def yields(self, other: Rib) -> bool:
+        """Whether it gave up an end, at which it would have met the other."""
+        place = other.place
+        if not self.meets(other) or min(place - self.x[0], self.x[-1] - place) >= SHEET + 1:
+            return False
+        keep = self.x < place - SHEET if place > self.x.mean() else self.x > place + SHEET
+        self.x, self.top = self.x[keep], self.top[keep]
+        return True
+
     def meet(self, other: Rib) -> None:
-        """Slots for a rib of the other direction, half as deep as the lower one is high; where they meet too
-        close to an end, that end goes."""
-        if not (self._spans(other.place) and other._spans(self.place)):
-            return
-        for one, place in ((self, other.place), (other, self.place)):
-            if one._ends_near(place):
-                keep = one.x < place - SHEET if place > one.x.mean() else one.x > place + SHEET
-                one.x, one.top = one.x[keep], one.top[keep]
-                return
-        height = min(self._height(other.place), other._height(self.place))
-        self.slots.append((other.place, height))
-        other.slots.append((self.place, height))
+        """Slots for a rib of the other direction, half as deep as the lower one is high."""
+        if self.meets(other):
+            height = min(self._lowest(other.place), other._lowest(self.place))
+            self.slots.append((other.place, height))
+            other.slots.append((self.place, height))
 
     def _spans(self, place: float) -> bool:
         return len(self.x) > 1 and self.x[0] - SHEET < place < self.x[-1] + SHEET
 
-    def _ends_near(self, place: float) -> bool:
-        return bool(min(place - self.x[0], self.x[-1] - place) < SHEET + 1)
+    def _lowest(self, place: float) -> float:
+        """Beside a slot, too: the edge may be steep there."""
+        return float(self.top[abs(self.x - place) <= SHEET + self.x[1] - self.x[0]].min())
 
     def _height(self, place: float) -> float:
         return float(np.interp(place, self.x, self.top))
