@@ -6,6 +6,7 @@ import subprocess
 import sys
 from dataclasses import dataclass
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -55,3 +56,12 @@ def printed(curveups, cap, tmp_path_factory):
     """The small cap with all files."""
     folder = tmp_path_factory.mktemp("printed")
     return Finished(folder, curveups("design", cap, "-o", folder, "--no-remesh"))
+
+
+@pytest.fixture(scope="session")
+def kit(curveups, printed, tmp_path_factory):
+    """The fabrication kit of the small cap."""
+    folder = tmp_path_factory.mktemp("kit")
+    ran = curveups("kit", printed.folder / "design.json", "-o", folder)
+    assert ran.status == 0, ran.err
+    return SimpleNamespace(folder=folder, json=json.loads((folder / "kit.json").read_text("utf-8")))

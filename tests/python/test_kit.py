@@ -7,7 +7,6 @@ import json
 import re
 import subprocess
 import zipfile
-from types import SimpleNamespace
 
 import ezdxf
 import numpy as np
@@ -24,14 +23,6 @@ from curveups.stages.sheets import sheets
 from curveups.stages.stage import Job
 
 LATEX = [f"latex-{side}.{kind}" for side in ("front", "back") for kind in ("pdf", "svg", "dxf")]
-
-
-@pytest.fixture(scope="module")
-def kit(curveups, printed, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("kit")
-    ran = curveups("kit", printed.folder / "design.json", "-o", folder)
-    assert ran.status == 0, ran.err
-    return SimpleNamespace(folder=folder, json=json.loads((folder / "kit.json").read_text("utf-8")))
 
 
 def pdf_text(path):
@@ -56,7 +47,8 @@ def test_the_folder_holds_what_kit_json_lists(kit):
     assert kit.json["format"] == "curveups-kit" and kit.json["status"] == "complete"
     assert kit.json["valid"] is True and kit.json["tiles"] == 24
     listed = set(kit.json["files"])
-    assert {p.name for p in kit.folder.iterdir()} == listed | {"kit.json", "design.json"}
+    there = {str(p.relative_to(kit.folder)) for p in kit.folder.rglob("*") if p.is_file()}
+    assert there == listed | {"kit.json", "design.json"}
     assert {f"small-cap-{ending}" for ending in ("shop.pdf", "print.3mf", "tiles.stl", *LATEX)} <= listed
     for name, about in kit.json["files"].items():
         data = (kit.folder / name).read_bytes()
@@ -72,8 +64,8 @@ def test_print_files_and_design_are_those_of_the_design_command(kit, printed):
 
 def test_the_same_design_gives_the_same_bytes(curveups, kit, tmp_path):
     assert curveups("kit", kit.folder / "design.json", "-o", tmp_path).status == 0
-    for path in kit.folder.iterdir():
-        assert path.read_bytes() == (tmp_path / path.name).read_bytes(), path.name
+    for path in kit.folder.rglob("*.*"):
+        assert path.read_bytes() == (tmp_path / path.relative_to(kit.folder)).read_bytes(), path.name
 
 
 def test_the_shop_sheet_is_one_page_with_rules_before_figures(kit):
@@ -172,7 +164,7 @@ def test_a_stop_between_files_is_said_and_leaves_none_half_written(results, tmp_
     assert files.write_kit(results, tmp_path, job)
     found = json.loads((tmp_path / "kit.json").read_text("utf-8"))
     assert found["status"] == "stopped" and "small-cap-latex-front.pdf" in found["files"]
-    assert {p.name for p in tmp_path.iterdir()} == {*found["files"], "kit.json", "design.json"}
+    assert {p.name for p in tmp_path.rglob("*.*")} == {*found["files"], "kit.json", "design.json"}
     assert not files.is_current(tmp_path, (tmp_path / "design.json").read_text("utf-8"))
 
 

@@ -24,6 +24,8 @@ from ..report.data import to_text
 FORMAT, VERSION = "curveups-calibration", 1
 FILES = ("calibration.json", "material.json", "printer.json")
 DAY = 1440.0  # minutes
+# What a reader of the coupons' sheet has to know of the file.
+NOTE = "Numbers are plain, in the units that the names say."
 
 # What a file may hold: lists of rows, and the numbers of a row with their ranges.
 _FORCE, _STRETCH = (1e-6, 1e6), (1.001, 10.0)
@@ -33,6 +35,8 @@ _ROWS: Mapping[str, Mapping[str, tuple[float, float]]] = {
     "held": {"minutes": (1e-3, 1e6), "force_n": _FORCE},
     "friction": {"angle_deg": (0.1, 89.0)},
     "glue": {"force_n": _FORCE, "area_mm2": (1e-3, 1e6)},
+    "gaps": {"nominal_mm": (0.01, 10.0), "measured_mm": (0.0, 10.0)},
+    "bridges": {"force_n": _FORCE},
     "growth": {"nominal_mm": (1e-3, 1e4), "measured_mm": (1e-3, 1e4)}}
 _SHEET = {"width_mm": (0.1, 1e4), "wide_width_mm": (0.1, 1e4), "thickness_mm": (0.01, 10.0)}
 
@@ -54,7 +58,9 @@ def read_measured(data: Mapping[str, Any], where: str) -> dict[str, Any]:
     """Numbers of sheets, and lists of rows as arrays by column. Raises CurveUpsError, naming the entry."""
     found: dict[str, Any] = {}
     for name, value in data.items():
-        if name in ("format", "version", "about"):
+        if isinstance(value, list):  # of a kit's file: what nobody measured
+            value = [row for row in value if not (isinstance(row, dict) and None in row.values())]
+        if name in ("format", "version", "about") or value is None or value == [] != data[name]:
             continue
         if name in _SHEET:
             found[name] = _number(name, value, _SHEET[name], where)
@@ -94,6 +100,13 @@ def calibrate(measured: Mapping[str, Any]) -> dict[str, Fitted]:
         found["friction_coefficient"] = _mean(np.tan(np.radians(measured["friction"]["angle_deg"])), "")
     if "glue" in measured:
         found["glue_strength"] = _mean(measured["glue"]["force_n"] / measured["glue"]["area_mm2"], "MPa")
+    if "gaps" in measured:
+        rows = measured["gaps"]
+        open_ones = rows["measured_mm"] > 0
+        if open_ones.sum() > 1:
+            found["gap_loss"] = _mean((rows["nominal_mm"] - rows["measured_mm"])[open_ones], "mm")
+    if "bridges" in measured:
+        found["bridge_strength"] = _mean(measured["bridges"]["force_n"], "N")
     if "growth" in measured:
         rows = measured["growth"]  # of two walls
         found["xy_compensation"] = _mean(0.5 * (rows["measured_mm"] - rows["nominal_mm"]), "mm")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import glob
 import hashlib
 import json
 from importlib import import_module
@@ -25,6 +26,7 @@ from .kit import Kit
 
 FORMAT, VERSION = "curveups-kit", 1
 KIT = "kit.json"
+COUPONS = "coupons"  # the folder of theirs
 
 _OF_BRIDGES = ("print-fused.stl", "print-fused.3mf")
 
@@ -70,32 +72,36 @@ def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: s
     report = build_report(results, results.rows(), False, {}, {})
     kit = Kit(results, report, quantity)
     stopped = results.stopped
-    with Folder(path) as folder:
+    with Folder(path) as folder, Folder(path / COUPONS) as coupons:
         folder.remove(KIT, *(f"{results.name}-{ending}" for ending in _SHEETS))
+        coupons.remove(*(place.name for place in coupons.path.glob(f"{glob.escape(results.name)}-*")))
         keep_design(folder, results, design)
+
+        doing = ""
 
         def go_on() -> None:
             if not job(f"writing {doing}"):
                 raise Stopped
 
-        def listed() -> None:
-            kit.files[doing] = {"bytes": folder.files[doing],
-                                "sha256": _sum((folder.path / doing).read_bytes())}
+        def write(into: Folder, name: str, writer: Callable[[Path], object]) -> None:
+            nonlocal doing
+            doing = name if into is folder else f"{COUPONS}/{name}"
+            go_on()
+            into.write(name, writer)
+            kit.files[doing] = {"bytes": into.files[name], "sha256": _sum((into.path / name).read_bytes())}
 
         kit.go_on = go_on
         try:
-            for (kind, ending), doing in names.items():
-                go_on()
-                folder.write(doing, lambda place: kit.model.write(ending, kind, str(place), job))
-                listed()
+            for (kind, ending), name in names.items():
+                write(folder, name, lambda place: kit.model.write(ending, kind, str(place), job))
             for ending, (module, function, *given) in _SHEETS.items():
                 if ending in _OF_BRIDGES and not _has_bridges(kit):
                     continue
-                doing = f"{results.name}-{ending}"
-                go_on()
                 make = getattr(import_module(f".{module}", __package__), function)
-                folder.write(doing, lambda place: place.write_bytes(make(kit, *given)))
-                listed()
+                write(folder, f"{results.name}-{ending}",
+                      lambda place: place.write_bytes(make(kit, *given)))
+            for name, made in import_module(".coupon_sheet", __package__).files(kit).items():
+                write(coupons, name, lambda place: place.write_bytes(made()))
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(KIT, to_text(_contents(kit, design, stopped)))

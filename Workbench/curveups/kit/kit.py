@@ -29,6 +29,7 @@ class Kit:
     quantity: int = 1
     files: dict[str, dict[str, Any]] = field(default_factory=dict)
     go_on: Callable[[], object] = lambda: None
+    coupons: dict[str, Any] = field(default_factory=dict)  # native PrintModels that were made, by name
 
     @property
     def name(self) -> str:
