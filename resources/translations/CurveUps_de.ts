@@ -1266,12 +1266,20 @@
       <translation>ein Teil oder ein Loch der Fläche ist zu klein für Kanten von {0} mm</translation>
     </message>
     <message>
+      <source>a place beyond 10 m</source>
+      <translation>ein Ort jenseits von 10 m</translation>
+    </message>
+    <message>
       <source>a polygon to be meshed is not simple and counter-clockwise</source>
       <translation>ein Polygon, das zu vernetzen ist, ist nicht einfach und gegen den Uhrzeigersinn</translation>
     </message>
     <message>
       <source>a polyline has to have two or more points of three numbers</source>
       <translation>ein Linienzug braucht zwei oder mehr Punkte aus drei Zahlen</translation>
+    </message>
+    <message>
+      <source>a region that is none, or has a corner beyond 10 m</source>
+      <translation>ein Bereich, der keiner ist oder eine Ecke jenseits von 10 m hat</translation>
     </message>
     <message>
       <source>a repair step holds numbers that are not finite</source>
@@ -1336,6 +1344,10 @@
     <message>
       <source>an export does not verify</source>
       <translation>Ein Export prüft nicht</translation>
+    </message>
+    <message>
+      <source>an opening between parts that is none</source>
+      <translation>eine Öffnung zwischen Teilen, die keine ist</translation>
     </message>
     <message>
       <source>an outline of no shapes</source>
@@ -1810,6 +1822,10 @@
       <translation>0 &lt; at_corner &lt;= largest and growth &gt; 0 angeben</translation>
     </message>
     <message>
+      <source>give 0 to 10 mm</source>
+      <translation>0 bis 10 mm angeben</translation>
+    </message>
+    <message>
       <source>give 0.0001 to 1 mm</source>
       <translation>0.0001 bis 1 mm angeben</translation>
     </message>
@@ -1898,6 +1914,10 @@
       <translation>jedem Körper eine Lage geben</translation>
     </message>
     <message>
+      <source>give each tile its part, from 0 on</source>
+      <translation>jeder Kachel ihr Teil geben, von 0 an</translation>
+    </message>
+    <message>
       <source>give edges or polylines</source>
       <translation>edges oder polylines angeben</translation>
     </message>
@@ -1920,6 +1940,10 @@
     <message>
       <source>give it in plain letters</source>
       <translation>in einfachen Buchstaben angeben</translation>
+    </message>
+    <message>
+      <source>give its corners counter-clockwise, in mm</source>
+      <translation>seine Ecken gegen den Uhrzeigersinn angeben, in mm</translation>
     </message>
     <message>
       <source>give its outline</source>
@@ -1984,6 +2008,10 @@
     <message>
       <source>give positive numbers</source>
       <translation>positive Zahlen angeben</translation>
+    </message>
+    <message>
+      <source>give some of 0 to {0}</source>
+      <translation>einige von 0 bis {0} angeben</translation>
     </message>
     <message>
       <source>give some of T00001 to {0}</source>
@@ -2522,6 +2550,10 @@
       <translation>der Parameter {0} kann diesen Wert nicht haben</translation>
     </message>
     <message>
+      <source>parts of another number of tiles</source>
+      <translation>Teile einer anderen Anzahl von Kacheln</translation>
+    </message>
+    <message>
       <source>parts of the surface touch in single vertices (vertices {vertices:#5})</source>
       <translation>Teile der Fläche berühren sich in einzelnen Ecken (Ecken {vertices:#5})</translation>
     </message>
@@ -2548,6 +2580,10 @@
     <message>
       <source>piece {piece} by itself: a contact point of {contact} has {least:.3g} N, less than f_min = {f_min:.3g} N of this piece</source>
       <translation>Stück {piece} für sich: ein Kontaktpunkt von {contact} hat {least:.3g} N, weniger als f_min = {f_min:.3g} N dieses Stücks</translation>
+    </message>
+    <message>
+      <source>pieces that are not in the print</source>
+      <translation>Stücke, die nicht im Druck sind</translation>
     </message>
     <message>
       <source>pin area</source>

@@ -21,6 +21,7 @@ from ..report.print_pictures import print_view
 from ..report.shop import latex
 from ..report.tables import table
 from . import drawing, latex as template
+from .bed_files import frame
 from .kit import Kit
 from .tile_map import tile_map
 from .trim import marks
@@ -51,7 +52,14 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
              f"{2 * ring['thickness_mm'] + ring['apart_mm']:g} mm at the corners align the rings"),
             ("Glue", f"{glue['front']:.2f} cm³ for the front and {glue['back']:.2f} cm³ for the back, and "
                      "half as much again for the roller; a flexible glue for rubber on hard plastic"),
+            ("Time and cost of the print", "; ".join(_cost(number, one) for number, one in
+                                                     enumerate(kit.report["costs"], 1))),
             ("Tools", "scissors, a pen whose ink stays on latex, a roller, a ruler, gloves")]
+
+
+def _cost(number: int, one: Mapping[str, Any]) -> str:
+    return (f"bed {number}: {one['hours']:.1f} h (by {one['hours_by']}), {one['price']:.0f} "
+            f"{one['currency']} at the prices in the printer's file")
 
 
 def _of_parts(ring: Mapping[str, Any]) -> str:
@@ -66,6 +74,7 @@ def _pictures(kit: Kit) -> dict[str, Callable[[], bytes]]:
     bed = kit.printer["bed_mm"]
     return {"template": lambda: _drawn(template.template(kit.title, block)),
             "stretched": lambda: _drawn(template.template(kit.title, block, True)),
+            "frame": lambda: _drawn(frame(kit)),
             "print": partial(print_view, kit.model, bed),
             "front": partial(pictures.flat_layout, design),
             "back": lambda: pictures.flat_layout(_from_back(kit)),

@@ -21,6 +21,7 @@ from ..report.files import keep_design
 from ..report.shop import latex, quote, rules
 from ..stages import asked_by
 from ..stages.stage import Job
+from .costs import costs
 from .gauges import figures
 from .kit import Kit
 
@@ -28,6 +29,7 @@ FORMAT, VERSION = "curveups-kit", 1
 KIT = "kit.json"
 COUPONS = "coupons"  # the folder of theirs
 
+_OF_BEDS = ("bed-[0-9][0-9].3mf", "bed-[0-9][0-9].step", "frame.dxf")
 _OF_BRIDGES = ("print-fused.stl", "print-fused.3mf")
 
 # What follows NAME- in files, with the module, its function and what that is given. matplotlib is loaded
@@ -74,6 +76,8 @@ def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: s
     stopped = results.stopped
     with Folder(path) as folder, Folder(path / COUPONS) as coupons:
         folder.remove(KIT, *(f"{results.name}-{ending}" for ending in _SHEETS))
+        folder.remove(*(place.name for ending in _OF_BEDS
+                        for place in folder.path.glob(f"{glob.escape(results.name)}-{ending}")))
         coupons.remove(*(place.name for place in coupons.path.glob(f"{glob.escape(results.name)}-*")))
         keep_design(folder, results, design)
 
@@ -92,6 +96,9 @@ def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: s
 
         kit.go_on = go_on
         try:
+            if kit.beds:
+                report["beds"] = kit.beds.figures(kit.printer)
+            report["costs"] = costs(kit)
             for (kind, ending), name in names.items():
                 write(folder, name, lambda place: kit.model.write(ending, kind, str(place), job))
             for ending, (module, function, *given) in _SHEETS.items():
@@ -100,8 +107,9 @@ def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: s
                 make = getattr(import_module(f".{module}", __package__), function)
                 write(folder, f"{results.name}-{ending}",
                       lambda place: place.write_bytes(make(kit, *given)))
-            for name, made in import_module(".coupon_sheet", __package__).files(kit).items():
-                write(coupons, name, lambda place: place.write_bytes(made()))
+            for into, module in ((folder, "bed_files"), (coupons, "coupon_sheet")):
+                for name, made in import_module(f".{module}", __package__).files(kit).items():
+                    write(into, name, lambda place: place.write_bytes(made()))
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(KIT, to_text(_contents(kit, design, stopped)))
@@ -127,7 +135,8 @@ def _contents(kit: Kit, design: str, stopped: bool) -> dict[str, Any]:
     """kit.json."""
     report, parameters = kit.report, kit.results.parameters
     printed = {name: value for name, value in report["print"].items() if name != "files"}
-    blocks = ("area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts", "joints")
+    blocks = ("beds", "costs", "area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts",
+              "joints")
     return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.plain_title,
             "status": "stopped" if stopped else "complete", "design_sha256": _sum(design.encode("utf-8")),
             "valid": report["valid"], "holds": report["holds"], "reasons": report["reasons"],

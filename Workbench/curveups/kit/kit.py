@@ -7,7 +7,7 @@ import tempfile
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, Optional
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from ..base.native import native
 from ..project.project import Results
 from ..report.exports import doubtful, plain
 from ..stages.solids import read_printer
+from .beds import Beds, beds
 from .ring import rings
 from .underside import Underside
 
@@ -77,6 +78,12 @@ class Kit:
     def rings(self) -> dict[str, Any]:
         """Sizes and strength of the stretching rings."""
         return rings(self.report["sheets"], self.report["print"]["bbox_mm"][2], self.printer["bed_mm"])
+
+    @cached_property
+    def beds(self) -> Optional[Beds]:
+        """What goes on which bed, where one has no room for all."""
+        design = self.results.design.with_parameters(self.results.parameters)
+        return beds(design, self.model, self.printer, self.shapes)
 
     @cached_property
     def undersides(self) -> list[Underside]:

@@ -27,6 +27,11 @@ sheet with {back[0]:.0f} N and {back[1]:.0f} N: a ring that lets go snaps back."
 _LOOK = """{label}There are {bodies} bodies: {tiles} tiles, {anchors} anchors and {others} of what holds
 them together. Take a tile that is missing or broken from the spares (curveups export --tiles), by its
 number.{weak}"""
+_LAY = """lay the {parts} parts into the frame {name}-frame.dxf, cut of a plate 3 mm thick, by their numbers,
+and press them together. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The
+first membrane is glued over all of them at once."""
+_LAY_BARE = """tape the {parts} parts onto the drawing {name}-frame.dxf, tile on tile, at full size. The first
+membrane is glued over all of them at once."""
 _PEEL = """{level} there. Bridges alone hold the tiles meanwhile, and break easily."""
 _FIRST = """its pins and anchors alone stand out there ({first_mm2:.0f} mm²){behind}. Roll {first_cm3:.2f}
 cm³ of glue, {layer:g} mm, onto their tops, with a roller that touches nothing below: a flexible glue for
@@ -95,7 +100,10 @@ def _values(report: Mapping[str, Any], parameters: Any) -> dict[str, Any]:
              "that side. " if get("anchors") and get("engrave") else "")
     stretched, joints = sheets["control_square_stretched_mm"], report.get("joints", {})
     worst = ", ".join("–".join(map(tile_name, one["tiles"])) for one in report.get("worst_contacts", ()))
-    return {"latex": latex(report, parameters), "tau": get("tau"), "window": sheets["window_mm"],
+    beds = report.get("beds", {})
+    return {"name": report["name"], "slab": support.soluble, "parts": beds.get("parts", 1),
+            "opening": beds.get("opening_mm", 0.0), "latex": latex(report, parameters), "tau": get("tau"),
+            "window": sheets["window_mm"],
             "pitch": sheets["tooth_pitch_mm"], "square": sheets["control_square_mm"], "stretched": stretched,
             "slack": 0.02 * stretched, **sheets["load_n"], "label": label, "bodies": block["bodies"],
             "anchors": sheets["anchors"], "others": block["bodies"] - report["tiles"] - sheets["anchors"],
@@ -117,6 +125,8 @@ def _steps(report: Mapping[str, Any], parameters: Any, values: Mapping[str, Any]
     yield "Wash and mark the latex", _MARK, "template"
     yield "Stretch both sheets", _STRETCH, "stretched"
     yield "Look at the print", _LOOK, "print"
+    if report.get("beds", {}).get("position_error_mm"):
+        yield "Lay the parts side by side", _LAY if values["slab"] else _LAY_BARE, "frame"
     if values["peel_first"]:
         yield "Peel the slicer's supports off the {on_bed}, tile by tile", _PEEL, values["first"]
     yield "Glue the {first} first", _FIRST, values["first"]

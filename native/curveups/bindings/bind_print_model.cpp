@@ -198,6 +198,31 @@ void bind_print_model(py::module_& module) {
           },
           py::arg("tiles"), "These tiles (rows of F) alone, at their places: spares.")
       .def(
+          "only_pieces",
+          [](const PrintModel& m, const std::map<int, std::array<double, 3>>& places) {
+            std::map<int, RigidMotion> motions;
+            for (const auto& [piece, place] : places) {
+              const double angle = place[2] * 3.141592653589793 / 180;
+              RigidMotion& motion = motions[piece];
+              motion.R = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+              motion.t = Vec3(place[0], place[1], 0);
+            }
+            return HeldModel(new PrintModel(only_pieces(m, motions)));
+          },
+          py::arg("places"),
+          "These pieces, or parts, alone; of each the move (mm) after the turn (degrees) about the "
+          "origin.")
+      .def(
+          "piece_of_bodies",
+          [](const PrintModel& m, const std::string& kind) {
+            std::vector<int> out;
+            for (const PrintBody* body : m.bodies(kind)) out.push_back(body->piece);
+            return out;
+          },
+          py::arg("kind"), "The piece, or the part, that each body of a kind belongs to.")
+      .def_readonly("outlines", &PrintModel::outlines,
+                    "Of each slab: its outline, then holes in it.")
+      .def(
           "write",
           [](const PrintModel& m, const std::string& ending, const std::string& kind,
              const std::string& path, py::object progress) {
@@ -240,18 +265,25 @@ void bind_print_model(py::module_& module) {
       "largest volume that two share when actuated (mm3), and the reasons for which these make the "
       "design not valid: all without solids. Raises InfeasibleDesign where tiles "
       "can't be made.");
+  using Points = std::vector<Vec2>;
   module.def(
       "make_print_model",
-      [](const Design& design, py::object progress) {
+      [](const Design& design, py::object progress, const std::vector<int>& part_of_tile,
+         double opening, const Points& region) {
         PrintModel model = without_gil(std::move(progress), [&](const Progress&) {
           checkpoint("building bodies");
-          return make_print_model(design, CURVEUPS_VERSION);
+          return make_print_model(design, CURVEUPS_VERSION, {part_of_tile, opening, region});
         });
         return HeldModel(new PrintModel(std::move(model)));
       },
       py::arg("design"), py::arg("progress") = py::none(),
-      "The print of a design; raises InfeasibleDesign, naming tiles, where it can't be made.");
-  using Points = std::vector<Vec2>;
+      py::arg("part_of_tile") = std::vector<int>(), py::arg("opening") = 0.0,
+      py::arg("region") = Points(),
+      "The print of a design; raises InfeasibleDesign, naming tiles, where it can't be made. For "
+      "beds that are too small: part_of_tile, by rows of F (empty: all are one), between which "
+      "slabs are cut along "
+      "gaps and lie `opening` mm apart; region, a convex polygon in the layout's plane: anchors "
+      "beyond it are left out, and slabs end at it.");
   module.def(
       "make_ring",
       [](const std::string& name,

@@ -96,25 +96,53 @@ Paths joined(Paths paths, double first, double rest, double deviation) {
   return out;
 }
 
+ClipperLib::Path to_path(const Polygon& polygon) {
+  ClipperLib::Path path;
+  for (const Vec2& p : polygon) {
+    path.emplace_back(std::llround(p.x() / unit), std::llround(p.y() / unit));
+  }
+  return path;
+}
+
+// Loops without corners that single precision loses, the largest first.
+std::vector<Polygon> to_loops(Paths paths, double deviation) {
+  ClipperLib::CleanPolygons(paths, least_corner / unit);
+  std::vector<Polygon> loops;
+  for (const ClipperLib::Path& path : united(paths)) {
+    Polygon loop;
+    for (const ClipperLib::IntPoint& p : path) loop.push_back(unit * Vec2(p.X, p.Y));
+    if (area(loop) > -deviation * deviation && area(loop) <= 0) continue;
+    loops.push_back(std::move(loop));
+  }
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
+  return loops;
+}
+
+Paths combined(ClipperLib::ClipType how, const Paths& subject, const Paths& other) {
+  ClipperLib::Clipper clipper;
+  clipper.StrictlySimple(true);
+  clipper.AddPaths(subject, ClipperLib::ptSubject, true);
+  clipper.AddPaths(other, ClipperLib::ptClip, true);
+  Paths out;
+  clipper.Execute(how, out, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return out;
+}
+
 }  // namespace
 
 std::vector<Polygon> outline_of(const std::vector<OutlineShape>& shapes, double deviation) {
   if (shapes.empty()) throw InvalidInput("an outline of no shapes", "pass a layout with tiles");
-  const auto whole = [](const Vec2& p) {
-    return ClipperLib::IntPoint(std::llround(p.x() / unit), std::llround(p.y() / unit));
-  };
   // Shapes with the same offset grow together, first by a little that joins neighbours: thousands
   // of large arcs that overlap take Clipper seconds. A disc is its centre, grown by its radius as
   // well.
   std::map<double, Paths> polygons, points;
   for (const OutlineShape& shape : shapes) {
     if (shape.polygon.empty()) {
-      points[shape.offset + shape.disc.radius].push_back({whole(shape.disc.centre)});
+      points[shape.offset + shape.disc.radius].push_back(to_path({shape.disc.centre}));
       continue;
     }
-    Paths& same = polygons[shape.offset];
-    same.emplace_back();
-    for (const Vec2& p : shape.polygon) same.back().push_back(whole(p));
+    polygons[shape.offset].push_back(to_path(shape.polygon));
   }
   Paths all;
   const auto add = [&](const Paths& paths, ClipperLib::EndType ends, double offset) {
@@ -127,17 +155,28 @@ std::vector<Polygon> outline_of(const std::vector<OutlineShape>& shapes, double 
         offset - first);
   }
   for (const auto& [offset, paths] : points) add(paths, ClipperLib::etOpenRound, offset);
-  all = united(all);
-  ClipperLib::CleanPolygons(all, least_corner / unit);
+  return to_loops(united(all), deviation);
+}
+
+std::vector<Polygon> outline_without(const std::vector<Polygon>& outline, const Polygon& region,
+                                     const std::vector<Polygon>& taken, double apart,
+                                     double deviation) {
+  Paths left, others;
+  for (const Polygon& loop : outline) left.push_back(to_path(loop));
+  for (const Polygon& loop : taken) others.push_back(to_path(loop));
+  if (!region.empty()) left = combined(ClipperLib::ctIntersection, left, {to_path(region)});
+  if (apart > 0) others = grown(others, ClipperLib::etClosedPolygon, apart, deviation);
+  left = combined(ClipperLib::ctDifference, left, others);
+  // Needles and necks that are narrower than two chords go: a printer makes none of them.
+  left = grown(left, ClipperLib::etClosedPolygon, -0.5 * deviation, deviation);
+  left = grown(left, ClipperLib::etClosedPolygon, 0.5 * deviation, deviation);
+  ClipperLib::CleanPolygons(left, 0.1 * deviation / unit);
   std::vector<Polygon> loops;
-  for (const ClipperLib::Path& path : united(all)) {
-    Polygon loop;
-    for (const ClipperLib::IntPoint& p : path) loop.push_back(unit * Vec2(p.X, p.Y));
-    if (area(loop) > -deviation * deviation && area(loop) <= 0) continue;
-    loops.push_back(std::move(loop));
+  for (Polygon& loop : to_loops(std::move(left), deviation)) {
+    if (loops.empty() || (area(loop) < 0 && contains(loops[0], loop[0]))) {
+      loops.push_back(std::move(loop));
+    }
   }
-  std::stable_sort(loops.begin(), loops.end(),
-                   [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
   return loops;
 }
 

@@ -28,4 +28,10 @@ struct OutlineShape {
 // single precision would cross themselves there. Throws InvalidInput without shapes.
 std::vector<Polygon> outline_of(const std::vector<OutlineShape>& shapes, double deviation);
 
+// What is left of an outline (as outline_of gives it) inside of `region` (any; empty: all) and
+// outside of the `taken` loops grown by `apart`: its largest part, and the holes in that.
+std::vector<Polygon> outline_without(const std::vector<Polygon>& outline, const Polygon& region,
+                                     const std::vector<Polygon>& taken, double apart,
+                                     double deviation);
+
 }  // namespace curveups

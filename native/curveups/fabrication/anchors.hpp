@@ -2,6 +2,7 @@
 // Anchoring cylinders around the flat layout, which take the pull of the surplus membrane.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "curveups/bodies/outline.hpp"
@@ -14,11 +15,13 @@ namespace curveups {
 // gaps of contacts), which only keeps the outline in one loop, and the tab of its label.
 struct PieceFootprint {
   std::vector<Polygon> tiles;
+  std::vector<int> rows;  // of F, ascending
   std::vector<Polygon> joints;
-  std::vector<Vec2> anchors;  // axes
-  int labelled = -1;          // the anchor whose tab is the label; -1: none
-  std::vector<Polygon> tab;   // its convex parts
-  Polygon outline;            // of that anchor with its tab, counter-clockwise
+  std::vector<std::array<int, 2>> joined;  // the two tiles of each
+  std::vector<Vec2> anchors;               // axes
+  int labelled = -1;                       // the anchor whose tab is the label; -1: none
+  std::vector<Polygon> tab;                // its convex parts
+  Polygon outline;                         // of that anchor with its tab, counter-clockwise
 };
 
 // Centres of each piece's anchors on the line anchor_distance + anchor_radius from its outline (not

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "curveups/bodies/convex_distance.hpp"
@@ -52,7 +53,9 @@ void add_anchor_wishes(const PrintModel& model, int piece, const Vec2& c, double
   }
   std::sort(near.begin(), near.end());
   if (near.size() > 8) near.resize(8);
+  const std::vector<int>& part = model.division.part_of_tile;
   for (const auto& [gap, tile] : near) {
+    if (!part.empty() && part[tile] != part[near.front().second]) continue;
     BridgeWish wish{tile, self, {}, 1};
     std::vector<std::array<Vec2, 2>> beside;
     for (double s : {0.5, 0.3, 0.7, 0.15, 0.85}) {
@@ -71,7 +74,9 @@ void add_anchor_wishes(const PrintModel& model, int piece, const Vec2& c, double
   }
 }
 
-void find_loose(PrintModel& model, const Bridges& bridges, int tile_count) {
+// group: of each tile its piece, or its part of that.
+void find_loose(PrintModel& model, const Bridges& bridges, const std::vector<int>& group) {
+  const int tile_count = static_cast<int>(group.size());
   std::vector<int> root(tile_count + model.anchors.size());
   std::iota(root.begin(), root.end(), 0);
   auto find = [&](int i) {
@@ -79,14 +84,15 @@ void find_loose(PrintModel& model, const Bridges& bridges, int tile_count) {
     return i;
   };
   for (const auto& [a, b] : bridges.joined) root[find(a)] = find(b);
-  std::vector<int> size(root.size(), 0), main(model.piece_count, -1);
+  std::vector<int> size(root.size(), 0),
+      main(*std::max_element(group.begin(), group.end()) + 1, -1);
   for (int i = 0; i < tile_count; ++i) ++size[find(i)];
   for (int i = 0; i < tile_count; ++i) {
-    int& best = main[model.piece_of_tile[i]];
+    int& best = main[group[i]];
     if (best < 0 || size[find(i)] > size[best]) best = find(i);
   }
   for (int i = 0; i < tile_count; ++i) {
-    if (find(i) != main[model.piece_of_tile[i]]) model.loose_tiles.push_back(i);
+    if (find(i) != main[group[i]]) model.loose_tiles.push_back(i);
   }
   for (std::size_t k = 0; k < model.anchors.size(); ++k) {
     if (find(tile_count + static_cast<int>(k)) != main[model.anchors[k].piece]) {
@@ -99,6 +105,8 @@ void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprint
   const Parameters& p = model.parameters;
   const TileMesh& tiles = model.geometry.tiles;
   const int count = tiles.tile_count();
+  const std::vector<int>& parts = model.division.part_of_tile;
+  const std::vector<int>& group = parts.empty() ? model.piece_of_tile : parts;
   std::vector<BridgeObstacle> bodies;
   std::vector<Polygon> hull;
   for (int i = 0; i < count; ++i) {
@@ -126,6 +134,7 @@ void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprint
     wishes.back().enough = bridges_of_anchor;
   }
   for (const Contact& contact : tiles.contacts) {
+    if (group[contact.tile[0]] != group[contact.tile[1]]) continue;
     BridgeWish wish{contact.tile[0], contact.tile[1], {}, 0};
     const auto a = front_edge(model, contact, 0), b = front_edge(model, contact, 1);
     const Vec2 d = (left_of(a[0] - a[1]).normalized() + left_of(b[1] - b[0]).normalized());
@@ -140,14 +149,14 @@ void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprint
     for (const Polygon& tab : footprint.tab) bodies.push_back({prism(tab, height), {}, {}});
   }
   Bridges bridges = make_bridges(bodies, wishes, p.H_pin, p);
-  std::vector<int> number(model.piece_count, 0);
+  std::map<int, int> number;
   for (std::size_t k = 0; k < bridges.bodies.size(); ++k) {
     PrintBody& bridge = bridges.bodies[k];
-    bridge.piece = model.piece_of_tile[bridges.joined[k][0]];
+    bridge.piece = group[bridges.joined[k][0]];
     bridge.name = numbered("Support P%d B%04d", bridge.piece + 1, ++number[bridge.piece]);
     model.supports.push_back(std::move(bridge));
   }
-  find_loose(model, bridges, count);
+  find_loose(model, bridges, group);
 }
 
 ThinFeature notch(const Parameters& p) {

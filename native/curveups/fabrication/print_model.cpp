@@ -39,8 +39,9 @@ RigidMotion turned_over(double height) {
 
 class Builder {
  public:
-  Builder(const Design& design, std::string version)
+  Builder(const Design& design, std::string version, const Division& division)
       : version_(std::move(version)), kind_(support_kind(design.parameters)) {
+    model_.division = division;
     static_cast<TileBodies&>(model_) = make_tile_bodies(design);
     const Truncation& truncation = model_.geometry.truncation;
     parallel_ranges(tiles().tile_count(), [&](int begin, int end) {
@@ -65,13 +66,18 @@ class Builder {
       checkpoint();
       std::vector<Vec2> seen;
       for (const Vec3& q : model_.tiles[i].points) seen.push_back(q.head<2>());
-      footprints_[model_.piece_of_tile[i]].tiles.push_back(convex_hull(seen));
+      PieceFootprint& footprint = footprints_[model_.piece_of_tile[i]];
+      footprint.tiles.push_back(convex_hull(seen));
+      footprint.rows.push_back(i);
     }
     join_footprints();
     checkpoint("placing anchors", 0.3);
     if (p().anchors) add_anchors();
     checkpoint("building the support", 0.4);
+    number_parts();
     if (kind_.add) kind_.add(model_, footprints_);
+    const std::vector<int>& part = model_.division.part_of_tile;
+    if (!part.empty()) model_.piece_count = *std::max_element(part.begin(), part.end()) + 1;
     bore_joints();
     checkpoint("measuring bodies", 0.9);
     list_features();
@@ -103,18 +109,40 @@ class Builder {
     }
   }
 
+  void number_parts() {
+    const std::vector<int>& part = model_.division.part_of_tile;
+    if (part.empty()) return;
+    for (PrintBody& tile : model_.tiles) tile.piece = part[tile.tile];
+    std::size_t k = 0;
+    for (const PieceFootprint& footprint : footprints_) {
+      for (const Vec2& anchor : footprint.anchors) {
+        model_.anchors[k++].piece = part[nearest_tile(footprint, anchor)];
+      }
+    }
+  }
+
   void join_footprints() {
     for (const Contact& contact : tiles().contacts) {
       const auto a = front_edge(model_, contact, 0), b = front_edge(model_, contact, 1);
       const Polygon hull = convex_hull({a[0], a[1], b[0], b[1]});
       if (hull.size() >= 3) {
-        footprints_[model_.piece_of_tile[contact.tile[0]]].joints.push_back(hull);
+        PieceFootprint& footprint = footprints_[model_.piece_of_tile[contact.tile[0]]];
+        footprint.joints.push_back(hull);
+        footprint.joined.push_back({contact.tile[0], contact.tile[1]});
       }
     }
   }
 
   void add_anchors() {
-    const auto centres = place_anchors(footprints_, p());
+    auto centres = place_anchors(footprints_, p());
+    const Polygon room =
+        inset(model_.division.region, p().anchor_radius + std::min(1.0, p().support_margin));
+    for (auto& of_piece : centres) {
+      if (model_.division.region.empty()) break;
+      of_piece.erase(std::remove_if(of_piece.begin(), of_piece.end(),
+                                    [&](const Vec2& c) { return !contains(room, c); }),
+                     of_piece.end());
+    }
     for (int piece = 0; piece < model_.piece_count; ++piece) {
       footprints_[piece].anchors = centres[piece];
     }
@@ -224,6 +252,15 @@ class Builder {
       for (PrintBody& body : *bodies) move(body, shift);
     }
     for (RigidMotion& motion : model_.flat) motion.t += shift.t;
+    for (auto& outline : model_.outlines) {
+      for (Polygon& loop : outline) {
+        for (Vec2& q : loop) {
+          if (front_down()) q.y() = -q.y();
+          q += shift.t.head<2>();
+        }
+        if (front_down()) std::reverse(loop.begin(), loop.end());
+      }
+    }
     model_.box.low += shift.t;
     model_.box.high += shift.t;
   }
@@ -250,7 +287,25 @@ class Builder {
 
 }  // namespace
 
-PrintModel make_print_model(const Design& design, const std::string& version) {
+PrintModel make_print_model(const Design& design, const std::string& version,
+                            const Division& division) {
+  if (!division.part_of_tile.empty()) {
+    if (division.part_of_tile.size() != static_cast<std::size_t>(design.T.rows()) ||
+        *std::min_element(division.part_of_tile.begin(), division.part_of_tile.end()) < 0 ||
+        *std::max_element(division.part_of_tile.begin(), division.part_of_tile.end()) >=
+            design.T.rows()) {
+      throw InvalidInput("parts of another number of tiles", "give each tile its part, from 0 on");
+    }
+  }
+  if (!(division.opening >= 0 && division.opening < 10)) {
+    throw InvalidInput("an opening between parts that is none", "give 0 to 10 mm");
+  }
+  for (const Vec2& corner : division.region) {
+    if (!(corner.cwiseAbs().maxCoeff() < widest_print && area(division.region) > 0)) {
+      throw InvalidInput("a region that is none, or has a corner beyond 10 m",
+                         "give its corners counter-clockwise, in mm");
+    }
+  }
   const Eigen::Map<const Points2> corners(design.T.data(), 3 * design.T.rows(), 2);
   const double width = (corners.colwise().maxCoeff() - corners.colwise().minCoeff()).maxCoeff();
   if (!(width < widest_print)) {
@@ -258,7 +313,35 @@ PrintModel make_print_model(const Design& design, const std::string& version) {
         "the layout is " + std::to_string(static_cast<long long>(width / 1000)) + " m wide",
         "bring tiles that lie far away back to the others");
   }
-  return Builder(design, version).run();
+  return Builder(design, version, division).run();
+}
+
+PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>& motions) {
+  if (motions.empty() || motions.begin()->first < 0 ||
+      motions.rbegin()->first >= model.piece_count) {
+    throw InvalidInput("pieces that are not in the print",
+                       "give some of 0 to " + std::to_string(model.piece_count - 1));
+  }
+  for (const auto& [piece, motion] : motions) {
+    if (!(motion.t.cwiseAbs().maxCoeff() < widest_print && motion.R.allFinite())) {
+      throw InvalidInput("a place beyond 10 m", "give places in mm");
+    }
+  }
+  PrintModel out = model;
+  out.solids = std::make_shared<KeptSolids>();
+  out.box = {};
+  for (auto* bodies : {&out.tiles, &out.supports, &out.anchors}) {
+    bodies->erase(std::remove_if(bodies->begin(), bodies->end(),
+                                 [&](const PrintBody& b) { return !motions.count(b.piece); }),
+                  bodies->end());
+    for (PrintBody& body : *bodies) {
+      move(body, motions.at(body.piece));
+      body.piece = static_cast<int>(std::distance(motions.begin(), motions.find(body.piece)));
+      out.box.add(bounding_box(body));
+    }
+  }
+  out.piece_count = static_cast<int>(motions.size());
+  return out;
 }
 
 PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows) {

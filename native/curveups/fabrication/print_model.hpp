@@ -14,6 +14,7 @@
 #include "curveups/bodies/joint_holes.hpp"
 #include "curveups/bodies/print_body.hpp"
 #include "curveups/bodies/tile_bodies.hpp"
+#include "curveups/geometry/convex_polygon.hpp"
 
 class TopoDS_Shape;  // of OpenCASCADE: whole only where it is used
 
@@ -39,6 +40,14 @@ struct PieceLabel {
   bool whole;                      // with the whole name
 };
 
+// How a print is divided among beds: along gaps between tiles, and within what a bed has room for.
+struct Division {
+  std::vector<int> part_of_tile;  // by rows of F; empty: pieces are not divided
+  double opening = 0;             // mm between slabs of two parts
+  Polygon
+      region;  // of the layout's plane, convex: anchors beyond it go, slabs end at it; empty: all
+};
+
 struct PrintModel : TileBodies {
   std::string name;
   int piece_count = 0;
@@ -56,6 +65,8 @@ struct PrintModel : TileBodies {
   int loose_anchors = 0;
   JointHoles joints;               // through `tiles` and `actuated`
   std::vector<PieceLabel> labels;  // of each piece, where labels are wanted
+  Division division;
+  std::vector<std::vector<Polygon>> outlines;  // of each slab, in print coordinates, by supports
   // Per tile how far, mm, its body reaches out level beyond the pin that it stands on.
   std::vector<double> overhang;
   std::vector<ThinFeature> thin;  // per body that has a size of its own, the narrowest place
@@ -79,9 +90,14 @@ GluedAreas glued_areas(const PrintModel& model, Side side);
 // version: what is engraved beside name and piece. Throws what make_tile_bodies throws;
 // InfeasibleDesign where pieces are too near to each other for their anchors and slabs, or the
 // layout is wider than 10 m; SolverFailure where a slab's outline falls apart.
-PrintModel make_print_model(const Design& design, const std::string& version);
+// division: bodies then have their part for their piece, anchors that of the tile that is nearest.
+PrintModel make_print_model(const Design& design, const std::string& version,
+                            const Division& division = {});
 
 // These tiles (rows of F) alone, at their places, each once and in the order of the rows.
 PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows);
+
+// These pieces (or parts) alone, each once, moved within the plane.
+PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>& motions);
 
 }  // namespace curveups

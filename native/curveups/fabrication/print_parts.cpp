@@ -2,6 +2,7 @@
 #include "curveups/fabrication/print_parts.hpp"
 
 #include <cstdio>
+#include <limits>
 
 #include "curveups/bodies/tile_print.hpp"
 #include "curveups/core/parallel.hpp"
@@ -18,6 +19,18 @@ std::array<Vec2, 2> front_edge(const PrintModel& model, const Contact& contact, 
   const int tile = contact.tile[side], wall = contact.side[side];
   const std::array<Vec2, 3> corner = place(model.poses, tile, model.geometry.tiles.front[tile]);
   return {corner[wall], corner[next3(wall)]};
+}
+
+int nearest_tile(const PieceFootprint& footprint, const Vec2& place) {
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {
+    for (const Vec2& corner : footprint.tiles[k]) {
+      const double distance = (corner - place).norm();
+      if (distance < least) nearest = footprint.rows[k], least = distance;
+    }
+  }
+  return nearest;
 }
 
 std::vector<PrintBody> flat_tiles(const PrintModel& model, const std::vector<ConvexBody>& bodies,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "curveups/fabrication/anchors.hpp"
 #include "curveups/fabrication/print_model.hpp"
 
 namespace curveups {
@@ -15,6 +16,9 @@ std::string numbered(const char* format, int a, int b = 0);
 
 // The flat front corners of one side of a contact, as its tile runs along it.
 std::array<Vec2, 2> front_edge(const PrintModel& model, const Contact& contact, int side);
+
+// The tile (row of F) of a piece that is nearest to a place.
+int nearest_tile(const PieceFootprint& footprint, const Vec2& place);
 
 // Tiles of these bodies (in their frames, row by row) with their pins and caps, where the layout
 // has them. Needs the model's geometry, q, pieces and flat motions.

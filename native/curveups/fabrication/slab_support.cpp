@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "curveups/bodies/outline.hpp"
 #include "curveups/core/checkpoint.hpp"
@@ -61,32 +62,17 @@ std::vector<PrintBody> cavities(const PrintModel& model, double top) {
   return pins;
 }
 
-int nearest_tile(const PrintModel& model, const PieceFootprint& footprint, int piece,
-                 const Vec2& place) {
-  int nearest = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t tile = 0, k = 0; tile < model.piece_of_tile.size(); ++tile) {
-    if (model.piece_of_tile[tile] != piece) continue;
-    for (const Vec2& corner : footprint.tiles[k]) {
-      const double distance = (corner - place).norm();
-      if (distance < least) nearest = static_cast<int>(tile), least = distance;
-    }
-    ++k;
-  }
-  return nearest;
-}
-
 // No other piece's tiles or slab (`outer`, of the pieces before) may be where this piece's slab is.
 void refuse_strangers(const PrintModel& model, int piece, const Polygon& loop,
                       const std::vector<PieceFootprint>& footprints,
                       const std::vector<Polygon>& outer) {
   auto refuse = [&](int other, const Vec2& where) {
-    throw InfeasibleDesign("the support of piece " + std::to_string(piece + 1) +
-                               " runs into piece " + std::to_string(other + 1),
-                           "lower anchor_radius, anchor_distance or support_margin, or compute "
-                           "the layout again with these",
-                           {nearest_tile(model, footprints[piece], piece, where),
-                            nearest_tile(model, footprints[other], other, where)});
+    throw InfeasibleDesign(
+        "the support of piece " + std::to_string(piece + 1) + " runs into piece " +
+            std::to_string(other + 1),
+        "lower anchor_radius, anchor_distance or support_margin, or compute "
+        "the layout again with these",
+        {nearest_tile(footprints[piece], where), nearest_tile(footprints[other], where)});
   };
   for (int other = 0; other < model.piece_count; ++other) {
     if (other == piece) continue;
@@ -109,56 +95,152 @@ void leave_loose(PrintModel& model, int piece) {
   }
 }
 
-void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
+// What a slab is made from: shapes whose union is its outline, and what it surrounds.
+struct SlabContent {
+  std::vector<OutlineShape> shapes;
+  std::vector<PrintBody> inside;
+  std::vector<Disc> bores;
+  int anchors = 0;  // the labelled one, which needs no bore, among them
+};
+
+// Of a piece, or of one of its parts: `has` says of a tile whether it belongs there. Anchors belong
+// to the tile that is nearest.
+template <class Has>
+SlabContent content_of(const PrintModel& model, const PieceFootprint& footprint,
+                       const std::vector<PrintBody>& cavity, double top, const Has& has) {
   const Parameters& p = model.parameters;
-  std::vector<Polygon> outer;
-  const double top = 2 * p.H_pin + p.H_body - p.support_drop;
-  const std::vector<PrintBody> cavity = cavities(model, top);
-  for (int piece = 0; piece < model.piece_count; ++piece) {
-    std::vector<PrintBody> inside;
-    std::vector<Disc> anchors;
-    std::vector<OutlineShape> shapes;
-    const Disc none{Vec2::Zero(), 0};
-    const PieceFootprint& footprint = footprints[piece];
-    // Up to the anchors' axes, so that the slab holds them firmly.
-    const double reach = footprint.anchors.empty()
-                             ? p.support_margin
-                             : std::max(p.support_margin, p.anchor_distance + p.anchor_radius);
-    for (const Polygon& tile : footprint.tiles) shapes.push_back({tile, none, reach});
-    for (const Polygon& joint : footprint.joints) shapes.push_back({joint, none, reach});
-    for (const Polygon& tab : footprint.tab) shapes.push_back({tab, none, p.support_margin});
-    for (std::size_t k = 0; k < footprint.anchors.size(); ++k) {
-      shapes.push_back({{}, {footprint.anchors[k], p.anchor_radius}, p.support_margin});
-      if (static_cast<int>(k) == footprint.labelled) {
-        inside.push_back(prism_cavity(footprint.outline, top));
-      } else {
-        anchors.push_back({footprint.anchors[k], p.anchor_radius});
-      }
-    }
-    for (std::size_t i = 0; i < cavity.size(); ++i) {
-      if (model.piece_of_tile[i] == piece) inside.push_back(cavity[i]);
-    }
-    std::vector<Polygon> loops =
-        outline_of(shapes, std::min(slab_deviation, 0.1 * p.support_margin));
-    for (std::size_t k = 1; k < loops.size(); ++k) {
-      if (area(loops[k]) < 0) continue;
-      throw SolverFailure("the support of piece " + std::to_string(piece + 1) + " falls apart",
-                          "raise support_margin");
-    }
-    checkpoint("building the support", 0.6);
-    refuse_strangers(model, piece, loops[0], footprints, outer);
-    outer.push_back(loops[0]);
-    try {
-      PrintBody slab = make_slab(loops, inside, anchors, top);
-      slab.name = numbered("Support P%d", piece + 1);
-      slab.piece = piece;
-      model.supports.push_back(std::move(slab));
-    } catch (const TopologyError&) {  // a layout whose bodies run into one another
-      leave_loose(model, piece);
-      model.loose_anchors += static_cast<int>(footprint.anchors.size());
+  SlabContent out;
+  const Disc none{Vec2::Zero(), 0};
+  // Up to the anchors' axes, so that the slab holds them firmly.
+  const double reach = footprint.anchors.empty()
+                           ? p.support_margin
+                           : std::max(p.support_margin, p.anchor_distance + p.anchor_radius);
+  for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {
+    if (has(footprint.rows[k])) out.shapes.push_back({footprint.tiles[k], none, reach});
+  }
+  for (std::size_t k = 0; k < footprint.joints.size(); ++k) {
+    const auto& [a, b] = footprint.joined[k];
+    if (has(a) && has(b)) out.shapes.push_back({footprint.joints[k], none, reach});
+  }
+  for (std::size_t k = 0; k < footprint.anchors.size(); ++k) {
+    if (!has(nearest_tile(footprint, footprint.anchors[k]))) continue;
+    ++out.anchors;
+    out.shapes.push_back({{}, {footprint.anchors[k], p.anchor_radius}, p.support_margin});
+    if (static_cast<int>(k) == footprint.labelled) {
+      for (const Polygon& tab : footprint.tab) out.shapes.push_back({tab, none, p.support_margin});
+      out.inside.push_back(prism_cavity(footprint.outline, top));
+    } else {
+      out.bores.push_back({footprint.anchors[k], p.anchor_radius});
     }
   }
-  std::sort(model.loose_tiles.begin(), model.loose_tiles.end());
+  for (int row : footprint.rows) {
+    if (has(row)) out.inside.push_back(cavity[row]);
+  }
+  return out;
+}
+
+double least_distance(const Polygon& a, const Polygon& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec2& q : a) least = std::min(least, distance(b, q));
+  for (const Vec2& q : b) least = std::min(least, distance(a, q));
+  return least;
+}
+
+// What other parts of a piece need of the outline of a part: their tiles with half of the gap to
+// the part's own, and their anchors as they are held.
+template <class Has>
+std::vector<OutlineShape> others_of(const PrintModel& model, const PieceFootprint& footprint,
+                                    const Has& has) {
+  const Parameters& p = model.parameters;
+  std::vector<OutlineShape> out;
+  for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {
+    if (has(footprint.rows[k])) continue;
+    const Polygon& tile = footprint.tiles[k];
+    double gap = 2 * p.support_margin;
+    for (std::size_t i = 0; i < footprint.tiles.size(); ++i) {
+      const Polygon& own = footprint.tiles[i];
+      if (!has(footprint.rows[i])) continue;
+      const double far = (own[0] - tile[0]).norm() - width(own) - width(tile);
+      if (far < 4 * gap) gap = std::min(gap, least_distance(own, tile));
+    }
+    out.push_back({tile, {Vec2::Zero(), 0}, 0.5 * gap});
+  }
+  std::vector<Vec2> own;
+  for (const Vec2& anchor : footprint.anchors) {
+    if (has(nearest_tile(footprint, anchor))) own.push_back(anchor);
+  }
+  for (std::size_t k = 0; k < footprint.anchors.size(); ++k) {
+    const Vec2& anchor = footprint.anchors[k];
+    if (has(nearest_tile(footprint, anchor))) continue;
+    double gap = 2 * std::min(p.support_margin, 0.5 * p.anchor_distance);
+    for (const Vec2& other : own) {
+      gap = std::min(gap, (other - anchor).norm() - 2 * p.anchor_radius);
+    }
+    out.push_back({{}, {anchor, p.anchor_radius}, 0.5 * gap});
+    if (static_cast<int>(k) != footprint.labelled) continue;
+    for (const Polygon& tab : footprint.tab) out.push_back({tab, {Vec2::Zero(), 0}, 0.5 * gap});
+  }
+  return out;
+}
+
+void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints) {
+  const Parameters& p = model.parameters;
+  const Division& division = model.division;
+  std::vector<Polygon> outer;
+  const double top = 2 * p.H_pin + p.H_body - p.support_drop;
+  const double deviation = std::min(slab_deviation, 0.1 * p.support_margin);
+  const std::vector<PrintBody> cavity = cavities(model, top);
+  for (int piece = 0; piece < model.piece_count; ++piece) {
+    const PieceFootprint& footprint = footprints[piece];
+    std::set<int> parts{piece};
+    if (!division.part_of_tile.empty()) {
+      parts.clear();
+      for (int row : footprint.rows) parts.insert(division.part_of_tile[row]);
+    }
+    std::vector<Polygon> before;  // slabs of earlier parts of this piece
+    for (const int part : parts) {
+      const auto has = [&](int row) {
+        return parts.size() == 1 || division.part_of_tile[row] == part;
+      };
+      const SlabContent content = content_of(model, footprint, cavity, top, has);
+      std::vector<Polygon> loops = outline_of(content.shapes, deviation);
+      if (parts.size() > 1) {
+        const std::vector<OutlineShape> others = others_of(model, footprint, has);
+        loops = outline_without(loops, {}, outline_of(others, deviation), 0, deviation);
+        loops = outline_without(loops, {}, before, division.opening, deviation);
+        before.insert(before.end(), loops.begin(), loops.end());
+      }
+      if (!division.region.empty()) {
+        loops = outline_without(loops, division.region, {}, 0, deviation);
+      }
+      bool whole = !loops.empty();
+      for (std::size_t k = 1; k < loops.size(); ++k) whole = whole && area(loops[k]) < 0;
+      if (!whole) {
+        throw SolverFailure("the support of piece " + std::to_string(piece + 1) + " falls apart",
+                            "raise support_margin");
+      }
+      for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {  // what hangs by a neck
+        if (!has(footprint.rows[k]) || contains(loops[0], footprint.tiles[k][0])) continue;
+        model.loose_tiles.push_back(footprint.rows[k]);
+      }
+      checkpoint("building the support", 0.6);
+      if (parts.size() == 1) refuse_strangers(model, piece, loops[0], footprints, outer);
+      outer.push_back(loops[0]);
+      try {
+        PrintBody slab = make_slab(loops, content.inside, content.bores, top);
+        slab.name = numbered("Support P%d", part + 1);
+        slab.piece = part;
+        model.supports.push_back(std::move(slab));
+        model.outlines.push_back(std::move(loops));
+      } catch (const TopologyError&) {  // a layout whose bodies run into one another
+        leave_loose(model, piece);
+        model.loose_anchors += content.anchors;
+      }
+    }
+  }
+  std::vector<int>& loose = model.loose_tiles;
+  std::sort(loose.begin(), loose.end());
+  loose.erase(std::unique(loose.begin(), loose.end()), loose.end());
 }
 
 }  // namespace

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The files of a print that goes on several beds: what each prints, and the frame in which parts butt."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Callable
+
+import numpy as np
+
+from .beds import FIT
+from .drawing import Drawing, dxf
+from .kit import Kit
+
+EDGE = 15.0  # mm of the frame around its pocket
+
+
+def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
+    """What makes each file, by its name; none where one bed has room for all."""
+    found: dict[str, Callable[[], bytes]] = {}
+    if kit.beds is None:
+        return found
+    for number in range(len(kit.beds.places)):
+        for ending in ("3mf", "step"):
+            found[f"{kit.name}-bed-{number + 1:02}.{ending}"] = partial(_bed, kit, number, ending)
+    if kit.beds.seams:
+        found[f"{kit.name}-frame.dxf"] = lambda: dxf(frame(kit))
+    return found
+
+
+def _bed(kit: Kit, number: int, ending: str) -> bytes:
+    assert kit.beds is not None
+    return kit.written(kit.beds.bed(number), ending, "print")
+
+
+def frame(kit: Kit) -> Drawing:
+    """Layer cut: the frame and its pockets, one a piece. Layer control: the parts, as they lie in them; of
+    parts without slabs, which hold by their bridges, their tiles."""
+    assert kit.beds is not None
+    pockets = [_grown(np.asarray(loops[0]), FIT) for loops in kit.model.outlines]
+    made = kit.beds.model
+    parts = [(f"P{part + 1}", [np.asarray(loops[0])])
+             for part, loops in zip(made.piece_of_bodies("support"), made.outlines)]
+    if not parts:
+        points, faces, body = made.mesh("tiles")
+        piece = np.asarray(made.piece_of_bodies("tiles"))
+        parts = [(f"P{part + 1}", [_hull(points[faces[body == tile]].reshape(-1, 3)[:, :2])
+                                   for tile in np.flatnonzero(piece == part)]) for part in np.unique(piece)]
+    lines = [*pockets, *(line for _, found in parts for line in found)]
+    low = np.min([line.min(0) for line in lines], axis=0) - EDGE
+    size = np.max([line.max(0) for line in lines], axis=0) + EDGE - low
+    drawing = Drawing(f"{kit.title}, frame", (float(size[0]), float(size[1])))
+    if pockets:
+        drawing.box("cut", 0, 0, float(size[0]), float(size[1]))
+    for pocket in pockets:
+        drawing.line("cut", *(np.vstack([pocket, pocket[:1]]) - low))
+    for name, found in parts:
+        for line in found:
+            drawing.line("control", *(np.vstack([line, line[:1]]) - low))
+        x, y = np.concatenate(found).mean(0) - low
+        drawing.centred(float(x), float(y), 6.0, name)
+    return drawing
+
+
+def _grown(loop: np.ndarray, by: float) -> np.ndarray:
+    """A counter-clockwise loop, each side moved outwards."""
+    along = np.roll(loop, -1, axis=0) - loop
+    along = along / np.linalg.norm(along, axis=1)[:, None]
+    out = np.stack([along[:, 1], -along[:, 0]], axis=1)
+    both = out + np.roll(out, 1, axis=0)
+    return np.asarray(loop + 2 * by * both / np.maximum((both ** 2).sum(1), 1.0)[:, None])
+
+
+def _hull(points: np.ndarray) -> np.ndarray:
+    from scipy.spatial import ConvexHull  # which other commands would pay
+
+    return np.asarray(points[ConvexHull(points).vertices])

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What each bed takes: hours and money. PrusaSlicer's hours where it is there and the printer lays filament
+of one material; else those of the rates in the printer's file. Prices are of that file."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import Any, Mapping, Optional
+
+from ..base.native import native
+from .kit import Kit
+
+SLICER = "prusa-slicer"
+MOST_SECONDS, POLL = 300.0, 0.2
+_TIME = re.compile(r"; estimated printing time \(normal mode\) = (?:(\d+)d )?(?:(\d+)h )?(?:(\d+)m )?(\d+)s")
+_FILAMENT = re.compile(r"; filament used \[cm3\] = ([0-9.]+)")
+
+
+def costs(kit: Kit) -> list[dict[str, Any]]:
+    """Of each bed, for kit.json. Raises Stopped between beds."""
+    printer, soluble = kit.printer, native.support_kind(kit.results.parameters).soluble
+    models = [kit.model] if kit.beds is None else [kit.beds.bed(k) for k in range(len(kit.beds.places))]
+    found = []
+    for model in models:
+        kit.go_on()
+        volumes = {kind: volume / 1000 for kind, volume in model.volumes.items()}
+        soft = volumes["support"] if soluble else 0.0
+        rigid = sum(volumes[kind] for kind in ("tiles", "support", "anchors")) - soft
+        sliced = None if soluble or printer["slicer"] != SLICER else _sliced(kit, model)
+        hours, rigid = sliced or (by_rates(float(model.bbox[2]), rigid + soft, printer["rates"]), rigid)
+        found.append({"hours": hours, "hours_by": SLICER if sliced else "rates of the printer's file",
+                      "rigid_cm3": rigid, "support_cm3": soft, "currency": printer["prices"]["currency"],
+                      "price": price(hours, rigid, soft, printer["prices"])})
+    return found
+
+
+def by_rates(height: float, volume: float, rates: Mapping[str, float]) -> float:
+    """Hours for a print so high (mm) of so much material (cm3)."""
+    return rates["hours"] + height * rates["hours_per_mm"] + volume * rates["hours_per_cm3"]
+
+
+def price(hours: float, rigid: float, soft: float, prices: Mapping[str, Any]) -> float:
+    return float(prices["order"] + hours * prices["hour"] + rigid * prices["rigid_cm3"]
+                 + soft * prices["support_cm3"])
+
+
+def _sliced(kit: Kit, model: Any) -> Optional[tuple[float, float]]:
+    """Hours and cm3 of filament; None without the slicer, or where it fails."""
+    if not shutil.which(SLICER):
+        return None
+    bed, layer = kit.printer["bed_mm"], kit.printer["layer_mm"]
+    with tempfile.TemporaryDirectory() as folder:
+        code = Path(folder) / "a.gcode"
+        (Path(folder) / "a.stl").write_bytes(kit.written(model, "stl", "fused"))
+        try:
+            running = subprocess.Popen(
+                [SLICER, "--datadir", folder, "--export-gcode", "--layer-height", str(layer),
+                 "--first-layer-height", str(layer),
+                 "--bed-shape", f"0x0,{bed[0]}x0,{bed[0]}x{bed[1]},0x{bed[1]}",
+                 "--support-material", "--support-material-buildplate-only", "--output", str(code), "a.stl"],
+                cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            try:
+                _await(kit, running)
+            finally:
+                running.kill()
+                running.wait()
+            return read_gcode(code.read_text("utf-8", errors="replace"))
+        except OSError:
+            return None
+
+
+def _await(kit: Kit, running: subprocess.Popen[bytes]) -> None:
+    """Until the slicer ends, at most a while. Raises Stopped."""
+    for _ in range(int(MOST_SECONDS / POLL)):
+        kit.go_on()
+        try:
+            running.wait(POLL)
+            return
+        except subprocess.TimeoutExpired:
+            continue
+
+
+def read_gcode(text: str) -> Optional[tuple[float, float]]:
+    """Hours and cm3 of filament by what PrusaSlicer writes about a print; None where it wrote none."""
+    time, filament = _TIME.search(text), _FILAMENT.search(text)
+    if not time or not filament:
+        return None
+    days, hours, minutes, seconds = (float(one or 0) for one in time.groups())
+    return 24 * days + hours + minutes / 60 + seconds / 3600, float(filament[1])

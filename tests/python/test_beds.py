@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Prints that are too large for their printer's bed: turned, with fewer anchors, or in parts that butt."""
+
+import io
+import json
+import shutil
+import subprocess
+from types import SimpleNamespace
+
+import ezdxf
+import numpy as np
+import pytest
+
+from curveups.base.native import native
+from curveups.kit import bed_files, beds, costs, drawing, files
+from curveups.kit import kit as kit_module
+from curveups.project.project import Project
+from curveups.stages.stage import Job
+
+
+@pytest.fixture(scope="module")
+def design(printed):
+    return native.read_design((printed.folder / "design.json").read_text("utf-8"))
+
+
+def divided(design, bed, **values):
+    own = native.Parameters(design.parameters)
+    for name, value in values.items():
+        own.set(name, value)
+    design = design.with_parameters(own)
+    model = native.make_print_model(design)
+    printer = {"bed_mm": [*bed, 100], "growth_mm": 0.05}
+    return model, beds.beds(design, model, printer, native.tile_shapes(design)), printer
+
+
+def require_whole(model, found, printer):
+    """Every body is printed once, valid, on a bed that has room for it."""
+    bodies = volume = 0
+    for number in range(len(found.places)):
+        bed = found.bed(number)
+        room = np.array(printer["bed_mm"][:2]) + 1e-6
+        assert (np.abs(bed.mesh("tiles")[0][:, :2]).max(0) <= room / 2).all()
+        assert (bed.bbox[:2] <= room).all() and not bed.judge_solids()[0]
+        bodies += len(bed.piece_of_bodies("tiles"))
+        volume += bed.volumes["tiles"]
+    assert bodies == model.tile_count and volume == pytest.approx(model.volumes["tiles"])
+
+
+def test_what_fits_stays_as_it_is(design):
+    model, found, _ = divided(design, (100, 120))
+    assert found is None
+    assert divided(design, model.bbox[:2])[1] is None
+
+
+def test_a_print_is_turned_where_that_does(design):
+    """A strip that lies askew."""
+    turn = np.array([[np.cos(0.6), -np.sin(0.6)], [np.sin(0.6), np.cos(0.6)]])
+    V, F = _strip()
+    T = (V[F] + 0.1 * V[F].mean(1)[:, None])[:, :, :2]
+    strip = native.Design("strip", design.parameters, V, F, T @ turn.T,
+                          np.full((6, 2, 3), 1.5), np.zeros((0, 2), np.int32))
+    model, found, printer = divided(strip, (95, 45))
+    assert min(model.bbox[:2]) > 45 and len(found.places) == 1 and not found.seams and not found.left_out
+    require_whole(model, found, printer)
+
+
+def _strip():
+    V = np.array([(7.0 * k, 12.0 * (k % 2), 0.0) for k in range(8)])
+    return V, np.array([(k, k + 2, k + 1) if k % 2 == 0 else (k, k + 1, k + 2) for k in range(6)], np.int32)
+
+
+def test_anchors_for_which_there_is_no_room_are_left_out(design):
+    model, _, _ = divided(design, (200, 200))
+    bed = [float(side) - 8 for side in model.bbox[:2]]
+    model, found, printer = divided(design, bed)
+    assert len(found.places) == 1 and not found.seams
+    require_whole(model, found, printer)
+    anchors = found.model.piece_of_bodies("anchors")
+    assert 0 < found.left_out == len(model.piece_of_bodies("anchors")) - len(anchors)
+    assert len(anchors) > 4 and found.model.volumes["support"] > 0
+
+
+@pytest.mark.parametrize("support", ["soluble", "breakaway"])
+@pytest.mark.parametrize("orientation", ["front-up", "front-down"])
+def test_parts_butt_in_a_frame(design, support, orientation):
+    model, found, printer = divided(design, (52, 30), support=support, orientation=orientation)
+    assert found.seams and len({part for bed in found.places for part in bed}) > 1
+    require_whole(model, found, printer)
+    assert found.position_error == pytest.approx(2 * beds.FIT + found.seams * 0.1)
+    kit = SimpleNamespace(beds=found, model=model, title="cap", name="cap")
+    document = ezdxf.read(io.StringIO(drawing.dxf(bed_files.frame(kit)).decode("utf-8")))
+    assert not document.audit().errors
+    space = document.modelspace()
+    parts = [np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="control"]')]
+    pockets = [np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="cut"]')][1:]
+    assert {text.dxf.text for text in space.query("TEXT")} == {
+        f"P{part + 1}" for bed in found.places for part in bed}
+    if support == "breakaway":
+        assert len(parts) == model.tile_count and not pockets  # tiles on a drawing
+        return
+    pocket, = pockets
+    assert pocket.min() > 0
+    assert all((part.min(0) > pocket.min(0)).all() and (part.max(0) < pocket.max(0)).all() for part in parts)
+    for k, one in enumerate(parts):
+        for other in parts[:k]:
+            assert apart(one, other) >= 0.1 - 0.02  # arcs are chords
+    # The gaps between parts are all that is missing.
+    lost = abs(area(pocket)) - sum(abs(area(part)) for part in parts)
+    assert 0 < lost < 0.05 * abs(area(pocket))
+
+
+def apart(one, other):
+    a, b = one[:-1], one[1:]
+    t = np.einsum("pnk,nk->pn", other[:, None] - a, b - a) / np.einsum("nk,nk->n", b - a, b - a)
+    return np.linalg.norm(other[:, None] - a - t.clip(0, 1)[..., None] * (b - a), axis=2).min()
+
+
+def area(line):
+    (x, y), (u, v) = line[:-1].T, line[1:].T
+    return 0.5 * np.sum(x * v - u * y)
+
+
+def test_pieces_lie_side_by_side_on_as_few_beds(design):
+    """Of a cap that is cut in two."""
+    V, F = np.asarray(design.V), np.asarray(design.F)
+    left = V[F].mean(1)[:, 0] < 0
+    edges = [{tuple(sorted((int(f[k]), int(f[(k + 1) % 3])))) for f in half for k in range(3)}
+             for half in (F[left], F[~left])]
+    cuts = sorted(edges[0] & edges[1])
+    T = np.asarray(design.T) + np.where(left, -35.0, 35.0)[:, None, None] * (1, 0)
+    two = native.Design("two", design.parameters, V, F, T, design.q, np.array(cuts, np.int32))
+    model, found, printer = divided(two, (66, 118))
+    assert model.piece_count == 2 and len(found.places) == 1 and not found.seams
+    require_whole(model, found, printer)
+    model, found, printer = divided(two, (66, 60))
+    assert len(found.places) == 2 and not found.seams
+
+
+def test_parts_of_another_number_of_tiles_are_refused(design):
+    for parts in ([0, 1], [-1] * 24, [24] * 24):
+        with pytest.raises(Exception, match="parts of another number"):
+            native.make_print_model(design, part_of_tile=parts)
+    with pytest.raises(Exception, match="opening"):
+        native.make_print_model(design, opening=float("nan"))
+    with pytest.raises(Exception, match="region"):
+        native.make_print_model(design, region=[(0, 0), (1, 0), (float("inf"), 1)])
+    model = native.make_print_model(design)
+    for places in ({}, {1: [0, 0, 0]}, {0: [float("nan"), 0, 0]}, {0: [0, 0, float("inf")]}):
+        with pytest.raises(native.InvalidInput):
+            model.only_pieces(places)
+
+
+def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
+    """Of bridges, on an FDM printer whose bed is small."""
+    small = {**kit_module.read_printer("fdm"), "bed_mm": [52, 30, 100]}
+    monkeypatch.setattr(kit_module, "read_printer", lambda name: small)
+    for name in ("small-cap-bed-07.3mf", "small-cap-bed-07.step"):  # of an earlier run
+        (tmp_path / name).write_text("")
+    design = native.read_design((printed.folder / "design.json").read_text("utf-8"))
+    own = native.Parameters(design.parameters)
+    own.set("support", "breakaway")
+    own.set("run_verification", False)
+    results = Project.of_design(design.with_parameters(own)).run(files.goals(), Job(), strict=True)
+    assert not files.write_kit(results, tmp_path, Job())
+    found = json.loads((tmp_path / "kit.json").read_text("utf-8"))
+    count = len(found["beds"]["beds"])
+    assert count > 1 and found["beds"]["position_error_mm"] > 0 and len(found["costs"]) == count
+    assert {path.name for path in tmp_path.glob("*-bed-*")} == {
+        f"small-cap-bed-{k:02}.{ending}" for k in range(1, count + 1) for ending in ("3mf", "step")}
+    assert (tmp_path / "small-cap-frame.dxf").exists()
+    assert any(step["title"] == "Lay the parts side by side" for step in found["steps"])
+    said = subprocess.run(["pdftotext", tmp_path / "small-cap-assembly.pdf", "-"], check=True,
+                          capture_output=True, encoding="utf-8").stdout
+    assert "Lay the parts side by side" in said and f"bed {count}:" in " ".join(said.split())
+    for one in found["costs"]:
+        assert one["hours"] > 0 and one["price"] == pytest.approx(costs.price(
+            one["hours"], one["rigid_cm3"], one["support_cm3"], small["prices"]))
+        assert one["hours_by"] == ("prusa-slicer" if shutil.which("prusa-slicer")
+                                   else "rates of the printer's file")
+
+
+def test_hours_are_read_from_what_the_slicer_writes():
+    text = "; filament used [cm3] = 22.50\n; estimated printing time (normal mode) = 1d 2h 30m 36s\n"
+    assert costs.read_gcode(text) == (pytest.approx(26.51), 22.5)
+    assert costs.read_gcode("; estimated printing time (normal mode) = 36s") is None
+    assert costs.by_rates(5.0, 10.0, {"hours": 0.5, "hours_per_mm": 0.1, "hours_per_cm3": 0.02}) == \
+        pytest.approx(1.2)
+    assert costs.price(2.0, 10.0, 5.0, {"order": 50, "hour": 20, "rigid_cm3": 0.4, "support_cm3": 0.1}) == \
+        pytest.approx(94.5)
