@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from curveups.base.native import native
+from curveups.kit.scan import PER_TILE, SAMPLED, read_scan
 from shapes import obj_text
 
 NOISE = 0.05  # mm
@@ -117,6 +118,16 @@ def test_a_mesh_is_a_scan(curveups, piece, tmp_path):
     found, _ = compared(curveups, piece.path, tmp_path / "scan.obj", tmp_path / "out")
     move = np.array(found["transform"])
     assert native.distances(still @ move[:3, :3].T + move[:3, 3], piece.V, piece.F).max() < 0.05
+
+
+def test_a_coarse_mesh_covers_all_tiles(piece, tmp_path):
+    """Whose corners alone would touch few of them."""
+    (tmp_path / "scan.obj").write_text(obj_text(np.asarray(piece.V), np.asarray(piece.F)))
+    points = read_scan(tmp_path / "scan.obj", len(piece.F)).points
+    assert native.distances(points, piece.V, piece.F).max() < 1e-6
+    owners = native.closest_faces(points[len(piece.V):], piece.V, piece.F)
+    counts = np.bincount(owners, minlength=len(piece.F))
+    assert (counts >= PER_TILE).all() and counts.max() < 3 * SAMPLED
 
 
 def test_a_symmetric_shape_leaves_the_turn_open(curveups, printed, tmp_path):

@@ -27,6 +27,7 @@ POINTS = (".xyz", ".txt", ".csv")
 LEAST = 12        # points or markers that a registration needs
 MOST = 1_000_000  # points
 PER_TILE = 3      # points of a tile, for a figure of its own
+SAMPLED = 20      # points of a tile that a coarse mesh gives
 FILES = ("compare.json", "compare.html", "deviation.csv")
 
 
@@ -39,13 +40,15 @@ class Scan:
 
 
 def read_scan(path: Path, tile_count: int) -> Scan:
-    """Corners of a mesh, or a text with a point a line, "x y z"; with a tile's name before it,
-    "T00012 x y z", it is a marker on the middle of that tile's front."""
+    """Corners of a mesh, of a coarse one points of its faces as well, or a text with a point a line, "x y z";
+    with a tile's name before it, "T00012 x y z", it is a marker on the middle of that tile's front."""
     if path.suffix.lower() not in POINTS:
         if not path.exists():  # a target's reader would offer built-ins
             raise CurveUpsError("the scan can't be read: there is no such file", str(path), "check its name")
         read = read_target(path, 0.1)
         points, tiles = read.V[np.unique(read.F)], np.zeros(0, int)
+        if len(points) < SAMPLED * tile_count:
+            points = np.concatenate([points, _samples(read.V, read.F, SAMPLED * tile_count)])
     else:
         points, tiles = _read_points(path, tile_count)
     if len(points) < LEAST or np.linalg.matrix_rank(points - points.mean(0), tol=1e-3) < 2:
@@ -54,6 +57,18 @@ def read_scan(path: Path, tile_count: int) -> Scan:
     if len(points) > MOST:
         raise CurveUpsError(f"the scan has more than {MOST} points", str(path), "thin it out")
     return Scan(points, tiles)
+
+
+def _samples(V: np.ndarray, F: np.ndarray, count: int) -> np.ndarray:
+    """Points spread evenly over the faces of a mesh."""
+    corners = V[F]
+    out = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    area = np.cumsum(np.linalg.norm(out, axis=1))
+    picked = np.searchsorted(area, (np.arange(count) + 0.5) / count * area[-1])
+    s, t = np.random.default_rng(0).random((2, count))
+    s, t = np.where(s + t > 1, (1 - s, 1 - t), (s, t))
+    a, b, c = corners[np.minimum(picked, len(F) - 1)].transpose(1, 0, 2)
+    return np.asarray(a + s[:, None] * (b - a) + t[:, None] * (c - a))
 
 
 def _read_points(path: Path, tile_count: int) -> tuple[np.ndarray, np.ndarray]:
