@@ -193,6 +193,8 @@ def test_the_assembly_sheet_has_a_page_a_step_with_its_picture(kit):
     block = kit.json["print"]["glue"]
     volume = kit.json["glue"]["volume_cm3"]["front"]
     assert volume == pytest.approx(1e-4 * (block["front_pins_mm2"] + block["front_anchors_mm2"]))
+    assert "small-cap-former.stl" in page and "small-cap-coupons.pdf" in page and "-frame.dxf" not in page
+    assert f"{len(kit.json['gauges']['ribs'])} ribs of a sheet 3 mm thick" in page
     assert f"{volume:.2f} cm³" in page and "stays on its ring while it is washed and dries" in page
     anchors = kit.json["sheets"]["anchors"]
     assert f"24 tiles, {anchors} anchors and 1 of what holds" in page

@@ -22,6 +22,7 @@ from ..report.shop import latex
 from ..report.tables import table
 from . import drawing, latex as template
 from .bed_files import frame
+from .gauges import figures
 from .kit import Kit
 from .tile_map import tile_map
 from .trim import marks
@@ -52,9 +53,24 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
              f"{2 * ring['thickness_mm'] + ring['apart_mm']:g} mm at the corners align the rings"),
             ("Glue", f"{glue['front']:.2f} cm³ for the front and {glue['back']:.2f} cm³ for the back, and "
                      "half as much again for the roller; a flexible glue for rubber on hard plastic"),
+            *_shaping(kit),
+            ("Coupons", f"{kit.name}-coupons.pdf in the folder coupons says what to print and to measure "
+                        "before the order"),
             ("Time and cost of the print", "; ".join(_cost(number, one) for number, one in
                                                      enumerate(kit.report["costs"], 1))),
             ("Tools", "scissors, a pen whose ink stays on latex, a roller, a ruler, gloves")]
+
+
+def _shaping(kit: Kit) -> list[tuple[str, str]]:
+    """What the shell is brought into shape on, and what parts of the print butt in."""
+    made = figures(kit.undersides)
+    ribs = f"{len(made['ribs'])} ribs of a sheet {made['sheet_mm']:g} mm thick ({kit.name}-gauges.dxf), or "
+    found = [("Ribs or former", (ribs if made["ribs"] else "")
+              + f"{kit.name}-former.stl, {made['former_cm3']:.0f} cm³, printed hollow of anything")]
+    if kit.beds and kit.beds.seams and kit.model.outlines:
+        found.append(("Frame", f"a plate 3 mm thick, cut by {kit.name}-frame.dxf, for the "
+                               f"{sum(map(len, kit.beds.places))} parts of the print"))
+    return found
 
 
 def _cost(number: int, one: Mapping[str, Any]) -> str:
