@@ -1058,10 +1058,6 @@
       <translation> oder </translation>
     </message>
     <message>
-      <source>'curveups check' tries them with mending, too</source>
-      <translation>„curveups check“ probiert sie auch mit Ausbessern</translation>
-    </message>
-    <message>
       <source>'{0}' is no direction</source>
       <translation>„{0}“ ist keine Richtung</translation>
     </message>
@@ -1140,6 +1136,10 @@
     <message>
       <source>FreeCAD's Python was not found</source>
       <translation>FreeCADs Python wurde nicht gefunden</translation>
+    </message>
+    <message>
+      <source>H_body=auto and L=auto try them with mending, too</source>
+      <translation>H_body=auto und L=auto probieren sie auch mit Ausbessern</translation>
     </message>
     <message>
       <source>H_body={H_body:g} with H_pin={H_pin:g}</source>

@@ -241,7 +241,7 @@ def test_errors_of_design_with_mending_say_which_size_would_do_without():
     V, F = sheet(lambda x, y: -3.5 * abs(x), 8, 8)
     with pytest.raises(CurveUpsError) as told:
         project(V, F, H_body=8, mend="on", mend_max=0.1).run(("layout",))
-    assert told.value.remedy.endswith("'curveups check' tries them with mending, too"), told.value.remedy
+    assert told.value.remedy.endswith("H_body=auto and L=auto try them with mending, too"), told.value.remedy
 
 
 def test_series_are_round_and_ascending():

@@ -70,6 +70,7 @@ def test_each_design_remembers_where_its_files_went(dome_document, tmp_path, pic
         FreeCADGui.Selection.addSelection(design)
         press("CurveUps_Export")
         until(lambda: panel() is not None and panel().design == design, 10, "its panel")
+        settle(500)  # it may take the focus
         return panel().form.folder
 
     for design in (first, second):
@@ -115,6 +116,7 @@ def test_FreeCADs_export_of_a_design_writes_its_print(dome_document, tmp_path, p
     document, design = opened(dome_document)
     box = document.addObject("Part::Box", "Box")
     document.recompute()
+    settle(1000)  # the tree follows
     folder = dome_document.parent
     step = export(design, "STEP with colors", tmp_path / "all.step")
     assert step == (folder / "dome-print.step").read_bytes()

@@ -308,7 +308,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "advice.no_sizes": "none of {tried} other sizes that were tried does",
     "advice.mend": "so does mend=on, which moves vertices by up to {moved:.2g} mm",
     "advice.checked": "{sizes: or }, with which 'curveups check' finds nothing in the way",
-    "advice.check": "'curveups check' tries them with mending, too",
+    "advice.auto": "H_body=auto and L=auto try them with mending, too",
     "advice.mend_surface": "set mend=on ({actions})",
     "size": "{name}={value:g}",
     "size.both": "H_body={H_body:g} with H_pin={H_pin:g}",

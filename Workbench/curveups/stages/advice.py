@@ -68,7 +68,7 @@ def other_sizes(options: Sequence[Sizes], tried: int, mending: Optional[float], 
     sizes = (Finding.about("advice.sizes", sizes=tuple(map(as_sizes, options)), tried=tried) if options
              else Finding.about("advice.no_sizes", tried=tried))
     moved = [Finding.about("advice.mend", moved=mending)] if mending is not None else []
-    more = [Finding("advice.check")] if mended else []
+    more = [Finding("advice.auto")] if mended else []
     return "; ".join(map(str, (sizes, *moved, *more)))
 
 
@@ -87,7 +87,8 @@ def for_joints(possible: Mapping[str, float], parameters: Any) -> Finding:
 def of_check(sizes: Any, L: float, H_body: float, mending: Optional[float]) -> Iterator[Finding]:
     """On sizes (Recommendation) that would do for a target, and on mending (mm)."""
     if sizes.L is not None:
-        yield Finding.about("check.L", H_body=H_body, low=sizes.L[0], high=sizes.L[1])
+        if sizes.L != (L, L):
+            yield Finding.about("check.L", H_body=H_body, low=sizes.L[0], high=sizes.L[1])
     elif any(one[1] == H_body and not one[-1] for one in sizes.tried):
         yield Finding.about("check.no_L", H_body=H_body)
     if sizes.H_body is None:

@@ -125,15 +125,21 @@ def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, jo
 
 
 def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
-    def blocked_by(V: np.ndarray) -> set[str]:
-        return {one.obstacle for one in _margins(V, F, edges, parameters, 0).blocked} - {"closed"}
+    def obstacles(V: np.ndarray) -> tuple[Feasibility, list[Obstacle]]:
+        found = _margins(V, F, edges, parameters, 0)
+        return found, [one for one in found.blocked if one.obstacle != "closed"]
 
     if mostly_short(V, F, edges, parameters):
         return False
-    blocked = blocked_by(V)
-    if blocked and not blocked & {"fold", "overlap"}:
+    found, blocked = obstacles(V)
+    if blocked and not {one.obstacle for one in blocked} & {"fold", "overlap"}:
+        # Vertices of tiles that touch one with a small pin move: an obstacle that has none of them stays.
+        near = np.isin(F, F[(found.pin_area_margin < 0).any(axis=1)]).any(axis=1)
+        moving = np.isin(F, F[near]).any(axis=1)
+        if not all(moving[one.tile] for one in blocked):
+            return False
         there, moved = smooth_for_pins(V, F, edges, parameters, job)
-        return bool(moved) and not blocked_by(there)
+        return bool(moved) and not obstacles(there)[1]
     return not blocked
 
 

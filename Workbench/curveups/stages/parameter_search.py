@@ -13,7 +13,7 @@ from ..base.findings import Finding
 from ..base.native import native
 from .advice import Sizes as Options, checked_sizes, tried_sizes
 from .feasibility import sizes_do
-from .sizes import MOST_TILES, sizes_that_do, value_range
+from .sizes import sizes_that_do, value_range
 from .stage import Inputs, Job, Result, Row, Stage
 
 # What is tried, as factors of what is set.
@@ -21,7 +21,7 @@ _TRIED: tuple[dict[str, float], ...] = ({"H_pin": 1.25}, {"H_pin": 1.5}, {"H_bod
                                         {"H_body": 0.4, "H_pin": 1.25})
 # Steps of repair for all that is tried: fillets that can be mended take some 20, and each takes up to half a
 # second. Without an end four trials took four times as long as the design.
-_REPAIR_STEPS = 24
+_REPAIR_STEPS, _MOST_TILES = 24, 1500
 Sizes = tuple[tuple[str, float], ...]
 
 
@@ -56,7 +56,7 @@ def _run(inputs: Inputs, job: Job) -> OtherSizes:
         return OtherSizes(checked=tuple(sizes_that_do(inputs, inputs["cut request"], job)[0]))
     cut = verification.blocks["physics"]["membrane_clearance_mm"] < 0
     # It takes a while: only for those who want their target made possible.
-    if not cut or inputs.parameters.get("mend") != "on" or len(inputs["target"].F) > MOST_TILES:
+    if not cut or inputs.parameters.get("mend") != "on" or len(inputs["target"].F) > _MOST_TILES:
         return OtherSizes()
     return other_sizes(inputs, job)
 

@@ -24,7 +24,7 @@ from .target import remesh
 
 # Lengths and heights of pins are tried up to this factor from the one that is set, lengths as long as that
 # makes no more tiles than these or than there are, and thicknesses up to so many lengths.
-FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1500, 12, 2.0
+FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1000, 12, 2.0
 # As long as there are no more tiles than these a length is chosen; thicknesses between these lengths (the
 # paper's tiles have 3/7).
 MOST_CHOSEN, _THINNEST, _STOUTEST = 5000, 1 / 7, 3 / 7
@@ -118,7 +118,8 @@ class ParameterSearch:
             with translated():
                 V, F, _ = self._mesh(L)
                 tiles = len(F)
-                feasible = sizes_do(V, F, all_cuts(self._cuts, V, F, values, self._job), values, self._job)
+                edges = all_cuts(self._cuts, V, F, values, self._job)
+                feasible = sizes_do(V, F, edges, values, self._job)
         except CurveUpsError:
             feasible = False
         return Candidate(L, H_body, H_pin, tiles, feasible)
@@ -308,11 +309,9 @@ def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
 
 def sizes_that_do(inputs: Inputs, cuts: CutRequest, job: Job) -> tuple[list[Sizes], int]:
     """Those of thickness, length and height of pins that would do for inputs["target"] without mending, and
-    how many were tried. With mending all would take a minute."""
-    target, unmended = inputs["target"], native.Parameters(inputs.parameters)
-    unmended.set("mend", "off")
-    L, H_body = unmended.get("L"), unmended.get("H_body")
-    search = _search(target, cuts, unmended, job)
+    how many were tried."""
+    target, L, H_body = inputs["target"], inputs.parameters.get("L"), inputs.parameters.get("H_body")
+    search = _unmended_search(target, cuts, inputs.parameters, job)
     found = {"H_body": search.largest_thickness(L, H_body)}
     if _can_remesh(target, cuts):
         found["L"] = search.nearest_length(L, H_body)
@@ -322,6 +321,13 @@ def sizes_that_do(inputs: Inputs, cuts: CutRequest, job: Job) -> tuple[list[Size
         together = search.thinner_with_pins(L, H_body, found["H_body"])
         options += [tuple(zip(("H_body", "H_pin"), together))] if together else []
     return options, len(search.made)
+
+
+def _unmended_search(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> ParameterSearch:
+    """With mending a size takes up to ten seconds."""
+    unmended = native.Parameters(parameters)
+    unmended.set("mend", "off")
+    return _search(target, cuts, unmended, job)
 
 
 def _search(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> ParameterSearch:
@@ -337,12 +343,12 @@ def _can_remesh(target: Any, cuts: CutRequest) -> bool:
 
 @dataclass(frozen=True)
 class Recommendation(Result):
-    """Values that would do, each of which was tried. `L`: the ends of a range of lengths with the thickness
-    that is set; it holds the length that is set, or is the nearest to it, and every value tried between its
-    ends did. `H_body`: the largest thickness with the length that is set. `H_pin`: the least height of pins
-    with both that are set, where the height that is set does; else that of the nearest range of heights that
-    do. None where none of those tried did, or where the mesh is given as it is. `thickest`: no larger ones
-    were tried."""
+    """Values that would do without mending, each of which was tried; those that are set may do with it.
+    `L`: the ends of a range of lengths with the thickness that is set; it holds the length that is set, or is
+    the nearest to it, and every value tried between its ends did. `H_body`: the largest thickness with the
+    length that is set. `H_pin`: the least height of pins with both that are set, where the set one does;
+    else that of the nearest range of heights that do. None where none of those tried did, or where the mesh
+    is given as it is. `thickest`: no larger ones were tried."""
 
     L: Optional[tuple[float, float]]
     H_body: Optional[float]
@@ -360,16 +366,21 @@ class Recommendation(Result):
 def _run(inputs: Inputs, job: Job) -> Recommendation:
     target, cuts = inputs["target"], inputs["cut request"]
     L, H_body = inputs.parameters.get("L"), inputs.parameters.get("H_body")
-    search = _search(target, cuts, inputs.parameters, job)
+    search = _unmended_search(target, cuts, inputs.parameters, job)
+    as_set = not {one.obstacle for one in inputs["feasibility"].blocked} - {"closed"}
+    as_it_is = Candidate(L, H_body, inputs.parameters.get("H_pin"), len(target.F), as_set)
+    search.made[L, H_body, as_it_is.H_pin] = as_it_is
     most = max(THICKEST * L, H_body)
     thickness = search.largest_thickness(L, most)
+    if as_set:
+        thickness = max(thickness or 0.0, H_body)
     lengths = search.range_of_lengths(L, H_body) if _can_remesh(target, cuts) else None
     pin = search.least_pin(L, H_body)
     together = search.thinner_with_pins(L, H_body, thickness) if pin is None and lengths is None else None
     tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in search.made.values())
-    return Recommendation(lengths, thickness, pin, most, search(L, H_body).feasible, tried, together)
+    return Recommendation(lengths, thickness, pin, most, as_set, tried, together)
 
 
-STAGE = Stage("sizes", ("target", "cut request"),
+STAGE = Stage("sizes", ("target", "cut request", "feasibility"),
               frozenset({"target", "pieces", "tiles", "layout", "repair"}), _run,
               label="Other sizes", asked_by=("check",))
