@@ -53,7 +53,7 @@ MotionDerivatives<2> ContactEnergy::of_pair(const TouchingPair& pair, const Pose
       by_y_twice += touch.tangents * plane * touch.tangents.transpose();
     }
     add_seen_point(poses, pair.body, touch.of, 1 - touch.of, touch.point, by_y, by_y_twice, lever,
-                   second, out);
+                   second, convex, out);
   }
   return out;
 }
@@ -147,6 +147,20 @@ void ContactEnergy::forget_corners() {
       touch.built.setConstant(std::numeric_limits<double>::infinity());
     }
   }
+}
+
+double ContactEnergy::friction_work(const Poses& poses) const {
+  if (is_bonded()) return 0;
+  double work = 0;
+  for (const TouchingPair& pair : pairs) {
+    for (const Touch& touch : pair.touches) {
+      const Vec3 y = seen(poses, pair, touch);
+      const double stretch = touch.reach(y).norm(), limit = friction_coefficient * touch.push(y);
+      const double held = hold(touch, stretch, limit);
+      work += limit * (stretch - held / touch.tangent_stiffness);
+    }
+  }
+  return work;
 }
 
 void ContactEnergy::remember(const Poses& poses) {

@@ -57,6 +57,8 @@ class ContactEnergy : public MotionEnergy {
   void bond(const Poses& poses);
   // Corners are clipped anew in the next search, and remember what the nearest ones did.
   void forget_corners();
+  // What friction takes from its springs to these poses, N mm, as remember() will see it.
+  double friction_work(const Poses& poses) const;
   // Ends a step: what slipped stays slipped, what does not push forgets.
   void remember(const Poses& poses);
 

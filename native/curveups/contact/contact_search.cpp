@@ -32,18 +32,25 @@ struct Separation {
   int face = -1;
 };
 
+// How far all of `b` is in front of a face of `a`.
+double separation(const BodySurface& face, const RigidMotion& at_a, const RigidBody& b,
+                  const RigidMotion& at_b) {
+  // b's plane coordinate along the face's normal, in b's own coordinates.
+  const Vec3 normal = at_a.R * face.normal, own = at_b.R.transpose() * normal;
+  const double base = normal.dot(at_b.t - at_a.t) - face.offset;
+  double least = none;
+  for (const BodySurface& other : b.faces) {
+    for (const Vec3& p : other.outline) least = std::min(least, own.dot(p) + base);
+  }
+  return least;
+}
+
 // The face of `a` that has `b` furthest in front of it; far: more than this is enough to know.
 Separation best_face(const RigidBody& a, const RigidMotion& at_a, const RigidBody& b,
                      const RigidMotion& at_b, double far) {
   Separation best;
   for (std::size_t f = 0; f < a.faces.size(); ++f) {
-    // b's plane coordinate along the face's normal, in b's own coordinates.
-    const Vec3 normal = at_a.R * a.faces[f].normal, own = at_b.R.transpose() * normal;
-    const double base = normal.dot(at_b.t - at_a.t) - a.faces[f].offset;
-    double least = none;
-    for (const BodySurface& face : b.faces) {
-      for (const Vec3& p : face.outline) least = std::min(least, own.dot(p) + base);
-    }
+    const double least = separation(a.faces[f], at_a, b, at_b);
     // Of equal faces the first.
     if (least > best.distance + 1e-12) best = {least, static_cast<int>(f)};
     if (best.distance > far) break;
@@ -77,6 +84,7 @@ class PairSearch {
                                             best_face(of(1), at(1), of(0), at(0), options_.reach)};
     const int first = best[1].distance > best[0].distance + 1e-9 ? 1 : 0, second = 1 - first;
     if (best[first].distance > options_.reach) return out;
+    if (before && good(*before) && still_part(*before, best[first].distance)) return *before;
     out.face[first] = best[first].face;
     const BodySurface& reference = of(first).faces[out.face[first]];
     out.face[second] = opposite_face(of(second), at(second), at(first).R * reference.normal);
@@ -107,6 +115,18 @@ class PairSearch {
     return !pair.touches.empty();
   }
 
+  // Whether the faces that touched part the bodies nearly as well as the best do.
+  bool still_part(const TouchingPair& pair, double best) const {
+    if (!(options_.face_margin > 0)) return false;
+    for (int k = 0; k < 2; ++k) {
+      if (separation(of(k).faces[pair.face[k]], at(k), of(1 - k), at(1 - k)) >
+          best - options_.face_margin) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   void add(int who, const Vec3& point, const BodySurface& face, double stiffness,
            TouchingPair& out) const {
     Touch touch{who,
@@ -132,9 +152,11 @@ class PairSearch {
     const Polygon common = intersection(own, other);
     if (common.size() < 3) return;
     const double shared = std::max(area(common), least_share * std::min(area(own), area(other)));
-    const double stiffness = reference.stiffness * facing.stiffness /
-                             (reference.stiffness + facing.stiffness) * shared /
-                             (2.0 * static_cast<double>(common.size()));
+    const double whole = options_.pair_stiffness > 0
+                             ? options_.pair_stiffness
+                             : reference.stiffness * facing.stiffness /
+                                   (reference.stiffness + facing.stiffness) * shared;
+    const double stiffness = whole / (2.0 * static_cast<double>(common.size()));
     // The facing plane as the reference sees it.
     const Eigen::Matrix3d R = at(first).R.transpose() * at(second).R;
     const Vec3 normal = R * facing.normal;

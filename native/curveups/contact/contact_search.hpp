@@ -48,6 +48,11 @@ struct SearchOptions {
   double reach = 0.5;  // faces further apart than this do not touch, mm
   // Corners are clipped anew where bodies moved along their faces by more than this, mm.
   double keep = 0.1;
+  // N / mm, of every pair whose outlines touch; 0: as the materials are, by the area that touches.
+  double pair_stiffness = 0;
+  // Faces that touched stay those that touch until others part the bodies better by more than this,
+  // mm: without it, bodies that touch in a corner could change faces for ever.
+  double face_margin = 0;
 };
 
 // Tangential stiffness over normal stiffness, after Mindlin: 2 (1 - nu) / (2 - nu) for a Poisson

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curveups/contact/meeting.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/numerics/anderson.hpp"
@@ -207,15 +208,16 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
   }
 }
 
-StepReport ContactWorld::step() {
-  if (!searched_) search();
-  StepReport report;
-  Motions g(poses_.size(), 6), given(poses_.size(), 6);
-  given.setZero();
+double ContactWorld::given_gradient(Motions& out) const {
+  out.setZero(poses_.size(), 6);
   double energy = 0;
   for (std::size_t k = 0; k < energies_.size(); ++k) {
-    energy += energies_[k]->derivatives(poses_, options_.lever, given, nullptr, first_[k]);
+    energy += energies_[k]->derivatives(poses_, options_.lever, out, nullptr, first_[k]);
   }
+  return energy;
+}
+
+double ContactWorld::force_unit(const Motions& given) const {
   double scale = 0;
   int free = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -224,7 +226,15 @@ StepReport ContactWorld::step() {
     ++free;
   }
   scale = std::max({scale / std::max(free, 1), contacts_.mean_push(poses_), options_.least_unit});
-  if (scale == 0) scale = 1;
+  return scale > 0 ? scale : 1;
+}
+
+StepReport ContactWorld::step() {
+  if (!searched_) search();
+  StepReport report;
+  Motions g(poses_.size(), 6), given;
+  double energy = given_gradient(given);
+  const double scale = force_unit(given);
   g = given;
   energy += contacts_.derivatives(poses_, options_.lever, g, nullptr, first_.back());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -277,6 +287,108 @@ StepReport ContactWorld::settle(int max_steps,
     report = step();
     if (report.at_rest || (enough && enough(report))) break;
   }
+  return report;
+}
+
+void ContactWorld::begin_path(const Pace& pace) {
+  pace_ = pace;
+  options_.search = pace.search;
+  contacts_.forget_corners();
+  contacts_.careful = false;
+  searched_ = false;
+  convex_ = true;
+  weight_ = -1;
+}
+
+void ContactWorld::set_convex(bool convex) {
+  convex_ = convex;
+  contacts_.convex = convex;
+  for (const auto& energy : energies_) energy->convex = convex;
+}
+
+// Of the second derivatives at x: exact ones, or convex ones where those are indefinite.
+void ContactWorld::factorize(const Poses& x, double weight, StepReport& report) {
+  Motions unused;
+  double extra = 0;  // a density that is not convex may need it all the same
+  for (++report.factorizations; !hessian_->factorize(0, weight + extra); ++report.factorizations) {
+    if (convex_) {
+      extra = std::max(4 * extra, 1e-4 * hessian_->mean_diagonal());
+    } else {
+      set_convex(true);
+      gradient(x, unused, hessian_.get());
+    }
+    if (!(extra < 1e12 * (1 + weight))) {
+      throw SolverFailure("the forces on bodies in contact are not finite",
+                          "check the design's parameters");
+    }
+  }
+}
+
+StepReport ContactWorld::advance() {
+  if (!searched_) search();
+  StepReport report;
+  Motions g;
+  given_gradient(g);
+  const double unit = force_unit(g), lever = options_.lever;
+  if (weight_ < 0) weight_ = unit / pace_.step_limit;
+  report.before = report.energy = value(poses_);
+  set_convex(convex_);
+  Poses x = poses_;
+  int shortened = 0;
+  for (int iteration = 0;; ++iteration) {
+    contacts_.set_caps(contacts_.caps_at(x));
+    const Motions so_far = between(poses_, x, lever);
+    double now = gradient(x, g, hessian_.get());
+    if (iteration == 0) {
+      report.residual = largest_row(g) / unit;
+      if (report.residual <= pace_.tolerance) {
+        report.at_rest = report.converged = true;
+        return report;
+      }
+    }
+    now += 0.5 * weight_ * so_far.squaredNorm();
+    g += weight_ * so_far;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (bodies_[i].fixed) g.row(i).setZero();
+    }
+    report.converged = largest_row(g) <= std::max(0.1 * report.residual, pace_.tolerance) * unit;
+    if (report.converged || iteration == pace_.iterations ||
+        largest_row(so_far) > pace_.step_limit) {
+      break;
+    }
+    ++report.iterations;
+    factorize(x, weight_, report);
+    const Eigen::MatrixXd solved =
+        hessian_->solve(-Eigen::Map<const Eigen::VectorXd>(g.data(), g.size()));
+    const Motions way = Eigen::Map<const Motions>(solved.data(), g.rows(), 6);
+    const double slope = g.cwiseProduct(way).sum(), blur = 1e-12 * (std::abs(now) + unit * lever);
+    double part = std::min(1.0, pace_.step_limit / std::max(largest_row(way), 1e-300));
+    shortened += part < 1;
+    Poses next = moved(x, part * way, lever);
+    for (int halved = 0; halved < 30; ++halved, ++shortened) {
+      const double moving = 0.5 * weight_ * between(poses_, next, lever).squaredNorm();
+      if (value(next) + moving <= now + 1e-4 * part * slope + blur &&
+          !could_pass(bodies_, poses_, next)) {
+        break;
+      }
+      part /= 2;
+      next = moved(x, part * way, lever);
+    }
+    x = std::move(next);
+    checkpoint();
+  }
+  report.motion = largest_row(between(poses_, x, lever));
+  report.weight = weight_;
+  report.friction = contacts_.friction_work(x);
+  contacts_.remember(x);
+  poses_ = std::move(x);
+  searched_ = false;
+  report.energy = value(poses_);
+  // Steps grow where motion is slow, and hardly where a step was too long for its iterations.
+  weight_ *= std::clamp(1.25 * report.motion / pace_.step_limit, shortened > 1 ? 0.7 : 0.25, 4.0);
+  weight_ = std::max(weight_, 1e-7 * unit / pace_.step_limit);
+  set_convex(report.motion > 0.3 * pace_.step_limit);
+  ++steps_;
   return report;
 }
 

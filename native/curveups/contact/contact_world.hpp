@@ -26,6 +26,14 @@ struct WorldOptions {
   SearchOptions search;
 };
 
+// How bodies follow a path (ContactWorld::advance).
+struct Pace {
+  double step_limit = 1;    // mm: about how far a body may move in a step
+  int iterations = 3;       // of Newton's method, a step
+  double tolerance = 1e-3;  // forces left on bodies at rest, in the unit of forces
+  SearchOptions search;     // on the way
+};
+
 struct StepReport {
   bool at_rest = false;    // in balance when the step began: nothing moved
   bool converged = false;  // the step's minimum was found, within the cone
@@ -33,6 +41,9 @@ struct StepReport {
   double motion = 0;  // of the body that moved furthest, mm
   double energy = 0;  // after it, N mm: of the given energies and of the springs of contacts
   double residual = 0, cone_error = 0;  // over the mean normal force
+  // Of a step along a path: the energy before it with its own contact points (N mm), w (N / mm),
+  // what friction takes (N mm).
+  double before = 0, weight = 0, friction = 0;
 };
 
 class ContactWorld {
@@ -63,10 +74,18 @@ class ContactWorld {
 
   // Throws Cancelled, with the poses as they were.
   StepReport step();
+  // Follows a path at this pace from here on. The way matters, not only its end: an implicit Euler
+  // step of h = 1 / w, solved by a few iterations of Newton's method that never let energy rise
+  // (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 1996, IV.7). Friction's
+  // limits follow the normal forces from iteration to iteration. No body moves past another
+  // (meeting.hpp). at_rest: forces balance under Coulomb's law, and nothing moved.
+  void begin_path(const Pace& pace);
+  StepReport advance();
   // Until it is at rest, or a step was not converged, or `enough` says so.
   StepReport settle(int max_steps, const std::function<bool(const StepReport&)>& enough = {});
 
   const Poses& poses() const { return poses_; }
+  double energy() const { return value(poses_); }  // N mm, as steps report it
   const std::vector<RigidBody>& bodies() const { return bodies_; }
   const ContactEnergy& contacts() const { return contacts_; }
   std::vector<TouchForce> forces() const { return contacts_.forces(poses_); }
@@ -78,6 +97,10 @@ class ContactWorld {
   void search();
   double gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
   double value(const Poses& poses) const;
+  double given_gradient(Motions& out) const;
+  double force_unit(const Motions& given) const;
+  void set_convex(bool convex);
+  void factorize(const Poses& x, double weight, StepReport& report);
   double residual(const Motions& gradient) const;
   bool direction(const Motions& gradient, double weight, Motions& out);
   bool minimise(double weight, double scale, Poses& x, StepReport& report);
@@ -85,12 +108,13 @@ class ContactWorld {
   std::vector<RigidBody> bodies_;
   Poses poses_;
   WorldOptions options_;
+  Pace pace_;
   std::vector<std::unique_ptr<MotionEnergy>> energies_;
   ContactEnergy contacts_;
   std::vector<std::array<int, 2>> near_;
   std::vector<int> first_;  // couplings of the energies, then those of contacts
   std::unique_ptr<BlockMatrix<6>> hessian_;
-  bool searched_ = false, fresh_ = true;
+  bool searched_ = false, fresh_ = true, convex_ = false;
   double weight_ = -1;
   double rounding_ = 0;  // N: forces smaller than this are rounding of positions
   int steps_ = 0;

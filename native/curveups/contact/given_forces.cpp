@@ -19,7 +19,9 @@ double PointLoads::derivatives(const Poses& poses, double lever, Motions& gradie
     const Vec3 arm = pose.R * load.point;
     MotionDerivatives<1> out;
     out.gradient << -load.force, arm.cross(-load.force) / lever;
-    out.hessian.bottomRightCorner<3, 3>() = turn_curvature(-load.force, arm, lever);
+    if (!convex) {
+      out.hessian.bottomRightCorner<3, 3>() = turn_curvature(-load.force, arm, lever);
+    }
     out.add_to({load.body}, gradient, hessian, 0);
     sum -= load.force.dot(arm + pose.t);
   }
@@ -48,7 +50,7 @@ double PairLoads::derivatives(const Poses& poses, double lever, Motions& gradien
         out.value =
             -load.force.dot(seen_from(poses[load.body[0]], poses[load.body[1]], load.point));
         add_seen_point(poses, load.body, 1, 0, load.point, -load.force, Eigen::Matrix3d::Zero(),
-                       lever, hessian != nullptr, out);
+                       lever, hessian != nullptr && !convex, convex, out);
       },
       [&](int k, const MotionDerivatives<2>& out) {
         sum += out.value;

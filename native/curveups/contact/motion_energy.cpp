@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/contact/motion_energy.hpp"
 
+#include <Eigen/Eigenvalues>
+
 namespace curveups {
 
 Eigen::Matrix<double, 3, 6> point_jacobian(const RigidMotion& pose, const Vec3& p, double lever) {
@@ -16,13 +18,20 @@ Eigen::Matrix3d turn_curvature(const Vec3& force, const Vec3& arm, double lever)
          (lever * lever);
 }
 
+Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect(matrix);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
 Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p) {
   return b.R.transpose() * (a(p) - b.t);
 }
 
 void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a, int b,
                     const Vec3& p, const Vec3& by_y, const Eigen::Matrix3d& by_y_twice,
-                    double lever, bool second, MotionDerivatives<2>& out) {
+                    double lever, bool second, bool convex, MotionDerivatives<2>& out) {
   const RigidMotion &of_a = poses[bodies[a]], &of_b = poses[bodies[b]];
   const Vec3 arm = of_a.R * p, r = arm + of_a.t - of_b.t, force = of_b.R * by_y;
   const int ta = 6 * a, tb = 6 * b, ra = ta + 3, rb = tb + 3;
@@ -42,6 +51,7 @@ void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a,
   const Eigen::Matrix3d H = of_b.R * by_y_twice * of_b.R.transpose();
   const Eigen::Matrix<double, 3, 12> HJ = H * J;
   out.hessian.noalias() += J.transpose() * HJ;
+  if (convex) return;
   // The force times what y moves by in second order: turns of a, of b, and b's turn of the rest.
   out.hessian.block<3, 3>(ra, ra) += turn_curvature(force, arm, lever);
   out.hessian.block<3, 3>(rb, rb) += turn_curvature(force, r, lever);

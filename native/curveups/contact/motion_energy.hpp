@@ -17,11 +17,15 @@ class MotionEnergy {
   // Appends the pairs of bodies that elements join, for the matrix of second derivatives.
   virtual void couple(std::vector<Coupling>& couplings) const = 0;
   virtual double value(const Poses& poses) const = 0;  // N mm
-  // Adds to the gradient (N; of turns: N mm / lever) and, where it is not null, to the exact
-  // second derivatives. first: the number of its first coupling in the matrix's pattern. Returns
-  // the value.
+  // Adds to the gradient (N; of turns: N mm / lever) and, where it is not null, to the second
+  // derivatives: exact ones, or those of `convex`. first: the number of its first coupling in the
+  // matrix's pattern. Returns the value.
   virtual double derivatives(const Poses& poses, double lever, Motions& gradient,
                              BlockMatrix<6>* hessian, int first) const = 0;
+
+  // Second derivatives without what may be indefinite in how forces turn with bodies. Descent
+  // far from a minimum, where exact ones lead nowhere.
+  bool convex = false;
 };
 
 // Derivatives of an element of K bodies by their motions, bodies one after another.
@@ -61,15 +65,18 @@ Eigen::Matrix<double, 3, 6> point_jacobian(const RigidMotion& pose, const Vec3& 
 
 // Second derivatives, by a body's turn, of force . (R p): 3 x 3. arm: R p.
 Eigen::Matrix3d turn_curvature(const Vec3& force, const Vec3& arm, double lever);
+// A symmetric matrix without its negative eigenvalues.
+Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix);
 
 // A point p of body `a` where body `b` sees it: y = R_b^T (R_a p + t_a - t_b).
 Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p);
 
 // Adds a function of that y to the derivatives of a pair of bodies. by_y, by_y_twice: its
-// derivatives by y (second ones only where `second`); a, b: which of the pair they are, 0 and 1 or
-// 1 and 0. Whatever the function, its forces and torques on the two sum to zero.
+// derivatives by y (second ones only where `second`, and without the force's part where `convex`);
+// a, b: which of the pair they are, 0 and 1 or 1 and 0. Whatever the function, its forces and
+// torques on the two sum to zero.
 void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a, int b,
                     const Vec3& p, const Vec3& by_y, const Eigen::Matrix3d& by_y_twice,
-                    double lever, bool second, MotionDerivatives<2>& out);
+                    double lever, bool second, bool convex, MotionDerivatives<2>& out);
 
 }  // namespace curveups

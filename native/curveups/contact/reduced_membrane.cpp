@@ -106,7 +106,9 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
       const int at = 6 * t.slot[k];
       out->gradient.segment<3>(at) += force;
       out->gradient.segment<3>(at + 3) += turn[k].transpose() * force;
-      if (second) out->hessian.block<3, 3>(at + 3, at + 3) += turn_curvature(force, arm, lever);
+      if (!second) continue;
+      const Eigen::Matrix3d turns = turn_curvature(force, arm, lever);
+      out->hessian.block<3, 3>(at + 3, at + 3) += convex ? positive_part(turns) : turns;
     }
     if (!second) continue;
     for (int k = 0; k < 3; ++k) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "contact/blocks.hpp"
@@ -90,6 +91,25 @@ TEST(MotionEnergy, ContactHasExactDerivativesAndBalances) {
   EXPECT_EQ(pressed.energy.pairs[0].touches.size(), 8u);
   expect_derivatives(pressed.energy, pressed.poses);
   expect_balance(pressed.energy, pressed.poses);
+}
+
+TEST(MotionEnergy, ConvexSecondDerivativesNeverLeadUpwards) {
+  Pressed pressed(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix());
+  std::vector<Coupling> couplings;
+  pressed.energy.couple(couplings);
+  const auto pattern = std::make_shared<const BlockPattern>(std::vector<char>(2, 1), couplings);
+  std::array<double, 2> lowest{};
+  for (bool convex : {false, true}) {
+    pressed.energy.convex = convex;
+    BlockMatrix<6> hessian(pattern);
+    Motions gradient = Motions::Zero(2, 6);
+    pressed.energy.derivatives(pressed.poses, 3, gradient, &hessian, 0);
+    const Eigen::MatrixXd dense = hessian.multiply(Eigen::MatrixXd::Identity(12, 12));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(dense);
+    lowest[convex] = eigen.eigenvalues()(0) / eigen.eigenvalues()(11);
+  }
+  EXPECT_LT(lowest[0], -1e-6) << "nothing was indefinite: nothing was tested";
+  EXPECT_GT(lowest[1], -1e-12);
 }
 
 TEST(MotionEnergy, ContactDoesNotSeeAMotionOfAll) {
