@@ -4,7 +4,7 @@
 set(place lib/curveups)
 install(TARGETS _native LIBRARY DESTINATION ${place}/Workbench/curveups)
 install(DIRECTORY Workbench DESTINATION ${place}
-        FILES_MATCHING PATTERN "*.py" PATTERN "parameters.json" PATTERN "__pycache__" EXCLUDE)
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.js" PATTERN "parameters.json" PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY resources DESTINATION ${place} PATTERN "*.ts" EXCLUDE)
 install(FILES Init.py InitGui.py package.xml README.md LICENSE LICENSE.GPL-3.0
         DESTINATION ${place})

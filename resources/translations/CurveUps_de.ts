@@ -1326,6 +1326,10 @@
       <translation>ein Punkt ist nicht endlich</translation>
     </message>
     <message>
+      <source>actuate</source>
+      <translation>Weg in die Form</translation>
+    </message>
+    <message>
       <source>actuated tiles overlap by {value:.3g} mm3 ({at})</source>
       <translation>Kacheln in Form überlappen um {value:.3g} mm3 ({at})</translation>
     </message>
@@ -1798,6 +1802,10 @@
       <translation>Reibungszahl und Kraftmaßstab müssen positiv sein</translation>
     </message>
     <message>
+      <source>friction holds it back: with a coefficient of {reach:.3g} it arrives</source>
+      <translation>Die Reibung hält es zurück: mit einer Reibungszahl von {reach:.3g} kommt es in seine Form</translation>
+    </message>
+    <message>
       <source>front</source>
       <translation>vorn</translation>
     </message>
@@ -1860,6 +1868,14 @@
     <message>
       <source>give a file, or a built-in name from 'curveups targets'</source>
       <translation>eine Datei angeben oder einen Namen aus „curveups targets“</translation>
+    </message>
+    <message>
+      <source>give a frame of this design</source>
+      <translation>ein Bild dieses Entwurfs angeben</translation>
+    </message>
+    <message>
+      <source>give a frames.json of 'curveups actuate'</source>
+      <translation>eine frames.json von „curveups actuate“ angeben</translation>
     </message>
     <message>
       <source>give a number, a text or true or false</source>
@@ -1928,6 +1944,10 @@
     <message>
       <source>give finite numbers</source>
       <translation>endliche Zahlen angeben</translation>
+    </message>
+    <message>
+      <source>give flat, target or a frames.json of 'curveups actuate'</source>
+      <translation>flat, target oder eine frames.json von „curveups actuate“ angeben</translation>
     </message>
     <message>
       <source>give it an outline</source>
@@ -2050,6 +2070,10 @@
       <translation>x y z in mm angeben, bei Marken mit dem Namen der Kachel davor</translation>
     </message>
     <message>
+      <source>give x, y, z in mm and a unit quaternion w, x, y, z</source>
+      <translation>x, y, z in mm und eine Einheitsquaternion w, x, y, z angeben</translation>
+    </message>
+    <message>
       <source>give x,y,z: 0,0,-1</source>
       <translation>x,y,z angeben: 0,0,-1</translation>
     </message>
@@ -2068,6 +2092,10 @@
     <message>
       <source>gravity has no direction: gravity_direction is {0}</source>
       <translation>die Schwerkraft hat keine Richtung: gravity_direction ist {0}</translation>
+    </message>
+    <message>
+      <source>gravity=held holds tiles where they are when actuated</source>
+      <translation>gravity=held hält Kacheln dort, wo sie in Form sind</translation>
     </message>
     <message>
       <source>height of the pins</source>
@@ -2110,12 +2138,32 @@
       <translation>Ist sie in Metern oder Zoll? scale setzen (1000 oder 25.4) oder ein kleineres L wählen</translation>
     </message>
     <message>
+      <source>it arrives by itself, {shortfall:.3g} mm from the shape that it keeps</source>
+      <translation>Das Stück kommt von selbst in seine Form, {shortfall:.3g} mm von der, die es behält</translation>
+    </message>
+    <message>
+      <source>it does not arrive by itself: all contacts close, {shortfall:.3g} mm from the shape that it keeps (hold_tolerance allows {most:.3g} mm)</source>
+      <translation>Das Stück kommt nicht von selbst in seine Form: alle Kontakte schließen sich, {shortfall:.3g} mm von der Form, die es behält (hold_tolerance erlaubt {most:.3g} mm)</translation>
+    </message>
+    <message>
+      <source>it does not arrive by itself: it comes to rest {shortfall:.3g} mm short of its shape, and {open} of {count} contacts stay open: {contacts:8}</source>
+      <translation>Das Stück kommt nicht von selbst in seine Form: es bleibt {shortfall:.3g} mm davor stehen, und {open} von {count} Kontakten bleiben offen: {contacts:8}</translation>
+    </message>
+    <message>
       <source>it runs through {other}, another part of the target, and no plane parts them</source>
       <translation>sie geht durch {other}, einen anderen Teil der Zielfläche, und keine Ebene trennt sie</translation>
     </message>
     <message>
       <source>it was not verified: Verify judges it</source>
       <translation>der Entwurf wurde nicht geprüft: „Prüfen“ beurteilt ihn</translation>
+    </message>
+    <message>
+      <source>it would not arrive without friction either: it comes to rest {distance:.3g} mm from where the actuated piece does</source>
+      <translation>Auch ohne Reibung käme es nicht in seine Form: es bleibt {distance:.3g} mm von dort stehen, wo das aktuierte Stück zur Ruhe kommt</translation>
+    </message>
+    <message>
+      <source>it would not arrive without friction either: it comes to rest {distance:.3g} mm from where the actuated piece does; tiles that are no neighbours wedge: {pairs:8}</source>
+      <translation>Auch ohne Reibung käme es nicht in seine Form: es bleibt {distance:.3g} mm von dort stehen, wo das aktuierte Stück zur Ruhe kommt; Kacheln, die keine Nachbarn sind, verkeilen sich: {pairs:8}</translation>
     </message>
     <message>
       <source>its first word has to be OFF</source>
@@ -2630,6 +2678,10 @@
       <translation>Linienzug {0} hat einen Punkt, der {1} mm von der Zielfläche entfernt ist</translation>
     </message>
     <message>
+      <source>press it into its shape by hand</source>
+      <translation>von Hand in seine Form drücken</translation>
+    </message>
+    <message>
       <source>process window</source>
       <translation>Toleranzfenster</translation>
     </message>
@@ -2862,6 +2914,10 @@
       <translation>bumps auf none setzen oder bump_height erhöhen</translation>
     </message>
     <message>
+      <source>set gravity to off or resting: a piece that rises is held nowhere</source>
+      <translation>gravity auf off oder resting setzen: ein Stück, das sich aufrichtet, wird nirgends gehalten</translation>
+    </message>
+    <message>
       <source>set mend=on ({actions})</source>
       <translation>mend=on setzen ({actions})</translation>
     </message>
@@ -2900,6 +2956,10 @@
     <message>
       <source>settle</source>
       <translation>Tragverhalten</translation>
+    </message>
+    <message>
+      <source>shake it, and press it home by hand where contacts are open</source>
+      <translation>schütteln und von Hand andrücken, wo Kontakte offen sind</translation>
     </message>
     <message>
       <source>simplify the mesh</source>
@@ -3132,6 +3192,18 @@
     <message>
       <source>the forces on bodies in contact are not finite</source>
       <translation>die Kräfte auf Körper in Kontakt sind nicht endlich</translation>
+    </message>
+    <message>
+      <source>the frame has poses of {0} tiles, the design has {1}</source>
+      <translation>das Bild hat Lagen von {0} Kacheln, der Entwurf hat {1}</translation>
+    </message>
+    <message>
+      <source>the frame's pose of {0} is no rigid motion</source>
+      <translation>die Lage von {0} im Bild ist keine starre Bewegung</translation>
+    </message>
+    <message>
+      <source>the frames can't be read: {0}</source>
+      <translation>die Bilder können nicht gelesen werden: {0}</translation>
     </message>
     <message>
       <source>the front or back face of {0} tiles vanishes or turns inside out</source>
@@ -3510,6 +3582,10 @@
       <translation>es gibt keine eingebaute Zielfläche „{0}“</translation>
     </message>
     <message>
+      <source>there is no frame {0}</source>
+      <translation>es gibt kein Bild {0}</translation>
+    </message>
+    <message>
       <source>there is no layout yet: Solve makes it</source>
       <translation>es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
     </message>
@@ -3536,6 +3612,10 @@
     <message>
       <source>there is not enough memory</source>
       <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+      <source>these are no frames</source>
+      <translation>das sind keine Bilder eines Wegs</translation>
     </message>
     <message>
       <source>thin it out</source>
@@ -3688,6 +3768,14 @@
     <message>
       <source>what was said of the layout's making is damaged or gone: Solve makes it</source>
       <translation>was über die Entstehung der Abwicklung gesagt war, ist beschädigt oder fehlt: „Lösen“ berechnet sie</translation>
+    </message>
+    <message>
+      <source>whether it arrives is not known: it was stopped</source>
+      <translation>Ob das Stück von selbst in seine Form kommt, ist nicht bekannt: der Lauf wurde angehalten</translation>
+    </message>
+    <message>
+      <source>whether it arrives is not known: the tiles do not come to rest</source>
+      <translation>Ob das Stück von selbst in seine Form kommt, ist nicht bekannt: die Kacheln kommen nicht zur Ruhe</translation>
     </message>
     <message>
       <source>whether pushing forces at bumps' tips within friction {mu:.3g} balance the tiles could not be shown{more}</source>

@@ -89,6 +89,8 @@ INSETS = [7, "x", FOUND.q.reshape(-1, 6), FOUND.T, FOUND.q[:-1], put(FOUND.q, (0
 LENGTHS = [None, "x", [], np.nan, np.inf, -np.inf, 0.0, -1.0]
 TILES = [None, 7, "x", [-1], [len(F)], [2 ** 31], [-(2 ** 40)], [0.5], [None]]
 PAIRS = [None, 7, [0, 1], [[0]], [[0, 1, 2]], [[0, len(F)]], [[-1, 0]], [[0, 2 ** 40]], [[0.5, 1]]]
+STILL = np.tile((0.0, 0, 0, 1, 0, 0, 0), (len(F), 1))
+POSES = [7, "x", V, STILL[:1], STILL * 0, STILL * 2, put(STILL, (0, 0), np.nan), put(STILL, (0, 1), 1e300)]
 TEXTS = [None, 7, b"\xff", "\udcff"]
 OBJECTS = [None, 7, "x", {}, object()]
 SINKS = [7, "x", Refuses(), lambda: True]
@@ -118,6 +120,9 @@ VALUES = {
         DESIGN.with_parameters(asked(L=1.0)), DESIGN.with_parameters(asked(H_body=20.0)),
         DESIGN.with_parameters(asked(H_pin=20.0))]),
     "start": (None, [7, "x", V], [DESIGN, other_design(q=FOUND.q + 1e5)]),
+    "begin": (None, POSES, [STILL]),
+    "poses": (STILL, POSES, [STILL + [9, 0, 0, 0, 0, 0, 0]]),
+    "answers": (False, ["x"], []),
     "kept": (NONE, EDGES, [np.array([[0, 0]]), np.array([[0, 1], [1, 0]])]),
     "features": (NONE, EDGES, [np.array([[0, 0]]), np.array([[0, len(V) - 1]]), np.array([[0, 1], [1, 0]])]),
     "L": (7.0, LENGTHS, [1e-300, 1e-3, 1e9, 1e300]),

@@ -27,7 +27,7 @@ PROGRESS = (
     "dividing into 1 piece", "looking for cuts", "making room for pins", "checking tiles", "trying {0}",
     "layout", "restoring the layout", "measuring deviation", "membrane", "front membrane", "back membrane",
     "meshing membranes", "friction and unilateral contacts", "repair: fresh membranes",
-    "repair: {0} weak points", "settle", "process window", "building bodies", "building tiles",
+    "repair: {0} weak points", "settle", "actuate", "process window", "building bodies", "building tiles",
     "placing anchors",
     "building the support", "dividing the support's underside", "dividing the support's lid",
     "measuring bodies", "measuring clearances", "building solids", "checking solids", "measuring solids",
@@ -91,6 +91,21 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                       "raise friction_coefficient, or choose bumps=dimples"),
     "settled_restless": "whether the shape holds is not known: the tiles do not come to rest",
     "settle_failed": "whether the shape holds is not known: {error}",
+    # From flat to shape.
+    "actuation_arrives": "it arrives by itself, {shortfall:.3g} mm from the shape that it keeps",
+    "actuation_jammed": ("it does not arrive by itself: it comes to rest {shortfall:.3g} mm short of its "
+                         "shape, and {open} of {count} contacts stay open: {contacts:8}",
+                         "shake it, and press it home by hand where contacts are open"),
+    "actuation_short": ("it does not arrive by itself: all contacts close, {shortfall:.3g} mm from the "
+                        "shape that it keeps (hold_tolerance allows {most:.3g} mm)",
+                        "press it into its shape by hand"),
+    "actuation_trapped": "it would not arrive without friction either: it comes to rest {distance:.3g} mm "
+                         "from where the actuated piece does; tiles that are no neighbours wedge: {pairs:8}",
+    "actuation_elsewhere": "it would not arrive without friction either: it comes to rest {distance:.3g} mm "
+                           "from where the actuated piece does",
+    "actuation_friction": "friction holds it back: with a coefficient of {reach:.3g} it arrives",
+    "actuation_restless": "whether it arrives is not known: the tiles do not come to rest",
+    "actuation_stopped": "whether it arrives is not known: it was stopped",
     "unsettled_design": "the margin is required, and the tiles did not settle: set settle and verify on",
     "glue_carries": "the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear",
     "margin": "beyond the margin, where the {side} membrane pulls {percent:.3g} % harder and friction is "

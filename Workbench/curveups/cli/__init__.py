@@ -93,6 +93,14 @@ def make_parser() -> argparse.ArgumentParser:
                          quiet=False)
     calibrate.add_argument("measured", type=Path, metavar="MEASURED.json")
     _output_argument(calibrate)
+
+    actuate = _command(commands, "actuate", "let a design rise from flat, and tell whether it arrives")
+    actuate.add_argument("design", type=Path, metavar="DESIGN.json")
+    _output_argument(actuate)
+    actuate.add_argument("--from", dest="begin", default="flat", metavar="flat|target|FRAME",
+                         help="begin there; FRAME is a frames.json of an earlier run, by default its last "
+                              "frame, or FRAMES.json:NUMBER (default: flat)")
+    _set_argument(actuate)
     return parser
 
 

@@ -18,6 +18,7 @@ from ..base.reading import read_text
 from ..features.document_file import write_document
 from ..kit import calibration, files as kit_files, scan
 from ..project.project import Project, Results
+from ..report import actuation
 from ..report import check as check_report
 from ..report.exports import write_spares
 from ..report.files import Writing, write_check, write_obj, write_verification
@@ -187,13 +188,37 @@ def calibrate(options: Any, session: Session) -> int:
     return VALID
 
 
+def actuate(options: Any, session: Session) -> int:
+    """curveups actuate"""
+    require_folder_name(options.output)
+    project, _ = _design_project(options, session, ("rebuild", "files", "verify"))
+    design = project.latest("design").design.with_parameters(project.parameters)
+    start = actuation.read_start(options.begin, len(design.F))
+    job = session.job
+    model = project.run(("bodies",), job, strict=True)["bodies"].model
+    if model is None:
+        raise Stopped
+    with translated(options.begin if start is not None else str(options.design)):
+        found = native.actuate_design(design, native.SolutionStore(), job, start)
+    with session.interrupt.shielded(), translated(str(options.design)):
+        stopped = actuation.write_actuation(found, design, project.name, options.begin, model,
+                                            options.output, job)
+    for one in actuation.findings(found.block):
+        session.reporter.say(f"{project.name}: {one}")
+    if stopped:
+        session.reporter.say("stopped: what there is, is written")
+        return STOPPED
+    return VALID if found.arrives else NOT_VALID
+
+
 COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,
             "verify": verify, "export": export, "kit": kit, "compare": compare,
-            "calibrate": calibrate}
+            "calibrate": calibrate, "actuate": actuate}
 
 
-def _design_project(options: Any, session: Session) -> tuple[Project, bool]:
-    """The project of a design file with settings that leave the layout alone, and whether these change its
+def _design_project(options: Any, session: Session, effects: tuple[str, ...] = ("rebuild", "files")
+                    ) -> tuple[Project, bool]:
+    """The project of a design file with settings that have one of these effects, and whether these change its
     geometry."""
     project = Project.of_design(_read_design(options.design), str(options.design))
     values, rebuilt = project.parameters, False
@@ -203,7 +228,7 @@ def _design_project(options: Any, session: Session) -> tuple[Project, bool]:
         if name in native.retired_parameters():
             continue
         row = parameter(native.parameter_name(name))
-        if row.effect not in ("rebuild", "files"):
+        if row.effect not in effects:
             raise CurveUpsError(f"{name} can't change on {options.command}", f"--set {name}",
                                 "run 'curveups design' with it")
         rebuilt |= row.effect == "rebuild" and values.get(name) != before.get(name)

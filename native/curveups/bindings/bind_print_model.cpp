@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The print model: figures, solids and files.
+#include "curveups/actuation/flat_piece.hpp"
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/bindings/bindings.hpp"
 #include "curveups/bindings/part_shape.hpp"
@@ -222,6 +223,13 @@ void bind_print_model(py::module_& module) {
           py::arg("kind"), "The piece, or the part, that each body of a kind belongs to.")
       .def_readonly("outlines", &PrintModel::outlines,
                     "Of each slab: its outline, then holes in it.")
+      .def(
+          "posed",
+          [](const PrintModel& m, const FrameRows& poses) {
+            const auto motions = frame_motions(poses, static_cast<int>(m.actuated.size()));
+            return HeldModel(new PrintModel(move_actuated(m, motions)));
+          },
+          py::arg("poses"), "The same with the actuated tiles where a frame has them.")
       .def(
           "write",
           [](const PrintModel& m, const std::string& ending, const std::string& kind,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Settled forces and the shape that a piece has once its tiles have settled.
 #include "curveups/bindings/bindings.hpp"
+#include "curveups/bindings/scan_block.hpp"
 #include "curveups/contact/settled_design.hpp"
 
 namespace curveups::bindings {
@@ -8,12 +9,6 @@ namespace {
 
 // As report.json has it.
 py::dict block(const SettledDesign& settled) {
-  py::dict scan;
-  scan["mean_mm"] = settled.scan.mean;
-  scan["rms_mm"] = settled.scan.rms;
-  scan["p95_mm"] = settled.scan.p95;
-  scan["max_mm"] = settled.scan.largest;
-  scan["hausdorff_mm"] = settled.scan.hausdorff;
   py::list open;
   for (const std::array<int, 2>& pair : settled.open_contacts) {
     open.append(py::make_tuple(pair[0], pair[1]));
@@ -29,7 +24,7 @@ py::dict block(const SettledDesign& settled) {
   out["drift_mm"] = settled.drift;
   out["holding_friction"] =
       settled.holding_friction ? py::cast(settled.holding_friction->value) : py::none();
-  out["scan"] = scan;
+  out["scan"] = scan_block(settled.scan);
   return out;
 }
 

@@ -84,6 +84,7 @@ void bind_targets(py::module_& module);
 void bind_layout(py::module_& module);
 void bind_verification(py::module_& module);
 void bind_settled(py::module_& module);
+void bind_actuation(py::module_& module);
 void bind_print_model(py::module_& module);
 
 }  // namespace curveups::bindings

@@ -18,5 +18,6 @@ PYBIND11_MODULE(_native, module) {
   bind_layout(module);
   bind_verification(module);
   bind_settled(module);
+  bind_actuation(module);
   bind_print_model(module);
 }

@@ -360,6 +360,13 @@ PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows) {
   return out;
 }
 
+PrintModel move_actuated(const PrintModel& model, const std::vector<RigidMotion>& motions) {
+  PrintModel out = model;
+  out.solids = std::make_shared<KeptSolids>();
+  for (std::size_t i = 0; i < motions.size(); ++i) move(out.actuated[i], motions[i]);
+  return out;
+}
+
 GluedAreas glued_areas(const PrintModel& model, Side side) {
   const Parameters& p = model.parameters;
   const bool up = (side == Side::front) == (p.orientation == "front-up");

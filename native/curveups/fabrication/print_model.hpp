@@ -100,4 +100,7 @@ PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows);
 // These pieces (or parts) alone, each once, moved within the plane.
 PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>& motions);
 
+// The same with the actuated tiles moved, one motion a tile.
+PrintModel move_actuated(const PrintModel& model, const std::vector<RigidMotion>& motions);
+
 }  // namespace curveups

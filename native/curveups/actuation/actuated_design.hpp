@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// From flat to shape: whether a piece gets there by itself, at which friction it still does, and
+// whether it could come to rest elsewhere (a trap).
+#pragma once
+
+#include <optional>
+
+#include "curveups/actuation/flat_piece.hpp"
+#include "curveups/actuation/path.hpp"
+#include "curveups/contact/virtual_scan.hpp"
+
+namespace curveups {
+
+// Where one path ends.
+struct PathEnd {
+  double friction_coefficient = 0;
+  bool at_rest = false;
+  double energy = 0;  // N mm
+  VirtualScan scan;   // of its last frame, beside the design
+  // Mean distance, mm, of the last frame's front surface from that of the piece that was let go
+  // where it is actuated, with the design's friction.
+  double shortfall = 0;
+  std::vector<std::array<int, 2>> open_contacts;  // pairs of tiles whose contact carries nothing
+  // Pairs of tiles that press on one another and are no contact, the hardest first: most share a
+  // corner.
+  std::vector<std::array<int, 2>> wedged;
+  int steps = 0, iterations = 0, factorizations = 0;
+};
+
+struct ActuationOptions {
+  std::optional<FrameRows> start;  // where tiles begin; none: flat
+  bool answers = true;             // else the path alone
+  PathOptions path;
+};
+
+struct ActuatedDesign {
+  ActuationPath path;    // at the design's own friction
+  PathEnd end;           // of it
+  PathEnd from_target;   // where the actuated piece comes to rest at the same friction
+  double tolerance = 0;  // mm, hold_tolerance
+  int contacts = 0;      // of the design
+  // Whether it comes to rest within the tolerance of from_target, all contacts closed. None without
+  // an answer: a path that is needed for it did not come to rest.
+  std::optional<bool> arrives;
+  // From flat at other frictions, ascending, and at the design's own: none first; where it arrives
+  // without, but not with its own, quarters of that.
+  std::vector<PathEnd> sampled;
+  std::optional<double> reach_friction;  // the largest of those at which it arrives
+  // Without friction, flat and actuated pieces end differently.
+  std::optional<bool> trap;
+  PathEnd frictionless_from_target;
+  double trap_distance = 0;  // mm, mean, between the two ends
+  // Of the last frame: 3 M x 3 front corners, fitted to the design, and per tile the mean distance.
+  Points3 corners;
+  Eigen::VectorXd deviation;
+  std::vector<FrameRows> frames;  // of the path, as files have them
+
+  bool has_arrived(const PathEnd& one) const {
+    return one.open_contacts.empty() && one.shortfall <= tolerance;
+  }
+};
+
+// store: as verify_design has it. Stopped while tiles move, it returns the path so far, without
+// answers; before that it throws Cancelled. Throws InvalidInput for gravity=held (a piece that
+// rises is held nowhere), and what frame_poses, make_tile_bodies, take_or_solve and make_tile_world
+// throw.
+ActuatedDesign actuate_design(const Design& design, SolutionStore* store,
+                              const ActuationOptions& options, const Progress& progress);
+
+}  // namespace curveups

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/actuation/flat_piece.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/design/parameter_texts.hpp"
+#include "curveups/physics/membrane_domain.hpp"
+
+namespace curveups {
+namespace {
+
+// Pin corners with the tiles at these poses.
+Points3 pin_corners(const TileBodies& bodies, const Points3& centres, const Poses& tiles,
+                    Side side) {
+  Points3 out =
+      actuated_pin_corners(bodies.geometry.tiles, bodies.q, side, bodies.parameters.H_pin);
+  for (Eigen::Index c = 0; c < out.rows(); ++c) {
+    out.row(c) = tiles[c / 3](out.row(c) - centres.row(c / 3)).transpose();
+  }
+  return out;
+}
+
+double lowest(const TileMesh& tiles, const Points3& centres, const Poses& poses, const Vec3& up) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      for (Side side : {Side::front, Side::back}) {
+        const Vec2& p = tiles.corners(i, side)[c];
+        const Vec3 corner =
+            tiles.frame[i].to_world({p.x(), p.y(), side == Side::front ? 0 : -tiles.H_body});
+        least = std::min(least, up.dot(poses[i](corner - centres.row(i).transpose())));
+      }
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+Poses flat_tiles(const TileBodies& bodies) {
+  const TileMesh& tiles = bodies.geometry.tiles;
+  const Points3 centres = tile_centres(tiles);
+  Poses out;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    const RigidMotion flat = flat_motion(bodies.poses, i, 0);
+    const RigidMotion actuated = actuated_motion(tiles.frame[i]);
+    const Eigen::Matrix3d R = flat.R * actuated.R.transpose();
+    out.push_back({R, flat.t + R * (centres.row(i).transpose() - actuated.t)});
+  }
+  return out;
+}
+
+FrameRows frame_rows(const TileMesh& tiles, const Poses& poses) {
+  const Points3 centres = tile_centres(tiles);
+  FrameRows rows(tiles.tile_count(), 7);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    Eigen::Quaterniond turn(poses[i].R);
+    if (turn.w() < 0) turn.coeffs() *= -1;
+    const Vec3 shift = poses[i].t - poses[i].R * centres.row(i).transpose();
+    rows.row(i) << shift.transpose(), turn.w(), turn.vec().transpose();
+  }
+  return rows;
+}
+
+std::vector<RigidMotion> frame_motions(const FrameRows& rows, int tile_count) {
+  if (rows.rows() != tile_count) {
+    throw InvalidInput("the frame has poses of " + std::to_string(rows.rows()) +
+                           " tiles, the design has " + std::to_string(tile_count),
+                       "give a frame of this design");
+  }
+  std::vector<RigidMotion> out;
+  for (int i = 0; i < tile_count; ++i) {
+    const Eigen::Quaterniond turn(rows(i, 3), rows(i, 4), rows(i, 5), rows(i, 6));
+    if (!rows.row(i).allFinite() || !(std::abs(turn.norm() - 1) < 1e-3) ||
+        rows.row(i).head<3>().cwiseAbs().maxCoeff() > 1e8) {
+      throw InvalidInput("the frame's pose of " + tile_name(i) + " is no rigid motion",
+                         "give x, y, z in mm and a unit quaternion w, x, y, z", {i});
+    }
+    out.push_back({turn.normalized().toRotationMatrix(), rows.row(i).head<3>().transpose()});
+  }
+  return out;
+}
+
+Poses frame_poses(const TileMesh& tiles, const FrameRows& rows) {
+  const Points3 centres = tile_centres(tiles);
+  Poses out = frame_motions(rows, tiles.tile_count());
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    out[i].t = out[i](centres.row(i).transpose());
+  }
+  return out;
+}
+
+Poses piece_poses(const TileBodies& bodies, const Poses& tiles, const Poses& actuated) {
+  const TileMesh& mesh = bodies.geometry.tiles;
+  const Points3 centres = tile_centres(mesh);
+  const Parameters& p = bodies.parameters;
+  Poses out = tiles;
+  if (p.gravity == "resting") {
+    const Vec3 up = -direction_of(p.gravity_direction);
+    const double level = up.dot(actuated.back().t), foot = lowest(mesh, centres, out, up);
+    for (RigidMotion& pose : out) pose.t += (level - foot) * up;
+  }
+  const Poses moved_tiles = out;
+  for (Side side : {Side::front, Side::back}) {
+    const Points3 corners = pin_corners(bodies, centres, moved_tiles, side);
+    for (const MembranePatch& patch : make_membrane_domain(mesh, side).patches) {
+      if (patch.vertex < 0) continue;
+      RigidMotion node;
+      for (int c : patch.corners) {
+        node.t += corners.row(c).transpose() / static_cast<double>(patch.corners.size());
+      }
+      out.push_back(node);
+    }
+  }
+  out.insert(out.end(), actuated.begin() + static_cast<std::ptrdiff_t>(out.size()), actuated.end());
+  return out;
+}
+
+double mean_stretch(const TileBodies& bodies, const Poses& tiles) {
+  const TileMesh& mesh = bodies.geometry.tiles;
+  const Points3 centres = tile_centres(mesh);
+  double sum = 0;
+  int count = 0;
+  for (Side side : {Side::front, Side::back}) {
+    const Points3 now = pin_corners(bodies, centres, tiles, side);
+    const Points2 flat = flat_pin_corners(mesh, bodies.poses, bodies.q, side);
+    for (const MembranePatch& patch : make_membrane_domain(mesh, side).patches) {
+      if (patch.contact < 0) continue;
+      const std::vector<int>& c = patch.corners;
+      auto bridge = [&](const auto& at) {
+        return (at.row(c[0]) + at.row(c[1]) - at.row(c[2]) - at.row(c[3])).norm();
+      };
+      sum += bodies.parameters.tau * bridge(now) / bridge(flat);
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+}  // namespace curveups

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A piece whose tiles are anywhere: poses of its TileWorld for given poses of its tiles, and how
+// far its membranes are stretched there.
+#pragma once
+
+#include "curveups/contact/tile_world.hpp"
+
+namespace curveups {
+
+// The tiles as the layout has them, in the plane z = 0 with their fronts up, about their centres
+// (tile_centres) as the TileWorld's bodies are.
+Poses flat_tiles(const TileBodies& bodies);
+
+// What files have of a frame: a row a tile, how it moves from its place in the actuated design, as
+// x, y, z (mm) and a unit quaternion (w, x, y, z): a point p goes to R p + (x, y, z).
+using FrameRows = Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor>;
+FrameRows frame_rows(const TileMesh& tiles, const Poses& poses);
+// The same as motions. Throws InvalidInput where there is not a row a tile, or one is no rigid
+// motion.
+std::vector<RigidMotion> frame_motions(const FrameRows& rows, int tile_count);
+Poses frame_poses(const TileMesh& tiles, const FrameRows& rows);
+
+// All bodies of a TileWorld (its poses where tiles are actuated: `actuated`) with the tiles at
+// these poses: nodes amid the pins around them, and the piece on the ground where it rests on one.
+Poses piece_poses(const TileBodies& bodies, const Poses& tiles, const Poses& actuated);
+
+// Over all contacts and both sides, the mean stretch ratio of the membrane between facing pin
+// edges: tau where tiles are flat.
+double mean_stretch(const TileBodies& bodies, const Poses& tiles);
+
+}  // namespace curveups

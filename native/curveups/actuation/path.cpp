@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/actuation/path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curveups/actuation/flat_piece.hpp"
+#include "curveups/core/checkpoint.hpp"
+#include "curveups/core/errors.hpp"
+
+namespace curveups {
+namespace {
+
+// mm: times the material's modulus, how stiff two tiles are that touch. About what their walls are
+// as layers, and what a corner is that is rounded by as much.
+constexpr double contact_width = 0.25;
+
+// A path whose energy falls by less than this part in so many steps, and that is not at rest, goes
+// round in circles: tips of bumps that slide off walls and onto them again.
+constexpr int stalled_steps = 60;
+constexpr double stalled_part = 1e-3;
+
+Pace pace_of(const Parameters& parameters) {
+  Pace pace;
+  pace.step_limit = parameters.L / 7.5;
+  pace.search.reach = 1.5 * pace.step_limit;  // what a step may meet
+  pace.search.pair_stiffness = contact_width * parameters.tile_modulus;
+  pace.search.face_margin = 0.01;
+  return pace;
+}
+
+double mean_way(const Poses& from, const Poses& to, int count) {
+  double sum = 0;
+  for (int i = 0; i < count; ++i) sum += (to[i].t - from[i].t).norm();
+  return sum / std::max(count, 1);
+}
+
+// Half as many, where there are more than `most`, evenly by the way of the tiles.
+void thin_out(std::vector<PathFrame>& frames, int most) {
+  if (static_cast<int>(frames.size()) <= most) return;
+  most = std::max(most / 2, 2);
+  const double whole = frames.back().moved;
+  std::vector<PathFrame> kept;
+  for (std::size_t k = 0; k + 1 < frames.size(); ++k) {
+    if (frames[k].moved * (most - 1) >= whole * static_cast<double>(kept.size())) {
+      kept.push_back(std::move(frames[k]));
+    }
+  }
+  kept.push_back(std::move(frames.back()));
+  frames = std::move(kept);
+}
+
+}  // namespace
+
+ActuationPath follow_path(const TileBodies& bodies, TileWorld& world, const PathOptions& options) {
+  ContactWorld& moving = *world.world;
+  moving.begin_path(pace_of(bodies.parameters));
+  ActuationPath path;
+  PathFrame now;
+  auto keep = [&] {
+    now.poses = moving.poses();
+    now.stretch = mean_stretch(bodies, now.poses);
+    path.frames.push_back(now);
+  };
+  now.energy = moving.energy();
+  keep();
+  std::vector<double> energies;  // before each step
+  try {
+    while (path.steps < options.max_steps) {
+      const int earlier = path.steps - stalled_steps;
+      if (earlier > 0 && energies[earlier] - now.energy < stalled_part * std::abs(now.energy)) {
+        break;
+      }
+      energies.push_back(now.energy);
+      const Poses before = moving.poses();
+      const StepReport step = moving.advance();
+      path.iterations += step.iterations;
+      path.factorizations += step.factorizations;
+      path.at_rest = step.at_rest;
+      if (step.at_rest) break;
+      ++path.steps;
+      path.largest_rise = std::max(path.largest_rise, step.energy - step.before);
+      path.found_anew += std::abs(step.before - now.energy);
+      for (const TouchForce& touch : moving.forces()) {
+        path.deepest = std::max(path.deepest, -touch.gap);
+      }
+      now.time += 1 / step.weight;
+      now.energy = step.energy;
+      now.friction += step.friction;
+      now.moved += mean_way(before, moving.poses(), world.tile_count);
+      keep();
+      thin_out(path.frames, 8 * options.most_frames);
+      if (options.reports) checkpoint("actuate", path.steps / (path.steps + 50.0));
+    }
+  } catch (const Cancelled&) {
+    path.stopped = true;
+    path.at_rest = false;
+  }
+  thin_out(path.frames, 2 * options.most_frames);
+  return path;
+}
+
+}  // namespace curveups

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The path of a piece from any poses of its tiles to where it comes to rest. It is overdamped, as
+// membranes are slow and tiles light: a drag of 1 N s / mm holds each tile back, and friction holds
+// it as Coulomb's law says (ContactWorld::advance). Stored energy falls by what drag and friction
+// take. All tiles that touch are equally stiff, so that corners do not sink into one another.
+#pragma once
+
+#include "curveups/contact/tile_world.hpp"
+
+namespace curveups {
+
+struct PathOptions {
+  int max_steps = 1000;
+  int most_frames = 60;  // kept, about, evenly by how far tiles move, with both ends
+  bool reports = true;   // how far it is; else it can only be stopped
+};
+
+struct PathFrame {
+  double time = 0;      // s, under the drag
+  double energy = 0;    // stored, N mm
+  double friction = 0;  // what friction has taken so far, N mm
+  double stretch = 0;   // mean_stretch
+  double moved = 0;     // how far tiles have moved so far, in the mean, mm
+  Poses poses;          // of all bodies of the world
+};
+
+struct ActuationPath {
+  std::vector<PathFrame> frames;
+  bool at_rest = false;  // all forces balance
+  bool stopped = false;  // by whoever watches: the path so far
+  // N mm: by which energy rose in a step, at most, and between steps where contact points were
+  // found anew, in all.
+  double largest_rise = 0, found_anew = 0;
+  double deepest = 0;  // mm: of points in faces at the end of steps, at most
+  int steps = 0, iterations = 0, factorizations = 0;
+};
+
+// Moves the world's bodies, from where they are, until they are at rest. Where it is stopped, or
+// does not converge, the path ends there.
+ActuationPath follow_path(const TileBodies& bodies, TileWorld& world, const PathOptions& options);
+
+}  // namespace curveups

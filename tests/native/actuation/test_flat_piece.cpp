@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include "curveups/actuation/flat_piece.hpp"
+#include "curveups/core/errors.hpp"
+#include "support/designs.hpp"
+
+namespace curveups::test {
+namespace {
+
+TEST(FlatPiece, StandsWhereTheLayoutHasIt) {
+  const Design design = sample_design();
+  const TileBodies bodies = make_tile_bodies(design);
+  const TileMesh& tiles = bodies.geometry.tiles;
+  const Points3 centres = tile_centres(tiles);
+  const Poses flat = flat_tiles(bodies);
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      const Vec3 corner = tiles.mesh.V.row(tiles.mesh.F(i, c)) - centres.row(i);
+      const Vec3 there = flat[i](corner);
+      EXPECT_NEAR(there.x(), design.T(i, 2 * c), 1e-9);
+      EXPECT_NEAR(there.y(), design.T(i, 2 * c + 1), 1e-9);
+      EXPECT_NEAR(there.z(), 0, 1e-9);
+    }
+    EXPECT_NEAR((flat[i].R * tiles.frame[i].z).z(), 1, 1e-12);  // fronts up
+  }
+  EXPECT_NEAR(mean_stretch(bodies, flat), design.parameters.tau, 1e-9);
+}
+
+TEST(FlatPiece, FramesAreMotionsFromTheActuatedDesign) {
+  const Design design = sample_design();
+  const TileBodies bodies = make_tile_bodies(design);
+  const TileMesh& tiles = bodies.geometry.tiles;
+  const Poses flat = flat_tiles(bodies);
+  const FrameRows rows = frame_rows(tiles, flat);
+  const Poses back = frame_poses(tiles, rows);
+  const std::vector<RigidMotion> motions = frame_motions(rows, tiles.tile_count());
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    EXPECT_LT((back[i].t - flat[i].t).norm(), 1e-9);
+    EXPECT_LT((back[i].R - flat[i].R).norm(), 1e-12);
+    EXPECT_NEAR(motions[i](tiles.mesh.V.row(tiles.mesh.F(i, 0))).x(), design.T(i, 0), 1e-9);
+  }
+  FrameRows bad = rows;
+  bad.row(3).tail<4>() *= 1.1;
+  try {
+    frame_poses(tiles, bad);
+    FAIL() << "no rigid motion was taken for one";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.tiles(), std::vector<int>{3});
+  }
+  EXPECT_THROW(frame_poses(tiles, rows.topRows(4)), InvalidInput);
+}
+
+}  // namespace
+}  // namespace curveups::test

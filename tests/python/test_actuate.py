@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`curveups actuate`: the answers, the path and the files that others read."""
+
+import json
+import re
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from curveups.base.errors import CurveUpsError
+from curveups.base.native import native
+from curveups.report import actuation
+
+FILES = {"frames.json", "frames.fold", "actuation.html", "small-cap-settled.step"}
+
+
+@pytest.fixture(scope="module")
+def risen(curveups, printed, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("risen")
+    source = printed.folder / "design.json"
+    ran = curveups("actuate", source, "-o", folder, "--set", "bumps=none", "friction_coefficient=0.2")
+    read = {name: json.loads((folder / name).read_text("utf-8"))
+            for name in ("actuation.json", "frames.json", "frames.fold")}
+    design = native.read_design(source.read_text("utf-8"))
+    return SimpleNamespace(folder=folder, ran=ran, source=source, design=design,
+                           answer=read["actuation.json"], frames=read["frames.json"]["frames"],
+                           fold=read["frames.fold"])
+
+
+def test_the_answer_and_its_status_agree(risen):
+    block = risen.answer["actuation"]
+    assert risen.answer["format"] == "curveups-actuation" and risen.answer["status"] == "complete"
+    assert risen.answer["from"] == "flat" and risen.answer["tiles"] == 24
+    assert block["converged"] and risen.ran.status == (0 if block["arrives"] else 1)
+    assert block["arrives"] == (block["shortfall_mm"] <= block["tolerance_mm"] and not block["open_contacts"])
+    friction = [one["friction_coefficient"] for one in block["sampled"]]
+    assert friction[0] == 0 and friction[-1] == 0.2 and friction == sorted(friction)
+    reached = [one["friction_coefficient"] for one in block["sampled"] if one["arrives"]]
+    assert block["reach_friction"] == (max(reached) if reached else None)
+    assert block["scan_frictionless"] == block["sampled"][0]["scan"]
+    assert block["from_target"]["converged"] and not block["from_target"]["open_contacts"]
+
+
+def test_what_it_finds_is_said_with_its_tiles(risen):
+    said = [str(one) for one in actuation.findings(risen.answer["actuation"])]
+    assert said and [one["what"] for one in risen.answer["findings"]] == said
+    assert all(f"small-cap: {one}" in risen.ran.err for one in said)
+    tiles = {tile for pair in risen.answer["actuation"]["open_contacts"] for tile in pair}
+    assert set(risen.answer["findings"][0]["tiles"]) == tiles
+
+
+def block_of(**changed):
+    end = {"wedged": [[1, 4], [2, 6]], "friction_coefficient": 0}
+    return {"arrives": False, "stopped": False, "shortfall_mm": 2.5, "tolerance_mm": 0.07, "contacts": 9,
+            "open_contacts": [[0, 1], [3, 5]], "trap": False, "trap_distance_mm": 1.25,
+            "reach_friction": None, "sampled": [end], **changed}
+
+
+@pytest.mark.parametrize("changed, kinds", [
+    ({"arrives": True, "open_contacts": []}, ["actuation_arrives"]),
+    ({}, ["actuation_jammed"]),
+    ({"open_contacts": []}, ["actuation_short"]),
+    ({"trap": True}, ["actuation_jammed", "actuation_trapped"]),
+    ({"trap": True, "sampled": [{"wedged": []}]}, ["actuation_jammed", "actuation_elsewhere"]),
+    ({"reach_friction": 0.1}, ["actuation_jammed", "actuation_friction"]),
+    ({"arrives": None, "trap": None}, ["actuation_restless"]),
+    ({"arrives": None, "stopped": True}, ["actuation_stopped"])])
+def test_each_answer_has_its_words(changed, kinds):
+    found = actuation.findings(block_of(**changed))
+    assert [one.kind for one in found] == kinds
+    for one in found:
+        assert str(one) != one.kind and "{" not in str(one)
+    if kinds[0] == "actuation_jammed":
+        assert found[0].tiles == (0, 1, 3, 5) and "2.5 mm" in str(found[0]) and "2 of 9" in str(found[0])
+        assert "T00001-T00002" in str(found[0]) and found[0].remedy()
+    if kinds[-1] == "actuation_trapped":
+        assert found[-1].tiles == (1, 2, 4, 6) and "T00002-T00005" in str(found[-1])
+
+
+def test_the_folder_holds_what_actuation_json_lists(risen):
+    assert set(risen.answer["files"]) == FILES
+    assert {file.name for file in risen.folder.iterdir()} == FILES | {"actuation.json"}
+
+
+def test_frames_lead_from_the_layout_along_falling_energy(risen):
+    first, last = risen.frames[0], risen.frames[-1]
+    corners = actuation.front_corners(risen.design, np.array(first["poses"]))
+    assert corners[:, :, :2] == pytest.approx(np.asarray(risen.design.T), abs=1e-6)
+    assert corners[:, :, 2] == pytest.approx(0, abs=1e-6)
+    assert first["stretch"] == pytest.approx(risen.design.parameters.get("tau"))
+    for name, sign in (("energy", -1), ("friction", 1), ("time", 1)):
+        steps = sign * np.diff([frame[name] for frame in risen.frames])
+        assert (steps >= -1e-6 * last["energy"]).all()
+    assert last["energy"] == pytest.approx(risen.answer["actuation"]["energy_n_mm"])
+
+
+def test_fold_frames_keep_every_tile_rigid(risen):
+    faces = np.array(risen.fold["faces_vertices"])
+    assert risen.fold["file_spec"] >= 1.1 and len(faces) == 24
+    assert len(risen.fold["file_frames"]) == len(risen.frames) > 5
+
+    def edges(frame):
+        corners = np.array(frame["vertices_coords"])[faces]
+        return np.linalg.norm(corners - np.roll(corners, 1, 1), axis=2)
+
+    for frame in risen.fold["file_frames"]:
+        assert frame["frame_inherit"] and frame["frame_parent"] == 0
+        assert edges(frame) == pytest.approx(edges(risen.fold), abs=1e-5)
+
+
+def test_the_page_needs_nothing_beside_it(risen):
+    page = (risen.folder / "actuation.html").read_text("utf-8")
+    assert f"FRAMES={len(risen.frames)}," in page and "small-cap" in page
+    assert not re.search(r"(src|href)=[\"'](?!data:)", page)
+
+
+def test_the_step_file_has_the_tiles_where_the_path_ends(risen):
+    text = (risen.folder / "small-cap-settled.step").read_text("utf-8")
+    assert text.startswith("ISO-10303-21") and "T00024" in text
+    points = np.array([[float(x) for x in found.split(",")]
+                       for found in re.findall(r"CARTESIAN_POINT\('[^']*',\(([^)]*)\)\)", text)])
+    corners = actuation.front_corners(risen.design, np.array(risen.frames[-1]["poses"])).reshape(-1, 3)
+    # A boundary corner that no plane cuts is a point of the solids.
+    near = np.linalg.norm(points[:, None] - corners[None], axis=2).min(0)
+    assert (near < 1e-3).sum() > 12
+
+
+def test_a_frame_is_gone_on_from(risen, curveups, tmp_path):
+    ran = curveups("actuate", risen.source, "-o", tmp_path, "--set", "bumps=none", "friction_coefficient=0.2",
+                   "--from", f"{risen.folder / 'frames.json'}:1")
+    answer = json.loads((tmp_path / "actuation.json").read_text("utf-8"))
+    assert answer["actuation"]["converged"] and ran.status in (0, 1)
+    assert answer["actuation"]["trap"] is None and "sampled" not in answer["actuation"]
+    frames = json.loads((tmp_path / "frames.json").read_text("utf-8"))["frames"]
+    assert np.array(frames[0]["poses"]) == pytest.approx(np.array(risen.frames[1]["poses"]), abs=1e-6)
+
+
+def test_it_stays_at_the_target_with_friction(risen, curveups, tmp_path):
+    ran = curveups("actuate", risen.source, "-o", tmp_path, "--from", "target")
+    assert ran.status == 0, ran.err
+
+
+STILL = "[0, 0, 0, 1, 0, 0, 0]"
+
+
+def frame_text(*rows):
+    return '{"format": "curveups-frames", "frames": [{"poses": [' + ", ".join(rows) + "]}]}"
+
+
+@pytest.mark.parametrize("text, words", [
+    (None, "can't be read"), ("{", "no frames"), ('{"format": "curveups-frames", "frames": []}', "no frame"),
+    (frame_text(STILL), "poses of 1 tiles"),
+    (frame_text("[0, 0, 0, 9, 0, 0, 0]", *[STILL] * 23), "no rigid motion")])
+def test_frames_that_do_not_do_are_refused(risen, curveups, tmp_path, text, words):
+    path = tmp_path / "frames.json"
+    if text is not None:
+        path.write_text(text, "utf-8")
+    ran = curveups("actuate", risen.source, "-o", tmp_path / "out", "--from", path)
+    assert ran.status == 2 and words in ran.err.splitlines()[-1]
+    assert not (tmp_path / "out").exists()
+
+
+def test_hands_that_hold_it_are_refused(risen, curveups, tmp_path):
+    ran = curveups("actuate", risen.source, "-o", tmp_path / "out", "--set", "gravity=held")
+    assert ran.status == 2 and "gravity" in ran.err.splitlines()[-1] and not (tmp_path / "out").exists()
+
+
+def test_numbers_of_frames_are_counted(tmp_path):
+    path = tmp_path / "frames.json"
+    path.write_text(frame_text(STILL), "utf-8")
+    assert actuation.read_start(f"{path}:0", 1).shape == (1, 7)
+    with pytest.raises(CurveUpsError, match="there is no frame 1"):
+        actuation.read_start(f"{path}:1", 1)
