@@ -3038,6 +3038,10 @@
       <translation>support_drop ({0} mm) lässt keinen Stützkörper</translation>
     </message>
     <message>
+      <source>take a stronger glue, raise A_pin_min or lower tau</source>
+      <translation>einen stärkeren Kleber nehmen, A_pin_min erhöhen oder tau verringern</translation>
+    </message>
+    <message>
       <source>take the expression away</source>
       <translation>den Ausdruck entfernen</translation>
     </message>
@@ -3210,12 +3214,20 @@
       <translation>Vorder- oder Rückseite von {0} Kacheln verschwindet oder stülpt sich um</translation>
     </message>
     <message>
-      <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear</source>
-      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g} MPa Schub</translation>
+      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). Nothing holds what is left of the membranes</source>
+      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Nichts hält, was von den Membranen bleibt</translation>
     </message>
     <message>
-      <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear, more than glue_strength ({limit:.3g} MPa): raise A_pin_min or lower tau</source>
-      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g} MPa Schub, mehr als glue_strength ({limit:.3g} MPa): A_pin_min erhöhen oder tau verringern</translation>
+      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece does not hold without them: pushing forces leave {least:.3g} N, less than f_min = {f_min:.3g} N</source>
+      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Das Stück hält ohne sie nicht: Drückende Kräfte lassen {least:.3g} N, weniger als f_min = {f_min:.3g} N</translation>
+    </message>
+    <message>
+      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece holds without them</source>
+      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Das Stück hält ohne sie</translation>
+    </message>
+    <message>
+      <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear</source>
+      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g} MPa Schub</translation>
     </message>
     <message>
       <source>the label of piece {piece} has no room: not the whole name</source>
@@ -3600,6 +3612,10 @@
     <message>
       <source>there is no {0}</source>
       <translation>es gibt kein {0}</translation>
+    </message>
+    <message>
+      <source>there is no {0} '{1}'</source>
+      <translation>es gibt kein {0} „{1}“</translation>
     </message>
     <message>
       <source>there is no {0} skin: nothing of the part is a wall with two sides</source>

@@ -18,7 +18,7 @@ import sys
 import time
 from collections import Counter
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any, Mapping, Optional
 
 import thirty_targets as thirty
 from curveups.base.errors import CurveUpsError
@@ -37,10 +37,10 @@ SETTINGS: dict[str, dict[str, Any]] = {
 LONGEST = 120.0  # seconds of processor time
 
 
-def judge(target: str, cuts: int, setting: str) -> dict[str, Any]:
+def judge(target: str, cuts: int, setting: Mapping[str, Any]) -> dict[str, Any]:
     """Verdicts of check and design: yes, no, or None where it took too long; and why not."""
     parameters = native.Parameters()
-    for name, value in {**BASE, **SETTINGS[setting]}.items():
+    for name, value in {**BASE, **setting}.items():
         parameters.set(name, value)
     begun = time.process_time()
     job = Job(lambda what, fraction: time.process_time() - begun < LONGEST)
@@ -93,7 +93,7 @@ def main() -> None:
                 if (name, setting) in done:
                     continue
                 rows.append({"target": name, "setting": setting,
-                             **judge(path, thirty.CUT.get(name, 0), setting)})
+                             **judge(path, thirty.CUT.get(name, 0), SETTINGS[setting])})
                 print(json.dumps(rows[-1]), file=out, flush=True)
     print(*table(rows), sep="\n")
 

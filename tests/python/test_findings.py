@@ -41,7 +41,7 @@ def test_a_sentence_names_what_its_figures_are():
 
 
 def test_a_style_writes_words_tiles_and_text():
-    found = Finding.about("glue_shear", [2], side="back", tile=(2,), shear=0.3, limit=0.2)
+    found = Finding.about("glue_carries", [2], side="back", tile=(2,), shear=0.3)
     style = Style(lambda text: {"back": "hinten"}.get(text, text).replace("carries", "<trägt>"),
                   lambda row: f"<{row}>", lambda text: escape(text, quote=False))
     assert found.sentence(style).startswith("the glue on the hinten pin of <2> &lt;trägt&gt; 0.3 MPa")

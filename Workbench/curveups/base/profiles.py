@@ -1,39 +1,70 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads profiles: named sets of parameters that suit a kind of printer, in files as `--config` takes them."""
+"""Reads profiles and materials: named sets of parameters, in files as `--config` takes them. A profile suits
+a kind of printer. A material says of each number where it is from and between what it varies."""
 
 from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, Iterable
+
+from .errors import CurveUpsError
 from .native import native
 
-_FOLDER = Path(__file__).parents[3] / "resources" / "profiles"
-ABOUT = "about"  # the key of a note of the file's author
+_RESOURCES = Path(__file__).parents[3] / "resources"
+NOTES = ("about", "kind", "sources")  # keys that are no parameters
+MATERIALS = ("material_membrane", "material_glue", "material_tile")  # kinds; `--set KIND=NAME` chooses one
 
 
 def profile_names() -> list[str]:
     """In alphabetical order."""
-    return sorted(path.stem for path in _FOLDER.glob("*.json"))
+    return sorted(path.stem for path in (_RESOURCES / "profiles").glob("*.json"))
 
 
 def profile_path(name: str) -> Path:
     """The file of one of these."""
-    return _FOLDER / f"{name}.json"
+    return _RESOURCES / "profiles" / f"{name}.json"
 
 
-def about(name: str) -> str:
-    """What is to be known of a profile."""
-    return str(_read(name).get(ABOUT, ""))
+def material_names(kind: str) -> list[str]:
+    """Of one of MATERIALS, in alphabetical order."""
+    return sorted(path.stem for path in (_RESOURCES / "materials").glob("*.json")
+                  if _read(path)["kind"] == kind)
 
 
-def parameters(name: str) -> dict[str, Any]:
-    """Values by parameter; of "" the defaults of all that some profile sets."""
-    if name:
-        return {key: value for key, value in _read(name).items() if key != ABOUT}
-    defaults = native.Parameters()
-    return {key: defaults.get(key) for profile in profile_names() for key in parameters(profile)}
+def material_path(name: str) -> Path:
+    return _RESOURCES / "materials" / f"{name}.json"
 
 
-def _read(name: str) -> dict[str, Any]:
-    return dict(json.loads(profile_path(name).read_text(encoding="utf-8")))
+def about(path: Path) -> str:
+    """What is to be known of a profile or material."""
+    return str(_read(path).get("about", ""))
+
+
+def sources(path: Path) -> dict[str, dict[str, Any]]:
+    """By quantity of a material: `low`, `high`, `source`, `date`, and `assumed` where no source was read. A
+    quantity without a side stands for both sides' parameters; one that is no parameter has a `value`."""
+    return dict(_read(path).get("sources", {}))
+
+
+def parameters(path: Path) -> dict[str, Any]:
+    """Values by parameter."""
+    return {key: value for key, value in _read(path).items() if key not in NOTES}
+
+
+def defaults(paths: Iterable[Path]) -> dict[str, Any]:
+    """Of all parameters that some of these set."""
+    common = native.Parameters()
+    return {key: common.get(key) for path in paths for key in parameters(path)}
+
+
+def of_material(kind: str, name: Any, where: str) -> dict[str, Any]:
+    """The parameters of a material. Raises CurveUpsError where there is none of that name."""
+    known = material_names(kind)
+    if name not in known:
+        raise CurveUpsError(f"there is no {kind} '{name}'", where, f"give one of {', '.join(known)}")
+    return parameters(material_path(str(name)))
+
+
+def _read(path: Path) -> dict[str, Any]:
+    return dict(json.loads(path.read_text(encoding="utf-8")))

@@ -78,8 +78,21 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "membrane.slack": "the {side} membrane is slack beside {beside:8}",
     "sheet_tears": "more than 1 % of the membranes is stretched by {elongation:.3g} % or more, beyond "
                    "elongation_at_break ({limit:.3g} %): they tear; lower tau",
-    "glue_shear": "the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear, more than "
-                  "glue_strength ({limit:.3g} MPa): raise A_pin_min or lower tau",
+    "glue_shear.holds": (
+        "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
+        "carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece "
+        "holds without them",
+        "take a stronger glue, raise A_pin_min or lower tau"),
+    "glue_shear.fails": (
+        "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
+        "carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece does "
+        "not hold without them: pushing forces leave {least:.3g} N, less than f_min = {f_min:.3g} N",
+        "take a stronger glue, raise A_pin_min or lower tau"),
+    "glue_shear.all": (
+        "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
+        "carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). Nothing "
+        "holds what is left of the membranes",
+        "take a stronger glue, raise A_pin_min or lower tau"),
     "not_laid_out": "{said}",
     "piece_weak": "piece {piece} by itself: a contact point of {contact} has {least:.3g} N, less than f_min "
                   "= {f_min:.3g} N of this piece",

@@ -164,7 +164,8 @@ def _set_argument(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--set", dest="settings", action="append", default=[],
                         metavar="name=value",
                         help="a parameter, or several; see 'curveups parameters'. L=auto and H_body=auto "
-                             "choose the largest that work")
+                             "choose the largest that work; material_membrane, material_glue and "
+                             "material_tile choose from the library")
 
 
 def _one_setting_each(arguments: Sequence[str]) -> list[str]:

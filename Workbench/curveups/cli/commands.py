@@ -12,7 +12,7 @@ from ..base.findings import Finding
 from ..base.native import native, translated
 from ..base.parameters import parameter, table
 from ..base.output import Folder, is_text, plain_name, require_folder_name, safe_name
-from ..base.profiles import ABOUT, profile_path
+from ..base.profiles import MATERIALS, NOTES, of_material, profile_path
 from ..base.progress import Interrupt, Reporter
 from ..base.reading import read_text
 from ..features.document_file import write_document
@@ -222,9 +222,10 @@ def _design_project(options: Any, session: Session, effects: tuple[str, ...] = (
     geometry."""
     project = Project.of_design(_read_design(options.design), str(options.design))
     values, rebuilt = project.parameters, False
-    for name, text in _settings(options.settings):
+    given = [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
+    for name, value, where in _with_materials(given):
         before = native.Parameters(values)
-        _set(values, name, text, f"--set {name}", session)
+        _set(values, name, value, where, session)
         if name in native.retired_parameters():
             continue
         row = parameter(native.parameter_name(name))
@@ -272,9 +273,9 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
 
     profile = [profile_path(options.profile)] if options.profile else []
     given = [(name, value, str(path)) for path in (*profile, *options.config)
-             for name, value in read_json_object(path).items() if name != ABOUT]
+             for name, value in read_json_object(path).items() if name not in NOTES]
     given += [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
-    for name, value, where in (*_of_printer(given), *given):
+    for name, value, where in (*_of_printer(given), *_with_materials(given)):
         put(name, value, where)
     if options.fit is not None:
         put("fit", options.fit, "--fit")
@@ -291,6 +292,13 @@ def _of_printer(given: Sequence[tuple[str, Any, str]]) -> Iterator[tuple[str, An
     printer = next((value for name, value, _ in reversed(given) if name == "printer"), None)
     if printer in parameter("printer").choices and "density" in (known := read_printer(printer)):
         yield "density", known["density"], printer
+
+
+def _with_materials(given: Sequence[tuple[str, Any, str]]) -> list[tuple[str, Any, str]]:
+    """With the parameters of materials instead of their names; what is given itself wins over these."""
+    of_materials = [(name, value, where) for kind, material, where in given if kind in MATERIALS
+                    for name, value in of_material(kind, material, where).items()]
+    return of_materials + [row for row in given if row[0] not in MATERIALS]
 
 
 def _choose_sizes(project: Project, cuts: CutRequest, names: set[str], session: Session) -> None:

@@ -138,7 +138,8 @@ def refuse_bound(design: Any, names: Collection[str]) -> None:
 def apply_profile(design: Any, name: str) -> None:
     """Sets the parameters that suit a kind of printer (profiles.py), and leaves the others alone; "" sets
     those that any profile names to their defaults."""
-    values = profiles.parameters(name)
+    paths = [profiles.profile_path(one) for one in profiles.profile_names()]
+    values = profiles.parameters(profiles.profile_path(name)) if name else profiles.defaults(paths)
     with transaction(design.Document, "Apply Profile"):
         for parameter, value in values.items():
             properties.write_parameter(design, parameter, value)

@@ -50,7 +50,8 @@ class Repair(Result):
 def _run(inputs: Inputs, job: Job) -> Repair:
     before, verified = inputs["layout"].design, inputs["verification of the layout"]
     known = verified.verification
-    if known.valid or known.note or known.failure or not inputs.parameters.get("run_repair"):
+    if (known.valid and not known.overloaded) or known.note or known.failure \
+            or not inputs.parameters.get("run_repair"):
         return Repair(before, verified.verdict)
     design = before.with_parameters(inputs.parameters)
     found = native.repair_design(design, inputs.store, job, job.listener("repair"))

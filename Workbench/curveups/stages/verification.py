@@ -38,6 +38,11 @@ class Verification(Result):
         return not self.note
 
     @property
+    def overloaded(self) -> bool:
+        """Whether some pins carry more than their glue withstands."""
+        return "loose" in self.blocks.get("glue", {})
+
+    @property
     def weak_contacts(self) -> list[tuple[int, int]]:
         """Tile pairs of contacts below f_min."""
         pairs = self.blocks.get("contact_forces", {}).get("invalid_contacts", ())
@@ -134,7 +139,7 @@ class LayoutVerification(Result):
 
 def _verify_layout(inputs: Inputs, job: Job) -> LayoutVerification:
     found = _verify(inputs["layout"].design, inputs, job, weak_is_enough=True)
-    if found.valid:
+    if found.valid and not found.overloaded:
         inputs.store.clear()  # otherwise repair starts from it
     return LayoutVerification(found)
 

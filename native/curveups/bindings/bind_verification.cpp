@@ -79,7 +79,7 @@ py::dict unilateral_block(const UnilateralFigures& f) {
   return out;
 }
 
-py::dict glue_block(const LargestGlueLoads& glue) {
+py::dict glue_block(const LargestGlueLoads& glue, const Loosening& loosening) {
   py::dict out;
   auto where = [&](const char* name, const GlueLoad& load) {
     py::dict place;
@@ -88,9 +88,19 @@ py::dict glue_block(const LargestGlueLoads& glue) {
     out[name] = place;
   };
   out["shear_max_mpa"] = glue.shear.shear;
+  out["shear_limit_mpa"] = glue.shear.limit;
   where("shear_at", glue.shear);
   out["peel_max_n_per_mm"] = glue.peel.peel;
   where("peel_at", glue.peel);
+  if (loosening.rounds > 0) {
+    py::dict loose;
+    loose["front"] = loosening.pins[0];
+    loose["back"] = loosening.pins[1];
+    loose["holds"] = loosening.holds;
+    loose["largest_floor"] = loosening.largest_floor;
+    loose["f_min"] = loosening.f_min;
+    out["loose"] = loose;
+  }
   return out;
 }
 
@@ -100,7 +110,7 @@ py::dict blocks(const VerificationReport& report) {
   out["physics"] = physics_block(report.physics);
   out["contact_forces"] = contact_block(report.contact_forces);
   if (report.complete) out["unilateral"] = unilateral_block(report.unilateral);
-  out["glue"] = glue_block(report.glue);
+  out["glue"] = glue_block(report.glue, report.loosening);
   return out;
 }
 

@@ -83,10 +83,10 @@ std::vector<Axis> axes() {
   };
 }
 
-WindowRange range_of_glue(const LargestGlueLoads& glue, const Parameters& parameters) {
+WindowRange range_of_glue(const LargestGlueLoads& glue) {
   WindowRange out{"glue_strength", "%", "glue", {-50, 50}, {}};
   const GlueLoad& load = glue.shear;
-  const double needed = 100 * (load.shear / parameters.glue_strength - 1);
+  const double needed = 100 * (load.shear / load.limit - 1);
   out.end = {WindowEnd{std::max(needed, -50.0), {}}, WindowEnd{std::max(needed, 50.0), {}}};
   if (needed > -50) {
     const std::vector<int> tile = {load.tile};
@@ -132,8 +132,7 @@ Margin find_margin(Settling& settling, const Settling::State& standing,
 
 std::vector<WindowRange> process_window(Settling& settling, const Settling::State& standing,
                                         const WindowEnd& lowest_friction,
-                                        const LargestGlueLoads& glue,
-                                        const Parameters& parameters) {
+                                        const LargestGlueLoads& glue) {
   const double mu = standing.friction;
   std::vector<Axis> all = axes();
   all.push_back({"friction_coefficient",
@@ -158,7 +157,7 @@ std::vector<WindowRange> process_window(Settling& settling, const Settling::Stat
     }
     out.push_back(std::move(range));
   }
-  out.push_back(range_of_glue(glue, parameters));
+  out.push_back(range_of_glue(glue));
   return out;
 }
 

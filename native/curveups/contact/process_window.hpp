@@ -47,6 +47,6 @@ struct WindowRange {
 // standing: where the design holds. lowest_friction: holding_friction's.
 std::vector<WindowRange> process_window(Settling& settling, const Settling::State& standing,
                                         const WindowEnd& lowest_friction,
-                                        const LargestGlueLoads& glue, const Parameters& parameters);
+                                        const LargestGlueLoads& glue);
 
 }  // namespace curveups

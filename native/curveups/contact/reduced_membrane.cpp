@@ -92,7 +92,7 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
     coefficient.row(0) = -inverse.colwise().sum();
     Gradient32 F = Gradient32::Zero();
     for (int k = 0; k < 3; ++k) F += x[k] * coefficient.row(k);
-    const Density density = material_.model->evaluate(F, material_.regularization, second);
+    const Density density = material_.model->evaluate(F, material_.constants, second);
     sum += weight * density.value;
     if (!out) continue;
     // By the motion of corner k the gradient of F is (I, turn_k), times its two coefficients.

@@ -60,9 +60,9 @@ SettledDesign settle_design(const Design& design, SolutionStore* store, const Pr
   }
   out.margin = find_margin(settling, standing, design.parameters);
   if (design.parameters.window && out.holding_friction) {
-    out.window = process_window(
-        settling, standing, *out.holding_friction,
-        largest_glue_loads(bodies.geometry.tiles, design.q, solved.membranes), design.parameters);
+    out.window = process_window(settling, standing, *out.holding_friction,
+                                largest_of(glue_loads(bodies.geometry.tiles, design.q,
+                                                      solved.membranes, design.parameters)));
   }
   if (store) store->put(std::move(solved));
   return out;

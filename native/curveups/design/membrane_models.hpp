@@ -5,6 +5,7 @@
 #pragma once
 
 // MODEL(function, "name among the choices", whether its Hessian is nowhere indefinite)
-#define CURVEUPS_MEMBRANE_MODELS(MODEL)       \
-  MODEL(tension_field, "tension-field", true) \
+#define CURVEUPS_MEMBRANE_MODELS(MODEL)        \
+  MODEL(tension_field, "tension-field", true)  \
+  MODEL(mooney_rivlin, "mooney-rivlin", false) \
   MODEL(neo_hookean, "neo-hookean", false)

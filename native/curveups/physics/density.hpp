@@ -25,16 +25,22 @@ struct Density {
   Matrix6 hessian = Matrix6::Zero();  // left zero unless asked for
 };
 
+// What some densities need besides F.
+struct DensityConstants {
+  double regularization = 1e-4;  // of those that leave slack parts without a unique position
+  double mooney_share = 0.5;     // C2 / (C1 + C2)
+};
+
 // Every density is a function of F, in a file of its name: value, gradient and (where `second`)
-// Hessian by F. regularization: for densities that leave slack parts without a unique position.
+// Hessian by F.
 #define CURVEUPS_DECLARE(function, name, convex) \
-  Density function(const Gradient32& F, double regularization, bool second);
+  Density function(const Gradient32& F, const DensityConstants& constants, bool second);
 CURVEUPS_MEMBRANE_MODELS(CURVEUPS_DECLARE)
 #undef CURVEUPS_DECLARE
 
 struct DensityModel {
   std::string_view name;  // as the parameter has it
-  Density (*evaluate)(const Gradient32& F, double regularization, bool second);
+  Density (*evaluate)(const Gradient32& F, const DensityConstants& constants, bool second);
   bool convex;  // its Hessian is nowhere indefinite
 };
 

@@ -25,7 +25,8 @@ std::vector<char> open_vertices(const TileMesh& tiles) {
 
 }  // namespace
 
-MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side) {
+MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side,
+                                    const std::vector<int>& loose) {
   MembraneDomain domain;
   domain.side = side;
   domain.tile_count = tiles.tile_count();
@@ -58,6 +59,12 @@ MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side) {
   }
   for (int v = 0; v < tiles.mesh.V.rows(); ++v) {
     if (!open[v]) domain.patches.push_back({std::move(around[v]), -1, v});
+  }
+  if (!loose.empty()) domain.loose.assign(tiles.tile_count(), 0);
+  for (int i : loose) {
+    domain.loose[i] = 1;
+    domain.patches.push_back(
+        {{pin_corner_index(i, 0), pin_corner_index(i, 1), pin_corner_index(i, 2)}, -1, -1});
   }
   return domain;
 }

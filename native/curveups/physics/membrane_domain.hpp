@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Where one membrane is free (paper, Fig. 9): between the pins of tiles in contact, and around the
 // uncut interior vertices that those contacts enclose. The pins themselves are holes: membrane that
-// is glued to a pin balances itself. Holes of the target and slits of cuts stay open.
+// is glued to a pin balances itself. Holes of the target and slits of cuts stay open. Where glue
+// has let go of a pin, the membrane is free above it too.
 #pragma once
 
 #include <array>
@@ -17,7 +18,8 @@ namespace curveups {
 inline int pin_corner_index(int tile, int corner) { return 3 * tile + corner; }
 
 // A polygon of membrane. Its sides are, for a quadrilateral, pin edge, free side, pin edge, free
-// side; for a vertex polygon, the free sides of the quadrilaterals around it.
+// side; for a vertex polygon, the free sides of the quadrilaterals around it; above a loose pin,
+// the pin's edges.
 struct MembranePatch {
   std::vector<int> corners;  // pin corner numbers, counter-clockwise in the flat plane
   int contact;               // the contact bridged, or -1
@@ -27,10 +29,14 @@ struct MembranePatch {
 struct MembraneDomain {
   Side side;
   int tile_count;
-  std::vector<MembranePatch> patches;  // contacts in their order, then vertices in theirs
+  std::vector<MembranePatch> patches;  // contacts in their order, then vertices and loose pins
+  std::vector<char> loose;             // by tile, whether its pin has let go; empty: none has
+  bool is_loose(int tile) const { return !loose.empty() && loose[tile] != 0; }
 };
 
-MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side);
+// loose: tiles whose pins on this side have let go of the membrane.
+MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side,
+                                    const std::vector<int>& loose = {});
 
 // Tiles (from 0) whose corners a patch uses, each once, in ascending order.
 std::vector<int> tiles_of(const MembranePatch& patch);

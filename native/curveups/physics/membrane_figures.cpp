@@ -63,9 +63,10 @@ double stretch_of_all_but(double share, const std::array<MembraneSolution, 2>& m
   return parts.empty() ? 0.0 : parts.front().first;
 }
 
-LargestGlueLoads largest_glue_loads(const TileMesh& tiles, const Array6& q,
-                                    const std::array<MembraneSolution, 2>& membranes) {
-  LargestGlueLoads out;
+GlueLoads glue_loads(const TileMesh& tiles, const Array6& q,
+                     const std::array<MembraneSolution, 2>& membranes,
+                     const Parameters& parameters) {
+  GlueLoads out;
   const int count = tiles.tile_count();
   for (Side side : {Side::front, Side::back}) {
     const MembraneSolution& m = membranes[static_cast<int>(side)];
@@ -86,10 +87,37 @@ LargestGlueLoads largest_glue_loads(const TileMesh& tiles, const Array6& q,
       const std::array<Vec2, 3> corner = pin_corners(tiles, i, side, q.row(i).data());
       double around = 0;
       for (int t = 0; t < 3; ++t) around += (corner[next3(t)] - corner[t]).norm();
-      if (!(area > 0)) continue;
-      const GlueLoad load{i, side, along[i] / area, off[i] / around};
-      if (load.shear > out.shear.shear) out.shear = load;
+      GlueLoad load{i, side, 0, 0, parameters.glue_strength};
+      if (area > 0) {
+        load.shear = along[i] / area;
+        load.peel = off[i] / around;
+      }
+      out[static_cast<int>(side)].push_back(load);
+    }
+  }
+  return out;
+}
+
+LargestGlueLoads largest_of(const GlueLoads& loads) {
+  LargestGlueLoads out;
+  double share = 0;
+  for (const std::vector<GlueLoad>& of_side : loads) {
+    for (const GlueLoad& load : of_side) {
+      if (load.shear / load.limit > share) {
+        share = load.shear / load.limit;
+        out.shear = load;
+      }
       if (load.peel > out.peel.peel) out.peel = load;
+    }
+  }
+  return out;
+}
+
+LoosePins overloaded_pins(const GlueLoads& loads) {
+  LoosePins out;
+  for (std::size_t s = 0; s < loads.size(); ++s) {
+    for (const GlueLoad& load : loads[s]) {
+      if (load.shear > load.limit) out[s].push_back(load.tile);
     }
   }
   return out;

@@ -35,13 +35,23 @@ struct GlueLoad {
   Side side = Side::front;
   double shear = 0;  // MPa: pull along the pin's top over its area
   double peel = 0;   // N / mm: pull off the top over its circumference, where it is off
+  double limit = 0;  // MPa of shear that the glue withstands there
 };
 
-// The largest shear and the largest peel of all pins. q: the design's insets.
+// Of every pin, by side and tile. q: the design's insets. A loose pin carries
+// nothing.
+using GlueLoads = std::array<std::vector<GlueLoad>, 2>;
+GlueLoads glue_loads(const TileMesh& tiles, const Array6& q,
+                     const std::array<MembraneSolution, 2>& membranes,
+                     const Parameters& parameters);
+
+// The pin nearest to its limit or furthest beyond it, and that with the largest peel.
 struct LargestGlueLoads {
   GlueLoad shear, peel;
 };
-LargestGlueLoads largest_glue_loads(const TileMesh& tiles, const Array6& q,
-                                    const std::array<MembraneSolution, 2>& membranes);
+LargestGlueLoads largest_of(const GlueLoads& loads);
+
+// The pins that carry more than they withstand.
+LoosePins overloaded_pins(const GlueLoads& loads);
 
 }  // namespace curveups

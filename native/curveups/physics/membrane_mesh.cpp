@@ -95,7 +95,8 @@ SharedVertices make_shared_vertices(const MembraneDomain& domain, const Points2&
   for (std::size_t c = 0; c < shared.at_corner.size(); ++c) {
     if (shared.at_corner[c] < 0) continue;
     shared.at_corner[c] = mesh.vertex_count();
-    push_vertex(mesh, {static_cast<int>(c)}, {1.0}, static_cast<int>(c) / 3);
+    const int tile = static_cast<int>(c) / 3;
+    push_vertex(mesh, {static_cast<int>(c)}, {1.0}, domain.is_loose(tile) ? -1 : tile);
   }
   shared.on_side.reserve(4 * domain.patches.size());
   for (const MembranePatch& patch : domain.patches) {
@@ -107,7 +108,8 @@ SharedVertices make_shared_vertices(const MembraneDomain& domain, const Points2&
       const double length = (flat.row(low) - flat.row(high)).norm();
       for (double t : grading.fractions(length)) {
         it->second.push_back(mesh.vertex_count());
-        push_vertex(mesh, {low, high}, {1 - t, t}, low / 3 == high / 3 ? low / 3 : -1);
+        const bool glued = low / 3 == high / 3 && !domain.is_loose(low / 3);
+        push_vertex(mesh, {low, high}, {1 - t, t}, glued ? low / 3 : -1);
       }
     }
   }

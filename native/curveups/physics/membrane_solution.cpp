@@ -22,15 +22,17 @@ MembraneMaterial membrane_material(const Parameters& p, Side side) {
   return material;
 }
 
+namespace {
+
 MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses& poses,
                                 const Array6& q, const Parameters& parameters, Side side,
-                                const Progress& progress) {
+                                const std::vector<int>& loose, const Progress& progress) {
   const TileMesh& tiles = geometry.tiles;
   const std::string what = side == Side::front ? "front membrane" : "back membrane";
   const MembraneMaterial material = membrane_material(parameters, side);
   const EquilibriumOptions options;
   MembraneSolution out;
-  out.domain = make_membrane_domain(tiles, side);
+  out.domain = make_membrane_domain(tiles, side, loose);
   out.pin_corners = actuated_pin_corners(tiles, q, side, parameters.H_pin);
   SolvedMembrane& coarse = out.coarse;
   coarse.flat_corners = flat_pin_corners(tiles, poses, q, side);
@@ -60,14 +62,17 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
   return out;
 }
 
+}  // namespace
+
 std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const FlatPoses& poses, const Array6& q,
                                                 const Parameters& parameters,
-                                                const Progress& progress) {
+                                                const Progress& progress, const LoosePins& loose) {
   const Progress serial = one_at_a_time(progress);
   std::array<MembraneSolution, 2> out;
   auto solve = [&](Side side) {
-    out[static_cast<int>(side)] = solve_membrane(geometry, poses, q, parameters, side, serial);
+    const int s = static_cast<int>(side);
+    out[s] = solve_membrane(geometry, poses, q, parameters, side, loose[s], serial);
   };
   parallel_tasks({[&] { solve(Side::front); }, [&] { solve(Side::back); }});
   return out;

@@ -45,15 +45,15 @@ struct MembraneSolution {
 MembraneMeshOptions membrane_mesh_options(const Parameters& parameters);
 MembraneMaterial membrane_material(const Parameters& parameters, Side side);
 
-// Throws what make_membrane_mesh throws, and Cancelled.
-MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses& poses,
-                                const Array6& q, const Parameters& parameters, Side side,
-                                const Progress& progress);
+// Tiles whose pins have let go of a membrane, front and back, ascending.
+using LoosePins = std::array<std::vector<int>, 2>;
 
-// Front and back, at once where there are threads; calls of progress come one at a time.
+// Front and back, at once where there are threads; calls of progress come one at a time. Throws
+// what make_membrane_mesh throws, and Cancelled.
 std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const FlatPoses& poses, const Array6& q,
                                                 const Parameters& parameters,
-                                                const Progress& progress);
+                                                const Progress& progress,
+                                                const LoosePins& loose = {});
 
 }  // namespace curveups

@@ -10,7 +10,7 @@
 
 namespace curveups {
 
-Density neo_hookean(const Gradient32& F, double /*regularization*/, bool second) {
+Density neo_hookean(const Gradient32& F, const DensityConstants& /*constants*/, bool second) {
   using Eigen::Matrix3d;
   using Eigen::Vector3d;
   const Vector3d f1 = F.col(0), f2 = F.col(1), n = f1.cross(f2);

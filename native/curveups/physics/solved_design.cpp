@@ -68,12 +68,12 @@ BalanceSystem make_balance_system(const DesignGeometry& geometry, const Paramete
 }
 
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
-                          const Progress& progress) {
+                          const Progress& progress, const LoosePins& loose) {
   const Parameters& parameters = design.parameters;
   SolvedDesign solved;
   solved.design = design;
   const FlatPoses poses = fit_poses(geometry.tiles, design.T);
-  solved.membranes = solve_membranes(geometry, poses, design.q, parameters, progress);
+  solved.membranes = solve_membranes(geometry, poses, design.q, parameters, progress, loose);
   const Points3 centres = tile_centres(geometry.tiles);
   const Wrenches fine = sum_wrenches(solved.membranes, centres, &MembraneSolution::forces);
   solved.elastic = extrapolate<Wrenches>(

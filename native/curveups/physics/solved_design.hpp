@@ -39,10 +39,10 @@ struct SolvedDesign {
 // its error, which the mean of the errors does not. Same sizes; 0 without forces.
 double error_of_least(const Eigen::ArrayXd& force, const Eigen::ArrayXd& error);
 
-// geometry: make_geometry's of the design. Throws what solve_membranes and solve_contact_forces
-// throw, Cancelled.
+// geometry: make_geometry's of the design. loose: pins that have let go of their membrane. Throws
+// what solve_membranes and solve_contact_forces throw, Cancelled.
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
-                          const Progress& progress);
+                          const Progress& progress, const LoosePins& loose = {});
 
 // The corners of the interfaces at which the tiles of a design hold one another. Contacts between
 // two held tiles are left out: the hand that holds the tiles provides their forces.

@@ -86,7 +86,7 @@ void judge_unilateral(const VerdictInput& in, VerificationReport& report) {
 
 const char* name_of(Side side) { return side == Side::front ? "front" : "back"; }
 
-// What the sheets and the glue on pins hold, by their makers. A warning: neither is computed.
+// What the sheets and the glue on pins hold, by their makers: whether sheets tear is not computed.
 void judge_materials(const VerdictInput& in, VerificationReport& report) {
   const double elongation = 100 * (report.physics.stretch_99 - 1);
   if (elongation > in.parameters.elongation_at_break) {
@@ -95,16 +95,28 @@ void judge_materials(const VerdictInput& in, VerificationReport& report) {
          {},
          {{"elongation", elongation}, {"limit", in.parameters.elongation_at_break}}});
   }
+  const Loosening& loose = in.loosening;
+  std::vector<int> tiles = loose.pins[0];
+  tiles.insert(tiles.end(), loose.pins[1].begin(), loose.pins[1].end());
+  if (tiles.empty()) return;
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
   const GlueLoad& load = report.glue.shear;
-  if (load.shear > in.parameters.glue_strength) {
-    const std::vector<int> tile = {load.tile};
-    report.warnings.push_back({"glue_shear",
-                               tile,
-                               {{"side", name_of(load.side)},
-                                {"tile", tile},
-                                {"shear", load.shear},
-                                {"limit", in.parameters.glue_strength}}});
+  Finding found = {"glue_shear.holds",
+                   tiles,
+                   {{"side", name_of(load.side)},
+                    {"tile", std::vector<int>{load.tile}},
+                    {"shear", load.shear},
+                    {"limit", load.limit},
+                    {"loose", tiles}}};
+  if (loose.holds) {
+    report.warnings.push_back(std::move(found));
+    return;
   }
+  found.kind = loose.largest_floor ? "glue_shear.fails" : "glue_shear.all";
+  found.figures["least"] = loose.largest_floor.value_or(0);
+  found.figures["f_min"] = loose.f_min;
+  report.reasons.push_back(std::move(found));
 }
 
 void judge_membranes(const VerdictInput& in, VerificationReport& report) {

@@ -4,6 +4,7 @@
 
 #include "curveups/physics/clearance.hpp"
 #include "curveups/physics/loads.hpp"
+#include "curveups/physics/loosening.hpp"
 #include "curveups/physics/verification_report.hpp"
 
 namespace curveups {
@@ -35,6 +36,7 @@ struct VerdictInput {
   bool floor_from_mesh;                         // f_min is the mesh's error, not f_min_ratio
   const Parameters& parameters;
   const Carried& carried;
+  const Loosening& loosening;
 };
 
 // Fills valid, reasons and warnings of a report whose figures are complete.

@@ -179,7 +179,8 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   const std::array<std::vector<int>, 2> slack_tiles =
       describe_membranes(solved.membranes, tile_centres(tiles), parameters.L, report);
 
-  report.glue = largest_glue_loads(tiles, design.q, solved.membranes);
+  const GlueLoads glue = glue_loads(tiles, design.q, solved.membranes, parameters);
+  report.glue = largest_of(glue);
 
   const ContactForces& forces = solved.forces;
   const double f_min = solved.f_min_ratio * std::max(0.0, forces.normal_mean);
@@ -205,10 +206,11 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   report.unilateral = describe_programs(coulomb, at_tips, f_min, parameters.friction_coefficient,
                                         force_scale(solved));
   if (parameters.bumps == "dimples") report.unilateral.sliding_play = sliding_play(plan, tiles);
-  give_verdict(
-      {system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
-       slack_tiles, solved.f_min_ratio > parameters.f_min_ratio, parameters, solved.carried},
-      report);
+  report.loosening = loosen_pins(geometry, solved, overloaded_pins(glue), tips, progress);
+  give_verdict({system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
+                slack_tiles, solved.f_min_ratio > parameters.f_min_ratio, parameters,
+                solved.carried, report.loosening},
+               report);
   if (store) store->put(std::move(solved));
   return report;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "curveups/core/finding.hpp"
+#include "curveups/physics/loosening.hpp"
 #include "curveups/physics/membrane_figures.hpp"
 #include "curveups/physics/unilateral.hpp"
 
@@ -76,6 +77,7 @@ struct VerificationReport {
   ContactFigures contact_forces;
   UnilateralFigures unilateral;
   LargestGlueLoads glue;
+  Loosening loosening;  // where the glue does not bear that
 
   Edges contact_tiles;  // per contact
   Eigen::VectorXd contact_normal_min, contact_normal_mean, contact_friction_ratio;

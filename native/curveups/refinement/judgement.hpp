@@ -41,6 +41,7 @@ struct Judgement {
   double missing = 0;  // sum of what points and the floor lack of their goals, in units of f_min
   Floors floor = no_floors;  // largest floors in units of f_min
   double depth = 0;          // to which a membrane cuts into a body, mm, where it was looked at
+  double overload = 0;       // sum of what pins carry beyond their glue's limit, over that limit
 
   // As verification judges (verdict.hpp), what was not looked at left out.
   bool valid() const {
@@ -55,6 +56,7 @@ struct Judgement {
   double least_floor() const { return std::fmin(floor[0], floor[1]); }
   bool better_than(const Judgement& other) const {
     if (valid() != other.valid()) return valid();
+    if (valid()) return overload < other.overload;
     if (weak != other.weak) return weak < other.weak;
     return missing + depth < other.missing + other.depth;
   }

@@ -12,40 +12,15 @@
 #include "curveups/core/tolerances.hpp"
 #include "curveups/refinement/explanation.hpp"
 #include "curveups/refinement/force_rows.hpp"
+#include "curveups/refinement/pin_caps.hpp"
 
 namespace curveups {
 namespace {
 
 // What moving a vertex costs against moving a tile as far.
 constexpr double vertex_cost = 100;
-
-// Where a membrane cuts into a body or all but touches it the pins around draw out: nearer to their
-// edges they hold it up better. Caps the insets of the tiles touched, and of those next to them,
-// below where they are. Returns whether there is any that can give way.
-bool cap_insets(const std::vector<Touch>& touches, const Iterate& place, Array6& caps) {
-  const PinBounds& bounds = place.geometry().pin_bounds;
-  const MeshTopology& topology = place.geometry().tiles.topology;
-  bool any = false;
-  auto cap = [&](int tile, const Touch& touch) {
-    for (int t = 0; t < 3; ++t) {
-      const int k = inset_index(touch.side, t);
-      const double q = std::min(place.state(tile, inset_unknown(touch.side, t)), caps(tile, k));
-      const double lower = bounds.lower(tile, k) + least_capped_range;
-      const double drawn = std::max(lower, q - 0.1 - 2 * (safe_clearance - touch.clearance));
-      if (!(drawn < q)) continue;
-      caps(tile, k) = drawn;
-      any = true;
-    }
-  };
-  for (const Touch& touch : touches) {
-    cap(touch.tile, touch);
-    for (int t = 0; t < 3; ++t) {
-      const int n = topology.neighbour(touch.tile, t);
-      if (n >= 0) cap(n, touch);
-    }
-  }
-  return any;
-}
+// Fresh meshes on which overloaded pins grow.
+constexpr int most_glue_rounds = 4;
 
 class Repair {
  public:
@@ -71,7 +46,7 @@ class Repair {
   bool reached(const Judgement& now) const;
   StepWeights step_weights() const;
 
-  bool draw_pins_out();
+  bool draw_pins_out(const Judgement& now);
   bool improve(RepairResult& result, Judgement& now);
   bool take_step(RepairResult& result, Judgement& now, bool with_vertices);
   bool move_to(const LayoutStep& step, const MovingVertices* moving, const Iterate& from);
@@ -89,6 +64,8 @@ class Repair {
   TrackedForces tracked_;
   std::optional<Judged> best_;
   std::vector<Touch> touches_;
+  GlueLoads glue_;  // of the last fresh mesh, whose design is valid; else empty
+  int glue_rounds_ = 0;
   double trust_radius_ = 0;
   int first_weak_ = 0;
   LayoutStep last_step_;
@@ -152,7 +129,16 @@ Judgement Repair::judge_fresh() {
   Judgement now = tracked_.judge_fresh(here_, fresh);
   touches_ = find_touches(here_.geometry(), fresh);
   for (const Touch& touch : touches_) now.depth = std::max(now.depth, -touch.clearance);
+  glue_ = {};
   if (now.valid()) {
+    glue_ = glue_loads(here_.geometry().tiles, fresh.design.q, fresh.membranes, parameters_);
+    for (const std::vector<GlueLoad>& of_side : glue_) {
+      for (const GlueLoad& load : of_side) {
+        now.overload += std::max(0.0, load.shear / load.limit - 1);
+      }
+    }
+  }
+  if (now.valid() && !(now.overload > 0)) {
     if (store_) store_->put(std::move(fresh));
   } else {
     tracked_.follow(here_, fresh, now);
@@ -246,11 +232,16 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   return false;
 }
 
-// False where no pin can, or the layout has no room for it.
-bool Repair::draw_pins_out() {
+// Where membranes cut into bodies; of a valid design, where glue is overloaded. False where no pin
+// can, or the layout has no room for it.
+bool Repair::draw_pins_out(const Judgement& now) {
   const Iterate from = here_;
   const Array6 caps = caps_;
-  if (!cap_insets(touches_, here_, caps_)) return false;
+  if (now.valid()) {
+    if (glue_rounds_++ == most_glue_rounds || !cap_overloaded(glue_, here_, caps_)) return false;
+  } else if (!cap_insets(touches_, here_, caps_)) {
+    return false;
+  }
   here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
   here_.keep_pin_bounds();
   try {
@@ -319,12 +310,10 @@ void Repair::search(RepairResult& result) {
                       tracked_.critical_pairs(Touching::at_tips)}};
     }
     tell(now);
-    if (now.valid()) {
-      result.solve.status = SolveStatus::converged;
-      return;
-    }
+    if (now.valid() && !(now.overload > 0)) return;
     const bool drawn =
-        static_cast<int>(result.steps.size()) <= options_.max_steps && draw_pins_out();
+        static_cast<int>(result.steps.size()) <= options_.max_steps && draw_pins_out(now);
+    if (now.valid() && !drawn) return;
     if (drawn) {
       now = tracked_.judge();
       result.steps.push_back({now.weak, now.least, now.least_floor(), 0, false, false});
@@ -345,6 +334,9 @@ RepairResult Repair::run() {
   }
   const Finishing finishing;
   here_ = best_ ? best_->place : given_;
+  if (best_ && best_->judgement.valid() && result.solve.status == SolveStatus::unfinished) {
+    result.solve.status = SolveStatus::converged;
+  }
   if (result.solve.status == SolveStatus::unfinished) {
     result.blocked = explain_weak_contacts(here_.geometry().tiles, best_->points, best_->judgement,
                                            best_->critical, last_step_.obstacles);

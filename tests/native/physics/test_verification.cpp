@@ -7,6 +7,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/physics/design_forces.hpp"
+#include "curveups/physics/loosening.hpp"
 #include "curveups/physics/touch_points.hpp"
 #include "curveups/physics/verification.hpp"
 #include "support/designs.hpp"
@@ -42,6 +43,7 @@ TEST(Verify, ForcesAreProportionalToStiffness) {
   const VerificationReport a = verify_design(design, {}, {});
   for (double* m : {&design.parameters.shear_modulus_front, &design.parameters.shear_modulus_back})
     *m *= 3;
+  design.parameters.glue_strength *= 3;
   const VerificationReport b = verify_design(design, {}, {});
   EXPECT_LT((3 * a.elastic - b.elastic).cwiseAbs().maxCoeff(),
             1e-6 * b.elastic.cwiseAbs().maxCoeff());
@@ -263,14 +265,51 @@ TEST(Verify, GlueIsLoadedAlongPinsAndSaidWhereItIsWeak) {
   EXPECT_LT(shear.shear, 2.0 * even * around / area);
   EXPECT_GT(r.glue.peel.peel, 0);
   EXPECT_LT(r.glue.peel.peel, 2 * even);
-  EXPECT_EQ(find_kind(r.warnings, "glue_shear"), nullptr);
+  EXPECT_EQ(find_kind(r.warnings, "glue_shear.holds"), nullptr);
+  EXPECT_EQ(r.loosening.rounds, 0);
   EXPECT_EQ(find_kind(r.warnings, "sheet_tears"), nullptr);
-  design.parameters.glue_strength = 0.9 * shear.shear;
+  design.parameters.glue_strength = 0.999 * shear.shear;
   design.parameters.elongation_at_break = 100 * (r.physics.stretch_99 - 1) - 1;
   const VerificationReport weak = verify_design(design, {}, {});
-  EXPECT_NE(find_kind(weak.warnings, "glue_shear"), nullptr);
+  EXPECT_NE(find_kind(weak.warnings, "glue_shear.holds"), nullptr);
   EXPECT_NE(find_kind(weak.warnings, "sheet_tears"), nullptr);
-  EXPECT_TRUE(weak.valid);  // warnings
+  EXPECT_TRUE(weak.valid);  // a warning
+}
+
+// A pin in the middle of a larger dome lets go: the tiles around it hold that one.
+TEST(Verify, PinsWhoseGlueFailsLetGoAndThePieceIsJudgedWithoutThem) {
+  const Design design = dome();
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  const SolvedDesign solved = solve_design(geometry, design, {});
+  const LoosePins one = {std::vector<int>{20}, {}};
+  const Loosening loose = loosen_pins(geometry, solved, one, {}, {});
+  EXPECT_EQ(loose.pins, one);
+  EXPECT_EQ(loose.rounds, 1);
+  EXPECT_TRUE(loose.holds);
+  ASSERT_TRUE(loose.largest_floor);
+  EXPECT_GE(*loose.largest_floor, loose.f_min);
+  // The front membrane pulls at its tile no more, and all forces still balance.
+  const SolvedDesign without = solve_design(geometry, design, {}, one);
+  const Points3& forces = without.membranes[0].forces;
+  EXPECT_EQ(forces.middleRows<3>(60).norm(), 0);
+  EXPECT_GT(solved.membranes[0].forces.middleRows<3>(60).norm(), 0.1);
+  EXPECT_TRUE(without.membranes[0].state.solve.converged());
+  const WrenchBalance balance =
+      wrench_balance(without.elastic, tile_centres(geometry.tiles), design.parameters.L);
+  EXPECT_LT(balance.force, 1e-9);
+  EXPECT_LT(balance.torque, 1e-9);
+  // The sheet above the pin is a part of what is stretched there.
+  EXPECT_GT(measure_areas(without.membranes[0]).all, measure_areas(solved.membranes[0]).all);
+}
+
+TEST(Verify, GlueThatFailsAllAlongIsAReason) {
+  Design design = dome();
+  design.parameters.glue_strength = 0.01;
+  const VerificationReport r = verify_design(design, {}, {});
+  EXPECT_FALSE(r.valid);
+  EXPECT_FALSE(r.loosening.holds);
+  EXPECT_FALSE(r.loosening.largest_floor);
+  EXPECT_NE(find_kind(r.reasons, "glue_shear.all"), nullptr);
 }
 
 TEST(Verify, AMembraneThatCutsIntoABodyIsNotValid) {

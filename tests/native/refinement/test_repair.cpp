@@ -103,6 +103,25 @@ TEST(Repair, LiftsWeakContactsAboveAHigherFloor) {
   EXPECT_EQ(left->floor[1]->largest_floor, fresh.unilateral.tips_largest_floor);
 }
 
+TEST(Repair, EnlargesPinsWhoseGlueIsOverloaded) {
+  Design design = dome_design();
+  const GlueLoad before = verify_design(design, {}, {}).glue.shear;
+  design.parameters.glue_strength = 0.95 * before.shear;
+  EXPECT_GT(verify_design(design, {}, {}).loosening.rounds, 0);
+  const RepairResult result = repair_design(design, {}, nullptr, {});
+  EXPECT_EQ(result.solve.status, SolveStatus::converged);
+  expect_constraints_kept(result.design);
+  const VerificationReport after = verify_design(result.design, {}, {});
+  EXPECT_TRUE(after.valid);
+  EXPECT_EQ(after.loosening.rounds, 0);
+  EXPECT_LE(after.glue.shear.shear, design.parameters.glue_strength);
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  auto area = [&](const Design& of) {
+    return pin_area(geometry.tiles, before.tile, before.side, of.q.row(before.tile).data());
+  };
+  EXPECT_GT(area(result.design), 1.01 * area(design));
+}
+
 TEST(Repair, RestoresSpoiledPinsAndPoses) {
   Design design = dome_design();
   std::mt19937 generator(3);

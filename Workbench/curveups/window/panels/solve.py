@@ -141,7 +141,7 @@ class SolvePanel(Panel):
         menu.setToolTipsVisible(True)
         for name in ("", *profiles.profile_names()):
             action = menu.addAction(name.upper() or translate("CurveUpsSolve", "Standard"))
-            action.setToolTip(profiles.about(name) if name else translate(
+            action.setToolTip(profiles.about(profiles.profile_path(name)) if name else translate(
                 "CurveUpsSolve", "Set the defaults of all parameters that a profile sets"))
             action.triggered.connect(lambda *_, name=name: self._apply_profile(name))
         self.form.profile.setMenu(menu)

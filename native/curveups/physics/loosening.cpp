@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curveups/physics/loosening.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "curveups/core/errors.hpp"
+#include "curveups/physics/membrane_figures.hpp"
+#include "curveups/physics/verdict.hpp"
+
+namespace curveups {
+namespace {
+
+bool add(const LoosePins& more, LoosePins& pins) {
+  for (std::size_t s = 0; s < pins.size(); ++s) {
+    std::vector<int> both;
+    std::set_union(pins[s].begin(), pins[s].end(), more[s].begin(), more[s].end(),
+                   std::back_inserter(both));
+    pins[s] = std::move(both);
+  }
+  return !more[0].empty() || !more[1].empty();
+}
+
+bool at_rest(const MembraneSolution& m) {
+  return m.state.solve.converged() && m.coarse.state.solve.converged();
+}
+
+}  // namespace
+
+Loosening loosen_pins(const DesignGeometry& geometry, const SolvedDesign& solved,
+                      const LoosePins& overloaded, const std::vector<Points3>& tips,
+                      const Progress& progress) {
+  const Design& design = solved.design;
+  Loosening out;
+  if (!add(overloaded, out.pins)) return out;
+  out.holds = false;
+  try {
+    SolvedDesign state;
+    do {
+      ++out.rounds;
+      state = solve_design(geometry, design, progress, out.pins);
+    } while (add(
+        overloaded_pins(glue_loads(geometry.tiles, design.q, state.membranes, design.parameters)),
+        out.pins));
+    if (!at_rest(state.membranes[0]) || !at_rest(state.membranes[1])) return out;
+    out.f_min = state.f_min_ratio * std::max(0.0, state.forces.normal_mean);
+    bool holds = true;
+    auto floor_at = [&](Touching where, BalanceSystem system) {
+      const UnilateralResult& found = find_floor(state, where, system, progress);
+      const bool reached = found.solve.status == SolveStatus::converged &&
+                           floor_is_reached(found.largest_floor, out.f_min, force_scale(state));
+      holds = holds && reached;
+      out.largest_floor =
+          std::min(out.largest_floor.value_or(found.largest_floor), found.largest_floor);
+    };
+    const std::vector<ContactPoint> corners = contact_corners(geometry, design.parameters);
+    floor_at(Touching::at_corners, make_balance_system(geometry, design.parameters, corners));
+    if (std::any_of(tips.begin(), tips.end(), [](const Points3& at) { return at.rows() > 0; })) {
+      floor_at(Touching::at_tips, make_balance_system(geometry, design.parameters,
+                                                      tie_to_corners(corners, tips).points));
+    }
+    out.holds = holds;
+  } catch (const SolverFailure&) {  // nothing holds what is left of a membrane
+  }
+  return out;
+}
+
+}  // namespace curveups
