@@ -56,7 +56,7 @@ struct Judgement {
   double least_floor() const { return std::fmin(floor[0], floor[1]); }
   bool better_than(const Judgement& other) const {
     if (valid() != other.valid()) return valid();
-    if (valid()) return overload < other.overload;
+    if (valid() && overload != other.overload) return overload < other.overload;
     if (weak != other.weak) return weak < other.weak;
     return missing + depth < other.missing + other.depth;
   }

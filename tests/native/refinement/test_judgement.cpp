@@ -36,6 +36,12 @@ TEST(Judgement, AValidPlaceIsBetterThanOneThatIsNotHoweverLittleThatLacks) {
   EXPECT_FALSE(touching.better_than(valid));
   EXPECT_TRUE(of.with(1, {1, 1}).better_than(valid));
   EXPECT_TRUE(of.with(0.05, {1, 1}).better_than(of.with(0.04, {1, 1})));
+  // Of two that are valid, the one whose glue is overloaded less.
+  Judgement overloaded = of.with(1, {1, 1});
+  overloaded.overload = 0.1;
+  ASSERT_TRUE(overloaded.valid());
+  EXPECT_TRUE(valid.better_than(overloaded));
+  EXPECT_FALSE(overloaded.better_than(valid));
 }
 
 TEST(Judgement, WhatIsShortIsNamed) {
