@@ -21,6 +21,21 @@ bool add(const LoosePins& more, LoosePins& pins) {
   return !more[0].empty() || !more[1].empty();
 }
 
+// Whether each part of both membranes still hangs on a pin. One that does not has no one place, and
+// rounding decides whether its equations can be solved.
+bool all_hang(const TileMesh& tiles, const LoosePins& loose) {
+  std::vector<char> joined(tiles.cut.size());
+  for (std::size_t e = 0; e < joined.size(); ++e) joined[e] = !tiles.cut[e];
+  const std::vector<int> part = face_components(tiles.topology, joined);
+  for (const std::vector<int>& pins : loose) {
+    std::vector<int> glued(part.size(), 0);  // by part
+    for (int p : part) ++glued[p];
+    for (int i : pins) --glued[part[i]];
+    if (std::any_of(part.begin(), part.end(), [&](int p) { return glued[p] == 0; })) return false;
+  }
+  return true;
+}
+
 bool at_rest(const MembraneSolution& m) {
   return m.state.solve.converged() && m.coarse.state.solve.converged();
 }
@@ -38,13 +53,15 @@ Loosening loosen_pins(const DesignGeometry& geometry, const SolvedDesign& solved
     SolvedDesign state;
     do {
       ++out.rounds;
+      if (!all_hang(geometry.tiles, out.pins)) return out;
       state = solve_design(geometry, design, progress, out.pins);
     } while (add(
         overloaded_pins(glue_loads(geometry.tiles, design.q, state.membranes, design.parameters)),
         out.pins));
     if (!at_rest(state.membranes[0]) || !at_rest(state.membranes[1])) return out;
     out.f_min = state.f_min_ratio * std::max(0.0, state.forces.normal_mean);
-    bool holds = true;
+    // What is left must press the tiles together by more than cone programs tell from nothing.
+    bool holds = state.forces.normal_mean > UnilateralOptions{}.tolerance * force_scale(solved);
     auto floor_at = [&](Touching where, BalanceSystem system) {
       const UnilateralResult& found = find_floor(state, where, system, progress);
       const bool reached = found.solve.status == SolveStatus::converged &&
@@ -60,7 +77,7 @@ Loosening loosen_pins(const DesignGeometry& geometry, const SolvedDesign& solved
                                                       tie_to_corners(corners, tips).points));
     }
     out.holds = holds;
-  } catch (const SolverFailure&) {  // nothing holds what is left of a membrane
+  } catch (const SolverFailure&) {  // no equilibrium without these pins
   }
   return out;
 }

@@ -10,10 +10,10 @@ namespace curveups {
 
 struct Loosening {
   LoosePins pins;     // none where the glue bears all
-  int rounds = 0;     // solutions with loose pins
+  int rounds = 0;     // of pins that let go
   bool holds = true;  // pushing forces within friction reach f_min without them, as a verdict asks
-  // N, of the last solution: at corners or tips, whichever is less. Without a value where what is
-  // left of a membrane hangs on no pin or found no equilibrium.
+  // N, of the last solution: at corners or tips, whichever is less. Without a value where a part
+  // of a membrane hangs on no pin or found no equilibrium.
   std::optional<double> largest_floor;
   double f_min = 0;  // N
 };

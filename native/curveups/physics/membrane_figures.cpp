@@ -100,7 +100,7 @@ GlueLoads glue_loads(const TileMesh& tiles, const Array6& q,
 
 LargestGlueLoads largest_of(const GlueLoads& loads) {
   LargestGlueLoads out;
-  double share = 0;
+  double share = -1;  // a pin even where none carries anything: it has a limit
   for (const std::vector<GlueLoad>& of_side : loads) {
     for (const GlueLoad& load : of_side) {
       if (load.shear / load.limit > share) {

@@ -38,8 +38,7 @@ struct GlueLoad {
   double limit = 0;  // MPa of shear that the glue withstands there
 };
 
-// Of every pin, by side and tile. q: the design's insets. A loose pin carries
-// nothing.
+// Of every pin, by side and tile. q: the design's insets. A loose pin carries nothing.
 using GlueLoads = std::array<std::vector<GlueLoad>, 2>;
 GlueLoads glue_loads(const TileMesh& tiles, const Array6& q,
                      const std::array<MembraneSolution, 2>& membranes,

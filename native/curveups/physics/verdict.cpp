@@ -50,8 +50,7 @@ void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
 }
 
 // What one unilateral problem lacks, to which `more` is added; nothing where it reaches f_min.
-// where:
-// "" or "tips".
+// where: "" or "tips".
 void judge_push(const UnilateralFigures& u, SolveStatus status, double largest_floor, bool feasible,
                 const std::string& where, const UnilateralResult& result,
                 const BalanceSystem& system, std::vector<Finding> more,

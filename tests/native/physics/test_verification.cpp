@@ -302,6 +302,34 @@ TEST(Verify, PinsWhoseGlueFailsLetGoAndThePieceIsJudgedWithoutThem) {
   EXPECT_GT(measure_areas(without.membranes[0]).all, measure_areas(solved.membranes[0]).all);
 }
 
+// All pins of a side but one, or all: rounding must not decide whether that has a solution.
+TEST(Verify, APieceWhoseMembranesComeOffDoesNotHold) {
+  const Design design = dome();
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  const SolvedDesign solved = solve_design(geometry, design, {});
+  const std::vector<int> none;
+  std::vector<int> all, most;
+  for (int i = 0; i < geometry.tiles.tile_count(); ++i) {
+    all.push_back(i);
+    if (i != 20) most.push_back(i);
+  }
+  for (const LoosePins& pins : {LoosePins{all, none}, LoosePins{none, all}, LoosePins{all, all}}) {
+    const Loosening loose = loosen_pins(geometry, solved, pins, {}, {});
+    EXPECT_EQ(loose.pins, pins);
+    EXPECT_EQ(loose.rounds, 1);
+    EXPECT_FALSE(loose.holds);
+    EXPECT_FALSE(loose.largest_floor);
+  }
+  EXPECT_FALSE(loosen_pins(geometry, solved, {most, most}, {}, {}).holds);
+}
+
+TEST(Verify, GlueThatCarriesNothingHasALimit) {
+  GlueLoads idle;
+  idle[0] = {{0, Side::front, 0, 0, 0.7}};
+  EXPECT_EQ(largest_of(idle).shear.limit, 0.7);
+  EXPECT_EQ(overloaded_pins(idle), LoosePins());
+}
+
 TEST(Verify, GlueThatFailsAllAlongIsAReason) {
   Design design = dome();
   design.parameters.glue_strength = 0.01;
