@@ -3214,8 +3214,8 @@
       <translation>Vorder- oder Rückseite von {0} Kacheln verschwindet oder stülpt sich um</translation>
     </message>
     <message>
-      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). Nothing holds what is left of the membranes</source>
-      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Nichts hält, was von den Membranen bleibt</translation>
+      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). Too few pins hold the membranes then</source>
+      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Dann halten zu wenige Zapfen die Membranen</translation>
     </message>
     <message>
       <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece does not hold without them: pushing forces leave {least:.3g} N, less than f_min = {f_min:.3g} N</source>

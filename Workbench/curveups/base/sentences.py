@@ -90,8 +90,8 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
         "take a stronger glue, raise A_pin_min or lower tau"),
     "glue_shear.all": (
         "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
-        "carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). Nothing "
-        "holds what is left of the membranes",
+        "carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). Too "
+        "few pins hold the membranes then",
         "take a stronger glue, raise A_pin_min or lower tau"),
     "not_laid_out": "{said}",
     "piece_weak": "piece {piece} by itself: a contact point of {contact} has {least:.3g} N, less than f_min "

@@ -164,8 +164,7 @@ void bind_verification(py::module_& module) {
       py::arg("weak_is_enough") = false,
       "Membranes, contact forces and verdict. store: a SolutionStore that is asked for what is "
       "solved of the design already, and left with it. weak_is_enough: without a verdict where "
-      "points "
-      "push too weakly (complete is False).");
+      "points push too weakly or glue is overloaded (complete is False).");
 
   py::class_<RepairStep>(module, "RepairStep", "One step of a repair and what it left.")
       .def_readonly("weak_points", &RepairStep::weak_points)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What becomes of a design whose glue does not bear what some pins carry: these let go of the
-// membrane, all together; their neighbours then carry more, and those that can't let go as well. A
-// loose membrane spans its pin freely; it is let through the tile below.
+// membrane, all together; their neighbours then carry more, and those that can't let go as well.
+// Where more than a quarter of the pins of a side let go, the piece counts as one that does not
+// hold. A loose membrane spans its pin freely; it is let through the tile below.
 #pragma once
 
 #include "curveups/physics/solved_design.hpp"

@@ -186,7 +186,9 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   const double f_min = solved.f_min_ratio * std::max(0.0, forces.normal_mean);
   BalanceSystem system = make_balance_system(geometry, parameters);
   describe_contacts(tiles, system, forces, f_min, report);
-  if (options.weak_is_enough && report.contact_forces.points_below_f_min > 0) {
+  const LoosePins overloaded = overloaded_pins(glue);
+  const bool overloads = !overloaded[0].empty() || !overloaded[1].empty();
+  if (options.weak_is_enough && (report.contact_forces.points_below_f_min > 0 || overloads)) {
     report.complete = false;
     if (store) store->put(std::move(solved));
     return report;
@@ -206,7 +208,7 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   report.unilateral = describe_programs(coulomb, at_tips, f_min, parameters.friction_coefficient,
                                         force_scale(solved));
   if (parameters.bumps == "dimples") report.unilateral.sliding_play = sliding_play(plan, tiles);
-  report.loosening = loosen_pins(geometry, solved, overloaded_pins(glue), tips, progress);
+  report.loosening = loosen_pins(geometry, solved, overloaded, tips, progress);
   give_verdict({system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
                 slack_tiles, solved.f_min_ratio > parameters.f_min_ratio, parameters,
                 solved.carried, report.loosening},

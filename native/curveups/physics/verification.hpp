@@ -11,8 +11,9 @@
 namespace curveups {
 
 struct VerificationOptions {
-  // Where contact points push too weakly that is enough to know: neither cone programs nor
-  // clearances are looked at, and there is no verdict (VerificationReport::complete).
+  // Where contact points push too weakly or glue is overloaded that is enough to know: neither cone
+  // programs nor clearances nor loose pins are looked at, and there is no verdict
+  // (VerificationReport::complete).
   bool weak_is_enough = false;
 };
 
