@@ -168,6 +168,28 @@ def test_a_stop_between_files_is_said_and_leaves_none_half_written(results, tmp_
     assert not files.is_current(tmp_path, (tmp_path / "design.json").read_text("utf-8"))
 
 
+def test_another_kit_leaves_what_somebody_put_into_the_folder_of_coupons(results, tmp_path):
+    coupons, said = tmp_path / "coupons", []
+    coupons.mkdir()
+    readings, picture = coupons / "small-cap-MEASURED.json", coupons / "small-cap-glue.jpg"
+    blank, stale = coupons / "small-cap-glue-tiles.stl", {"bytes": 2, "sha256": files._sum(b"{}")}
+    job = Job(lambda what, fraction: said.append(what) or not what.startswith("writing "))
+    for path in (readings, picture, blank):
+        path.write_text("{}")
+    assert files.write_kit(results, tmp_path, job)
+    assert readings.exists() and picture.exists() and not blank.exists()
+    assert "writing kit.json" in said and "writing " not in said
+    (tmp_path / "kit.json").write_text(json.dumps({"files": {"coupons/small-cap-MEASURED.json": stale}}))
+    readings.write_text('{"glue": []}')
+    assert files.write_kit(results, tmp_path, job)
+    assert readings.read_text("utf-8") == '{"glue": []}'
+    # As the last kit wrote it: nobody's readings.
+    (tmp_path / "kit.json").write_text(json.dumps({"files": {"coupons/small-cap-MEASURED.json": stale}}))
+    readings.write_text("{}")
+    assert files.write_kit(results, tmp_path, job)
+    assert not readings.exists()
+
+
 def test_a_kit_that_fails_leaves_no_list_of_it(results, tmp_path, monkeypatch):
     (tmp_path / "kit.json").write_text("{}")
 

@@ -24,8 +24,6 @@ from ..report.data import to_text
 FORMAT, VERSION = "curveups-calibration", 1
 FILES = ("calibration.json", "material.json", "printer.json")
 DAY = 1440.0  # minutes
-# What a reader of the coupons' sheet has to know of the file.
-NOTE = "Numbers are plain, in the units that the names say."
 
 # What a file may hold: lists of rows, and the numbers of a row with their ranges.
 _FORCE, _STRETCH = (1e-6, 1e6), (1.001, 10.0)

@@ -28,8 +28,10 @@ from .kit import Kit
 FORMAT, VERSION = "curveups-kit", 1
 KIT = "kit.json"
 COUPONS = "coupons"  # the folder of theirs
+MEASURED = "MEASURED.json"
 
 _OF_BEDS = ("bed-[0-9][0-9].3mf", "bed-[0-9][0-9].step", "frame.dxf")
+_OF_COUPONS = (".step", ".3mf", ".stl", ".pdf", ".svg", ".dxf")
 _OF_BRIDGES = ("print-fused.stl", "print-fused.3mf")
 
 # What follows NAME- in files, with the module, its function and what that is given. matplotlib is loaded
@@ -74,14 +76,17 @@ def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: s
     report = build_report(results, results.rows(), False, {}, {})
     kit = Kit(results, report, quantity)
     stopped = results.stopped
+    readings = f"{results.name}-{MEASURED}"
+    filled_in = _is_changed(path, f"{COUPONS}/{readings}")
     with Folder(path) as folder, Folder(path / COUPONS) as coupons:
         folder.remove(KIT, *(f"{results.name}-{ending}" for ending in _SHEETS))
         folder.remove(*(place.name for ending in _OF_BEDS
                         for place in folder.path.glob(f"{glob.escape(results.name)}-{ending}")))
-        coupons.remove(*(place.name for place in coupons.path.glob(f"{glob.escape(results.name)}-*")))
+        coupons.remove(*(place.name for place in coupons.path.glob(f"{glob.escape(results.name)}-*")
+                         if place.suffix in _OF_COUPONS), *(() if filled_in else (readings,)))
         keep_design(folder, results, design)
 
-        doing = ""
+        doing = KIT
 
         def go_on() -> None:
             if not job(f"writing {doing}"):
@@ -109,11 +114,24 @@ def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: s
                       lambda place: place.write_bytes(make(kit, *given)))
             for into, module in ((folder, "bed_files"), (coupons, "coupon_sheet")):
                 for name, made in import_module(f".{module}", __package__).files(kit).items():
+                    if name == readings and filled_in:
+                        continue
                     write(into, name, lambda place: place.write_bytes(made()))
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(KIT, to_text(_contents(kit, design, stopped)))
     return stopped
+
+
+def _is_changed(folder: Path, name: str) -> bool:
+    """Whether a file is there that is not as the kit in this folder wrote it: readings that nobody wants to
+    lose."""
+    place = folder / name
+    try:
+        known = json.loads((folder / KIT).read_text("utf-8"))["files"][name]["sha256"]
+        return place.exists() and bool(known != _sum(place.read_bytes()))
+    except (OSError, ValueError, KeyError, TypeError):
+        return place.exists()
 
 
 def _has_bridges(kit: Kit) -> bool:
