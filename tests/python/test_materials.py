@@ -55,6 +55,7 @@ def test_a_material_is_chosen_by_its_name_and_what_is_set_wins(curveups, cap, tm
     assert used("friction_coefficient=0.4", "material_tile=pla")["friction_coefficient"] == 0.4
     # The tiles' material says what they weigh, not the printer's.
     assert used("printer=fdm", "material_tile=petg")["density"] == 1.27
+    assert used("material_tile=petg", "--profile", "fdm")["density"] == 1.27
     config = tmp_path / "own.json"
     config.write_text(json.dumps({"material_glue": "contact-cement"}), encoding="utf-8")
     assert used("L=9", "--config", config)["glue_strength"] == 0.3

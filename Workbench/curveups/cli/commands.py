@@ -272,10 +272,11 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
             _set(values, name, value, where, session)
 
     profile = [profile_path(options.profile)] if options.profile else []
-    given = [(name, value, str(path)) for path in (*profile, *options.config)
-             for name, value in read_json_object(path).items() if name not in NOTES]
+    of_profile, given = ([(name, value, str(path)) for path in paths
+                          for name, value in read_json_object(path).items() if name not in NOTES]
+                         for paths in (profile, options.config))
     given += [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
-    for name, value, where in (*_of_printer(given), *_with_materials(given)):
+    for name, value, where in (*_of_printer([*of_profile, *given]), *of_profile, *_with_materials(given)):
         put(name, value, where)
     if options.fit is not None:
         put("fit", options.fit, "--fit")
