@@ -3214,10 +3214,6 @@
       <translation>Vorder- oder Rückseite von {0} Kacheln verschwindet oder stülpt sich um</translation>
     </message>
     <message>
-      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). Too few pins hold the membranes then</source>
-      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Dann halten zu wenige Zapfen die Membranen</translation>
-    </message>
-    <message>
       <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece does not hold without them: pushing forces leave {least:.3g} N, less than f_min = {f_min:.3g} N</source>
       <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Das Stück hält ohne sie nicht: Drückende Kräfte lassen {least:.3g} N, weniger als f_min = {f_min:.3g} N</translation>
     </message>
@@ -3226,8 +3222,16 @@
       <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Das Stück hält ohne sie</translation>
     </message>
     <message>
+      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). Too few pins hold the membranes then</source>
+      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Dann halten zu wenige Zapfen die Membranen</translation>
+    </message>
+    <message>
       <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear</source>
       <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g} MPa Schub</translation>
+    </message>
+    <message>
+      <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear, more than glue_strength ({limit:.3g} MPa): raise A_pin_min or lower tau</source>
+      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g} MPa Schub, mehr als glue_strength ({limit:.3g} MPa): A_pin_min erhöhen oder tau verringern</translation>
     </message>
     <message>
       <source>the label of piece {piece} has no room: not the whole name</source>

@@ -78,6 +78,9 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "membrane.slack": "the {side} membrane is slack beside {beside:8}",
     "sheet_tears": "more than 1 % of the membranes is stretched by {elongation:.3g} % or more, beyond "
                    "elongation_at_break ({limit:.3g} %): they tear; lower tau",
+    # Of documents that were saved before pins could let go.
+    "glue_shear": "the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear, more than "
+                  "glue_strength ({limit:.3g} MPa): raise A_pin_min or lower tau",
     "glue_shear.holds": (
         "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
         "carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece "
