@@ -54,10 +54,10 @@ py::dict block(const ActuatedDesign& found) {
   return out;
 }
 
-template <double PathFrame::*member>
+template <double PathFrame::*Member>
 Eigen::VectorXd of_frames(const ActuatedDesign& found) {
   Eigen::VectorXd out(found.path.frames.size());
-  for (Eigen::Index k = 0; k < out.size(); ++k) out(k) = found.path.frames[k].*member;
+  for (Eigen::Index k = 0; k < out.size(); ++k) out(k) = found.path.frames[k].*Member;
   return out;
 }
 
