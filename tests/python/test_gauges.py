@@ -8,8 +8,8 @@ import subprocess
 import numpy as np
 import pytest
 
-from curveups.kit.gauges import figures, former_stl, named
-from curveups.kit.underside import FOOT, LEAST_RIB, SHEET, Underside
+from curveups.kit.gauges import former_stl
+from curveups.kit.underside import FOOT, LEAST_RIB, SHEET, Underside, figures, named
 
 THICK = (4.1, 1.1)  # mm, behind and before the front
 

@@ -22,10 +22,10 @@ from ..report.shop import latex
 from ..report.tables import table
 from . import drawing, latex as template
 from .bed_files import frame
-from .gauges import figures
 from .kit import Kit
 from .tile_map import tile_map
 from .trim import marks
+from .underside import figures
 
 
 def make(kit: Kit, kind: str) -> bytes:

@@ -22,8 +22,8 @@ from ..report.shop import latex, quote, rules
 from ..stages import asked_by
 from ..stages.stage import Job
 from .costs import costs
-from .gauges import figures
 from .kit import Kit
+from .underside import figures
 
 FORMAT, VERSION = "curveups-kit", 1
 KIT = "kit.json"

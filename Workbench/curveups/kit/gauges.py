@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Sequence
 
 import numpy as np
 
 from .drawing import Drawing, dxf, svg
 from .kit import Kit
-from .underside import CLEARANCE, SHEET, Rib, Underside
+from .underside import SHEET, Underside, named
 
 GAP = 6.0  # mm between ribs, and between formers
 
@@ -32,20 +32,6 @@ def former_stl(undersides: Sequence[Underside]) -> bytes:
     rows = np.zeros(len(corners), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
     rows["corners"] = corners
     return b"CurveUps former".ljust(80) + np.uint32(len(rows)).tobytes() + rows.tobytes()
-
-
-def named(undersides: Sequence[Underside]) -> list[tuple[str, Rib]]:
-    """Ribs with their names: U and V by their directions, and first the piece where there are several."""
-    return [(f"P{piece} {rib.name}" if len(undersides) > 1 else rib.name, rib)
-            for piece, under in enumerate(undersides, 1) for rib in under.ribs]
-
-
-def figures(undersides: Sequence[Underside]) -> dict[str, Any]:
-    """For kit.json."""
-    return {"ribs": [name for name, _ in named(undersides)], "sheet_mm": SHEET, "slot_mm": SHEET + CLEARANCE,
-            "step_mm": max(under.step for under in undersides),
-            "height_mm": max(float(np.nanmax(under.heights)) for under in undersides),
-            "former_cm3": sum(under.volume for under in undersides)}
 
 
 def ribs(kit: Kit) -> Drawing:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Iterator, Mapping
+from typing import Any, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -252,3 +252,17 @@ def _lower(heights: np.ndarray, triangle: np.ndarray, step: float) -> None:
     z = a[2] + s * (b[2] - a[2]) + t * (c[2] - a[2])
     inside = (s >= -1e-9) & (t >= -1e-9) & (s + t <= 1 + 1e-9)
     part[inside] = np.fmin(part[inside], z[inside])
+
+
+def named(undersides: Sequence[Underside]) -> list[tuple[str, Rib]]:
+    """Ribs with their names: U and V by their directions, and first the piece where there are several."""
+    return [(f"P{piece} {rib.name}" if len(undersides) > 1 else rib.name, rib)
+            for piece, under in enumerate(undersides, 1) for rib in under.ribs]
+
+
+def figures(undersides: Sequence[Underside]) -> dict[str, Any]:
+    """For kit.json."""
+    return {"ribs": [name for name, _ in named(undersides)], "sheet_mm": SHEET, "slot_mm": SHEET + CLEARANCE,
+            "step_mm": max(under.step for under in undersides),
+            "height_mm": max(float(np.nanmax(under.heights)) for under in undersides),
+            "former_cm3": sum(under.volume for under in undersides)}
