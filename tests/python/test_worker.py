@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The worker: what it tells while it works, and how work ends."""
 
+import gc
 import threading
 import time
 
@@ -44,6 +45,8 @@ def worker():
     yield worker
     worker.cancel()
     assert worker.wait(60)
+    while not worker.settled:
+        worker.poll()
 
 
 def test_a_run_tells_where_it_is_and_hands_its_results_over(worker, ended):
@@ -165,3 +168,38 @@ def test_errors_arrive_as_what_they_are(worker, ended):
     worker.start_work(lambda job: native.read_design("{}"), ended.append)
     finish(worker)
     assert isinstance(ended[2].error, CurveUpsError) and ended[2].error.remedy
+
+
+@pytest.mark.parametrize("cancel", [False, True])
+def test_garbage_ends_in_the_thread_that_polls(worker, ended, cancel):
+    """As widgets must. Without a window's care Python collects in the worker's thread, which makes more."""
+    threads, made, going_on = set(), threading.Event(), threading.Event()
+
+    class Widget:
+        def __init__(self):
+            self.cycle = self
+
+        def __del__(self):
+            threads.add(threading.current_thread())
+
+    def work(job):
+        for _ in range(100):
+            [Widget() for _ in range(100)]
+        made.set()
+        assert going_on.wait(60)
+
+    worker.start_work(work, ended.append)
+    assert made.wait(60) and not threads
+    worker.poll()
+    assert threads == {threading.current_thread()}
+    if cancel:
+        worker.cancel()
+        worker.poll()
+        assert ended[0].cancelled and not worker.settled  # its thread may make garbage still
+    going_on.set()
+    assert worker.wait(60)
+    assert not gc.isenabled()
+    for _ in range(2):  # the end, then what comes after it
+        worker.poll()
+    assert len(ended) == 1 and worker.settled and gc.isenabled()
+    assert threads == {threading.current_thread()}

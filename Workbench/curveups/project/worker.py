@@ -3,10 +3,15 @@
 
 Nothing of Qt in here: who started work asks `status()` as often as it likes, and `poll()` calls it back
 in its own thread once the work has ended. Results are values, so handing them over needs no care.
+
+Python collects garbage in whichever thread makes enough new objects. Widgets that end elsewhere are handed to
+the window's thread, which deletes them later: those that their parents have deleted meanwhile once more, and
+FreeCAD crashes. While a thread of this works, `poll()` is therefore what collects.
 """
 
 from __future__ import annotations
 
+import gc
 import math
 import os
 import threading
@@ -116,11 +121,17 @@ class Worker:
         self._current: Optional[_Run] = None
         self._last: Optional[_Run] = None  # that may still be ending
         self._status = Status()
+        self._collects = False             # instead of Python
 
     @property
     def busy(self) -> bool:
         """Whether there is work whose end has not been told yet."""
         return self._current is not None
+
+    @property
+    def settled(self) -> bool:
+        """Whether nothing more is to be polled for."""
+        return not self.busy and not self._collects
 
     def start(self, project: Project, goals: Sequence[str], on_done: OnDone,
               note: Optional[Finding] = None) -> None:
@@ -137,9 +148,12 @@ class Worker:
         """Any work that takes a Job. Raises CurveUpsError where there is work already."""
         if self._current is not None:
             raise CurveUpsError("CurveUps is at work already", "", "stop or cancel that first")
-        before = self._last if self._last is not None and self._last.is_alive() else None
+        before = self._last if self._is_alive() else None
         if before is None:
             _leave_a_core()
+        if gc.isenabled():
+            gc.disable()
+            self._collects = True
         self._current = self._last = _Run(work, on_done, before)
         self._current.start()
 
@@ -161,6 +175,7 @@ class Worker:
 
     def poll(self) -> None:
         """Calls on_done once the work has ended, from here."""
+        self._collect()
         run = self._current
         if run is None:
             return
@@ -175,8 +190,23 @@ class Worker:
         """Waits until no thread of it runs; whether that is so. Tells nobody."""
         if self._last is not None:
             self._last.join(seconds)
-            return not self._last.is_alive()
-        return True
+        return not self._is_alive()
+
+    def _is_alive(self) -> bool:
+        return self._last is not None and self._last.is_alive()
+
+    def _collect(self) -> None:
+        """What Python would collect; Python goes on with it once no thread is left."""
+        if not self._collects:
+            return
+        if self._current is None and not self._is_alive():
+            gc.enable()
+            self._collects = False
+            return
+        full = [generation for generation, (count, most) in enumerate(zip(gc.get_count(), gc.get_threshold()))
+                if count > most > 0]
+        if full:
+            gc.collect(full[-1])
 
 
 def _leave_a_core() -> None:

@@ -117,6 +117,8 @@ class Live:
 
     def _look(self) -> None:
         WORKER.poll()
+        if WORKER.settled:
+            self._timer.stop()
         if not self.busy:
             return
         self._tell(True)
@@ -142,7 +144,6 @@ class Live:
             self._reveal.begin(design)
 
     def _ended(self, outcome: Outcome) -> None:
-        self._timer.stop()
         task, design, reveal = self._task, self._design(), self._reveal
         self._task = None
         if design is None or task is None:
