@@ -16,8 +16,8 @@
       <translation>Wählen, wie Stücke nach dem Druck verbunden werden: holes gibt den Kacheln an ihren Rändern Nählöcher. Wirkt mit „Lösen“.</translation>
     </message>
     <message>
-      <source>Choose the energy of the membranes: tension-field (they wrinkle where squeezed) or plain neo-hookean. Takes effect with Verify.</source>
-      <translation>Die Energie der Membranen wählen: tension-field (sie werfen Falten, wo sie gestaucht werden) oder einfach neo-hookean. Wirkt mit „Prüfen“.</translation>
+      <source>Choose the energy of the membranes: tension-field (neo-Hookean; they wrinkle where squeezed), mooney-rivlin (stiffer at large stretch; they wrinkle, too) or plain neo-hookean. Takes effect with Verify.</source>
+      <translation>Wählt die Energie der Membranen: tension-field (Neo-Hooke; sie werfen Falten, wo sie gestaucht werden), mooney-rivlin (steifer bei großer Dehnung; sie werfen ebenfalls Falten) oder einfaches neo-hookean. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Choose what a closed CAD part loses: its largest planar face (auto, largest), the faces in a plane (z=0), all below a plane (z&gt;0), all above it (z&lt;0), or nothing (none). Takes effect with Solve.</source>
@@ -236,8 +236,8 @@
       <translation>Schubmodul der vorderen Membran (Latex). Von 0.001 bis 1000 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
-      <source>Shear stress that the glue between membranes and print withstands. The report compares pins and anchors with it. From 0.001 to 100 MPa. Takes effect with Verify.</source>
-      <translation>Scherspannung, die der Kleber zwischen Membranen und Druck aushält. Der Bericht vergleicht Zapfen und Anker damit. Von 0.001 bis 100 MPa. Wirkt mit „Prüfen“.</translation>
+      <source>Shear stress that the glue between membranes and print withstands. Repair enlarges pins that carry more. Pins without room for that let go, and the verdict looks at what is left. From 0.001 to 100 MPa. Takes effect with Verify.</source>
+      <translation>Schubspannung, die der Kleber zwischen Membranen und Druck aushält. Die Reparatur vergrößert Stifte, die mehr tragen. Stifte ohne Platz dafür lösen sich, und das Urteil gilt dem, was bleibt. Von 0.001 bis 100 MPa. Wirkt mit „Prüfen“.</translation>
     </message>
     <message>
       <source>Size of the largest triangles of the coarser membrane mesh, as a fraction of L. Those of the finer mesh have half of it. From 0.05 to 2. Takes effect with Verify.</source>
@@ -630,12 +630,24 @@
       <translation>Dateien</translation>
     </message>
     <message>
+      <source>Glue</source>
+      <translation>Kleber</translation>
+    </message>
+    <message>
       <source>Layout</source>
       <translation>Abwicklung</translation>
     </message>
     <message>
       <source>Look for the largest value with which all tiles can be made. A length also keeps the tiles within Fidelity of the surface</source>
       <translation>Den größten Wert suchen, mit dem sich alle Kacheln machen lassen. Eine Länge hält die Kacheln auch innerhalb von Fidelity an der Fläche</translation>
+    </message>
+    <message>
+      <source>Material of tiles</source>
+      <translation>Material der Kacheln</translation>
+    </message>
+    <message>
+      <source>Membrane</source>
+      <translation>Membran</translation>
     </message>
     <message>
       <source>Mending</source>
@@ -648,6 +660,10 @@
     <message>
       <source>Other sizes</source>
       <translation>Andere Maße</translation>
+    </message>
+    <message>
+      <source>Parameters</source>
+      <translation>Parameter</translation>
     </message>
     <message>
       <source>Physics</source>
@@ -664,10 +680,6 @@
     <message>
       <source>Pieces</source>
       <translation>Stücke</translation>
-    </message>
-    <message>
-      <source>Profile</source>
-      <translation>Profil</translation>
     </message>
     <message>
       <source>Reading the surface</source>
@@ -1890,6 +1902,10 @@
       <translation>eine Zielfläche angeben</translation>
     </message>
     <message>
+      <source>give another folder (-o)</source>
+      <translation>geben Sie einen anderen Ordner an (-o)</translation>
+    </message>
+    <message>
       <source>give another plane with open</source>
       <translation>mit open eine andere Ebene angeben</translation>
     </message>
@@ -2212,6 +2228,10 @@
     <message>
       <source>layout</source>
       <translation>Abwicklung</translation>
+    </message>
+    <message>
+      <source>leave --compensate out, or change the design</source>
+      <translation>lassen Sie --compensate weg, oder ändern Sie den Entwurf</translation>
     </message>
     <message>
       <source>leave fit at 0</source>
@@ -3070,6 +3090,10 @@
       <translation>der Rand berührt sich selbst im Punkt {0}</translation>
     </message>
     <message>
+      <source>the compensated design would replace it</source>
+      <translation>der ausgeglichene Entwurf würde sie ersetzen</translation>
+    </message>
+    <message>
       <source>the conformal map could not be computed</source>
       <translation>die konforme Abbildung ließ sich nicht berechnen</translation>
     </message>
@@ -3788,6 +3812,10 @@
     <message>
       <source>what was said of the layout's making is damaged or gone: Solve makes it</source>
       <translation>was über die Entstehung der Abwicklung gesagt war, ist beschädigt oder fehlt: „Lösen“ berechnet sie</translation>
+    </message>
+    <message>
+      <source>where its tiles settle could not be found</source>
+      <translation>wo sich seine Kacheln setzen, war nicht zu finden</translation>
     </message>
     <message>
       <source>whether it arrives is not known: it was stopped</source>
@@ -4619,6 +4647,10 @@
       <translation>Die Kacheln flach auslegen, prüfen, ob die Membranen die Form halten, und schwache Kontakte reparieren</translation>
     </message>
     <message>
+      <source>Materials</source>
+      <translation>Materialien</translation>
+    </message>
+    <message>
       <source>Move tiles and pins until weak contacts hold</source>
       <translation>Kacheln und Zapfen verschieben, bis schwache Kontakte halten</translation>
     </message>
@@ -4637,6 +4669,10 @@
     <message>
       <source>Revert All Edits</source>
       <translation>Alles zurücknehmen</translation>
+    </message>
+    <message>
+      <source>Set the parameters of a membrane, a glue or a material of tiles (one step of undo)</source>
+      <translation>Setzt die Parameter einer Membran, eines Klebers oder eines Materials der Kacheln (ein Schritt zum Rückgängigmachen)</translation>
     </message>
     <message>
       <source>Set the parameters that suit a kind of printer (one step of undo)</source>

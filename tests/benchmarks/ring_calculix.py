@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from curveups.base.native import native
 from curveups.kit import ring as rings
 from curveups.stages.sheets import sheets
 
@@ -22,7 +23,7 @@ STEP = 3.75  # mm, a quarter of the teeth's pitch
 def main() -> None:
     sizes = [float(word) for word in sys.argv[1:]] or [195.4, 194.3, 505.0, 396.6]
     for box in zip(sizes[::2], sizes[1::2]):
-        block = sheets(box, 3.0, (0.72, 0.72), (0.5, 0.5))
+        block = sheets(box, native.Parameters())
         ring = rings.rings(block, PRINT, BED)
         inwards, out = solve(block, ring)
         front = ring["front"]

@@ -14,6 +14,7 @@ import pytest
 from matplotlib.image import imread
 
 from curveups.base.errors import Stopped
+from curveups.base.native import native
 from curveups.kit import drawing, files, latex, tile_map
 from curveups.kit.kit import Kit
 from curveups.project.project import Project
@@ -154,7 +155,6 @@ def test_a_kit_of_another_design_takes_the_place_of_the_last(curveups, printed, 
 
 @pytest.fixture(scope="module")
 def results(printed):
-    from curveups.base.native import native
     design = native.read_design((printed.folder / "design.json").read_text("utf-8"))
     return Project.of_design(design).run(files.goals(), Job(), strict=True)
 
@@ -293,7 +293,14 @@ def test_spares_are_the_tiles_that_were_named(curveups, printed, tmp_path):
 
 # Templates.
 
-BLOCK = sheets((195.4, 194.3), 3.0, (0.72, 0.36), (0.5, 0.5))
+def sheets_of(box, **values):
+    parameters = native.Parameters()
+    for name, value in values.items():
+        parameters.set(name, value)
+    return sheets(box, parameters)
+
+
+BLOCK = sheets_of((195.4, 194.3), shear_modulus_back=0.36)
 
 
 def test_the_load_is_the_slope_of_the_sheets_energy():
@@ -309,9 +316,19 @@ def test_the_load_is_the_slope_of_the_sheets_energy():
     assert BLOCK["load_n"]["front"][0] == pytest.approx(80, rel=0.02)  # N, Half-Sphere
 
 
+def test_the_load_of_mooney_rivlin_is_the_slope_of_its_energy():
+    """As above, with half of the modulus for each invariant: I1 = 2 l^2 + l^-4, I2 = l^4 + 2 l^-2."""
+    def energy(stretch):
+        return 0.25 * 0.72 * 0.5 * (2 * stretch ** 2 + stretch ** -4 + stretch ** 4 + 2 * stretch ** -2 - 6)
+
+    tension = (energy(3 + 1e-6) - energy(3 - 1e-6)) / 2e-6 / 2 / 3
+    block = sheets_of((195.4, 194.3), membrane_model="mooney-rivlin")
+    assert block["load_n"]["back"] == pytest.approx([225 * tension] * 2, rel=1e-6)
+
+
 def test_sheets_hold_the_print_its_margin_teeth_and_grip():
     for box, tau in (((195.4, 100.0), 3.0), ((30.0, 31.0), 2.5), ((510.0, 395.0), 1.05)):
-        block = sheets(box, tau, (0.7, 0.7), (0.5, 0.5))
+        block = sheets_of(box, tau=tau)
         for axis in (0, 1):
             window, pitch = block["window_mm"][axis], block["tooth_pitch_mm"]
             assert box[axis] + 20 <= window < box[axis] + 20 + pitch and window % pitch == 0
@@ -373,7 +390,7 @@ def test_rulers_measure_100_mm_and_squares_their_size_on_paper(kit, tmp_path):
 
 @pytest.mark.parametrize("paper", list(drawing.PAPERS))
 def test_large_sheets_are_tiled_whole_with_crosses_on_crosses(paper):
-    whole = latex.template("large", sheets((510, 495), 1.2, (0.7, 0.7), (0.5, 0.5)))
+    whole = latex.template("large", sheets_of((510, 495), tau=1.2))
     parts = drawing.tiles(whole, paper)
     assert len(parts) > 3
     covered = np.zeros((int(whole.size[1]), int(whole.size[0])), bool)

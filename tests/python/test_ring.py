@@ -17,7 +17,7 @@ SIDES = ("front", "back")
 
 
 def block_of(box):
-    return sheets(box, 3.0, (0.72, 0.72), (0.5, 0.5))
+    return sheets(box, native.Parameters())
 
 
 @pytest.mark.parametrize("box", [HALF_SPHERE, SPOT, (60.0, 300.0)])

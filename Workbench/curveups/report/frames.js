@@ -11,7 +11,7 @@ let yaw = 0.6, tilt = 1.0, playing = false, began = 0;
 
 function draw() {
   const k = Number(slider.value), first = k * perFrame;
-  const scale = 0.46 * Math.min(canvas.width, canvas.height) / 32767 * 1.2;
+  const scale = 0.48 * Math.min(canvas.width, canvas.height) / 32767;
   const [c, s, ct, st] = [Math.cos(yaw), Math.sin(yaw), Math.cos(tilt), Math.sin(tilt)];
   for (let i = 0; i < perFrame; i += 3) {
     const x = corners[first + i], y = corners[first + i + 1], z = corners[first + i + 2];

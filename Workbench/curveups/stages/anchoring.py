@@ -2,9 +2,9 @@
 """Computes the load of the surplus membrane on the anchors, from the parameters alone.
 
 Before the surplus is cut off it pulls at the outline (paper, section 6.2), there with all the tension of
-a sheet that is stretched alike in both directions: T = G h (1 - tau^-6) N/mm, from the neo-Hookean Cauchy
-stress G (tau^2 - tau^-4) on the thickness h / tau^2. An anchor takes that along its spacing, with the glue
-on one of its ends for each sheet.
+a sheet that is stretched alike in both directions: of a neo-Hookean one T = G h (1 - tau^-6) N/mm, from the
+Cauchy stress G (tau^2 - tau^-4) on the thickness h / tau^2. An anchor takes that along its spacing, with the
+glue on one of its ends for each sheet.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any, Mapping, Sequence
 
 from ..base.findings import Finding
+from ..base.native import native
 from .stage import Inputs, Job, Result, Stage
 
 SIDES = ("front", "back")
@@ -36,20 +37,14 @@ class Anchoring(Result):
         return (Finding.about("anchor", pull=max(self.block["pull_n"]), shear=worst, limit=self.strength),)
 
 
-def surplus_tension(modulus: float, thickness: float, tau: float) -> float:
-    """N/mm along the rim of a sheet stretched by tau in both directions."""
-    return modulus * thickness * (1.0 - tau ** -6)
-
-
 def _run(inputs: Inputs, job: Job) -> Anchoring:
     get = inputs.parameters.get
     if not get("anchors"):
         return Anchoring()
-    tension = [surplus_tension(get(f"shear_modulus_{side}"), get(f"thickness_{side}"), get("tau"))
-               for side in SIDES]
+    tension = native.surplus_tension(inputs.parameters)
     pull = [get("anchor_spacing") * each for each in tension]
     area = math.pi * get("anchor_radius") ** 2
-    return Anchoring({"surplus_tension_n_per_mm": tension, "pull_n": pull,
+    return Anchoring({"surplus_tension_n_per_mm": list(tension), "pull_n": pull,
                       "glue_shear_mpa": [each / area for each in pull]}, get("glue_strength"))
 
 

@@ -13,7 +13,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Any, Mapping, Sequence
 
-from .anchoring import SIDES, surplus_tension
+from ..base.native import native
+from .anchoring import SIDES
 from .stage import Inputs, Job, Result, Stage
 
 TOOTH_PITCH = 15.0  # mm, from tooth to tooth of a stretching ring
@@ -34,34 +35,32 @@ class Sheets(Result):
         return {"sheets": dict(self.block)} if self.block else {}
 
 
-def sheets(box: Sequence[float], tau: float, moduli: Sequence[float], thicknesses: Sequence[float]
-           ) -> dict[str, Any]:
-    """The block of report.json for what is glued, of this box."""
+def sheets(box: Sequence[float], parameters: Any) -> dict[str, Any]:
+    """The block of report.json for what is glued, of this box (mm) and these native Parameters."""
+    get = parameters.get
+    tau = get("tau")
     window = [math.ceil((side + 2 * MARGIN) / TOOTH_PITCH) * TOOTH_PITCH for side in box]
     marked = [(side + 2 * TOOTH_ROWS * TOOTH_PITCH) / tau for side in window]
-    tension = [surplus_tension(modulus, thickness, tau) for modulus, thickness in zip(moduli, thicknesses)]
     return {"count": 2, "box_mm": list(box), "window_mm": window, "marked_mm": marked,
             "cut_mm": [math.ceil((side + 2 * GRIP) / ROUND) * ROUND for side in marked],
             "grip_mm": GRIP, "grid_mm": TOOTH_PITCH / tau, "tooth_pitch_mm": TOOTH_PITCH,
             "tooth_rows": TOOTH_ROWS, "control_square_mm": CONTROL,
             "control_square_stretched_mm": CONTROL * tau, "tau": tau,
-            "thickness_mm": list(thicknesses),
+            "thickness_mm": [get(f"thickness_{side}") for side in SIDES],
             # The tension along a side pulls the sides that end there: x by the window's height.
-            "load_n": {side: [pull * window[1], pull * window[0]] for side, pull in zip(SIDES, tension)}}
+            "load_n": {side: [pull * window[1], pull * window[0]]
+                       for side, pull in zip(SIDES, native.surplus_tension(parameters))}}
 
 
 def _run(inputs: Inputs, job: Job) -> Sheets:
-    model, get = inputs["bodies"].model, inputs.parameters.get
+    model = inputs["bodies"].model
     if model is None:
         return Sheets()
     anchors = model.volumes["anchors"] > 0
     points, _, body = model.mesh("anchors" if anchors else "tiles")
     # The print lies about the origin, and so does the window: what lies furthest out decides.
     x, y = (2 * float(abs(points[:, axis]).max()) for axis in (0, 1))
-    moduli, thicknesses = (tuple(get(f"{what}_{side}") for side in SIDES)
-                           for what in ("shear_modulus", "thickness"))
-    return Sheets({"anchors": int(body.max()) + 1 if anchors else 0,
-                   **sheets((x, y), get("tau"), moduli, thicknesses)})
+    return Sheets({"anchors": int(body.max()) + 1 if anchors else 0, **sheets((x, y), inputs.parameters)})
 
 
 STAGE = Stage("sheets", ("bodies",), frozenset({"layout", "physics"}), _run,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "curveups/bindings/bindings.hpp"
+#include "curveups/physics/membrane_figures.hpp"
 #include "curveups/physics/solved_design.hpp"
 #include "curveups/physics/verification.hpp"
 #include "curveups/refinement/repair.hpp"
@@ -153,6 +154,10 @@ void bind_verification(py::module_& module) {
       .def_property_readonly("membranes", [](const VerificationReport& report) {
         return py::make_tuple(report.membrane[0], report.membrane[1]);
       });
+  module.def(
+      "surplus_tension", [](const Parameters& parameters) { return surplus_tension(parameters); },
+      py::arg("parameters"),
+      "N/mm along the rim of each sheet, front and back, stretched by tau in both directions.");
   module.def(
       "verify_design",
       [](const Design& design, SolutionStore* store, py::object progress, bool weak_is_enough) {

@@ -188,12 +188,12 @@ std::vector<ParameterInfo> make_table() {
      "where they stretch further.",
      keeps_layout, physics, &P::elongation_at_break, 1, 5000},
     {"glue_strength", "MPa", "Physics",
-     "Shear stress that the glue between membranes and print withstands. The report compares "
-     "pins and anchors with it.",
+     "Shear stress that the glue between membranes and print withstands. Repair enlarges pins "
+     "that carry more. Pins without room for that let go, and the verdict looks at what is left.",
      keeps_layout, physics, &P::glue_strength, 1e-3, 100},
     {"membrane_model", "", "Physics",
-     "Choose the energy of the membranes: tension-field (they wrinkle where squeezed) or "
-     "plain neo-hookean.",
+     "Choose the energy of the membranes: tension-field (neo-Hookean; they wrinkle where "
+     "squeezed), mooney-rivlin (stiffer at large stretch; they wrinkle, too) or plain neo-hookean.",
      keeps_layout, physics, &P::membrane_model, 0, 0, {CURVEUPS_MEMBRANE_MODELS(CURVEUPS_CHOICE)}},
     {"mesh_size", "", "Physics",
      "Size of the largest triangles of the coarser membrane mesh, as a fraction of L. Those "

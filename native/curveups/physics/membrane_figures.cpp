@@ -123,4 +123,18 @@ LoosePins overloaded_pins(const GlueLoads& loads) {
   return out;
 }
 
+std::array<double, 2> surplus_tension(const Parameters& parameters) {
+  std::array<double, 2> out{};
+  for (Side side : {Side::front, Side::back}) {
+    MembraneMaterial m = membrane_material(parameters, side);
+    m.constants.regularization = 0;  // nothing is slack
+    Gradient32 F = Gradient32::Zero();
+    F(0, 0) = F(1, 1) = parameters.tau;
+    const double by_stretch = m.model->evaluate(F, m.constants, false).gradient[0];
+    // Nominal stress times thickness, on an edge that is tau times as long as at rest.
+    out[static_cast<int>(side)] = 0.5 * m.shear_modulus * m.thickness * by_stretch / parameters.tau;
+  }
+  return out;
+}
+
 }  // namespace curveups

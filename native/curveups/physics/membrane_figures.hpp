@@ -53,4 +53,8 @@ LargestGlueLoads largest_of(const GlueLoads& loads);
 // The pins that carry more than they withstand.
 LoosePins overloaded_pins(const GlueLoads& loads);
 
+// N/mm along the rim of each sheet, front and back, stretched by tau in both directions and free
+// to contract in thickness: the surplus pulls so before it is cut off (paper, section 6.2).
+std::array<double, 2> surplus_tension(const Parameters& parameters);
+
 }  // namespace curveups

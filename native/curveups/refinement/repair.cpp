@@ -242,14 +242,15 @@ bool Repair::draw_pins_out(const Judgement& now) {
   } else if (!cap_insets(touches_, here_, caps_)) {
     return false;
   }
-  here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
-  here_.keep_pin_bounds();
   try {
+    here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
+    here_.keep_pin_bounds();
     if (restore_constraints(here_.shape->model, here_.state, 20)) {
       tracked_.move(here_);
       return true;
     }
   } catch (const InvalidInput&) {  // the moving mesh turned over
+  } catch (const InfeasibleDesign&) {
   } catch (const SolverFailure&) {
   }
   here_ = from;
