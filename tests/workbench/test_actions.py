@@ -172,6 +172,19 @@ def test_a_profile_sets_what_suits_a_printer_and_nothing_else(made):
     assert changed == [], changed
 
 
+def test_a_material_is_chosen_by_name(made):
+    design = document.new_design(made, "half-sphere")
+    actions.apply_material(design, "material_tile", "petg")
+    assert made.UndoNames[0] == "Apply Material" and properties.value_of(design, "Density") == 1.27
+    design.setExpression("ThicknessFront", "0.4 mm")
+    count = len(made.UndoNames)
+    for kind, name, wrong in (("material_membrane", "latex-0.25", "ThicknessFront follows an expression"),
+                              ("material_glue", "latex-0.25", "there is no material_glue 'latex-0.25'")):
+        with pytest.raises(CurveUpsError, match=wrong):
+            actions.apply_material(design, kind, name)
+    assert design.ThicknessBack.Value == 0.5 and len(made.UndoNames) == count
+
+
 def test_density_follows_the_printer_until_it_is_set(made):
     design = document.new_design(made, "half-sphere")
 

@@ -12,7 +12,7 @@ from curveups.features import actions
 from curveups.window.overlay.colours import MARK
 from curveups.window.overlays import overlay_of
 from curveups.window.units import in_user_units
-from robot import (at_rest, click, click_item, close_panel, picture, press, QtCore, QtGui, report,
+from robot import (at_rest, click, click_at, click_item, close_panel, picture, press, QtCore, QtGui, report,
                    settle, until, widget)
 from steps import begin, example, in_units, LIVE, panel
 
@@ -169,6 +169,22 @@ def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictur
     made.undo()
     settle(300)
     assert design.L.Value == chosen and design.Printer == "polyjet"
+
+    menu = form.materials.menu()
+
+    def marked():
+        menu.aboutToShow.emit()
+        return [action.text() for action in menu.actions() if action.isChecked()]
+
+    assert marked() == ["latex-0.5", "cyanoacrylate", "vero"]
+    thin = menu.actionGeometry(item(menu, "latex-0.25")).center()
+    QtCore.QTimer.singleShot(700, lambda: (picture("materials"), click_at(menu.mapToGlobal(thin))))
+    click(form.materials)
+    until(lambda: design.ThicknessFront.Value == 0.25, 10, "the membrane")
+    assert design.ThicknessBack.Value == 0.25 and made.UndoNames[0] == "Apply Material"
+    assert marked() == ["latex-0.25", "cyanoacrylate", "vero"]
+    design.ThicknessBack = 0.3
+    assert marked() == ["cyanoacrylate", "vero"]
     close_panel()
     assert report().count("error") == 0, report()
 

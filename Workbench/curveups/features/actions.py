@@ -10,7 +10,7 @@ from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Callable, Collection, Iterator, Optional, Sequence
+from typing import Any, Callable, Collection, Iterator, Mapping, Optional, Sequence
 
 from ..base import profiles
 from ..base.errors import CurveUpsError, Stopped
@@ -140,7 +140,17 @@ def apply_profile(design: Any, name: str) -> None:
     those that any profile names to their defaults."""
     paths = [profiles.profile_path(one) for one in profiles.profile_names()]
     values = profiles.parameters(profiles.profile_path(name)) if name else profiles.defaults(paths)
-    with transaction(design.Document, "Apply Profile"):
+    _apply(design, "Apply Profile", values)
+
+
+def apply_material(design: Any, kind: str, name: str) -> None:
+    """Sets the parameters of a material, of one of profiles.MATERIALS."""
+    _apply(design, "Apply Material", profiles.of_material(kind, name, design.Label))
+
+
+def _apply(design: Any, step: str, values: Mapping[str, Any]) -> None:
+    refuse_bound(design, values)
+    with transaction(design.Document, step):
         for parameter, value in values.items():
             properties.write_parameter(design, parameter, value)
 

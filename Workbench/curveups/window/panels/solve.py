@@ -42,6 +42,11 @@ _GROUPS = {
     "Anchors": QT_TRANSLATE_NOOP("CurveUpsSolve", "Anchors"),
     "Files": QT_TRANSLATE_NOOP("CurveUpsSolve", "Files"),
 }
+_MATERIALS = {
+    "material_membrane": QT_TRANSLATE_NOOP("CurveUpsSolve", "Membrane"),
+    "material_glue": QT_TRANSLATE_NOOP("CurveUpsSolve", "Glue"),
+    "material_tile": QT_TRANSLATE_NOOP("CurveUpsSolve", "Material of tiles"),
+}
 # What properties say in English; the panel translates it.
 _STATES = (
     QT_TRANSLATE_NOOP("CurveUpsSolve", "valid"),
@@ -134,23 +139,41 @@ class SolvePanel(Panel):
         form.revert.clicked.connect(lambda: self._revert())
         form.remember.clicked.connect(lambda: preferences.remember(self.design, names))
         self._prepare_profiles()
+        self._prepare_materials()
         self._show_group()
 
     def _prepare_profiles(self) -> None:
-        menu = QtWidgets.QMenu(self.form.profile)
-        menu.setToolTipsVisible(True)
+        menu = _menu(self.form.profile)
         for name in ("", *profiles.profile_names()):
             action = menu.addAction(name.upper() or translate("CurveUpsSolve", "Standard"))
             action.setToolTip(profiles.about(profiles.profile_path(name)) if name else translate(
                 "CurveUpsSolve", "Set the defaults of all parameters that a profile sets"))
-            action.triggered.connect(lambda *_, name=name: self._apply_profile(name))
-        self.form.profile.setMenu(menu)
+            action.triggered.connect(partial(self._apply, "actions.apply_profile", name))
 
-    def _apply_profile(self, name: str) -> None:
+    def _prepare_materials(self) -> None:
+        menu = _menu(self.form.materials)
+        for kind, title in _MATERIALS.items():
+            menu.addSection(translate("CurveUpsSolve", title))
+            for name in profiles.material_names(kind):
+                action = menu.addAction(name)
+                action.setCheckable(True)
+                action.setToolTip(profiles.about(profiles.material_path(name)))
+                action.triggered.connect(partial(self._apply, "actions.apply_material", kind, name))
+        menu.aboutToShow.connect(lambda: self._mark_materials(menu))
+
+    def _mark_materials(self, menu: Any) -> None:
+        values = properties.values_of(self.design)
+        for action in menu.actions():
+            if action.isCheckable():
+                own = profiles.parameters(profiles.material_path(action.text()))
+                action.setChecked(all(properties.same(values[name], value) for name, value in own.items()))
+
+    def _apply(self, function: str, *names: Any) -> None:
+        """names: strings; what a click hands over besides is left out."""
         if self._rows:
             self._rows.flush()
-        with errors_shown(translate("CurveUpsSolve", "Profile")):
-            call("actions.apply_profile", named(self.design), repr(name))
+        with errors_shown(translate("CurveUpsSolve", "Parameters")):
+            call(function, named(self.design), *(repr(name) for name in names if isinstance(name, str)))
             self.design.Document.recompute()
         self._refresh_rows()
         self.show()
@@ -290,3 +313,10 @@ def _mark(item: Any, mark: str, stage: str) -> None:
     """The line of a stage, which may be wider than the dock."""
     item.setText(0, f"{mark} {stage}")
     item.setToolTip(0, item.text(0))
+
+
+def _menu(button: Any) -> Any:
+    menu = QtWidgets.QMenu(button)
+    menu.setToolTipsVisible(True)
+    button.setMenu(menu)
+    return menu
