@@ -2,11 +2,13 @@
 """`curveups actuate`: the answers, the path and the files that others read."""
 
 import json
+import os
 import re
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from curveups.base.errors import CurveUpsError
 from curveups.base.native import native
@@ -172,3 +174,34 @@ def test_numbers_of_frames_are_counted(tmp_path):
     assert actuation.read_start(f"{path}:0", 1).shape == (1, 7)
     with pytest.raises(CurveUpsError, match="there is no frame 1"):
         actuation.read_start(f"{path}:1", 1)
+
+
+def test_a_compensated_design_settles_nearer_to_the_target(curveups, printed, tmp_path):
+    source = printed.folder / "design.json"
+    ran = curveups("actuate", source, "-o", tmp_path, "--from", "target", "--compensate", "1", "--set",
+                   "bumps=none")
+    assert ran.status == 0 and "beside the target in the mean" in ran.err, ran.err
+    answer = json.loads((tmp_path / "actuation.json").read_text("utf-8"))
+    block, given, found = answer["compensation"], *(native.read_design(path.read_text("utf-8"))
+                                                    for path in (source, tmp_path / "design.json"))
+    assert block["kept_round"] == 1 and block["mean_mm"][1] < 0.5 * block["mean_mm"][0]
+    assert "design.json" in answer["files"]
+    V, F = found.target
+    assert np.array_equal(V, (given.target or (given.V, given.F))[0]) and np.array_equal(F, given.F)
+    # What the answer says, computed anew: distances of corners after the motion that fits them best.
+    settled = np.asarray(native.settle_design(found).corners).reshape(-1, 3)
+    wanted = V[F].reshape(-1, 3)
+    a, b = settled - settled.mean(0), wanted - wanted.mean(0)
+    turned = Rotation.align_vectors(b, a)[0].apply(a)
+    assert np.linalg.norm(turned - b, axis=1).mean() == pytest.approx(block["mean_mm"][1], abs=1e-6)
+
+
+def test_what_can_not_be_compensated_leaves_everything_as_it_was(curveups, printed, tmp_path):
+    source = tmp_path / "design.json"
+    source.write_bytes((printed.folder / "design.json").read_bytes())
+    ran = curveups("actuate", source, "-o", tmp_path, "--compensate", "1")
+    assert ran.status == 2 and "would replace it" in ran.err and os.listdir(tmp_path) == ["design.json"]
+    assert source.read_bytes() == (printed.folder / "design.json").read_bytes()
+    for wrong in ("0", "10", "x", "1.5"):
+        ran = curveups("actuate", source, "-o", tmp_path / "o", "--compensate", wrong)
+        assert ran.status == 2 and "number of rounds from 1 to 9" in ran.err

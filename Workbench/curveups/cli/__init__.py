@@ -25,6 +25,7 @@ nothing written; 3 stopped, the best so far was written; 4 a file could not be w
 _NO_MEMORY = "there is not enough memory (this machine): use larger tiles or a smaller target"
 MOST_CUTS = 100
 MOST_PIECES = 1000
+MOST_ROUNDS = 9
 
 
 class _Parser(argparse.ArgumentParser):
@@ -100,6 +101,9 @@ def make_parser() -> argparse.ArgumentParser:
     actuate.add_argument("--from", dest="begin", default="flat", metavar="flat|target|FRAME",
                          help="begin there; FRAME is a frames.json of an earlier run, by default its last "
                               "frame, or FRAMES.json:NUMBER (default: flat)")
+    actuate.add_argument("--compensate", type=_rounds, default=0, metavar="N",
+                         help="first move the surface against the shape in which it settles and solve again, "
+                              "N times, and write the best as design.json")
     _set_argument(actuate)
     return parser
 
@@ -115,6 +119,13 @@ def _pieces(text: str) -> int:
     """A number of pieces to order."""
     if not text.isdecimal() or not text.isascii() or not 1 <= int(text) <= MOST_PIECES:
         raise argparse.ArgumentTypeError(f"'{text}' is no number of pieces from 1 to {MOST_PIECES}")
+    return int(text)
+
+
+def _rounds(text: str) -> int:
+    """How often to compensate."""
+    if not text.isdecimal() or not text.isascii() or not 1 <= int(text) <= MOST_ROUNDS:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of rounds from 1 to {MOST_ROUNDS}")
     return int(text)
 
 

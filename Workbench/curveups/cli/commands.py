@@ -17,6 +17,7 @@ from ..base.progress import Interrupt, Reporter
 from ..base.reading import read_text
 from ..features.document_file import write_document
 from ..kit import calibration, files as kit_files, scan
+from ..project.compensation import compensate
 from ..project.project import Project, Results
 from ..report import actuation
 from ..report import check as check_report
@@ -195,6 +196,15 @@ def actuate(options: Any, session: Session) -> int:
     design = project.latest("design").design.with_parameters(project.parameters)
     start = actuation.read_start(options.begin, len(design.F))
     job = session.job
+    compensation = None
+    if options.compensate:
+        if (written := options.output / "design.json").exists() and written.samefile(options.design):
+            raise CurveUpsError("the compensated design would replace it", str(options.design),
+                                "give another folder (-o)")
+        with translated(str(options.design)):
+            compensation = compensate(design, options.compensate, job)
+        design = compensation.design
+        project = Project.of_design(design, str(options.design))
     model = project.run(("bodies",), job, strict=True)["bodies"].model
     if model is None:
         raise Stopped
@@ -202,7 +212,9 @@ def actuate(options: Any, session: Session) -> int:
         found = native.actuate_design(design, native.SolutionStore(), job, start)
     with session.interrupt.shielded(), translated(str(options.design)):
         stopped = actuation.write_actuation(found, design, project.name, options.begin, model,
-                                            options.output, job)
+                                            options.output, job, compensation)
+    if compensation:
+        session.reporter.say(f"{project.name}: {compensation.said}")
     for one in actuation.findings(found.block):
         session.reporter.say(f"{project.name}: {one}")
     if stopped:

@@ -19,6 +19,7 @@ from ..base.findings import Finding
 from ..base.native import native
 from ..base.output import Folder
 from ..base.reading import read_text
+from ..project.compensation import Compensation
 from ..stages.stage import Job
 from . import html, tables
 from .data import to_text
@@ -57,9 +58,11 @@ def read_start(text: str, count: int) -> Optional[np.ndarray]:
     return rows
 
 
-def write_actuation(found: Any, design: Any, name: str, begin: str, model: Any, path: Path, job: Job) -> bool:
+def write_actuation(found: Any, design: Any, name: str, begin: str, model: Any, path: Path, job: Job,
+                    compensation: Optional[Compensation] = None) -> bool:
     """Writes all files; whether that, or the path before it, was stopped. actuation.json goes first and
-    comes last. begin: what the path begins from. model: the design's PrintModel."""
+    comes last. begin: what the path begins from. model: the design's PrintModel. compensation: what the
+    design comes from, where it goes into a design.json as well."""
     step = f"{name}-settled.step"
     stopped = job.stopped
     with Folder(path) as folder:
@@ -67,6 +70,9 @@ def write_actuation(found: Any, design: Any, name: str, begin: str, model: Any, 
         folder.write_text(FRAMES, _compact(_frames(found)))
         folder.write_text(FOLD, _compact(_fold(found, design, name)))
         answer = build_answer(found, design, name, begin, stopped)
+        if compensation:
+            answer["compensation"] = compensation.report()
+            folder.write_text("design.json", native.write_design(design))
         folder.write_text(PAGE, build_page(answer, found, design))
         try:
             if not job(f"writing {step}"):
@@ -208,7 +214,7 @@ def _moving(found: Any, design: Any) -> str:
     """The frames, to be played, turned by dragging and stepped through. Corners are 16-bit numbers."""
     corners = np.stack([front_corners(design, rows).reshape(-1, 3) for rows in found.frames])
     middle = 0.5 * (corners.min((0, 1)) + corners.max((0, 1)))
-    size = max(float(np.abs(corners - middle).max()), 1e-9)
+    size = max(float(np.linalg.norm(corners - middle, axis=2).max()), 1e-9)  # it fits however it is turned
     whole = np.round((corners - middle) * (32767 / size)).astype("<i2")
     data = base64.b64encode(whole.tobytes()).decode("ascii")
     script = files(__package__).joinpath("frames.js").read_text("utf-8")
