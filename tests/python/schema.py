@@ -41,6 +41,10 @@ OPTIONAL = {
                 "scan": {name: NUMBER for name in ("mean_mm", "rms_mm", "p95_mm", "max_mm",
                                                    "hausdorff_mm")}},
     "margin": {"mode": TEXT, "mismatch_percent": NUMBER, "friction_coefficient": NUMBER, "met": None},
+    "actuation": {"friction_coefficient": NUMBER, "arrives": None, "converged": bool, "stopped": bool,
+                  "shortfall_mm": NUMBER, "tolerance_mm": NUMBER, "contacts": COUNT, "open_contacts": list,
+                  "wedged": list, "energy_n_mm": NUMBER, "reach_friction": None, "trap": None,
+                  "from_target": dict},
     "unchecked_files": dict,
     "print": {"bbox_mm": list, "bodies": COUNT, "tile_volume_cm3": NUMBER,
               "support_volume_cm3": NUMBER, "anchor_volume_cm3": NUMBER,
@@ -51,7 +55,7 @@ OPTIONAL = {
 STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}
 STAGES = ("remesh", "fairing", "pieces", "cuts", "relief", "flatten", "layout", "verify", "refine", "recheck",
-          "settle", "solids", "check", "trials", "export")
+          "settle", "actuate", "solids", "check", "trials", "export")
 
 
 def check(value, expected, where):

@@ -10,9 +10,18 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from curveups.base.errors import CurveUpsError
+from schema import OPTIONAL, check
+
+from curveups.base.errors import CurveUpsError, Stopped
 from curveups.base.native import native
+from curveups.project import saved_results
+from curveups.project.project import Project
 from curveups.report import actuation
+from curveups.report.exports import report
+from curveups.report.moving import front_corners
+from curveups.stages import RISEN, START, asked_by
+from curveups.stages.actuation import findings
+from curveups.stages.stage import Job
 
 FILES = {"frames.json", "frames.fold", "actuation.html", "small-cap-settled.step"}
 
@@ -45,7 +54,7 @@ def test_the_answer_and_its_status_agree(risen):
 
 
 def test_what_it_finds_is_said_with_its_tiles(risen):
-    said = [str(one) for one in actuation.findings(risen.answer["actuation"])]
+    said = [str(one) for one in findings(risen.answer["actuation"])]
     assert said and [one["what"] for one in risen.answer["findings"]] == said
     assert all(f"small-cap: {one}" in risen.ran.err for one in said)
     tiles = {tile for pair in risen.answer["actuation"]["open_contacts"] for tile in pair}
@@ -69,7 +78,7 @@ def block_of(**changed):
     ({"arrives": None, "trap": None}, ["actuation_restless"]),
     ({"arrives": None, "stopped": True}, ["actuation_stopped"])])
 def test_each_answer_has_its_words(changed, kinds):
-    found = actuation.findings(block_of(**changed))
+    found = findings(block_of(**changed))
     assert [one.kind for one in found] == kinds
     for one in found:
         assert str(one) != one.kind and "{" not in str(one)
@@ -87,7 +96,7 @@ def test_the_folder_holds_what_actuation_json_lists(risen):
 
 def test_frames_lead_from_the_layout_along_falling_energy(risen):
     first, last = risen.frames[0], risen.frames[-1]
-    corners = actuation.front_corners(risen.design, np.array(first["poses"]))
+    corners = front_corners(risen.design, np.array(first["poses"]))
     assert corners[:, :, :2] == pytest.approx(np.asarray(risen.design.T), abs=1e-6)
     assert corners[:, :, 2] == pytest.approx(0, abs=1e-6)
     assert first["stretch"] == pytest.approx(risen.design.parameters.get("tau"))
@@ -122,7 +131,7 @@ def test_the_step_file_has_the_tiles_where_the_path_ends(risen):
     assert text.startswith("ISO-10303-21") and "T00024" in text
     points = np.array([[float(x) for x in found.split(",")]
                        for found in re.findall(r"CARTESIAN_POINT\('[^']*',\(([^)]*)\)\)", text)])
-    corners = actuation.front_corners(risen.design, np.array(risen.frames[-1]["poses"])).reshape(-1, 3)
+    corners = front_corners(risen.design, np.array(risen.frames[-1]["poses"])).reshape(-1, 3)
     # A boundary corner that no plane cuts is a point of the solids.
     near = np.linalg.norm(points[:, None] - corners[None], axis=2).min(0)
     assert (near < 1e-3).sum() > 12
@@ -171,7 +180,7 @@ def test_hands_that_hold_it_are_refused(risen, curveups, tmp_path):
 def test_numbers_of_frames_are_counted(tmp_path):
     path = tmp_path / "frames.json"
     path.write_text(frame_text(STILL), "utf-8")
-    assert actuation.read_start(f"{path}:0", 1).shape == (1, 7)
+    assert actuation.read_start(f"{path}:0", 1).poses.shape == (1, 7)
     with pytest.raises(CurveUpsError, match="there is no frame 1"):
         actuation.read_start(f"{path}:1", 1)
 
@@ -205,3 +214,88 @@ def test_what_can_not_be_compensated_leaves_everything_as_it_was(curveups, print
     for wrong in ("0", "10", "x", "1.5"):
         ran = curveups("actuate", source, "-o", tmp_path / "o", "--compensate", wrong)
         assert ran.status == 2 and "number of rounds from 1 to 9" in ran.err
+
+
+@pytest.fixture(scope="module")
+def project(risen):
+    found = Project.of_design(risen.design)
+    parameters = found.parameters
+    parameters.set("bumps", "none")
+    parameters.set("friction_coefficient", 0.2)
+    found.parameters = parameters
+    found.run(asked_by("actuate"))
+    return found
+
+
+def test_the_command_shows_what_the_stage_finds(risen, project):
+    assert asked_by("actuate") == (RISEN,)
+    assert RISEN not in asked_by("check", "cuts", "solve", "settle", "verify", "build", "print")
+    found = project.latest(RISEN)
+    assert json.loads(json.dumps(found.block)) == risen.answer["actuation"]
+    assert np.array([frame["poses"] for frame in risen.frames]) == pytest.approx(found.frames, abs=1e-9)
+    assert set(found.open_tiles) == set(risen.answer["findings"][0]["tiles"])
+
+
+def test_a_path_that_is_saved_comes_back_whole(project):
+    text = saved_results.to_text(project.made())
+    again, found = saved_results.from_text(text)[RISEN].result, project.latest(RISEN)
+    assert again.frames.shape == (len(found.time), 24, 7) and (again.frames == found.frames).all()
+    assert (again.energy == found.energy).all() and again.findings() == found.findings()
+    # Four bytes a number: half of what they are made from.
+    assert len(json.dumps(json.loads(text)["results"])) < 10_000 and again.poses.itemsize == 4
+    assert np.linalg.norm(again.frames[:, :, 3:], axis=2) == pytest.approx(1, abs=1e-8)
+
+
+def test_a_path_is_out_of_date_once_its_design_is_another(project):
+    twin = project.copy()
+    for name, value in (("friction_coefficient", 0.21), ("H_body", 3.2), ("thickness_front", 0.4)):
+        parameters = twin.parameters
+        before = parameters.get(name)
+        parameters.set(name, value)
+        twin.parameters = parameters
+        assert name in twin.out_of_date(RISEN)
+        parameters.set(name, before)
+        twin.parameters = parameters
+        assert twin.out_of_date(RISEN) == ()
+    twin.give(START, actuation.read_start("target", 24))
+    assert twin.out_of_date(RISEN) == (START,)
+
+
+def test_the_report_plays_the_path_where_there_is_one(project, tmp_path):
+    page = report(project.copy(), tmp_path, (), Job()).read_text("utf-8")
+    found = json.loads((tmp_path / "report.json").read_text("utf-8"))
+    check(found["actuation"], OPTIONAL["actuation"], "actuation")
+    assert "actuate" in {row["name"] for row in found["stages"]}
+    path = project.latest(RISEN)
+    assert f"FRAMES={len(path.time)}," in page and "<canvas" in page and str(path.findings()[0])[1:] in page
+    said = [one["what"] for one in found["warnings"]]
+    assert [str(one) for one in path.findings() if one.kind != "actuation_arrives"] == said
+    other = project.copy()
+    parameters = other.parameters
+    parameters.set("friction_coefficient", 0.3)
+    other.parameters = parameters
+    assert "<canvas" not in report(other, tmp_path, (), Job()).read_text("utf-8")
+    assert "actuation" not in json.loads((tmp_path / "report.json").read_text("utf-8"))
+
+
+def stopped_after(count):
+    """A job that is stopped when tiles have moved so many steps."""
+    seen = []
+
+    def progress(what, fraction):
+        seen.append(what)
+        return seen.count("actuate") <= count
+
+    return Job(progress)
+
+
+def test_a_stop_keeps_the_path_so_far(risen):
+    project = Project.of_design(risen.design)
+    found = project.run(asked_by("actuate"), stopped_after(6))[RISEN]
+    assert found.stopped and 1 <= len(found.frames) < len(risen.frames) and found.block["arrives"] is None
+    assert [one.kind for one in found.findings()] == ["actuation_stopped"]
+    project.forget_stopped()
+    assert project.latest(RISEN) is None
+    with pytest.raises(Stopped):
+        project.run(asked_by("actuate"), stopped_after(0))
+    assert project.latest(RISEN) is None

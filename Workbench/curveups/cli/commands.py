@@ -23,7 +23,7 @@ from ..report import actuation
 from ..report import check as check_report
 from ..report.exports import write_spares
 from ..report.files import Writing, write_check, write_obj, write_verification
-from ..stages import asked_by, sizes
+from ..stages import RISEN, START, asked_by, sizes
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.solids import read_printer
 from ..stages.stage import Job
@@ -193,8 +193,7 @@ def actuate(options: Any, session: Session) -> int:
     """curveups actuate"""
     require_folder_name(options.output)
     project, _ = _design_project(options, session, ("rebuild", "files", "verify"))
-    design = project.latest("design").design.with_parameters(project.parameters)
-    start = actuation.read_start(options.begin, len(design.F))
+    start = actuation.read_start(options.begin, len(project.latest("design").design.F))
     job = session.job
     compensation = None
     if options.compensate:
@@ -202,25 +201,21 @@ def actuate(options: Any, session: Session) -> int:
             raise CurveUpsError("the compensated design would replace it", str(options.design),
                                 "give another folder (-o)")
         with translated(str(options.design)):
-            compensation = compensate(design, options.compensate, job)
-        design = compensation.design
-        project = Project.of_design(design, str(options.design))
-    model = project.run(("bodies",), job, strict=True)["bodies"].model
-    if model is None:
-        raise Stopped
-    with translated(options.begin if start is not None else str(options.design)):
-        found = native.actuate_design(design, native.SolutionStore(), job, start)
+            given = project.latest("design").design.with_parameters(project.parameters)
+            compensation = compensate(given, options.compensate, job)
+        project = Project.of_design(compensation.design, str(options.design))
+    project.give(START, start)
+    results = project.run(("bodies", *asked_by("actuate")), job, strict=True)
     with session.interrupt.shielded(), translated(str(options.design)):
-        stopped = actuation.write_actuation(found, design, project.name, options.begin, model,
-                                            options.output, job, compensation)
+        stopped = actuation.write_actuation(results, options.output, job, compensation)
     if compensation:
         session.reporter.say(f"{project.name}: {compensation.said}")
-    for one in actuation.findings(found.block):
+    for one in results[RISEN].findings():
         session.reporter.say(f"{project.name}: {one}")
     if stopped:
         session.reporter.say("stopped: what there is, is written")
         return STOPPED
-    return VALID if found.arrives else NOT_VALID
+    return VALID if results[RISEN].block["arrives"] else NOT_VALID
 
 
 COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,

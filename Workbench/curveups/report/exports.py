@@ -140,7 +140,8 @@ def other_report(folder: Path, name: str) -> str:
 
 def report(project: Project, folder: Path, doubts: Iterable[Finding], job: Job) -> Path:
     """Writes report.html and report.json of all that is current; the page."""
-    results = project.run(_current(project, asked_by("solve", "settle")), job, note=Finding("unverified"))
+    current = _current(project, asked_by("solve", "settle", "actuate"))
+    results = project.run(current, job, note=Finding("unverified"))
     place = Folder(folder)
     write_reports(_with(results, tuple(doubts)), place)
     return place.path / "report.html"

@@ -25,7 +25,7 @@ from ..stages.solids import Solids
 from ..stages.stage import Job, Row
 from . import check
 from .data import build_report, has_solids, list_files, to_text
-from .html import build_html, draw
+from .html import Drawn, build_html, draw
 
 REPORTS = ("report.json", "report.html")
 
@@ -68,7 +68,7 @@ class Writing:
         self._error: Optional[BaseException] = None
         self._stopped = self._ended = False
         self._expected: Optional[Results] = None
-        self._drawn: Optional[list[bytes]] = None
+        self._drawn: Optional[list[Drawn]] = None
         self._told = threading.Event()  # what to expect, or that there is nothing
         self._ahead: Optional[_Ahead] = None
 
@@ -102,11 +102,11 @@ class Writing:
         finally:
             self._told.set()
 
-    def _draw(self, results: Results) -> Optional[list[bytes]]:
+    def _draw(self, results: Results) -> Optional[list[Drawn]]:
         drawn = []
         try:
-            for png in draw(results):
-                drawn.append(png)
+            for one in draw(results):
+                drawn.append(one)
                 if not self._job("drawing pictures"):
                     raise Stopped
         except Stopped:
@@ -291,7 +291,7 @@ def write_reports(results: Results, folder: Folder, rows: list[Row] | None = Non
         folder.write_text(name, to_text(report))
 
 
-def _page(results: Results, report: dict[str, Any], drawn: list[bytes] | None = None) -> bytes:
+def _page(results: Results, report: dict[str, Any], drawn: list[Drawn] | None = None) -> bytes:
     return build_html(results, report, drawn).encode("utf-8")
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import base64
 from importlib import import_module
 from html import escape
-from typing import Any, Callable, Iterable, Iterator, Optional, Sequence
+from typing import Any, Callable, Iterable, Iterator, Optional, Sequence, Union
 
 from ..base.errors import tile_list, tile_name
 from ..base.parameters import table as parameter_table
@@ -15,6 +15,7 @@ from ..project.verdict import HOLDS
 from ..stages.stage import Picture
 from .assembly import steps
 from .changes import changes, worst_contacts
+from .moving import answers
 from .shop import latex, print_picture, quote, rules
 from .tables import show, table
 
@@ -37,20 +38,22 @@ figure { margin: 0; } figcaption { color: #6d6454; font-size: .9rem; }
 """
 
 
+Drawn = Union[bytes, str]  # PNG, or HTML of what moves
 # Modules and their functions. matplotlib is loaded where the first picture is drawn.
 _VIEWS = {"flat": ("pictures", "flat_layout"), "actuated": ("pictures", "actuated_view"),
           "cuts": ("cut_pictures", "cut_view"), "stretch": ("membrane_pictures", "stretch_view"),
           "movement": ("pictures", "movement_view"), "blocked": ("pictures", "blocked_view"),
+          "moving": ("moving", "moving_view"),
           "print": ("print_pictures", "print_view")}
 
 
-def view(name: str, **data: Any) -> bytes:
-    """A picture, as PNG."""
+def view(name: str, **data: Any) -> Drawn:
+    """A picture."""
     module, function = _VIEWS[name]
     return getattr(import_module(f".{module}", __package__), function)(**data)
 
 
-def draw(results: Results) -> Iterator[bytes]:
+def draw(results: Results) -> Iterator[Drawn]:
     """The page's pictures in their order; they are most of its time."""
     for one in _pictures(results):
         yield view(one.view, **one.data)
@@ -62,7 +65,7 @@ def _pictures(results: Results) -> list[Picture]:
     return [*([printed] if printed else []), *results.pictures()]
 
 
-def pictures_or_note(draw: Callable[[], Iterable[bytes]]) -> tuple[list[bytes], list[str]]:
+def pictures_or_note(draw: Callable[[], Iterable[Drawn]]) -> tuple[list[Drawn], list[str]]:
     """The pictures, or none and what the page says of that: a page without them is better than none."""
     try:
         return list(draw()), []
@@ -71,15 +74,15 @@ def pictures_or_note(draw: Callable[[], Iterable[bytes]]) -> tuple[list[bytes], 
         return [], [f'<p class="note">The pictures could not be drawn: {said}.</p>']
 
 
-def build_html(results: Results, report: dict, drawn: Optional[Sequence[bytes]] = None) -> str:
+def build_html(results: Results, report: dict, drawn: Optional[Sequence[Drawn]] = None) -> str:
     """The page for the results of a run and their report; `drawn`: its pictures, where they are there."""
     shown, note = pictures_or_note(lambda: draw(results) if drawn is None else drawn)
     parts = [f"<h1>{escape(report['title'])}</h1>", _verdict(report), *note]
     printed = "print" in report and "sheets" in report
     parts += _shop(report, results.parameters) if printed else []
-    for one, png in zip(_pictures(results), shown):
+    for one, drawn_one in zip(_pictures(results), shown):
         parts += [f"<h2>{escape(one.heading)}</h2>"] if one.heading else []
-        parts.append(picture(png, one.caption))
+        parts.append(picture(drawn_one, one.caption))
     parts += _cuts(report.get("suggested_cuts", ()))
     parts += changes(report)
     parts += worst_contacts(report.get("worst_contacts", ()),
@@ -166,11 +169,12 @@ def _pieces(pieces: Sequence[dict]) -> list[str]:
                          "f_min of its own mean, N", "Holds"))]
 
 
-def picture(png: bytes, caption: str) -> str:
+def picture(drawn: Drawn, caption: str) -> str:
     """A picture inside of the page."""
-    data = base64.b64encode(png).decode("ascii")
-    return (f'<figure><img alt="{escape(caption)}" src="data:image/png;base64,{data}">'
-            f"<figcaption>{escape(caption)}</figcaption></figure>")
+    if isinstance(drawn, bytes):
+        data = base64.b64encode(drawn).decode("ascii")
+        drawn = f'<img alt="{escape(caption)}" src="data:image/png;base64,{data}">'
+    return f"<figure>{drawn}<figcaption>{escape(caption)}</figcaption></figure>"
 
 
 def _shop(report: dict, parameters: Any) -> list[str]:
@@ -206,6 +210,8 @@ def _figures(report: dict) -> str:
                 rows.append(_figure(key, value))
         if rows:
             parts += [f"<h3>{escape(_words(block).capitalize())}</h3>", table(rows)]
+    if "actuation" in report:
+        parts += ["<h3>From flat to shape</h3>", answers(report["actuation"])]
     return "".join(parts)
 
 

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The path from flat to shape on a page: a picture that moves, and the answers as a table."""
+
+from __future__ import annotations
+
+import base64
+from importlib.resources import files
+from typing import Any, Mapping
+
+import numpy as np
+
+from ..stages.actuation import Actuation, moved
+from .tables import table
+
+_CANVAS = "width:100%;background:#fff;border:1px solid #e8e1d3;border-radius:.4rem;touch-action:none"
+
+
+def front_corners(design: Any, rows: np.ndarray) -> np.ndarray:
+    """M x 3 x 3: the tiles' front corners in a frame."""
+    return moved(np.asarray(design.V)[np.asarray(design.F)], rows)
+
+
+def moving_view(found: Actuation) -> str:
+    """The frames, to be played, turned by dragging and stepped through; one a page. Corners are 16-bit
+    numbers."""
+    frames = found.frames
+    corners = np.stack([front_corners(found.design, rows).reshape(-1, 3) for rows in frames])
+    corners -= corners.mean(1, keepdims=True)  # the layout may lie far from the target
+    size = max(float(np.linalg.norm(corners, axis=2).max()), 1e-9)  # it fits however it is turned
+    whole = np.round(corners * (32767 / size)).astype("<i2")
+    data = base64.b64encode(whole.tobytes()).decode("ascii")
+    script = files(__package__).joinpath("frames.js").read_text("utf-8")
+    return (f'<canvas id="piece" width="1200" height="760" style="{_CANVAS}"></canvas>'
+            f'<p><button id="play">Play</button> <input id="frame" type="range" min="0" '
+            f'max="{len(frames) - 1}" value="0" style="width:70%"> <span id="at"></span></p>'
+            f"<script>const FRAMES={len(frames)},DATA='{data}',"
+            f"TIMES={np.round(found.time, 6).tolist()},"
+            f"ENERGIES={np.round(found.energy, 3).tolist()};\n{script}</script>")
+
+
+def answers(block: Mapping[str, Any]) -> str:
+    """What the block of report.json says, as a table."""
+    rows: list[tuple[Any, ...]] = [
+        ("It arrives by itself", block["arrives"]),
+        ("Friction coefficient", block["friction_coefficient"]),
+        ("Short of the shape that it keeps once it is there, mm", block["shortfall_mm"]),
+        ("Tolerance (hold_tolerance), mm", block["tolerance_mm"]),
+        ("Virtual scan: mean, largest, mm", [block["scan"]["mean_mm"], block["scan"]["max_mm"]])]
+    if "sampled" in block:
+        reach = block["reach_friction"]
+        rows += [("Largest sampled friction at which it arrives", "none" if reach is None else reach),
+                 ("Trap: without friction, flat and target end differently", block["trap"]),
+                 ("Distance of these ends, mm", block["trap_distance_mm"])]
+    return table(rows)

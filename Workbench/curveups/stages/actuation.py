@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lets the finished design rise from flat under its membranes, with friction: whether it arrives by itself,
+what holds it back, and the path."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Mapping, Optional, Sequence
+
+import numpy as np
+
+from ..base.findings import Finding
+from ..base.native import native, translated
+from . import settle
+from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
+
+
+@dataclass(frozen=True)
+class ActuationStart(Result):
+    """Where tiles begin, as the command line has it (flat, target, a file of frames), and for all but flat a
+    row a tile, as frames have them."""
+
+    begin: str = "flat"
+    poses: Optional[np.ndarray] = None
+
+    @property
+    def content(self) -> str:
+        return digest(self.begin, self.poses)
+
+
+@dataclass(frozen=True)
+class Actuation(Result):
+    """block: as report.json has it. design: native Design. Of the frames: s, N mm, N mm, the mean stretch
+    ratio of the membranes, and poses (K x M x 7) as whole numbers of `steps` (7)."""
+
+    block: Mapping[str, Any]
+    design: Any
+    time: np.ndarray
+    energy: np.ndarray
+    friction: np.ndarray
+    stretch: np.ndarray
+    poses: np.ndarray
+    steps: np.ndarray
+
+    @property
+    def frames(self) -> np.ndarray:
+        """K x M x 7: how each tile has moved from its place in the actuated design, x, y, z (mm) and a unit
+        quaternion (w, x, y, z)."""
+        return self.poses * self.steps
+
+    @property
+    def stopped(self) -> bool:
+        return self.block["stopped"]
+
+    @property
+    def open_tiles(self) -> list[int]:
+        """The tiles of open contacts."""
+        return sorted(set(_tiles(self.block["open_contacts"])))
+
+    def report(self) -> dict[str, Any]:
+        return {"actuation": self.block}
+
+    def findings(self) -> list[Finding]:
+        """The answer, then what keeps the piece from its shape."""
+        return findings(self.block)
+
+    def warnings(self) -> Sequence[Finding]:
+        return [one for one in self.findings() if one.kind != "actuation_arrives"]
+
+    def pictures(self) -> Sequence[Picture]:
+        said = "; ".join(map(str, self.findings()))
+        return (Picture("From flat to shape", f"{said[0].upper()}{said[1:]}. Drag to turn. Fronts are "
+                        "yellow, backs are blue.", "moving", {"found": self}),)
+
+    def rows(self, seconds: float) -> Sequence[Row]:
+        return (Row("actuate", seconds, self.block["steps"]),)
+
+
+def moved(points: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Points of the actuated tiles (M x K x 3, mm) in a frame (M x 7)."""
+    w, axis = rows[:, None, 3:4], rows[:, None, 4:]
+    across = 2 * np.cross(axis, points)
+    return points + w * across + np.cross(axis, across) + rows[:, None, :3]
+
+
+def findings(block: Mapping[str, Any]) -> list[Finding]:
+    """What a block says."""
+    if block["arrives"] is None:
+        return [Finding.about("actuation_stopped" if block["stopped"] else "actuation_restless")]
+    open_pairs = _pairs(block["open_contacts"])
+    if block["arrives"]:
+        found = [Finding.about("actuation_arrives", shortfall=block["shortfall_mm"])]
+    elif open_pairs:
+        found = [Finding.about("actuation_jammed", _tiles(open_pairs), shortfall=block["shortfall_mm"],
+                               open=len(open_pairs), count=block["contacts"], contacts=open_pairs)]
+    else:
+        found = [Finding.about("actuation_short", shortfall=block["shortfall_mm"],
+                               most=block["tolerance_mm"])]
+    if block["trap"]:
+        wedged = _pairs(block["sampled"][0]["wedged"])
+        found.append(Finding.about("actuation_trapped" if wedged else "actuation_elsewhere", _tiles(wedged),
+                                   distance=block["trap_distance_mm"], pairs=wedged))
+    elif not block["arrives"] and block["reach_friction"] is not None:
+        found.append(Finding.about("actuation_friction", reach=block["reach_friction"]))
+    return found
+
+
+def _pairs(pairs: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], ...]:
+    return tuple(tuple(pair) for pair in pairs)
+
+
+def _tiles(pairs: Sequence[Sequence[int]]) -> list[int]:
+    return [tile for pair in pairs for tile in pair]
+
+
+def _run(inputs: Inputs, job: Job) -> Actuation:
+    start = inputs[START.name]
+    design = inputs["design"].design.with_parameters(inputs.parameters)
+    try:
+        with translated(inputs.where if start.poses is None else start.begin):
+            found = native.actuate_design(design, inputs.store, job, start.poses)
+    finally:
+        inputs.store.clear()
+    frames = np.stack(found.frames)
+    steps = np.maximum(np.abs(frames).max((0, 1)), 1e-9) / np.iinfo(np.int32).max
+    return Actuation(found.block, design, found.time, found.energy, found.friction, found.stretch,
+                     np.round(frames / steps).astype("<i4"), steps)
+
+
+START = Stage("actuation start", (), frozenset(), lambda inputs, job: ActuationStart())
+STAGE = Stage("actuation", ("design", START.name), settle.PARTS, _run, label="From flat to shape",
+              asked_by=("actuate",))
