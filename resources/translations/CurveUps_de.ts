@@ -2,6 +2,77 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
   <context>
+    <name>ActuatePanel</name>
+    <message>
+      <source>Actuate</source>
+      <translation>Aufrichten</translation>
+    </message>
+    <message>
+      <source>At rest</source>
+      <translation>In Ruhe</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translation>Abbrechen</translation>
+    </message>
+    <message>
+      <source>Compute the Path</source>
+      <translation>Weg berechnen</translation>
+    </message>
+    <message>
+      <source>End now and keep the path so far</source>
+      <translation>Jetzt aufhören und den bisherigen Weg behalten</translation>
+    </message>
+    <message>
+      <source>End now and leave the design unchanged</source>
+      <translation>Jetzt aufhören und den Entwurf unverändert lassen</translation>
+    </message>
+    <message>
+      <source>Export STEP…</source>
+      <translation>STEP exportieren…</translation>
+    </message>
+    <message>
+      <source>Flat</source>
+      <translation>Flach</translation>
+    </message>
+    <message>
+      <source>Let the piece rise from flat, as the design is now</source>
+      <translation>Das Stück aus der Ebene aufsteigen lassen, wie der Entwurf jetzt ist</translation>
+    </message>
+    <message>
+      <source>Move the tiles along the path</source>
+      <translation>Die Kacheln auf ihrem Weg bewegen</translation>
+    </message>
+    <message>
+      <source>Open Contacts</source>
+      <translation>Offene Kontakte</translation>
+    </message>
+    <message>
+      <source>Play</source>
+      <translation>Abspielen</translation>
+    </message>
+    <message>
+      <source>Play the path from flat to where it ends</source>
+      <translation>Den Weg vom flachen Zustand bis zu seinem Ende abspielen</translation>
+    </message>
+    <message>
+      <source>Select the tiles of the contacts that stay open</source>
+      <translation>Die Kacheln der Kontakte auswählen, die offen bleiben</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translation>Anhalten</translation>
+    </message>
+    <message>
+      <source>The path is out of date: the design has changed since</source>
+      <translation>Der Weg ist veraltet: der Entwurf hat sich seither geändert</translation>
+    </message>
+    <message>
+      <source>Write the tiles as they are shown to a STEP file</source>
+      <translation>Die Kacheln, wie sie zu sehen sind, als STEP-Datei schreiben</translation>
+    </message>
+  </context>
+  <context>
     <name>App::Property</name>
     <message>
       <source>A pin with a smaller area makes the design invalid. From 0 to 1000 mm2. Takes effect with Solve.</source>
@@ -630,6 +701,10 @@
       <translation>Dateien</translation>
     </message>
     <message>
+      <source>From flat to shape</source>
+      <translation>Aus der Ebene in die Form</translation>
+    </message>
+    <message>
       <source>Glue</source>
       <translation>Kleber</translation>
     </message>
@@ -792,6 +867,53 @@
     <message>
       <source>valid</source>
       <translation>gültig</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Actuate</name>
+    <message>
+      <source>Actuate</source>
+      <translation>Aufrichten</translation>
+    </message>
+    <message>
+      <source>All contacts close</source>
+      <translation>Alle Kontakte schließen sich</translation>
+    </message>
+    <message>
+      <source>Export STEP</source>
+      <translation>STEP exportieren</translation>
+    </message>
+    <message>
+      <source>Frame {number} of {count}: {energy} stored</source>
+      <translation>Bild {number} von {count}: {energy} gespeichert</translation>
+    </message>
+    <message>
+      <source>Let the piece rise from flat under its membranes, and find out whether it arrives by itself and what holds it back</source>
+      <translation>Das Stück unter seinen Membranen aus der Ebene aufsteigen lassen und herausfinden, ob es von selbst in seine Form kommt und was es hindert</translation>
+    </message>
+    <message>
+      <source>Path of {name}</source>
+      <translation>Weg von {name}</translation>
+    </message>
+    <message>
+      <source>Pause</source>
+      <translation>Pause</translation>
+    </message>
+    <message>
+      <source>Play</source>
+      <translation>Abspielen</translation>
+    </message>
+    <message>
+      <source>There is no path yet</source>
+      <translation>Es gibt noch keinen Weg</translation>
+    </message>
+    <message>
+      <source>Tiles as they are shown</source>
+      <translation>Kacheln, wie sie zu sehen sind</translation>
+    </message>
+    <message>
+      <source>written: {path}</source>
+      <translation>geschrieben: {path}</translation>
     </message>
   </context>
   <context>
@@ -1027,6 +1149,10 @@
       <translation>Hindernisse</translation>
     </message>
     <message>
+      <source>Open contacts</source>
+      <translation>Offene Kontakte</translation>
+    </message>
+    <message>
       <source>Pin area</source>
       <translation>Zapfenfläche</translation>
     </message>
@@ -1041,6 +1167,10 @@
     <message>
       <source>contacts may slip</source>
       <translation>Kontakte können rutschen</translation>
+    </message>
+    <message>
+      <source>contacts that stay open</source>
+      <translation>Kontakte, die offen bleiben</translation>
     </message>
     <message>
       <source>gaps below DGapMin</source>
@@ -2010,6 +2140,10 @@
       <translation>einen Wert je Kante angeben</translation>
     </message>
     <message>
+      <source>give one of 0 to {0}</source>
+      <translation>eines von 0 bis {0} angeben</translation>
+    </message>
+    <message>
       <source>give one of the choices of membrane_model</source>
       <translation>eine der Möglichkeiten von membrane_model angeben</translation>
     </message>
@@ -2882,6 +3016,10 @@
       <translation>„curveups design“ damit ausführen</translation>
     </message>
     <message>
+      <source>run Actuate</source>
+      <translation>„Aufrichten“ ausführen</translation>
+    </message>
+    <message>
       <source>run Solve</source>
       <translation>„Lösen“ ausführen</translation>
     </message>
@@ -3634,6 +3772,10 @@
       <translation>es gibt kein Membranmodell „{0}“</translation>
     </message>
     <message>
+      <source>there is no path yet</source>
+      <translation>es gibt noch keinen Weg</translation>
+    </message>
+    <message>
       <source>there is no target</source>
       <translation>es gibt keine Zielfläche</translation>
     </message>
@@ -4068,6 +4210,10 @@
     <message>
       <source>{names} changed since the layout was solved: Solve brings it up to date</source>
       <translation>{names} hat sich seit der Abwicklung geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
+      <source>{names} changed since the path was computed: Actuate brings it up to date</source>
+      <translation>{names} hat sich geändert, seit der Weg berechnet wurde: „Aufrichten“ bringt ihn auf den neuesten Stand</translation>
     </message>
     <message>
       <source>{names} changed since the target was divided: Solve brings it up to date</source>

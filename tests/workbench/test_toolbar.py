@@ -23,7 +23,7 @@ pytestmark = pytest.mark.freecad(window=True)
 
 STEPS = ("NewDesign", "Check", "Solve", "Cuts", "Overlay", "Export")
 PANELS = (("Check", "CheckPanel"), ("Cuts", "CutsPanel"), ("Overlay", "OverlayPanel"),
-          ("WorstContacts", "WorstContactsPanel"), ("Export", "ExportPanel"))
+          ("WorstContacts", "WorstContactsPanel"), ("Actuate", "ActuatePanel"), ("Export", "ExportPanel"))
 
 
 def begin():

@@ -66,6 +66,10 @@ def check(name, start, design, pages):
         assert panel().design == design and "valid" in panel().form.verdict.text()
         if short != "BuildSolids":
             assert list(made.UndoNames)[0] == short, (name, made.UndoNames)
+    elif short == "Actuate":
+        until(lambda: panel() is not None, 10, f"{name} to begin")
+        at_rest()
+        assert design.Actuation == "current" and panel().form.verdict.text()
     elif short in ("Check", "Cuts", "Overlay", "WorstContacts", "Export"):
         until(FreeCADGui.Control.activeDialog, 10, f"the panel of {name}")
     elif short == "ShowSolids":
@@ -222,7 +226,7 @@ def state_of(document):
     design = document.Design
     return [list(map(str, design.Layout.Poses)), sorted(map(str, design.Cuts.Edges)), design.Verdict,
             {name: str(getattr(design, name)) for name in ("L", "HBody", "Tau", "TileCount")},
-            design.Target.BuiltIn, round(design.Tiles.Shape.Volume, 6)]
+            design.Target.BuiltIn, round(design.Tiles.Shape.Volume, 6), design.Actuation]
 
 
 def replayed(macro, folder):
@@ -268,8 +272,8 @@ def test_a_macro_of_all_commands_replays_without_a_window(pages, tmp_path, pictu
     click_edge(design, 20, 10)
     leave()
     assert len(designs.cuts_of(design))
-    for name in ("Solve", "Verify", "Repair", "BuildSolids", "ShowFlat", "ShowActuated", "ShowSolids",
-                 "Overlay", "WorstContacts", "Report"):
+    for name in ("Solve", "Verify", "Repair", "Actuate", "BuildSolids", "ShowFlat", "ShowActuated",
+                 "ShowSolids", "Overlay", "WorstContacts", "Report"):
         press(f"CurveUps_{name}")
         leave()
     press("CurveUps_Export")
@@ -286,7 +290,7 @@ def test_a_macro_of_all_commands_replays_without_a_window(pages, tmp_path, pictu
     assert sorted(os.listdir(tmp_path / "out")) == files
     text = (tmp_path / "everything.FCMacro").read_text("utf-8")
     for name in ("newDocument", "new_design", "L = 14", "Tau = 2.9", "check", "divide", "set_cuts", "solve",
-                 "verify", "repair", "build_solids", "report", "export", "restore"):
+                 "verify", "repair", "actuate", "build_solids", "report", "export", "restore"):
         assert name in text, (name, text)
 
 

@@ -144,6 +144,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "changed.solved": "{names} changed since the layout was solved: Solve brings it up to date",
     "changed.built": "{names} changed since this was built: BuildSolids brings it up to date",
     "changed.judged": "{names} changed since the design was judged: Verify brings it up to date",
+    "changed.risen": "{names} changed since the path was computed: Actuate brings it up to date",
     "changed.layout": "the layout changed since this was built: BuildSolids brings it up to date",
     "changed.source": "the target's source {name} changed since the layout was solved: Solve brings it up to "
                       "date",

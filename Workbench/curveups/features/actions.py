@@ -15,12 +15,13 @@ from typing import Any, Callable, Collection, Iterator, Mapping, Optional, Seque
 from ..base import profiles
 from ..base.errors import CurveUpsError, Stopped
 from ..base.findings import Finding
-from ..base.native import native
-from ..base.output import safe_name
+from ..base.native import native, translated
+from ..base.output import Folder, safe_name
 from ..kit import files as kit_files
 from ..project.project import Project, Results
+from ..report import actuation
 from ..report.exports import Choice, File, choices, report as write_report, write_export, write_file
-from ..stages import asked_by, sizes
+from ..stages import RISEN, asked_by, sizes
 from ..stages.layout import Layout
 from ..stages.stage import Job
 from . import live, properties, rebuild, status
@@ -62,6 +63,7 @@ RUNS = {
     "solve": Run("Solve", asked_by("solve", "settle"), live.project_of, anew=True),
     "verify": Run("Verify", asked_by("verify"), live.design_project_of),
     "repair": Run("Repair", ("design", *asked_by("verify")), _repaired),
+    "actuate": Run("Actuate", asked_by("actuate"), live.design_project_of, anew=True),
     "build_solids": Run("Build Solids", rebuild.GOALS, live.design_project_of, strict=True),
 }
 _made: dict[tuple[str, str, str], Any] = {}  # by a thread, for the function that is called next
@@ -77,7 +79,7 @@ def prepare(which: str, design: Any) -> tuple[Project, Work]:
         project.forget_stopped()
 
     def work(job: Job) -> Results:
-        if run.anew:
+        if run.anew and run.of_target:
             project.run(("relief",), job)
             project.forget_out_of_date()  # a picture shows what is there
         return project.run(run.goals, job, strict=run.strict)
@@ -168,6 +170,38 @@ def verify(design: Any) -> Results:
 def repair(design: Any) -> Results:
     """Moves tiles and pins of the layout as it stands until weak contacts hold."""
     return _run("repair", design)
+
+
+def actuate(design: Any) -> Results:
+    """The path of the layout as it stands from flat to shape: "actuation" of the results."""
+    return _run("actuate", design)
+
+
+def write_frame(design: Any, path: str, number: int = -1) -> None:
+    """The tiles where a frame of the path from flat has them, by default the last, as a STEP file."""
+    if not _made.pop(("write_frame", design.Document.Name, design.Name), False):
+        frame_work(design, path, number)(Job())
+
+
+def frame_work(design: Any, path: str, number: int) -> Callable[[Job], bool]:
+    """The same for any thread."""
+    found = live.stored(design).latest(RISEN)
+    if found is None:
+        raise CurveUpsError("there is no path yet", design.Label, "run Actuate")
+    if not -len(found.frames) <= number < len(found.frames):
+        raise CurveUpsError(f"there is no frame {number}", design.Label,
+                            f"give one of 0 to {len(found.frames) - 1}")
+    where = Path(path)
+
+    def work(job: Job) -> bool:
+        bodies = Project.of_design(found.design, path).run(("bodies",), job, strict=True)["bodies"]
+        if bodies.model is None:
+            raise Stopped
+        with translated(path):
+            actuation.write_frame(bodies.model, found.frames[number], Folder(where.parent), where.name, job)
+        return True
+
+    return work
 
 
 def build_solids(design: Any) -> Results:

@@ -45,6 +45,8 @@ class DesignProxy(Proxy):
             "empty, current, out of date, invalid or running.", READ_ONLY | OUTPUT)
         add(obj, "App::PropertyString", "Kit", result,
             "Of the fabrication kit: empty, current, or out of date and why.", READ_ONLY | OUTPUT)
+        add(obj, "App::PropertyString", "Actuation", result,
+            "Of the path from flat: empty, current, or out of date and why.", READ_ONLY | OUTPUT)
         figures.add_figures(obj, with_units=False)
         hidden = READ_ONLY | HIDDEN | OUTPUT
         add(obj, "App::PropertyString", "Results", "Base", "Everything that was computed.", hidden)
@@ -103,8 +105,9 @@ class DesignProxy(Proxy):
             write(obj, "Holds", found.holds)
             write(obj, "Reasons", [properties.as_properties(obj, str(reason)) for reason in found.reasons])
             write(obj, "Status", found.state)
-            if "Kit" in obj.PropertiesList:
-                write(obj, "Kit", properties.as_properties(obj, ": ".join(filter(None, found.kit))))
+            for name, parts in (("Kit", found.kit), ("Actuation", found.actuation)):
+                if name in obj.PropertiesList:
+                    write(obj, name, properties.as_properties(obj, ": ".join(filter(None, parts))))
             for slot, (state, reason) in found.parts.items():
                 part = getattr(obj, slot)
                 if part is not None and {"Status", "Reason"} <= set(part.PropertiesList):

@@ -11,7 +11,7 @@ from ..base.findings import Finding
 from ..base.parameters import parameter
 from ..project.keys import Record, changes
 from ..project.verdict import HOLDS
-from ..stages import BY_NAME, SETTLED, label_of
+from ..stages import BY_NAME, RISEN, SETTLED, label_of
 from . import layout as layouts, properties, verification as verifications
 from .keys import NONE, Keys, digest_of_edges, digest_of_text, read_keys
 from .target import is_target
@@ -25,7 +25,8 @@ _GIVEN = ("source", "cut request")
 
 @dataclass(frozen=True)
 class Status:
-    """`parts`: (state, reason) by slot; `kit`: those of the fabrication kit."""
+    """`parts`: (state, reason) by slot; `kit` and `actuation`: those of the fabrication kit and of the path
+    from flat."""
 
     state: str
     verdict: str
@@ -33,6 +34,7 @@ class Status:
     reasons: tuple[Finding, ...]
     parts: Mapping[str, tuple[str, str]]
     kit: tuple[str, str]
+    actuation: tuple[str, str]
 
 
 def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False) -> Status:
@@ -69,8 +71,10 @@ def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False
     if running:
         state = RUNNING
     kit = body_changes(read_keys(obj, "KitKeys"), keys, values, of_files=True)
+    risen = changes(RISEN, keys.records, values, ("design",))
     return Status(state, verdict, _holds(keys, records, values, bool(layout or verification or refused)),
-                  tuple(reasons), parts, _part(kit is not None, layout + (kit or [])))
+                  tuple(reasons), parts, _part(kit is not None, layout + (kit or [])),
+                  _part(risen is not None, layout + _changed("changed.risen", risen)))
 
 
 def _holds(keys: Keys, records: Mapping[str, Record], values: Mapping[str, Any], edited: bool) -> str:

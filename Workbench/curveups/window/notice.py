@@ -26,7 +26,7 @@ from .selection import select_tiles
 from .units import in_user_units
 
 # Commands that messages name, as the guide does.
-_TOPICS = ("Solve", "Verify", "Repair", "Build Solids", "New Design", "Change Target", "Examples",
+_TOPICS = ("Solve", "Verify", "Repair", "Actuate", "Build Solids", "New Design", "Change Target", "Examples",
            "Solver Status", "Restore Objects")
 _panel: Optional[Callable[[str], None]] = None  # shows a line of rich text
 

@@ -13,7 +13,7 @@ _STEPS = ("new_design", "check", "solve", "cuts", "overlay", "export")
 # What follows in the menu: menus below it by their names, and what stands there by itself.
 _MENUS = (
     (QT_TRANSLATE_NOOP("Workbench", "Design"),
-     ("target", "verify", "repair", "build_solids", "report", "kit")),
+     ("target", "verify", "repair", "actuate", "build_solids", "report", "kit")),
     (QT_TRANSLATE_NOOP("Workbench", "Show"), ("show_flat", "show_actuated", "show_solids", "worst_contacts")),
     ("", ("examples",)),
     (QT_TRANSLATE_NOOP("Workbench", "Help"), ("guide", "solver_status", "restore_objects")))

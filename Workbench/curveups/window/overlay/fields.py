@@ -175,6 +175,14 @@ def force_fields(verification: Any, contacts: np.ndarray, parameters: Any) -> li
     return fields
 
 
+def path_fields(block: Mapping[str, Any], contacts: np.ndarray) -> list[Field]:
+    """Of the end of a path from flat (stages/actuation.py)."""
+    still = {tuple(sorted(pair)) for pair in block["open_contacts"]}
+    return [Field("Open contacts", "", CONTACT,
+                  lambda: [tuple(sorted(pair)) in still for pair in contacts.tolist()], "high", 0.5, "cross",
+                  problem="contacts that stay open", part="Layout")]
+
+
 def aligned(found: Mapping[str, Any], name: str, contacts: np.ndarray) -> np.ndarray:
     """Values of found["contact_tiles"] in the order of `contacts` (N x 2); NaN where there is none."""
     def key(pairs: Any) -> np.ndarray:

@@ -10,8 +10,9 @@ from typing import Any, Optional
 import numpy as np
 
 from ...base.native import native
+from ...stages.actuation import moved
 from .fields import (MEMBRANE, SIDE, TILE, Field, check_fields, design_fields, deviation_field, force_fields,
-                     target_fields)
+                     path_fields, target_fields)
 from .motion import Motion
 from .prisms import SLOTS
 
@@ -121,6 +122,14 @@ class Scene:
                         part="Layout")
         return replace(self, membranes=membranes, fields={**self.fields, stretch.name: stretch})
 
+    def posed(self, rows: np.ndarray) -> "Scene":
+        """The same tiles where a frame of a path has them (M x 7), about the middle of the actuated ones."""
+        tiles, pins = (moved(points.reshape(len(rows), -1, 3), rows)
+                       for points in (self.actuated, self.actuated_pins))
+        step = self.actuated.mean((0, 1)) - tiles.mean((0, 1))
+        tiles, pins = tiles + step, (pins + step).reshape(self.actuated_pins.shape)
+        return replace(self, actuated=tiles, flat=tiles, actuated_pins=pins, flat_pins=pins, membranes=())
+
     def moved(self, T: np.ndarray, q: np.ndarray) -> "Scene":
         """The same tiles elsewhere in the layout, as a solver has them (M x 3 x 2 and M x 2 x 3, mm).
         What was computed of the layout before is gone."""
@@ -141,6 +150,14 @@ def scene_of(project: Any) -> Optional[Scene]:
         if made is not None:
             return _of_design(project, made.design.with_parameters(parameters))
     return target_scene_of(project)
+
+
+def path_scene_of(found: Any) -> Scene:
+    """Of the design whose path from flat this is (stages/actuation.py), for `Scene.posed`."""
+    design, shapes = found.design, native.tile_shapes(found.design)
+    fields = path_fields(found.block, shapes.contacts)
+    return Scene(design.V, design.F, design.cuts, design.parameters, **shapes_of(shapes, design.parameters),
+                 fields={one.name: one for one in fields})
 
 
 def target_scene_of(project: Any) -> Optional[Scene]:

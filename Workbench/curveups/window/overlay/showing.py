@@ -58,15 +58,22 @@ def _colour(view: Any, rgb: tuple) -> None:
         view.ShapeAppearance = (material,)
 
 
+def uncover(design: Any) -> bool:
+    """Shows the overlay, with one figure, and nothing that lies upon it. Whether that changed anything."""
+    parts = [getattr(design, slot, None) for slot in (*_BODIES, "Target")]
+    wanted = [(part.ViewObject, "Visibility", False) for part in parts if part is not None]
+    wanted += [(design.ViewObject, "Visibility", True), (design.ViewObject, "Both", False)]
+    others = [(view, name, value) for view, name, value in wanted
+              if view is not None and getattr(view, name) != value]
+    for view, name, value in others:
+        setattr(view, name, value)
+    return bool(others)
+
+
 def _show_overlay(design: Any, t: float) -> None:
-    for slot in (*_BODIES, "Target"):
-        part = getattr(design, slot, None)
-        if part is not None and part.ViewObject is not None:
-            part.ViewObject.Visibility = False
-    view = design.ViewObject
-    view.Visibility = True
-    view.Both = False
+    uncover(design)
     overlay = overlay_of(design)
+    overlay.refresh()  # a path may be shown
     if overlay.scene is None or overlay.scene.flat is None or len(overlay.scene.F) > _MOST_FOLDED:
         overlay.set_morph(t)
     else:

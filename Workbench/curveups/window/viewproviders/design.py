@@ -13,9 +13,9 @@ from .view import View
 class DesignView(OverlayView, View):
     """Icon of a Design, and what is below it; the overlay, its display, hangs on it."""
 
-    MENU = ("CurveUps_Solve", "CurveUps_Verify", "CurveUps_Repair", "CurveUps_BuildSolids",
-            "CurveUps_ShowFlat", "CurveUps_ShowActuated", "CurveUps_ShowSolids", "CurveUps_Export",
-            "CurveUps_Report")
+    MENU = ("CurveUps_Solve", "CurveUps_Verify", "CurveUps_Repair", "CurveUps_Actuate",
+            "CurveUps_BuildSolids", "CurveUps_ShowFlat", "CurveUps_ShowActuated", "CurveUps_ShowSolids",
+            "CurveUps_Export", "CurveUps_Report")
 
     def attach(self, view: Any) -> None:
         View.attach(self, view)

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of Actuate: computes the path from flat to shape, and plays it in the view."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+
+from ...base.native import translated
+from ...features import actions
+from ...features.live import stored
+from ...features.status import OUT_OF_DATE
+from ...project.worker import Status
+from ...stages import RISEN
+from ...stages.actuation import Actuation
+from .. import runs
+from ..macro import call, named
+from ..notice import errors_shown, show_line, shown, words_of
+from ..overlay.cameras import active_view
+from ..overlay.scene import path_scene_of
+from ..overlay.showing import uncover
+from ..qt import QtCore, QtWidgets, translate
+from ..run import LIVE, Task
+from ..units import text_of
+from .panel import Panel, enable, idle
+
+_FRAME = 80  # ms between two pictures
+
+
+class ActuatePanel(Panel):
+    """The view shows the path while the panel is open, and the design as it is after an edit."""
+
+    TOPIC = "Actuate"
+
+    def __init__(self, design: Any):
+        super().__init__(design, "actuate",
+                         translate("CurveUps_Actuate", "Path of {name}", name=design.Label))
+        form = self.form
+        self._frames = np.empty((0, 0, 7))
+        self._clock = QtCore.QTimer(form)
+        self._clock.timeout.connect(lambda: self._advance())
+        form.run.clicked.connect(lambda *_: self.run())
+        form.stop.clicked.connect(lambda *_: LIVE.stop())
+        form.cancel.clicked.connect(lambda *_: LIVE.cancel())
+        form.frame.valueChanged.connect(lambda *_: self._draw())
+        form.frame.sliderPressed.connect(lambda: self._play(False))
+        form.play.clicked.connect(lambda *_: self._play(not self._clock.isActive()))
+        form.select.clicked.connect(lambda *_: self._select())
+        form.save.clicked.connect(lambda *_: self._save())
+        self._take(None)
+        self._follow()
+        self._show_running(LIVE.runs_on(design))
+        self._draw()
+
+    def close(self) -> None:
+        """The view shows the design again."""
+        if self.form is not None:
+            self._clock.stop()
+        super().close()
+        if not self._overlay.closed:
+            self._overlay.refresh()
+
+    def run(self) -> None:
+        """Starts the run; the path is played when it ends."""
+        self._say("")
+        self._play(False)
+        with errors_shown(translate("CurveUps_Actuate", "Actuate")):
+            # Later: the view is about to show the design with its results.
+            runs.start("actuate", self.design, lambda: QtCore.QTimer.singleShot(0, self._arrived))
+
+    def show(self) -> None:
+        """The path that the document holds, and whether it is of the design as it is."""
+        form = self.form
+        found = stored(self.design).latest(RISEN)
+        if (found and found.block) != (self._found and self._found.block):
+            self._take(found)
+        said = found.findings() if found else ()
+        form.verdict.setText("<br>".join(text for one in said for text in (
+            shown(self.design, one), words_of(one.remedy())) if text))
+        form.note.setVisible(self.design.Actuation.startswith(OUT_OF_DATE))
+
+    def _take(self, found: Optional[Actuation]) -> None:
+        form = self.form
+        self._found, self._scene = found, None  # type: Optional[Actuation], Any
+        if found is not None:
+            with translated(self.design.Label):
+                self._scene = path_scene_of(found)
+            self._frames = found.frames
+        before = form.frame.blockSignals(True)
+        form.frame.setRange(0, len(self._frames) - 1 if found else 0)
+        form.frame.setValue(form.frame.maximum())
+        form.frame.blockSignals(before)
+        form.at.setText("")
+        lacks = "" if found else translate("CurveUps_Actuate", "There is no path yet")
+        for part in (form.frame, form.play, form.save):
+            enable(part, lacks)
+        enable(form.select, lacks or ("" if found and found.open_tiles else translate(
+            "CurveUps_Actuate", "All contacts close")))
+
+    def _draw(self) -> None:
+        """The frame of the slider."""
+        found = self._found
+        if self.form is None or found is None or LIVE.runs_on(self.design):
+            return
+        number = self.form.frame.value()
+        if uncover(self.design):  # and the view is about to show the design
+            QtCore.QTimer.singleShot(0, self._draw)
+            return
+        self._overlay.show_scene(self._scene.posed(self._frames[number]))
+        energy = text_of(float(found.energy[number]), "mJ", float(found.energy[0]))
+        self.form.at.setText(translate("CurveUps_Actuate", "Frame {number} of {count}: {energy} stored",
+                                       number=number + 1, count=len(self._frames), energy=energy))
+
+    def _play(self, on: bool) -> None:
+        frame = self.form.frame
+        if on:
+            if frame.value() == frame.maximum():
+                frame.setValue(0)
+            self._clock.start(_FRAME)
+        else:
+            self._clock.stop()
+        self.form.play.setText(translate("CurveUps_Actuate", "Pause") if on
+                               else translate("CurveUps_Actuate", "Play"))
+
+    def _advance(self) -> None:
+        frame = self.form.frame
+        frame.setValue(frame.value() + 1)
+        if frame.value() == frame.maximum():
+            self._play(False)
+
+    def _select(self) -> None:
+        if self._found is not None:
+            self._overlay.select_tiles(self._found.open_tiles)
+
+    def _save(self) -> None:
+        """Asks for a file, and writes the frame that is shown on the worker."""
+        number = self.form.frame.value()
+        self._play(False)
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(
+            self.form, translate("CurveUps_Actuate", "Tiles as they are shown"),
+            f"{actions.file_name(self.design)}-{number + 1}.step", "STEP (*.step *.stp)")
+        if not path:
+            return
+        title = translate("CurveUps_Actuate", "Export STEP")
+
+        def written(design: Any, made: Any) -> None:
+            actions.hand_over("write_frame", design, made)
+            call("actions.write_frame", named(design), repr(path), str(number))
+            show_line(translate("CurveUps_Actuate", "written: {path}", path=path))
+
+        with errors_shown(title):
+            work = actions.frame_work(self.design, path, number)
+            LIVE.start(self.design, Task(title, work, written, told=lambda: QtCore.QTimer.singleShot(
+                0, self._draw)))
+
+    def _arrived(self) -> None:
+        """Plays what a run has made, all of it in view."""
+        if self.form is None:
+            return
+        self.show()
+        self._play(True)
+        self._draw()  # the slider may have been at its beginning
+        view = active_view(self.design.Document.Name)
+        if view is not None:
+            view.fitAll()
+
+    def _show_running(self, running: bool) -> None:
+        form = self.form
+        enable(form.run, runs.reason("actuate", self.design))
+        for button in (form.stop, form.cancel):
+            enable(button, idle(running))
+
+    def _show_run(self, status: Status, goes_on: bool) -> None:
+        running = goes_on and LIVE.runs_on(self.design)
+        self._show_running(running)
+        form = self.form
+        form.progress.setMaximum(0 if running and status.fraction < 0 else 1000)
+        form.progress.setValue(int(1000 * max(status.fraction, 0.0)) if running else 0)
+        form.progress.setTextVisible(running)
+        form.doing.setText(f"{status.what}, {status.seconds:.1f} s" if running else "")
