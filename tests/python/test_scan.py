@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from curveups.base.native import native
-from curveups.kit.scan import PER_TILE, SAMPLED, read_scan
+from curveups.kit.scan import PER_TILE, SAMPLED, predicted, read_scan
 from shapes import obj_text
 
 NOISE = 0.05  # mm
@@ -87,6 +87,7 @@ def test_a_scan_is_laid_onto_its_design(curveups, piece, tmp_path, count):
     if count > 1000:
         medians = [one["median_mm"] for one in found["tiles"]]
         assert len(medians) > 15 and np.max(np.abs(medians)) < 0.03
+        assert found["openings"]["contacts_seen"] > 15 and not found["openings"]["open"]
 
 
 def test_a_piece_that_swelled_is_seen_at_its_tiles(curveups, piece, tmp_path):
@@ -104,6 +105,38 @@ def test_a_piece_that_swelled_is_seen_at_its_tiles(curveups, piece, tmp_path):
     values = {one["tile"]: one["median_mm"] for one in found["tiles"]}
     assert values.pop("T00012") == pytest.approx(0.42, abs=0.05)  # the others share the rest
     assert max(map(abs, values.values())) < 0.1
+
+
+def test_contacts_that_gape_are_named(curveups, piece, tmp_path):
+    """One tile of the scan has turned about one of its edges, by 0.3 mm over the height of its walls."""
+    data = json.loads(piece.path.read_text("utf-8"))
+    shapes = native.tile_shapes(native.read_design(piece.path.read_text("utf-8")))
+    number = next(k for k in range(len(shapes.contacts)) if 11 in shapes.contacts[k])
+    at = list(shapes.contacts[number]).index(11)
+    a, b = (piece.V[piece.F[11][(shapes.contact_sides[number][at] + k) % 3]] for k in (0, 1))
+    angle, axis = 0.3 / data["parameters"]["H_body"], (b - a) / np.linalg.norm(b - a)
+    points = sampled(piece.V, piece.F, 20000, 1)
+    owners = native.closest_faces(points, piece.V, piece.F)
+    arm = points[owners == 11] - a
+    points[owners == 11] = a + arm * np.cos(angle) + np.cross(axis, arm) * np.sin(angle) \
+        + np.outer(arm @ axis, axis) * (1 - np.cos(angle))
+    scan, _ = scanned(points, 2)
+    write_points(tmp_path / "scan.xyz", scan)
+    report = {"settled": {"scan": {"mean_mm": 0.02, "max_mm": 0.07}, "open_contacts": [[3, 4]]}}
+    beside = tmp_path / "d" / "design.json"
+    beside.parent.mkdir()
+    beside.write_bytes(piece.path.read_bytes())
+    (beside.parent / "report.json").write_text(json.dumps(report))
+    found, ran = compared(curveups, beside, tmp_path / "scan.xyz", tmp_path / "out")
+    block = found["openings"]
+    assert shapes.contacts[number].tolist() in block["open"] and all(11 in pair for pair in block["open"])
+    assert block["largest_mm"] == pytest.approx(0.3, abs=0.05) and 10 < block["contacts_seen"]
+    assert found["predicted"]["open"] == [[3, 4]] and "T00004-T00005" in ran.out
+    page = (tmp_path / "out" / "compare.html").read_text("utf-8")
+    assert "Predicted by settled forces" in page and "0.07" in page
+    # A report of another design is none of this one's.
+    (beside.parent / "report.json").write_text(json.dumps({**report, "print": {"files": {"design.json": 7}}}))
+    assert not predicted(beside)
 
 
 def test_a_mesh_is_a_scan(curveups, piece, tmp_path):

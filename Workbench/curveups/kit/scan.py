@@ -4,6 +4,7 @@ those of scanned points from the design's actuated front faces."""
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,6 +21,7 @@ from ..report.data import to_text
 from ..report.tables import table
 from ..stages.stage import Job
 from ..targets.target_files import read_target
+from .openings import openings
 from .registration import register, rigid_motion
 
 FORMAT, VERSION = "curveups-compare", 1
@@ -104,6 +106,8 @@ def _read_points(path: Path, tile_count: int) -> tuple[np.ndarray, np.ndarray]:
 
 def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
     """compare.json; "points" in it, for the other files: x, y, z and the deviation, mm."""
+    from scipy.spatial import cKDTree  # which other commands would pay
+
     V, F = np.asarray(design.V), np.asarray(design.F)
     edge = float(native.mean_edge_length(V, F))
 
@@ -127,7 +131,7 @@ def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
     corners = V[F[owners]]
     out = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     signed = np.copysign(away, ((points - corners[:, 0]) * out).sum(1))
-    back = [np.linalg.norm(points - middle, axis=1).min() for middle in V[F].mean(1)]
+    back = cKDTree(points).query(V[F].mean(1))[0]
     counts = np.bincount(owners, minlength=len(F))
     of_tile = np.split(signed[np.argsort(owners, kind="stable")], np.cumsum(counts)[:-1])
     named = len(scan.tiles) > 0
@@ -140,13 +144,28 @@ def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
                            **{f"p{share}_mm": float(np.percentile(away, share))
                               for share in (50, 90, 95, 99)},
                            "max_mm": float(away.max()),
-                           "hausdorff_mm": float(max(away.max(), *back))},
+                           "hausdorff_mm": float(max(away.max(), back.max()))},
              "covered": float((counts > 0).mean()), "points": np.c_[points, signed]}
     if not others:
         found["tiles"] = [{"tile": tile_name(row), "median_mm": float(np.median(of_tile[row])),
                            "points": int(counts[row])}
                           for row in np.flatnonzero(counts >= (1 if named else PER_TILE))]
+    if not others and not named:
+        found["openings"] = openings(design, native.tile_shapes(design), points, owners, signed)
     return found
+
+
+def predicted(path: Path) -> dict[str, Any]:
+    """What settled forces say of a design that a scan would see, from the report.json beside it; empty where
+    it is not of this design.json."""
+    try:
+        report = json.loads((path.parent / "report.json").read_text("utf-8"))
+        settled, size = report["settled"], path.stat().st_size
+        if report.get("print", {}).get("files", {}).get(path.name, size) != size:
+            return {}
+        return {"deviation": dict(settled["scan"]), "open": list(settled["open_contacts"])}
+    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+        return {}
 
 
 def write_comparison(design: Any, found: dict[str, Any], path: Path) -> None:
@@ -167,6 +186,14 @@ def said(found: dict[str, Any]) -> list[str]:
              f"{block['p95_mm']:.3f} mm, largest {block['max_mm']:.3f} mm, Hausdorff "
              f"{block['hausdorff_mm']:.3f} mm",
              f"{found['points_given']} points cover {100 * found['covered']:.0f} % of the tiles"]
+    if "openings" in found:
+        block = found["openings"]
+        lines.append(f"{len(block['open'])} of {block['contacts_seen']} contacts that the scan shows are "
+                     f"open by more than {block['limit_mm']:g} mm: {_pairs(block['open'])}")
+    if "predicted" in found:
+        block = found["predicted"]
+        lines.append(f"settled forces predict: mean {block['deviation']['mean_mm']:.3f} mm, largest "
+                     f"{block['deviation']['max_mm']:.3f} mm, open contacts: {_pairs(block['open'])}")
     if not found["turn_fixed"]:
         lines.append(f"the shape does not fix how the scan is turned: {found['other_turns']} other turns "
                      "or more fit as well, so there is nothing to say of single tiles; mark some tiles, and "
@@ -174,11 +201,18 @@ def said(found: dict[str, Any]) -> list[str]:
     return lines
 
 
+def _pairs(rows: list[list[int]]) -> str:
+    names = ["-".join(map(tile_name, row)) for row in rows[:8]]
+    return ", ".join(names + [f"and {len(rows) - 8} more"] * (len(rows) > 8)) or "none"
+
+
 def _page(design: Any, found: dict[str, Any]) -> str:
     title = f"{design.name}: scan beside the design"
+    expected = found.get("predicted", {}).get("deviation", {})
     parts = [f"<h1>{title}</h1>", html.list_of(said(found), "ul"),
-             table([(name[:-3].replace("_", " ") + ", mm", f"{value:.4f}")
-                    for name, value in found["deviation"].items()])]
+             table([(name[:-3].replace("_", " ") + ", mm", f"{value:.4f}", expected.get(name))
+                    for name, value in found["deviation"].items()],
+                   ("Deviation", "Scan", "Predicted by settled forces"))]
     if found["turn_fixed"]:
         values = np.full(len(design.F), np.nan)
         for one in found["tiles"]:
