@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import ast
 import itertools
+import json
 import os
 import re
 import shutil
@@ -24,6 +25,7 @@ from typing import Any, Iterable, Iterator, Optional
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "resources" / "translations"
 MARKERS = ("translate", "QT_TRANSLATE_NOOP")
+SAYING, SHEETS = ("say", "kit.say", "Text"), "CurveUps_Sheets"  # of sheets (base/language.py)
 PROPERTIES = "App::Property"  # where FreeCAD's property editor looks for tooltips
 ERRORS = ("InvalidInput", "TopologyError", "InfeasibleDesign", "SolverFailure", "IoError")  # in C++
 Text = tuple[str, str]  # context and text
@@ -39,6 +41,7 @@ def texts() -> set[Text]:
     found.update(texts_of_parameters())
     found.update(texts_of_findings())
     found.update(texts_of_errors())
+    found.update(texts_of_printers())
     return found
 
 
@@ -50,6 +53,8 @@ def texts_of_python(source: str) -> Iterator[Text]:
             values = [argument.value for argument in node.args[:2] if isinstance(argument, ast.Constant)]
             if marker in MARKERS and len(values) == 2:
                 yield str(values[0]), str(values[1])
+            elif ast.unparse(node.func) in SAYING and values:
+                yield SHEETS, " ".join(str(values[0]).split())
             elif marker == "Stage":
                 yield from (("CurveUpsSolve", word.value.value) for word in node.keywords
                             if word.arg == "label" and isinstance(word.value, ast.Constant))
@@ -66,6 +71,19 @@ def texts_of_parameters() -> set[Text]:
     from curveups.features import properties
 
     return {(PROPERTIES, properties.tip_of(row)) for row in properties.rows()}
+
+
+def texts_of_printers() -> set[Text]:
+    """What sheets say of printers and of kinds of support."""
+    found: set[str] = set()
+    for path in (ROOT / "resources" / "printers").glob("*.json"):
+        values = json.loads(path.read_text(encoding="utf-8"))
+        found.update(values[name] for name in ("name", "material_class", "finish"))
+    for path in (ROOT / "native" / "curveups" / "fabrication").glob("*_support.cpp"):
+        for bodies, removal in re.findall(r'SupportKind \w+\(\) {\s*return {"([^"]*)", "[^"]*",\s*"([^"]*)"',
+                                          path.read_text(encoding="utf-8")):
+            found.update((bodies, removal))
+    return {(SHEETS, text) for text in found if text}
 
 
 def texts_of_findings() -> set[Text]:

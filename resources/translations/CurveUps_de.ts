@@ -3764,6 +3764,10 @@
       <translation>es gibt kein Bild {0}</translation>
     </message>
     <message>
+      <source>there is no language '{0}'</source>
+      <translation>es gibt keine Sprache „{0}“</translation>
+    </message>
+    <message>
       <source>there is no layout yet: Solve makes it</source>
       <translation>es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
     </message>
@@ -4375,6 +4379,721 @@
     <message>
       <source>Restore designs that a FreeCAD without CurveUps saved</source>
       <translation>Entwürfe wiederherstellen, die ein FreeCAD ohne CurveUps gespeichert hat</translation>
+    </message>
+  </context>
+  <context>
+    <name>CurveUps_Sheets</name>
+    <message>
+      <source>As it was printed, the {side} is up.</source>
+      <translation>So wie gedruckt wurde, liegt die {side} oben.</translation>
+    </message>
+    <message>
+      <source>Bridges that break</source>
+      <translation>Brücken, die brechen</translation>
+    </message>
+    <message>
+      <source>Bring pieces together in shape and sew them along their borders</source>
+      <translation>Die Stücke in Form zusammenlegen und an ihren Rändern vernähen</translation>
+    </message>
+    <message>
+      <source>Coupons</source>
+      <translation>Prüfkörper</translation>
+    </message>
+    <message>
+      <source>Cut both membranes along the lines, {trim:g} mm outside of the outer pins, along rims, holes and cuts. Where the drawing has small circles, punch these first: they keep a cut from tearing on. Anchors go with the surplus. {apart}</source>
+      <translation>Beide Membranen entlang der Linien schneiden, {trim:g} mm außerhalb der äußeren Zapfen, an Rändern, Löchern und Schnitten. Wo die Zeichnung kleine Kreise hat, diese zuerst ausstanzen: sie verhindern, dass ein Schnitt weiterreißt. Die Anker gehen mit dem Überstand weg. {apart}</translation>
+    </message>
+    <message>
+      <source>Cut both strips along the outer lines. Bars clamp them from the inner lines outwards.</source>
+      <translation>Beide Streifen entlang der äußeren Linien schneiden. Leisten klemmen sie von den inneren Linien nach außen.</translation>
+    </message>
+    <message>
+      <source>Cut both strips along the template, of the sheets for the membranes. Measure the thickness over ten layers. Stretch each twice to {tau:g} times its length beforehand. Clamp its ends between two bars with two bolts of M4 in their holes, from line to line of the template. Pull the narrow strip to each stretch: {lengths} mm from bar to bar, and enter the force after a minute; some {narrow:.0f} N at the last. So with the wide one: {wide_lengths} mm, some {wide:.0f} N; its width can't shrink, so latex is stretched in both directions there. Then leave the narrow strip at {tau:g} times its length and read the force at the minutes that are listed: latex creeps. Wear goggles: a strip that tears snaps back.</source>
+      <translation>Beide Streifen nach der Schablone aus den Folien für die Membranen schneiden. Die Dicke über zehn Lagen messen. Jeden vorher zweimal auf das {tau:g}-Fache seiner Länge dehnen. Die Enden zwischen je zwei Leisten mit zwei Schrauben M4 in deren Löchern klemmen, von Linie zu Linie der Schablone. Den schmalen Streifen auf jede Dehnung ziehen: {lengths} mm von Leiste zu Leiste, und nach einer Minute die Kraft eintragen; zuletzt etwa {narrow:.0f} N. Ebenso den breiten: {wide_lengths} mm, etwa {wide:.0f} N; seine Breite kann nicht schrumpfen, so ist das Latex dort in beiden Richtungen gedehnt. Dann den schmalen Streifen beim {tau:g}-Fachen seiner Länge lassen und die Kraft zu den angegebenen Minuten ablesen: Latex kriecht. Schutzbrille tragen: ein Streifen, der reißt, schnellt zurück.</translation>
+    </message>
+    <message>
+      <source>Cut the surplus off</source>
+      <translation>Den Überstand abschneiden</translation>
+    </message>
+    <message>
+      <source>Do not order it as it is: the design is not valid.</source>
+      <translation>Nicht so bestellen: der Entwurf ist nicht gültig.</translation>
+    </message>
+    <message>
+      <source>Do not order it as it is: the design is not verified.</source>
+      <translation>Nicht so bestellen: der Entwurf ist nicht geprüft.</translation>
+    </message>
+    <message>
+      <source>Do not scale or arrange: bodies stand in their places, and {tiles} of them are meant to be apart.</source>
+      <translation>Nicht skalieren oder anordnen: die Körper stehen an ihren Plätzen, und {tiles} davon sollen getrennt sein.</translation>
+    </message>
+    <message>
+      <source>Do not scale, turn or arrange: bodies stand in their places, and {tiles} of them are meant to be apart.</source>
+      <translation>Nicht skalieren, drehen oder anordnen: die Körper stehen an ihren Plätzen, und {tiles} davon sollen getrennt sein.</translation>
+    </message>
+    <message>
+      <source>Each page says how one coupon is measured, and has a table for what you read. Then put the readings into {name}-MEASURED.json, in place of null, in the units of the names. What stays null is left out. Of a list give three readings or none.</source>
+      <translation>Jede Seite sagt, wie ein Prüfkörper gemessen wird, und hat eine Tabelle für die Ablesungen. Diese dann in {name}-MEASURED.json anstelle von null eintragen, in den Einheiten der Namen. Was null bleibt, wird ausgelassen. Von einer Liste drei Ablesungen angeben oder keine.</translation>
+    </message>
+    <message>
+      <source>FDM printer, 0.4 mm nozzle</source>
+      <translation>FDM-Drucker, Düse 0.4 mm</translation>
+    </message>
+    <message>
+      <source>Files, in mm, with bytes and SHA-256:</source>
+      <translation>Dateien, in mm, mit Bytes und SHA-256:</translation>
+    </message>
+    <message>
+      <source>Finish</source>
+      <translation>Oberfläche</translation>
+    </message>
+    <message>
+      <source>For {paper} paper: print at 100 % (“actual size”), not fitted to the page; measure the ruler.</source>
+      <translation>Für Papier {paper}: mit 100 % („tatsächliche Größe“) drucken, nicht an die Seite angepasst; das Lineal nachmessen.</translation>
+    </message>
+    <message>
+      <source>Frame</source>
+      <translation>Rahmen</translation>
+    </message>
+    <message>
+      <source>Friction of bare walls</source>
+      <translation>Reibung glatter Wände</translation>
+    </message>
+    <message>
+      <source>Friction of walls with bumps</source>
+      <translation>Reibung von Wänden mit Noppen</translation>
+    </message>
+    <message>
+      <source>Friction of walls with dimples</source>
+      <translation>Reibung von Wänden mit Mulden</translation>
+    </message>
+    <message>
+      <source>Gaps of 0.2 to 0.6 mm</source>
+      <translation>Spalte von 0.2 bis 0.6 mm</translation>
+    </message>
+    <message>
+      <source>Glue</source>
+      <translation>Kleber</translation>
+    </message>
+    <message>
+      <source>Glue a strip of the latex, 80 × 25 mm and not stretched, onto the front pins as the assembly sheet says. Take the support away and let all dry as there. Hold the latex flat on a table and pull one tile after the other along it, by a thread around its walls, until its pin comes off. Enter the largest force of each; each pin has {pin:.1f} mm². {asked}</source>
+      <translation>Einen Streifen des Latex, 80 × 25 mm und nicht gedehnt, auf die vorderen Zapfen kleben, wie es die Montageanleitung sagt. Die Stützen entfernen und alles trocknen lassen, wie dort. Das Latex flach auf einen Tisch halten und eine Kachel nach der anderen daran entlangziehen, mit einem Faden um ihre Wände, bis ihr Zapfen abgeht. Von jeder die größte Kraft eintragen; jeder Zapfen hat {pin:.1f} mm². {asked}</translation>
+    </message>
+    <message>
+      <source>Glue on pins, after the support went</source>
+      <translation>Kleber auf Zapfen, nach dem Entfernen der Stützen</translation>
+    </message>
+    <message>
+      <source>Glue the {first} first</source>
+      <translation>Zuerst die {first} kleben</translation>
+    </message>
+    <message>
+      <source>Glue the {second} pins and the other end of the anchors</source>
+      <translation>Die Zapfen der {second} und das andere Ende der Anker kleben</translation>
+    </message>
+    <message>
+      <source>Growth of the printer</source>
+      <translation>Zugabe des Druckers</translation>
+    </message>
+    <message>
+      <source>Hold one tile of the row after the other in the fingers or a vice, and pull its neighbour up with a thread around it, at right angles to the row, until the bridges between them break. Enter the largest force of each.</source>
+      <translation>Eine Kachel der Reihe nach der anderen mit den Fingern oder in einem Schraubstock halten und ihre Nachbarin mit einem Faden senkrecht zur Reihe hochziehen, bis die Brücken dazwischen brechen. Jeweils die größte Kraft eintragen.</translation>
+    </message>
+    <message>
+      <source>Join the pieces</source>
+      <translation>Die Stücke verbinden</translation>
+    </message>
+    <message>
+      <source>Latex</source>
+      <translation>Latex</translation>
+    </message>
+    <message>
+      <source>Latex {thickness:g} mm thick. Cut it {x:.0f} × {y:.0f} mm along the outer line; {grip:g} mm around are for the hands. Wash, dry and stretch it twice before you trace the lines, with a pen whose ink stays on latex. Punch a hole of {hole:g} mm in every circle.</source>
+      <translation>Latex, {thickness:g} mm dick. Auf {x:.0f} × {y:.0f} mm entlang der äußeren Linie schneiden; {grip:g} mm ringsum sind für die Hände. Waschen, trocknen und zweimal dehnen, bevor die Linien mit einem Stift nachgezogen werden, dessen Farbe auf Latex haftet. In jeden Kreis ein Loch von {hole:g} mm stanzen.</translation>
+    </message>
+    <message>
+      <source>Lay the parts side by side</source>
+      <translation>Die Teile nebeneinanderlegen</translation>
+    </message>
+    <message>
+      <source>Lay the print down with its {first} up: pins and anchors alone stand out there ({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto their tops, {layer:g} mm thick, with a roller that touches nothing below: a flexible glue for rubber on hard plastic that water does not loosen. Walls, gaps and all that holds the tiles together stay dry. {lay} Press sheet and print together between two boards that fit through the window, with weights spread evenly, for as long as the glue's maker says. Air the room: the glue's vapour harms you.</source>
+      <translation>Den Druck mit seiner {first} nach oben hinlegen: dort stehen nur Zapfen und Anker vor ({first_mm2:.0f} mm²). {behind} {first_cm3:.2f} cm³ Kleber auf ihre Enden rollen, {layer:g} mm dick, mit einer Rolle, die darunter nichts berührt: einen elastischen Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst. Wände, Spalte und alles, was die Kacheln zusammenhält, bleiben trocken. {lay} Folie und Druck zwischen zwei Brettern, die durch das Fenster passen, mit gleichmäßig verteilten Gewichten so lange zusammenpressen, wie es der Hersteller des Klebers sagt. Lüften: die Dämpfe des Klebers sind schädlich.</translation>
+    </message>
+    <message>
+      <source>Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3 mm thick, by their numbers, and press them together. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first membrane is glued over all of them at once.</source>
+      <translation>Die {parts} Teile, ihre {first} oben, nach ihren Nummern in den Rahmen {name}-frame.dxf legen, der aus einer 3 mm dicken Platte geschnitten ist, und zusammenschieben. Teile, die schief liegen, lassen mehr als {opening:g} mm Spalt: ihre Kanten feilen. Die erste Membran wird auf einmal über alle geklebt.</translation>
+    </message>
+    <message>
+      <source>Layer, tolerance</source>
+      <translation>Schicht, Toleranz</translation>
+    </message>
+    <message>
+      <source>Least clearance between tiles</source>
+      <translation>Kleinster Abstand zwischen Kacheln</translation>
+    </message>
+    <message>
+      <source>Leave all where it lies, and lower the stretched {first} sheet onto it, with its teeth down and the print in the middle of the window.</source>
+      <translation>Alles liegen lassen und die gedehnte Folie der {first} daraufsenken, mit den Zähnen nach unten und dem Druck in der Mitte des Fensters.</translation>
+    </message>
+    <message>
+      <source>Leave supports and bridges in: do not break them. They alone keep the tiles in place.</source>
+      <translation>Stützen und Brücken nicht herausbrechen: nur sie halten die Kacheln an ihrem Platz.</translation>
+    </message>
+    <message>
+      <source>Leave supports and bridges in: do not wash them off. They alone keep the tiles in place.</source>
+      <translation>Stützen und Brücken nicht auswaschen: nur sie halten die Kacheln an ihrem Platz.</translation>
+    </message>
+    <message>
+      <source>Look at the print</source>
+      <translation>Den Druck ansehen</translation>
+    </message>
+    <message>
+      <source>Map of tiles</source>
+      <translation>Plan der Kacheln</translation>
+    </message>
+    <message>
+      <source>Material</source>
+      <translation>Material</translation>
+    </message>
+    <message>
+      <source>Measure both widths of each of the three blocks by calliper, in their middles and away from the side that lay on the bed. Half of what they are wider is what each wall grows: the parameter xy_compensation.</source>
+      <translation>Beide Breiten jedes der drei Blöcke mit dem Messschieber messen, in ihrer Mitte und abseits der Seite, die auf dem Bett lag. Um die Hälfte dessen, was sie breiter sind, wächst jede Wand: der Parameter xy_compensation.</translation>
+    </message>
+    <message>
+      <source>Nothing joins the tiles: keep each in its place, on the bed's plate or on adhesive film.</source>
+      <translation>Nichts verbindet die Kacheln: jede an ihrem Platz lassen, auf der Bettplatte oder auf Klebefolie.</translation>
+    </message>
+    <message>
+      <source>Nothing joins them: tape or glue them along their borders.</source>
+      <translation>Nichts verbindet sie: an ihren Rändern mit Klebeband oder Kleber verbinden.</translation>
+    </message>
+    <message>
+      <source>Numbers of tiles from the front, and mirrored from the back: 12 is T00012. Red: tiles of the weakest contacts. The file -tiles.svg has it large enough to read.</source>
+      <translation>Nummern der Kacheln von vorne und gespiegelt von hinten: 12 ist T00012. Rot: Kacheln der schwächsten Kontakte. Die Datei -tiles.svg hat den Plan groß genug zum Lesen.</translation>
+    </message>
+    <message>
+      <source>On the {on_bed} {level}. Bridges alone hold the tiles meanwhile, and break easily.</source>
+      <translation>Auf der {on_bed} {level}. Nur die Brücken halten inzwischen die Kacheln, und sie brechen leicht.</translation>
+    </message>
+    <message>
+      <source>On the {second} {level} and would be glued along.</source>
+      <translation>Auf der {second} {level} und würden mitgeklebt.</translation>
+    </message>
+    <message>
+      <source>Once the glue holds, the {second} is up. The membrane stays on its ring: it alone keeps the tiles in their places.</source>
+      <translation>Sobald der Kleber hält, liegt die {second} oben. Die Membran bleibt auf ihrem Ring: nur sie hält die Kacheln an ihrem Platz.</translation>
+    </message>
+    <message>
+      <source>Once the glue holds, turn the ring over, so that you can reach the {second}, and {away}. {stays}: it alone keeps the tiles in their places now.</source>
+      <translation>Sobald der Kleber hält, den Ring wenden, sodass die {second} zugänglich ist, und {away}. {stays}: nur sie hält jetzt die Kacheln an ihrem Platz.</translation>
+    </message>
+    <message>
+      <source>One build: all bodies belong together, {pieces} pieces of them.</source>
+      <translation>Ein Druck: alle Körper gehören zusammen, in {pieces} Stücken.</translation>
+    </message>
+    <message>
+      <source>One build: all bodies belong together.</source>
+      <translation>Ein Druck: alle Körper gehören zusammen.</translation>
+    </message>
+    <message>
+      <source>One page follows.</source>
+      <translation>Eine Seite folgt.</translation>
+    </message>
+    <message>
+      <source>Orientation</source>
+      <translation>Ausrichtung</translation>
+    </message>
+    <message>
+      <source>PLA or PETG</source>
+      <translation>PLA oder PETG</translation>
+    </message>
+    <message>
+      <source>Peel the slicer's supports off the {on_bed}, tile by tile</source>
+      <translation>Die Stützen des Slicers Kachel für Kachel von der {on_bed} lösen</translation>
+    </message>
+    <message>
+      <source>Print</source>
+      <translation>Druck</translation>
+    </message>
+    <message>
+      <source>Print the coupons together with the design: on the same printer, of the same materials, the same way up. STEP and 3MF have all bodies in place, STL has tiles and support apart.</source>
+      <translation>Die Prüfkörper wie den Entwurf drucken: auf demselben Drucker, aus denselben Materialien, mit derselben Seite nach oben. STEP und 3MF haben alle Körper an ihrem Platz, STL hat Kacheln und Stützen getrennt.</translation>
+    </message>
+    <message>
+      <source>Printer compared with</source>
+      <translation>Verglichen mit dem Drucker</translation>
+    </message>
+    <message>
+      <source>Quantity</source>
+      <translation>Anzahl</translation>
+    </message>
+    <message>
+      <source>Ribs or former</source>
+      <translation>Rippen oder Formkörper</translation>
+    </message>
+    <message>
+      <source>Rigid material</source>
+      <translation>Hartes Material</translation>
+    </message>
+    <message>
+      <source>Roll {second_cm3:.2f} cm³ of glue onto the pins and anchors of the {second} ({second_mm2:.0f} mm²), as before. Lay the second membrane on, stretched on its ring, with its teeth down: the rings close face to face, {height:g} mm apart, and their teeth stand half a pitch beside one another. Rods in the holes at the corners align them. Press through both windows, as long as before.</source>
+      <translation>{second_cm3:.2f} cm³ Kleber wie zuvor auf Zapfen und Anker der {second} ({second_mm2:.0f} mm²) rollen. Die zweite Membran auflegen, gedehnt auf ihrem Ring, mit den Zähnen nach unten: die Ringe schließen sich Fläche an Fläche, {height:g} mm voneinander, und ihre Zähne stehen um eine halbe Teilung versetzt. Stäbe in den Löchern an den Ecken richten sie aus. Durch beide Fenster pressen, so lange wie zuvor.</translation>
+    </message>
+    <message>
+      <source>Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before that leaves its ring: the thin triangles are the outer pins. Copy the thick red lines, {trim:g} mm outside of them, and cut along these once the shell is off its rings. Punch small circles first.</source>
+      <translation>Von vorne gesehen, in der Größe der gedehnten Folie. Auf die Folie der Vorderseite legen, bevor sie vom Ring kommt: die dünnen Dreiecke sind die äußeren Zapfen. Die dicken roten Linien, {trim:g} mm außerhalb davon, übertragen und daran entlang schneiden, sobald die Schale von den Ringen ist. Kleine Kreise zuerst ausstanzen.</translation>
+    </message>
+    <message>
+      <source>Sew with a strong thread through the membrane into a stitching hole ({hole:g} mm), out at its other side, and back through the hole that faces it in the other piece; {holes} holes in all. A drop of glue around a hole keeps the membrane from tearing on. Pull the thread tight when all stitches are in.</source>
+      <translation>Mit starkem Faden durch die Membran in ein Nähloch ({hole:g} mm) nähen, an der anderen Seite hinaus und durch das gegenüberliegende Loch des anderen Stücks zurück; insgesamt {holes} Löcher. Ein Tropfen Kleber um ein Loch verhindert, dass die Membran weiterreißt. Den Faden festziehen, wenn alle Stiche sitzen.</translation>
+    </message>
+    <message>
+      <source>Ship flat, between two stiff boards.</source>
+      <translation>Flach versenden, zwischen zwei steifen Platten.</translation>
+    </message>
+    <message>
+      <source>Size</source>
+      <translation>Größe</translation>
+    </message>
+    <message>
+      <source>Smallest feature</source>
+      <translation>Kleinstes Detail</translation>
+    </message>
+    <message>
+      <source>So the {pieces} pieces come apart: each holds its shape by itself.</source>
+      <translation>So trennen sich die {pieces} Stücke: jedes hält seine Form allein.</translation>
+    </message>
+    <message>
+      <source>Stretch both membranes to {tau:g} times their length, each over the teeth of its own ring: every hole comes onto a tooth, {pitch:g} mm from the next. The sheet lies on the face that the teeth stick out of, with its lines on the ring, since glue does not hold on ink. Begin in the middles of opposite sides, and end at the corners. The window inside measures {window[0]:.0f} × {window[1]:.0f} mm. Measure through it: each of the five control squares of {square:g} mm must read {stretched:g} ± {slack:.1f} mm in both directions. Measure once more just before gluing, since latex creeps, and stretch anew what has become smaller. The front sheet pulls at the sides of its ring with {front[0]:.0f} N and {front[1]:.0f} N, the back sheet with {back[0]:.0f} N and {back[1]:.0f} N: wear goggles, a sheet that slips off snaps back.</source>
+      <translation>Beide Membranen auf das {tau:g}-Fache ihrer Länge dehnen, jede über die Zähne ihres eigenen Rings: jedes Loch kommt auf einen Zahn, {pitch:g} mm vom nächsten. Die Folie liegt auf der Fläche, aus der die Zähne ragen, mit den Linien zum Ring, denn auf Farbe hält kein Kleber. In der Mitte gegenüberliegender Seiten beginnen und an den Ecken enden. Das Fenster innen misst {window[0]:.0f} × {window[1]:.0f} mm. Durch das Fenster messen: jedes der fünf Prüfquadrate von {square:g} mm muss in beiden Richtungen {stretched:g} ± {slack:.1f} mm messen. Kurz vor dem Kleben noch einmal messen, denn Latex kriecht, und neu dehnen, was kleiner geworden ist. Die vordere Folie zieht an den Seiten ihres Rings mit {front[0]:.0f} N und {front[1]:.0f} N, die hintere mit {back[0]:.0f} N und {back[1]:.0f} N: Schutzbrille tragen, eine Folie, die abrutscht, schnellt zurück.</translation>
+    </message>
+    <message>
+      <source>Stretch both sheets</source>
+      <translation>Beide Folien dehnen</translation>
+    </message>
+    <message>
+      <source>Stretch it {tau:g} times in both directions, until each hole is on a tooth of the ring, {pitch:g} mm from the next. The five squares of {square:g} mm must then read {stretched:g} mm in both directions. Latex creeps: measure them once more just before gluing, and stretch anew where they are smaller.</source>
+      <translation>Auf das {tau:g}-Fache in beiden Richtungen dehnen, bis jedes Loch auf einem Zahn des Rings sitzt, {pitch:g} mm vom nächsten. Die fünf Quadrate von {square:g} mm müssen dann in beiden Richtungen {stretched:g} mm messen. Latex kriecht: kurz vor dem Kleben noch einmal messen und neu dehnen, wo sie kleiner sind.</translation>
+    </message>
+    <message>
+      <source>Stretching rings</source>
+      <translation>Spannringe</translation>
+    </message>
+    <message>
+      <source>Strips of latex</source>
+      <translation>Latexstreifen</translation>
+    </message>
+    <message>
+      <source>Support material</source>
+      <translation>Stützmaterial</translation>
+    </message>
+    <message>
+      <source>Take both sheets off their rings together</source>
+      <translation>Beide Folien gemeinsam von den Ringen nehmen</translation>
+    </message>
+    <message>
+      <source>Take care with the tiles of the weakest contacts: {worst}.</source>
+      <translation>Vorsicht mit den Kacheln der schwächsten Kontakte: {worst}.</translation>
+    </message>
+    <message>
+      <source>Take the bath that the shop names for its support. The membrane stays on its ring while it is washed and dries</source>
+      <translation>Das Bad nehmen, das der Druckdienst für sein Stützmaterial nennt. Die Membran bleibt auf ihrem Ring, während sie gewaschen wird und trocknet</translation>
+    </message>
+    <message>
+      <source>Take the support away as from the design. Tape the larger tile to a board, on its wall that is {angle:g}° off the wall between the tiles. Lay the smaller tile on that wall as both were printed. Raise the board slowly until the tile slides, and enter the slope of the wall: that of the board and {angle:g}°. Lay it on again each time. {own}</source>
+      <translation>Die Stützen entfernen wie beim Entwurf. Die größere Kachel mit Klebeband auf ein Brett kleben, auf ihrer Wand, die {angle:g}° gegen die Wand zwischen den Kacheln geneigt ist. Die kleinere Kachel so auf diese Wand legen, wie beide gedruckt wurden. Das Brett langsam heben, bis die Kachel rutscht, und die Neigung der Wand eintragen: die des Bretts und {angle:g}°. Jedes Mal neu auflegen. {own}</translation>
+    </message>
+    <message>
+      <source>Take the support away. Push feeler gauges through each gap, on the side that lay on the bed, where the first layers swell. Enter the thickest that passes all along, and 0 where none does. The gaps get wider from the left to the right. Do not order a design whose least clearance (its shop sheet has it) is below the first gap that is open.</source>
+      <translation>Die Stützen entfernen. Fühlerlehren durch jeden Spalt schieben, auf der Seite, die auf dem Bett lag, wo die ersten Schichten quellen. Die dickste eintragen, die überall hindurchgeht, und 0, wo keine es tut. Die Spalte werden von links nach rechts breiter. Keinen Entwurf bestellen, dessen kleinster Abstand (er steht auf dem Bestellblatt) unter dem ersten offenen Spalt liegt.</translation>
+    </message>
+    <message>
+      <source>Take {latex}. Wash powder and grease off with lukewarm water and a drop of dish soap, rinse the sheets and let them dry. Pull each by hand to some {tau:g} times its size and let it go, twice: latex softens the first time. Then copy the template of each onto it: lay thin latex on the paper and trace what shows through, or use carbon paper. Draw the grid, the circles, the control squares and the cutting line with a pen whose ink stays on latex, and write FRONT or BACK on the rim. Cut along the outer line. Punch a hole of {punch:g} mm in every circle, with a sharp punch: latex tears on from a nick. Wear gloves. Keep the sheets away from oil, from sun and from whoever is allergic to latex.</source>
+      <translation>Benötigt: {latex}. Puder und Fett mit lauwarmem Wasser und einem Tropfen Spülmittel abwaschen, die Folien abspülen und trocknen lassen. Jede von Hand zweimal auf etwa das {tau:g}-Fache ihrer Größe ziehen und loslassen: beim ersten Mal wird Latex weicher. Dann die Schablone jeder Folie übertragen: dünnes Latex auf das Papier legen und nachziehen, was durchscheint, oder Kohlepapier nehmen. Raster, Kreise, Prüfquadrate und Schnittlinie mit einem Stift zeichnen, dessen Farbe auf Latex haftet, und FRONT oder BACK auf den Rand schreiben. Entlang der äußeren Linie schneiden. In jeden Kreis mit einem scharfen Locheisen ein Loch von {punch:g} mm stanzen: an einer Kerbe reißt Latex weiter. Handschuhe tragen. Die Folien von Öl, von der Sonne und von allen fernhalten, die gegen Latex allergisch sind.</translation>
+    </message>
+    <message>
+      <source>Tape the {parts} parts, their {first} up, onto the drawing {name}-frame.dxf, tile on tile, at full size. The first membrane is glued over all of them at once.</source>
+      <translation>Die {parts} Teile, ihre {first} oben, mit Klebeband auf der Zeichnung {name}-frame.dxf in voller Größe befestigen, Kachel auf Kachel. Die erste Membran wird auf einmal über alle geklebt.</translation>
+    </message>
+    <message>
+      <source>Templates</source>
+      <translation>Schablonen</translation>
+    </message>
+    <message>
+      <source>The anchors of the design ask for {shear:.2f} MPa.</source>
+      <translation>Die Anker des Entwurfs brauchen {shear:.2f} MPa.</translation>
+    </message>
+    <message>
+      <source>The design has other walls: leave these slopes out of MEASURED.json.</source>
+      <translation>Der Entwurf hat andere Wände: diese Neigungen nicht in MEASURED.json eintragen.</translation>
+    </message>
+    <message>
+      <source>The label beside an anchor of each piece says {side} on that side.</source>
+      <translation>Das Schild neben einem Anker jedes Stücks trägt auf dieser Seite das Wort {side}.</translation>
+    </message>
+    <message>
+      <source>The membrane stays on its ring</source>
+      <translation>Die Membran bleibt auf ihrem Ring</translation>
+    </message>
+    <message>
+      <source>The sheet pulls with {load[0]:.0f} N at the left and right sides and {load[1]:.0f} N at the others. Where the print lies on it does not matter, as long as all of it lies inside of the window.</source>
+      <translation>Die Folie zieht mit {load[0]:.0f} N an der linken und rechten Seite und mit {load[1]:.0f} N an den anderen. Wo der Druck darauf liegt, ist gleich, solange er ganz im Fenster liegt.</translation>
+    </message>
+    <message>
+      <source>They come in {front} and {back} parts for the bed, which are glued at their dovetails on a flat table.</source>
+      <translation>Für das Bett bestehen sie aus {front} und {back} Teilen, die auf einem ebenen Tisch an ihren Schwalbenschwänzen verklebt werden.</translation>
+    </message>
+    <message>
+      <source>Tilt the whole of it by 30° to 45° on supports of the slicer's, which touch the side on the bed alone. Wash, and cure with the bridges on.</source>
+      <translation>Das Ganze um 30° bis 45° neigen, auf Stützen des Slicers, die nur die Seite am Bett berühren. Waschen und mit den Brücken aushärten.</translation>
+    </message>
+    <message>
+      <source>Time and cost of the print</source>
+      <translation>Dauer und Kosten des Drucks</translation>
+    </message>
+    <message>
+      <source>To be printed</source>
+      <translation>Zu drucken</translation>
+    </message>
+    <message>
+      <source>Tools</source>
+      <translation>Werkzeug</translation>
+    </message>
+    <message>
+      <source>Turn the print over and lay it, glue down, onto the stretched {first} sheet, in the middle of the window.</source>
+      <translation>Den Druck wenden und mit dem Kleber nach unten in der Mitte des Fensters auf die gedehnte Folie der {first} legen.</translation>
+    </message>
+    <message>
+      <source>Turn the sheet over</source>
+      <translation>Die Folie wenden</translation>
+    </message>
+    <message>
+      <source>Wash and mark the latex</source>
+      <translation>Das Latex waschen und anzeichnen</translation>
+    </message>
+    <message>
+      <source>When the glue holds, print {name}-trim.pdf at 100 %, lay it on the front sheet with its triangles on the outer pins, and copy its lines onto the sheet. Then lift both sheets off their teeth together, one side after the other. The shell pulls itself into shape. Help with your hands where it stays flat, from the middle outwards. Lay it over the kit's former, or its ribs: where it does not touch, it is not in shape yet.</source>
+      <translation>Wenn der Kleber hält, {name}-trim.pdf mit 100 % drucken, mit den Dreiecken auf den äußeren Zapfen auf die vordere Folie legen und die Linien auf die Folie übertragen. Dann beide Folien gemeinsam von den Zähnen heben, eine Seite nach der anderen. Die Schale zieht sich selbst in Form. Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen. Sie über den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form.</translation>
+    </message>
+    <message>
+      <source>You need a calliper, feeler gauges of 0.05 to 0.6 mm, a board, an inclinometer, thread, eight bolts of M4 and a spring scale up to {scale} N.</source>
+      <translation>Benötigt werden ein Messschieber, Fühlerlehren von 0.05 bis 0.6 mm, ein Brett, ein Neigungsmesser, Faden, acht Schrauben M4 und eine Federwaage bis {scale} N.</translation>
+    </message>
+    <message>
+      <source>a plate 3 mm thick, cut by {name}-frame.dxf, for the {count} parts of the print</source>
+      <translation>eine 3 mm dicke Platte, nach {name}-frame.dxf geschnitten, für die {count} Teile des Drucks</translation>
+    </message>
+    <message>
+      <source>anchors</source>
+      <translation>Anker</translation>
+    </message>
+    <message>
+      <source>as printed, not smoothed</source>
+      <translation>wie gedruckt, nicht geglättet</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translation>Rückseite</translation>
+    </message>
+    <message>
+      <source>back, mirrored</source>
+      <translation>Rückseite, gespiegelt</translation>
+    </message>
+    <message>
+      <source>bed {number}: {hours:.1f} h (by {by}), {price:.0f} {currency} at the prices in the printer's file</source>
+      <translation>Bett {number}: {hours:.1f} h (nach {by}), {price:.0f} {currency} zu den Preisen in der Datei des Druckers</translation>
+    </message>
+    <message>
+      <source>box of the print</source>
+      <translation>Umriss des Drucks</translation>
+    </message>
+    <message>
+      <source>break the bridges from the {second}</source>
+      <translation>die Brücken von der {second} her brechen</translation>
+    </message>
+    <message>
+      <source>bridges</source>
+      <translation>Brücken</translation>
+    </message>
+    <message>
+      <source>bridges: {count}</source>
+      <translation>Brücken: {count}</translation>
+    </message>
+    <message>
+      <source>desktop resin printer (LCD, 10 inch class)</source>
+      <translation>Tisch-Resindrucker (LCD, 10-Zoll-Klasse)</translation>
+    </message>
+    <message>
+      <source>dissolve the slab and let the tiles dry</source>
+      <translation>die Platte auflösen und die Kacheln trocknen lassen</translation>
+    </message>
+    <message>
+      <source>en</source>
+      <translation>de</translation>
+    </message>
+    <message>
+      <source>front</source>
+      <translation>Vorderseite</translation>
+    </message>
+    <message>
+      <source>front side down</source>
+      <translation>Vorderseite unten</translation>
+    </message>
+    <message>
+      <source>front side up</source>
+      <translation>Vorderseite oben</translation>
+    </message>
+    <message>
+      <source>glossy; a matte coat leaves a film of support on the pins, to which glue does not hold</source>
+      <translation>glänzend; ein matter Überzug lässt einen Film von Stützmaterial auf den Zapfen, auf dem Kleber nicht hält</translation>
+    </message>
+    <message>
+      <source>on a bed of {x:g} × {y:g} mm</source>
+      <translation>auf einem Bett von {x:g} × {y:g} mm</translation>
+    </message>
+    <message>
+      <source>one material: {material}</source>
+      <translation>ein Material: {material}</translation>
+    </message>
+    <message>
+      <source>one piece</source>
+      <translation>einem Stück</translation>
+    </message>
+    <message>
+      <source>peel the slicer's supports off the {on_bed}</source>
+      <translation>die Stützen des Slicers von der {on_bed} lösen</translation>
+    </message>
+    <message>
+      <source>polyjet printer (Stratasys J750)</source>
+      <translation>Polyjet-Drucker (Stratasys J750)</translation>
+    </message>
+    <message>
+      <source>print</source>
+      <translation>Druck</translation>
+    </message>
+    <message>
+      <source>rates of the printer's file</source>
+      <translation>Erfahrungswerten in der Datei des Druckers</translation>
+    </message>
+    <message>
+      <source>rigid photopolymer (Vero, RGD or alike)</source>
+      <translation>hartes Photopolymer (Vero, RGD oder ähnlich)</translation>
+    </message>
+    <message>
+      <source>scissors, a sharp punch of {punch:g} mm, a pen whose ink stays on latex, carbon paper, a roller, a ruler, two boards that fit through the window and weights, gloves, goggles</source>
+      <translation>Schere, ein scharfes Locheisen von {punch:g} mm, ein Stift, dessen Farbe auf Latex haftet, Kohlepapier, eine Rolle, ein Lineal, zwei Bretter, die durch das Fenster passen, und Gewichte, Handschuhe, Schutzbrille</translation>
+    </message>
+    <message>
+      <source>slab</source>
+      <translation>Platte</translation>
+    </message>
+    <message>
+      <source>slabs: {count}</source>
+      <translation>Platten: {count}</translation>
+    </message>
+    <message>
+      <source>standard or tough resin, nothing flexible</source>
+      <translation>Standard- oder zähes Harz, nichts Biegsames</translation>
+    </message>
+    <message>
+      <source>the print does not fit</source>
+      <translation>der Druck passt nicht</translation>
+    </message>
+    <message>
+      <source>the print fits</source>
+      <translation>der Druck passt</translation>
+    </message>
+    <message>
+      <source>the slab lies level with the pins ({area:.0f} mm²)</source>
+      <translation>liegen die Flächen der Platte ({area:.0f} mm²) auf Höhe der Zapfen</translation>
+    </message>
+    <message>
+      <source>the slicer's supports lie level with the pins</source>
+      <translation>liegen die Stützen des Slicers auf Höhe der Zapfen</translation>
+    </message>
+    <message>
+      <source>tiles</source>
+      <translation>Kacheln</translation>
+    </message>
+    <message>
+      <source>two frames of {outer:.0f} × {high:.0f} × {thickness:g} mm around a window of {width:.0f} × {height:.0f} mm. Print {name}-ring-front.step and {name}-ring-back.step, or their STL, of rigid plastic, lying flat with the teeth up. {joined} Or saw them of plywood as thick ({name}-ring-front.dxf and {name}-ring-back.dxf) and glue {teeth} dowels of {dowel:g} × {length:g} mm into each as teeth, of which {tooth:g} mm stick out, their ends rounded and sanded. 4 rods of {dowel:g} × {rod:g} mm in the holes at the corners align the rings</source>
+      <translation>zwei Rahmen von {outer:.0f} × {high:.0f} × {thickness:g} mm um ein Fenster von {width:.0f} × {height:.0f} mm. {name}-ring-front.step und {name}-ring-back.step oder ihre STL aus hartem Kunststoff drucken, flach liegend, mit den Zähnen nach oben. {joined} Oder aus ebenso dickem Sperrholz sägen ({name}-ring-front.dxf und {name}-ring-back.dxf) und in jeden {teeth} Dübel von {dowel:g} × {length:g} mm als Zähne einleimen, die {tooth:g} mm vorstehen, die Enden gerundet und geschliffen. 4 Stäbe von {dowel:g} × {rod:g} mm in den Löchern an den Ecken richten die Ringe aus</translation>
+    </message>
+    <message>
+      <source>two materials: {material}, and support that a bath dissolves</source>
+      <translation>zwei Materialien: {material}, und Stützmaterial, das sich in einem Bad löst</translation>
+    </message>
+    <message>
+      <source>two sheets of latex, {thickness} mm thick, shear modulus {modulus} MPa, each cut to {x:.0f} × {y:.0f} mm, of which {grip:g} mm around are for the grip</source>
+      <translation>zwei Latexfolien, {thickness} mm dick, Schubmodul {modulus} MPa, jede auf {x:.0f} × {y:.0f} mm geschnitten, davon ringsum {grip:g} mm zum Greifen</translation>
+    </message>
+    <message>
+      <source>washed and cured, no coat and no varnish</source>
+      <translation>gewaschen und ausgehärtet, kein Überzug und kein Lack</translation>
+    </message>
+    <message>
+      <source>window of the ring</source>
+      <translation>Fenster des Rings</translation>
+    </message>
+    <message>
+      <source>{bodies} bodies, {tiles} of them tiles: {name}-shop.pdf is the order</source>
+      <translation>{bodies} Körper, davon {tiles} Kacheln: {name}-shop.pdf ist die Bestellung</translation>
+    </message>
+    <message>
+      <source>{count} anchors</source>
+      <translation>{count} Anker</translation>
+    </message>
+    <message>
+      <source>{count} pages follow, which overlap by {overlap:g} mm: lay cross on cross. This page shows the whole, and which page has which part.</source>
+      <translation>{count} Seiten folgen, die sich um {overlap:g} mm überlappen: Kreuz auf Kreuz legen. Diese Seite zeigt das Ganze, und welche Seite welchen Teil hat.</translation>
+    </message>
+    <message>
+      <source>{count} ribs of a sheet {sheet:g} mm thick ({name}-gauges.dxf), or {former}</source>
+      <translation>{count} Rippen aus einer {sheet:g} mm dicken Platte ({name}-gauges.dxf), oder {former}</translation>
+    </message>
+    <message>
+      <source>{count} tiles</source>
+      <translation>{count} Kacheln</translation>
+    </message>
+    <message>
+      <source>{feature:.3g} mm; the printer makes {least:g} mm</source>
+      <translation>{feature:.3g} mm; der Drucker schafft {least:g} mm</translation>
+    </message>
+    <message>
+      <source>{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as much again for the roller; a flexible glue for rubber on hard plastic</source>
+      <translation>{front:.2f} cm³ für die Vorderseite und {back:.2f} cm³ für die Rückseite, und noch halb so viel für die Rolle; ein elastischer Kleber für Gummi auf hartem Kunststoff</translation>
+    </message>
+    <message>
+      <source>{front:g} (front) and {back:g} (back)</source>
+      <translation>{front:g} (vorne) und {back:g} (hinten)</translation>
+    </message>
+    <message>
+      <source>{gap} mm; the printer needs {least:g} mm</source>
+      <translation>{gap} mm; der Drucker braucht {least:g} mm</translation>
+    </message>
+    <message>
+      <source>{height:g} mm high</source>
+      <translation>{height:g} mm hoch</translation>
+    </message>
+    <message>
+      <source>{label} There are {bodies} bodies: {counts}. The map at the end of this sheet has the number of each tile. What is missing or broken is printed anew by its number, and laid into its place before gluing: “curveups export design.json --tiles T00012 -o spares” writes tile 12. {weak}</source>
+      <translation>{label} Es sind {bodies} Körper: {counts}. Der Plan am Ende dieser Anleitung hat die Nummer jeder Kachel. Was fehlt oder zerbrochen ist, wird nach seiner Nummer neu gedruckt und vor dem Kleben an seinen Platz gelegt: „curveups export design.json --tiles T00012 -o spares“ schreibt Kachel 12. {weak}</translation>
+    </message>
+    <message>
+      <source>{layer:g} mm or less, ± {tolerance:g} mm</source>
+      <translation>{layer:g} mm oder weniger, ± {tolerance:g} mm</translation>
+    </message>
+    <message>
+      <source>{name}-coupons.pdf in the folder coupons says what to print and to measure before the order</source>
+      <translation>{name}-coupons.pdf im Ordner coupons sagt, was vor der Bestellung zu drucken und zu messen ist</translation>
+    </message>
+    <message>
+      <source>{name}-former.stl, {volume:.0f} cm³, printed hollow of any plastic</source>
+      <translation>{name}-former.stl, {volume:.0f} cm³, hohl gedruckt aus beliebigem Kunststoff</translation>
+    </message>
+    <message>
+      <source>{name}-latex-front.pdf and {name}-latex-back.pdf, printed at 100 %</source>
+      <translation>{name}-latex-front.pdf und {name}-latex-back.pdf, mit 100 % gedruckt</translation>
+    </message>
+    <message>
+      <source>{name}-print.3mf or {name}-print.step: every body with its name, in place; or the files of tiles, anchors and support, with one origin</source>
+      <translation>{name}-print.3mf oder {name}-print.step: jeder Körper mit Namen, an seinem Platz; oder die Dateien von Kacheln, Ankern und Stützen, mit einem Ursprung</translation>
+    </message>
+    <message>
+      <source>{pieces} separate pieces</source>
+      <translation>{pieces} getrennten Stücken</translation>
+    </message>
+    <message>
+      <source>{printer}: bed {bed} mm, {fits}</source>
+      <translation>{printer}: Bett {bed} mm, {fits}</translation>
+    </message>
+    <message>
+      <source>{quantity}, each of {bodies} bodies ({tiles} tiles) in {pieces}</source>
+      <translation>{quantity}, je {bodies} Körper ({tiles} Kacheln) in {pieces}</translation>
+    </message>
+    <message>
+      <source>{side} ring</source>
+      <translation>Ring der {side}</translation>
+    </message>
+    <message>
+      <source>{side} sheet, its lines this way</source>
+      <translation>Folie der {side}, Linien auf dieser Seite</translation>
+    </message>
+    <message>
+      <source>{side}, as the files stand; support is printed with the parts</source>
+      <translation>{side}, so wie die Dateien stehen; Stützen werden mit den Teilen gedruckt</translation>
+    </message>
+    <message>
+      <source>{title}, frame</source>
+      <translation>{title}, Rahmen</translation>
+    </message>
+    <message>
+      <source>{title}, ribs of {sheet:g} mm</source>
+      <translation>{title}, Rippen von {sheet:g} mm</translation>
+    </message>
+    <message>
+      <source>{title}, strips of latex</source>
+      <translation>{title}, Latexstreifen</translation>
+    </message>
+    <message>
+      <source>{title}, tiles</source>
+      <translation>{title}, Kacheln</translation>
+    </message>
+    <message>
+      <source>{title}, trim</source>
+      <translation>{title}, Zuschnitt</translation>
+    </message>
+    <message>
+      <source>{title}, {side} ring</source>
+      <translation>{title}, Ring der {side}</translation>
+    </message>
+    <message>
+      <source>{title}, {side} sheet</source>
+      <translation>{title}, Folie der {side}</translation>
+    </message>
+    <message>
+      <source>{title}: 12 is T00012</source>
+      <translation>{title}: 12 ist T00012</translation>
+    </message>
+    <message>
+      <source>{title}: assembly</source>
+      <translation>{title}: Montage</translation>
+    </message>
+    <message>
+      <source>{title}: coupons</source>
+      <translation>{title}: Prüfkörper</translation>
+    </message>
+    <message>
+      <source>{title}: cut {x:.0f} x {y:.0f} mm along the outer line, of which the outer {grip:g} mm are grip. Grid {grid:.4g} mm, stretched {pitch:g} mm; circles are holes for teeth. Squares {square:g} mm must read {stretched:g} mm when stretched, also just before gluing (creep).</source>
+      <translation>{title}: auf {x:.0f} x {y:.0f} mm entlang der äußeren Linie schneiden, davon außen {grip:g} mm zum Greifen. Raster {grid:.4g} mm, gedehnt {pitch:g} mm; Kreise sind Löcher für Zähne. Quadrate von {square:g} mm müssen gedehnt {stretched:g} mm messen, auch kurz vor dem Kleben (Kriechen).</translation>
+    </message>
+    <message>
+      <source>{title}: order for a 3D print</source>
+      <translation>{title}: Bestellung eines 3D-Drucks</translation>
+    </message>
+    <message>
+      <source>{title}: {paper}, page {number} of {count} (column {column}, row {row}). Print at 100 %: the ruler is {ruler:g} mm long.</source>
+      <translation>{title}: {paper}, Seite {number} von {count} (Spalte {column}, Zeile {row}). Mit 100 % drucken: das Lineal ist {ruler:g} mm lang.</translation>
+    </message>
+    <message>
+      <source>{title}: {thickness:g} mm plywood, holes {hole:g} mm</source>
+      <translation>{title}: Sperrholz {thickness:g} mm, Löcher {hole:g} mm</translation>
+    </message>
+    <message>
+      <source>{volume:.1f} cm³ (soluble)</source>
+      <translation>{volume:.1f} cm³ (löslich)</translation>
+    </message>
+    <message>
+      <source>{volume:.1f} cm³, {mass:.0f} g at {density:g} g/cm³ ({parts})</source>
+      <translation>{volume:.1f} cm³, {mass:.0f} g bei {density:g} g/cm³ ({parts})</translation>
+    </message>
+    <message>
+      <source>{volume}; the slicer's supports under tiles that reach out come on top</source>
+      <translation>{volume}; dazu kommen die Stützen des Slicers unter Kacheln, die überstehen</translation>
+    </message>
+    <message>
+      <source>“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes.</source>
+      <translation>„curveups calibrate {name}-MEASURED.json -o DIR“ passt Modul, Reibung, Kleber und Zugabe mit ihrer Unsicherheit an. Es schreibt material.json und printer.json, die „curveups design --config“ nimmt.</translation>
     </message>
   </context>
   <context>

@@ -11,6 +11,7 @@ import ezdxf
 import numpy as np
 import pytest
 
+from curveups.base.language import ENGLISH
 from curveups.base.native import native
 from curveups.kit import bed_files, beds, costs, drawing, files
 from curveups.kit import kit as kit_module
@@ -30,7 +31,7 @@ def divided(design, bed, **values):
     design = design.with_parameters(own)
     model = native.make_print_model(design)
     printer = {"bed_mm": [*bed, 100], "growth_mm": 0.05}
-    return model, beds.beds(design, model, printer, native.tile_shapes(design)), printer
+    return model, beds.beds(design, model, printer, native.tile_shapes(design), lambda *_: True), printer
 
 
 def require_whole(model, found, printer):
@@ -87,7 +88,7 @@ def test_parts_butt_in_a_frame(design, support, orientation):
     assert found.seams and len({part for bed in found.places for part in bed}) > 1
     require_whole(model, found, printer)
     assert found.position_error == pytest.approx(2 * beds.FIT + found.seams * 0.1)
-    kit = SimpleNamespace(beds=found, model=model, title="cap", name="cap")
+    kit = SimpleNamespace(beds=found, model=model, title="cap", name="cap", say=ENGLISH)
     document = ezdxf.read(io.StringIO(drawing.dxf(bed_files.frame(kit)).decode("utf-8")))
     assert not document.audit().errors
     space = document.modelspace()
@@ -177,6 +178,38 @@ def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
             one["hours"], one["rigid_cm3"], one["support_cm3"], small["prices"]))
         assert one["hours_by"] == ("prusa-slicer" if shutil.which("prusa-slicer")
                                    else "rates of the printer's file")
+
+
+def test_the_search_for_beds_ends_when_it_is_told_to(design):
+    model = native.make_print_model(design)
+    for bed in ([float(side) - 8 for side in model.bbox[:2]], (52, 30)):  # anchors, parts
+        answered = []
+
+        def asked(*_, answered=answered):
+            answered.append(None)
+            return len(answered) < 3
+
+        with pytest.raises(native.Cancelled):
+            beds.beds(design, model, {"bed_mm": [*bed, 100], "growth_mm": 0.05}, native.tile_shapes(design),
+                      asked)
+        assert len(answered) == 3, "asked again after it was stopped"
+
+
+@pytest.mark.parametrize("error", [native.TopologyError, native.SolverFailure])
+def test_a_print_that_can_not_be_made_with_fewer_anchors_is_cut(design, monkeypatch, error):
+    def make(design, *given, **named):
+        if "region" in named:
+            raise error("the label has no room")
+        return native.make_print_model(design, *given, **named)
+
+    model = native.make_print_model(design)
+    bed = [float(side) - 8 for side in model.bbox[:2]]
+    names = {name: getattr(native, name) for name in ("Parameters", "TopologyError", "SolverFailure",
+                                                      "pieces_of_faces", "Cancelled")}
+    monkeypatch.setattr(beds, "native", SimpleNamespace(make_print_model=make, **names))
+    found = beds.beds(design, model, {"bed_mm": [*bed, 100], "growth_mm": 0.05}, native.tile_shapes(design),
+                      lambda *_: True)
+    assert found.seams and not found.left_out
 
 
 def test_hours_are_read_from_what_the_slicer_writes():

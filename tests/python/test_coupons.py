@@ -6,13 +6,15 @@ import json
 import math
 import re
 import subprocess
+from types import SimpleNamespace
 
 import ezdxf
 import numpy as np
 import pytest
 
+from curveups.base.language import ENGLISH
 from curveups.base.native import native
-from curveups.kit import coupons
+from curveups.kit import coupon_sheet, coupons
 
 NAMES = ("friction-bumps", "friction-dimples", "friction-bare", "glue", "gaps", "growth", "clamps")
 BODIES = {"friction-bumps": 2, "friction-dimples": 2, "friction-bare": 2, "glue": 6, "gaps": 6, "growth": 3,
@@ -144,6 +146,15 @@ def test_an_empty_file_is_refused_and_so_is_a_list_of_two(curveups, folder, tmp_
     (tmp_path / "two.json").write_text(json.dumps(data))
     refused = curveups("calibrate", tmp_path / "two.json", "-o", tmp_path / "no")
     assert refused.status == 2 and "friction is no list of three" in refused.err
+
+
+def test_the_sheet_of_glue_asks_for_what_anchors_need_where_there_are_some():
+    def said(report):
+        kit = SimpleNamespace(report=report, results=SimpleNamespace(parameters=parameters()), say=ENGLISH)
+        return coupon_sheet.said(kit, coupon("glue", parameters()))
+
+    assert "ask for 0.43 MPa" in said({"anchors": {"glue_shear_mpa": [0.31, 0.43]}})
+    assert "MPa" not in said({})
 
 
 def test_the_sheet_names_files_and_numbers_of_this_design(folder):

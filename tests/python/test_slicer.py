@@ -12,6 +12,7 @@ import zipfile
 
 import numpy as np
 import pytest
+from curveups.base import freecad_session
 from running import ROOT
 
 SLICER = shutil.which("prusa-slicer")
@@ -117,6 +118,13 @@ def test_a_fused_print_is_one_sound_body(curveups, printed, tmp_path):
         assert said.count("manifold = yes") == 1 and "manifold = no" not in said
         assert re.findall(r"^number_of_parts *= *(\d+)", said, re.MULTILINE) == ["1"]
         assert [round(float(z), 2) for z in re.findall(r"^size_z = (\S+)", said, re.MULTILINE)] == [5.0]
+    path = tmp_path / "small-cap-print-fused.stl"
+    said = subprocess.run(["admesh", path], check=True, capture_output=True, text=True).stdout
+    assert re.search(r"Total disconnected facets +: +0 +0", said)
+    assert re.search(r"Number of parts +: +1 ", said) and re.search(r"Degenerate facets +: +0", said)
+    _, mesh = freecad_session.load("Mesh")
+    whole = mesh.Mesh(str(path))
+    assert whole.isSolid() and not whole.hasSelfIntersections()
 
 
 # As resources/profiles/fdm.json tells, but without supports, which take most of the time.

@@ -9,6 +9,7 @@ from typing import Any, Iterator, Sequence, TextIO
 
 from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError, Stopped
 from ..base.findings import Finding
+from ..base.language import Language
 from ..base.native import native, translated
 from ..base.parameters import parameter, table
 from ..base.output import Folder, is_text, plain_name, require_folder_name, safe_name
@@ -154,12 +155,13 @@ def export(options: Any, session: Session) -> int:
 def kit(options: Any, session: Session) -> int:
     """curveups kit"""
     require_folder_name(options.output)
+    order = kit_files.Order(options.quantity, options.names, Language(options.language).name)
     project, _ = _design_project(options, session)
     job = session.job
     results = kit_files.make(project, job)
     if results["check"].print_block:
         with session.interrupt.shielded():
-            stopped = kit_files.write_kit(results, options.output, job, options.quantity, options.names)
+            stopped = kit_files.write_kit(results, options.output, job, order)
     else:  # stopped before there was anything to draw
         raise Stopped
     return _finish(results, options.output, session, stopped)
@@ -171,6 +173,8 @@ def compare(options: Any, session: Session) -> int:
     design = _read_design(options.design)
     with translated(str(options.scan)):
         found = scan.compare(design, scan.read_scan(options.scan, len(design.F)), session.job)
+    if expected := scan.predicted(options.design):
+        found["predicted"] = expected
     with session.interrupt.shielded():
         scan.write_comparison(design, found, options.output)
     for line in scan.said(found):
@@ -237,7 +241,8 @@ def _design_project(options: Any, session: Session, effects: tuple[str, ...] = (
             continue
         row = parameter(native.parameter_name(name))
         if row.effect not in effects:
-            raise CurveUpsError(f"{name} can't change on {options.command}", f"--set {name}",
+            typed = where.removeprefix("--set ")  # a material's, maybe
+            raise CurveUpsError(f"{typed} can't change on {options.command}", where,
                                 "run 'curveups design' with it")
         rebuilt |= row.effect == "rebuild" and values.get(name) != before.get(name)
     project.parameters = values

@@ -271,19 +271,20 @@ class WrittenKit:
     keys: Optional[Keys] = None
 
 
-def kit(design: Any, folder: str) -> str:
+def kit(design: Any, folder: str, quantity: int = 1, mask: str = kit_files.Order.mask, language: str = "en"
+        ) -> str:
     """Writes the fabrication kit into a folder, unless it holds that of the design as it is; the page of its
     assembly."""
     written = _made.pop(("kit", design.Document.Name, design.Name), None)
     if written is None:
-        written = kit_work(design, folder)(Job())
+        written = kit_work(design, folder, kit_files.Order(quantity, mask, language))(Job())
     if written.keys is not None:
         write_keys(design, written.keys, "KitKeys")
         design.Proxy.refresh(design)
     return str(written.page)
 
 
-def kit_work(design: Any, folder: str) -> Callable[[Job], WrittenKit]:
+def kit_work(design: Any, folder: str, order: kit_files.Order) -> Callable[[Job], WrittenKit]:
     """The same for any thread."""
     project = live.design_project_of(design).copy()
     project.name = file_name(design)
@@ -292,10 +293,11 @@ def kit_work(design: Any, folder: str) -> Callable[[Job], WrittenKit]:
     def work(job: Job) -> WrittenKit:
         finished = project.latest("design").design.with_parameters(project.parameters)
         page = Path(folder) / f"{project.name}-assembly.html"
-        if current and kit_files.is_current(Path(folder), native.write_design(finished)) and page.exists():
+        text = native.write_design(finished)
+        if current and kit_files.is_current(Path(folder), text, order) and page.exists():
             return WrittenKit(str(page))
         results = kit_files.make(project, job)
-        if job.stopped or kit_files.write_kit(results, Path(folder), job):
+        if job.stopped or kit_files.write_kit(results, Path(folder), job, order):
             raise Stopped
         records = {name: results.made[name].record for name in kit_files.goals()}
         return WrittenKit(str(page), Keys(records))

@@ -14,8 +14,9 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
+from ..base.language import Language, Text
 from ..report import pictures
-from ..report.assembly import Step, glue_volumes, steps
+from ..report.assembly import HOLE, glue_volumes, steps
 from ..report.html import page, picture
 from ..report.print_pictures import print_view
 from ..report.shop import latex
@@ -23,6 +24,7 @@ from ..report.tables import table
 from . import drawing, latex as template
 from .bed_files import frame
 from .kit import Kit
+from .ring_sheet import section
 from .tile_map import tile_map
 from .trim import marks
 from .underside import figures
@@ -35,63 +37,73 @@ def make(kit: Kit, kind: str) -> bytes:
 
 def parts(kit: Kit) -> list[tuple[str, str]]:
     """What has to be there before the first step."""
-    block, parameters = kit.report["print"], kit.results.parameters
-    glue, sheets = glue_volumes(block["glue"]), kit.report["sheets"]
-    ring = kit.rings
+    block, parameters, say = kit.report["print"], kit.results.parameters, kit.say
+    glue, sheets, ring = glue_volumes(block["glue"]), kit.report["sheets"], kit.rings
     (width, height), (outer, high) = sheets["window_mm"], ring["outer_mm"]
-    return [("Print", f"{block['bodies']} bodies, {kit.report['tiles']} of them tiles, as on "
-                      f"{kit.name}-shop.pdf"),
-            ("Latex", latex(kit.report, parameters)),
-            ("Templates", f"{kit.name}-latex-front.pdf and {kit.name}-latex-back.pdf, printed at 100 %"),
-            ("Stretching rings",
-             f"two frames of {outer:.0f} × {high:.0f} × {ring['thickness_mm']:g} mm around a window of "
-             f"{width:.0f} × {height:.0f} mm. Print {kit.name}-ring-front.step and -back.step, or their STL, "
-             f"of rigid plastic{_of_parts(ring)}; or saw plywood as thick ({kit.name}-ring-front.dxf and "
-             f"-back.dxf) and glue in {2 * ring['teeth']} dowels of {ring['dowel_mm']:g} × "
-             f"{ring['dowel_length_mm']:g} mm as teeth, of which {ring['tooth_height_mm']:g} mm stick out, "
-             f"their ends rounded and sanded. 4 rods of {ring['dowel_mm']:g} × "
-             f"{2 * ring['thickness_mm'] + ring['apart_mm']:g} mm at the corners align the rings"),
-            ("Glue", f"{glue['front']:.2f} cm³ for the front and {glue['back']:.2f} cm³ for the back, and "
-                     "half as much again for the roller; a flexible glue for rubber on hard plastic"),
+    counts = [ring[side]["parts"] for side in ("front", "back")]
+    joined = say("They come in {front} and {back} parts for the bed, which are glued at their dovetails on a "
+                 "flat table.", front=counts[0], back=counts[1]) if max(counts) > 1 else ""
+    return [(say("Print"), say("{bodies} bodies, {tiles} of them tiles: {name}-shop.pdf is the order",
+                               bodies=block["bodies"], tiles=kit.report["tiles"], name=kit.name)),
+            (say("Latex"), latex(kit.report, parameters, say)),
+            (say("Templates"), say("{name}-latex-front.pdf and {name}-latex-back.pdf, printed at 100 %",
+                                   name=kit.name)),
+            (say("Stretching rings"),
+             say(_RINGS, name=kit.name, outer=outer, high=high, thickness=ring["thickness_mm"], width=width,
+                 height=height, joined=joined, teeth=ring["teeth"], dowel=ring["dowel_mm"],
+                 length=ring["dowel_length_mm"], tooth=ring["tooth_height_mm"],
+                 rod=2 * ring["thickness_mm"] + ring["apart_mm"])),
+            (say("Glue"), say("{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as "
+                              "much again for the roller; a flexible glue for rubber on hard plastic",
+                              **glue)),
             *_shaping(kit),
-            ("Coupons", f"{kit.name}-coupons.pdf in the folder coupons says what to print and to measure "
-                        "before the order"),
-            ("Time and cost of the print", "; ".join(_cost(number, one) for number, one in
-                                                     enumerate(kit.report["costs"], 1))),
-            ("Tools", "scissors, a pen whose ink stays on latex, a roller, a ruler, gloves")]
+            (say("Coupons"), say("{name}-coupons.pdf in the folder coupons says what to print and to measure "
+                                 "before the order", name=kit.name)),
+            (say("Time and cost of the print"), "; ".join(_cost(say, number, one) for number, one in
+                                                          enumerate(kit.report["costs"], 1))),
+            (say("Tools"), say("scissors, a sharp punch of {punch:g} mm, a pen whose ink stays on latex, "
+                               "carbon paper, a roller, a ruler, two boards that fit through the window and "
+                               "weights, gloves, goggles", punch=HOLE * sheets["grid_mm"]))]
+
+
+_RINGS = Text("""two frames of {outer:.0f} × {high:.0f} × {thickness:g} mm around a window of {width:.0f} ×
+{height:.0f} mm. Print {name}-ring-front.step and {name}-ring-back.step, or their STL, of rigid plastic,
+lying flat with the teeth up. {joined} Or saw them of plywood as thick ({name}-ring-front.dxf and
+{name}-ring-back.dxf) and glue {teeth} dowels of {dowel:g} × {length:g} mm into each as teeth, of which
+{tooth:g} mm stick out, their ends rounded and sanded. 4 rods of {dowel:g} × {rod:g} mm in the holes at the
+corners align the rings""")
 
 
 def _shaping(kit: Kit) -> list[tuple[str, str]]:
     """What the shell is brought into shape on, and what parts of the print butt in."""
-    made = figures(kit.undersides)
-    ribs = f"{len(made['ribs'])} ribs of a sheet {made['sheet_mm']:g} mm thick ({kit.name}-gauges.dxf), or "
-    found = [("Ribs or former", (ribs if made["ribs"] else "")
-              + f"{kit.name}-former.stl, {made['former_cm3']:.0f} cm³, printed hollow of anything")]
+    made, say = figures(kit.undersides), kit.say
+    former = say("{name}-former.stl, {volume:.0f} cm³, printed hollow of any plastic", name=kit.name,
+                 volume=made["former_cm3"])
+    found = [(say("Ribs or former"), say("{count} ribs of a sheet {sheet:g} mm thick ({name}-gauges.dxf), or "
+                                         "{former}", count=len(made["ribs"]), sheet=made["sheet_mm"],
+                                         name=kit.name, former=former) if made["ribs"] else former)]
     if kit.beds and kit.beds.seams and kit.model.outlines:
-        found.append(("Frame", f"a plate 3 mm thick, cut by {kit.name}-frame.dxf, for the "
-                               f"{sum(map(len, kit.beds.places))} parts of the print"))
+        found.append((say("Frame"), say("a plate 3 mm thick, cut by {name}-frame.dxf, for the {count} parts "
+                                        "of the print", name=kit.name,
+                                        count=sum(map(len, kit.beds.places)))))
     return found
 
 
-def _cost(number: int, one: Mapping[str, Any]) -> str:
-    return (f"bed {number}: {one['hours']:.1f} h (by {one['hours_by']}), {one['price']:.0f} "
-            f"{one['currency']} at the prices in the printer's file")
-
-
-def _of_parts(ring: Mapping[str, Any]) -> str:
-    counts = [ring[side]["parts"] for side in ("front", "back")]
-    return (f", in {counts[0]} and {counts[1]} parts for the bed, which are glued at their dovetails on "
-            "a flat table" if max(counts) > 1 else "")
+def _cost(say: Language, number: int, one: Mapping[str, Any]) -> str:
+    return say("bed {number}: {hours:.1f} h (by {by}), {price:.0f} {currency} at the prices in the printer's "
+               "file", number=number, by=say(one["hours_by"]),
+               **{name: one[name] for name in ("hours", "price", "currency")})
 
 
 def _pictures(kit: Kit) -> dict[str, Callable[[], bytes]]:
     """How the pictures of steps are drawn, by their names."""
     design, block = kit.results.design, kit.report["sheets"]
     bed = kit.printer["bed_mm"]
-    return {"template": lambda: _drawn(template.template(kit.title, block)),
-            "stretched": lambda: _drawn(template.template(kit.title, block, True)),
+    return {"template": lambda: _drawn(template.template(kit.title, block, say=kit.say)),
+            "stretched": lambda: _drawn(template.template(kit.title, block, True, kit.say)),
+            "section": lambda: _drawn(section(kit)),
             "frame": lambda: _drawn(frame(kit)),
-            "print": partial(print_view, kit.model, bed),
+            "print": partial(print_view, kit.model, bed, say=kit.say),
             "front": partial(pictures.flat_layout, design),
             "back": lambda: pictures.flat_layout(_from_back(kit)),
             "actuated": partial(pictures.actuated_view, design),
@@ -112,41 +124,42 @@ def _drawn(one: drawing.Drawing) -> bytes:
 
 
 def _html(kit: Kit) -> bytes:
-    shown = _pictures(kit)
-    found = [f"<h1>{escape(kit.title)}: assembly</h1>", table(parts(kit))]
-    for number, step in enumerate(steps(kit.report, kit.results.parameters), 1):
+    shown, say = _pictures(kit), kit.say
+    found = [f"<h1>{escape(_title(kit))}</h1>", table(parts(kit))]
+    for number, step in enumerate(steps(kit.report, kit.results.parameters, say), 1):
         kit.go_on()
-        found += [f"<h2>{number}. {escape(step.title)}</h2>", f"<p>{escape(_sentence(step))}</p>"]
+        found += [f"<h2>{number}. {escape(step.title)}</h2>", f"<p>{escape(step.text)}</p>"]
         found += [picture(shown[step.picture](), "")] if step.picture else []
-    found += ["<h2>Map of tiles</h2>", picture(shown["map"](), _MAP)]
-    return page(kit.title, found).encode("utf-8")
+    found += [f"<h2>{escape(say(_MAP))}</h2>", picture(shown["map"](), say(_OF_MAP))]
+    return page(kit.title, found, say.name).encode("utf-8")
 
 
 def _pdf(kit: Kit) -> bytes:
-    shown = _pictures(kit)
+    shown, say = _pictures(kit), kit.say
 
     def pages() -> Iterator[Figure]:
-        figure, canvas, top = _page(f"{kit.title}: assembly")
+        figure, canvas, top = _page(_title(kit))
         drawing.write(canvas, drawing.BORDER, top, [f"{label}: {text}." for label, text in parts(kit)], 11)
         yield figure
-        for number, step in enumerate(steps(kit.report, kit.results.parameters), 1):
+        for number, step in enumerate(steps(kit.report, kit.results.parameters, say), 1):
             figure, canvas, top = _page(f"{number}. {step.title}")
-            top = drawing.write(canvas, drawing.BORDER, top, [_sentence(step)], 11)
+            top = drawing.write(canvas, drawing.BORDER, top, [step.text], 11)
             _show(figure, shown[step.picture](), top)
             yield figure
-        figure, canvas, top = _page("Map of tiles")
-        _show(figure, shown["map"](), drawing.write(canvas, drawing.BORDER, top, [_MAP], 9.5))
+        figure, canvas, top = _page(say(_MAP))
+        _show(figure, shown["map"](), drawing.write(canvas, drawing.BORDER, top, [say(_OF_MAP)], 9.5))
         yield figure
 
     return drawing.book(pages(), kit.go_on)
 
 
-_MAP = ("Numbers of tiles from the front, and mirrored from the back: 12 is T00012. Red: tiles of the "
-        "weakest contacts. The file -tiles.svg has it large enough to read.")
+_MAP = Text("Map of tiles")
+_OF_MAP = Text("""Numbers of tiles from the front, and mirrored from the back: 12 is T00012. Red: tiles of
+the weakest contacts. The file -tiles.svg has it large enough to read.""")
 
 
-def _sentence(step: Step) -> str:
-    return step.text[0].upper() + step.text[1:]
+def _title(kit: Kit) -> str:
+    return kit.say("{title}: assembly", title=kit.title)
 
 
 def _page(title: str) -> tuple[Figure, Any, float]:

@@ -49,7 +49,7 @@ def frame(kit: Kit) -> Drawing:
     lines = [*pockets, *(line for _, found in parts for line in found)]
     low = np.min([line.min(0) for line in lines], axis=0) - EDGE
     size = np.max([line.max(0) for line in lines], axis=0) + EDGE - low
-    drawing = Drawing(f"{kit.title}, frame", (float(size[0]), float(size[1])))
+    drawing = Drawing(kit.say("{title}, frame", title=kit.title), (float(size[0]), float(size[1])))
     if pockets:
         drawing.box("cut", 0, 0, float(size[0]), float(size[1]))
     for pocket in pockets:

@@ -9,7 +9,7 @@ All places are those of the print: x and y in mm.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Iterator, Mapping, Optional, Sequence
+from typing import Any, Callable, Iterator, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -23,6 +23,7 @@ FIT = 0.2                           # mm that the frame's pocket is wider on eac
 MOST_PARTS = 64
 
 Place = tuple[float, float, float]  # x, y (mm) after the turn (degrees)
+Asked = Callable[..., bool]         # a native progress: whether to go on
 
 
 @dataclass(frozen=True)
@@ -56,9 +57,9 @@ class Beds:
                          for number, places in enumerate(self.places)]}
 
 
-def beds(design: Any, model: Any, printer: dict[str, Any], shapes: Any) -> Optional[Beds]:
+def beds(design: Any, model: Any, printer: dict[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:
     """None where the print fits as it is, or is too high. model: its native PrintModel; shapes: native
-    TileShapes."""
+    TileShapes. Raises native.Cancelled once `asked` says to stop."""
     bed = printer["bed_mm"]
     if fits_bed(model.bbox, printer) or model.bbox[2] > bed[2] or not max(bed) > 0:
         return None
@@ -66,7 +67,7 @@ def beds(design: Any, model: Any, printer: dict[str, Any], shapes: Any) -> Optio
     for found in (_turned(model, everything, bed), _packed(model, bed)):
         if found:
             return Beds(model, found)
-    return _fewer_anchors(design, model, bed, shapes) or _cut(design, model, printer, shapes)
+    return _fewer_anchors(design, model, bed, shapes, asked) or _cut(design, model, printer, shapes, asked)
 
 
 def _turned(model: Any, groups: Mapping[int, int], bed: Sequence[float]) -> Optional[list[dict[int, Place]]]:
@@ -98,7 +99,17 @@ def _packed(model: Any, bed: Sequence[float]) -> Optional[list[dict[int, Place]]
     return [{piece: (float(a), float(b), float(c)) for piece, (a, b, c) in one.items()} for one in found]
 
 
-def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any) -> Optional[Beds]:
+def _made(asked: Asked, design: Any, **given: Any) -> Any:
+    """A native PrintModel; None where there is none, for instance where the label has no room or no slab can
+    be cut so."""
+    try:
+        return native.make_print_model(design, asked, **given)
+    except (native.TopologyError, native.SolverFailure):
+        return None
+
+
+def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any, asked: Asked
+                   ) -> Optional[Beds]:
     """With anchors and slab within the bed, where all tiles with the slab's margin have room there."""
     if not model.volumes["anchors"]:
         return None
@@ -116,31 +127,25 @@ def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any) -
     anchors = model.piece_of_bodies("anchors")
     for engraved in (own.get("engrave"), False):
         own.set("engrave", engraved)
-        made = native.make_print_model(design.with_parameters(own), region=region)
-        try:
-            found = _turned(made, {piece: 0 for piece in range(made.piece_count)}, bed)
-        except native.TopologyError:  # the label has no room
-            continue
+        made = _made(asked, design.with_parameters(own), region=region)
+        found = made and _turned(made, {piece: 0 for piece in range(made.piece_count)}, bed)
         if found:
             return Beds(made, found, left_out=len(anchors) - len(made.piece_of_bodies("anchors")))
     return None
 
 
-def _cut(design: Any, model: Any, printer: Mapping[str, Any], shapes: Any) -> Optional[Beds]:
+def _cut(design: Any, model: Any, printer: Mapping[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:
     """The fewest parts that fit, each on a bed of its own or with others."""
     bed, opening = printer["bed_mm"], 2 * printer["growth_mm"]
-    for parts, seams in _divisions(design, model, bed, shapes):
-        try:
-            made = native.make_print_model(design, part_of_tile=parts.tolist(), opening=opening)
-            found = None if made.loose_tiles else _packed(made, bed)
-        except (native.TopologyError, native.SolverFailure):  # no slab can be cut so
-            continue
+    for parts, seams in _divisions(design, bed, shapes, asked):
+        made = _made(asked, design, part_of_tile=parts.tolist(), opening=opening)
+        found = made and not made.loose_tiles and _packed(made, bed)
         if found:
             return Beds(made, found, opening, seams=seams)
     return None
 
 
-def _divisions(design: Any, model: Any, bed: Sequence[float], shapes: Any
+def _divisions(design: Any, bed: Sequence[float], shapes: Any, asked: Asked
                ) -> Iterator[tuple[np.ndarray, int]]:
     """The part of each tile, and how many seams lie in a row at most; the fewest parts first."""
     pieces = np.asarray(native.pieces_of_faces(design.V, design.F, design.cuts))
@@ -152,6 +157,8 @@ def _divisions(design: Any, model: Any, bed: Sequence[float], shapes: Any
                   key=lambda way: (way[0] * way[1], abs(way[0] - way[1])))
     for columns, rows in ways:
         for turn in CUT_TURNS:
+            if not asked():
+                raise native.Cancelled
             parts = np.zeros(len(middles), int)
             first = 0
             for piece in range(int(pieces.max()) + 1):

@@ -11,10 +11,11 @@ import tempfile
 from pathlib import Path
 from typing import Any, Mapping, Optional
 
+from ..base.language import Text
 from ..base.native import native
 from .kit import Kit
 
-SLICER = "prusa-slicer"
+SLICER, RATES = "prusa-slicer", Text("rates of the printer's file")
 MOST_SECONDS, POLL = 300.0, 0.2
 _TIME = re.compile(r"; estimated printing time \(normal mode\) = (?:(\d+)d )?(?:(\d+)h )?(?:(\d+)m )?(\d+)s")
 _FILAMENT = re.compile(r"; filament used \[cm3\] = ([0-9.]+)")
@@ -32,7 +33,7 @@ def costs(kit: Kit) -> list[dict[str, Any]]:
         rigid = sum(volumes[kind] for kind in ("tiles", "support", "anchors")) - soft
         sliced = None if soluble or printer["slicer"] != SLICER else _sliced(kit, model)
         hours, rigid = sliced or (by_rates(float(model.bbox[2]), rigid + soft, printer["rates"]), rigid)
-        found.append({"hours": hours, "hours_by": SLICER if sliced else "rates of the printer's file",
+        found.append({"hours": hours, "hours_by": SLICER if sliced else RATES,
                       "rigid_cm3": rigid, "support_cm3": soft, "currency": printer["prices"]["currency"],
                       "price": price(hours, rigid, soft, printer["prices"])})
     return found

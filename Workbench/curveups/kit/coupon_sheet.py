@@ -11,6 +11,7 @@ from typing import Any, Callable, Iterator, Mapping
 import numpy as np
 from matplotlib.figure import Figure
 
+from ..base.language import Text
 from ..base.native import native
 from ..report.data import to_text
 from ..report.print_pictures import draw_print
@@ -27,7 +28,7 @@ SPACE = 10.0  # mm around the strips
 
 def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
     """What makes each file, by its name."""
-    parameters, found = kit.results.parameters, {}
+    parameters, say, found = kit.results.parameters, kit.say, {}
     for coupon in wanted(parameters):
         for ending in ("step", "3mf"):
             found[f"{kit.name}-{coupon.name}.{ending}"] = partial(_body, kit, coupon, ending, "print")
@@ -35,9 +36,9 @@ def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
             if kind == "tiles" or (coupon.tiny and native.support_kind(parameters).bodies):
                 found[f"{kit.name}-{coupon.name}-{kind}.stl"] = partial(_body, kit, coupon, "stl", kind)
     strips = latex_strips(kit)
-    notes = ["Cut both strips along the outer lines. Bars clamp them from the inner lines outwards."]
+    notes = [say("Cut both strips along the outer lines. Bars clamp them from the inner lines outwards.")]
     return {**found,
-            f"{kit.name}-strips.pdf": lambda: drawing.tiled_pdf(strips, notes, kit.go_on),
+            f"{kit.name}-strips.pdf": lambda: drawing.tiled_pdf(strips, notes, kit.go_on, say),
             f"{kit.name}-strips.svg": lambda: drawing.svg(strips),
             f"{kit.name}-strips.dxf": lambda: drawing.dxf(strips),
             f"{kit.name}-coupons.pdf": lambda: sheet(kit),
@@ -58,7 +59,7 @@ def latex_strips(kit: Kit) -> Drawing:
     """Layer cut: outlines; layer control: where bars end."""
     width = NARROW[0] + WIDE[0] + 3 * SPACE
     height = max(length + 2 * GRIP for _, length in (NARROW, WIDE)) + 2 * SPACE
-    found, x = Drawing(f"{kit.title}, strips of latex", (width, height)), SPACE
+    found, x = Drawing(kit.say("{title}, strips of latex", title=kit.title), (width, height)), SPACE
     for across, length in (NARROW, WIDE):
         found.box("cut", x, SPACE, across, length + 2 * GRIP)
         for y in (SPACE + GRIP, SPACE + GRIP + length):
@@ -70,27 +71,28 @@ def latex_strips(kit: Kit) -> Drawing:
 
 def said(kit: Kit, coupon: Coupon) -> str:
     """How it is measured, with the numbers of this design."""
-    parameters = kit.results.parameters
+    parameters, say = kit.results.parameters, kit.say
     own = "" if coupon.own(parameters) else \
-        "The design has other walls: leave these slopes out of MEASURED.json."
-    shears = kit.report.get("anchors", {}).get("glue_shear_mpa", [0.0])
+        say("The design has other walls: leave these slopes out of MEASURED.json.")
+    shears = kit.report.get("anchors", {}).get("glue_shear_mpa", ())
+    asked = say("The anchors of the design ask for {shear:.2f} MPa.", shear=max(shears)) if shears else ""
     reach = stretches(parameters)
     lengths = {name: ", ".join(f"{stretch * size:g}" for stretch in reach)
                for name, size in (("lengths", NARROW[1]), ("wide_lengths", WIDE[1]))}
-    return " ".join(coupon.text.split()).format(
-        angle=FOOT_ANGLE, own=own, pin=PIN, anchor=max(shears), tau=parameters.get("tau"), **lengths,
-        **pull(parameters))
+    return say(coupon.text, angle=FOOT_ANGLE, own=own, pin=PIN, asked=asked, tau=parameters.get("tau"),
+               **lengths, **pull(parameters))
 
 
-_COVER = ("""Print the coupons together with the design: on the same printer, of the same materials, the
-same way up. STEP and 3MF have all bodies in place, STL has tiles and support apart.""",
-          """You need a calliper, feeler gauges of 0.05 to 0.6 mm, a board, an inclinometer, thread, eight
-bolts of M4 and a spring scale up to {scale} N.""",
-          """Each page says how one coupon is measured, and has a table for what you read. Then put the
+_COVER = (
+    Text("""Print the coupons together with the design: on the same printer, of the same materials, the
+same way up. STEP and 3MF have all bodies in place, STL has tiles and support apart."""),
+    Text("""You need a calliper, feeler gauges of 0.05 to 0.6 mm, a board, an inclinometer, thread, eight
+bolts of M4 and a spring scale up to {scale} N."""),
+    Text("""Each page says how one coupon is measured, and has a table for what you read. Then put the
 readings into {name}-MEASURED.json, in place of null, in the units of the names. What stays null is left
-out. Of a list give three readings or none.""",
-          """“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with
-their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes.""")
+out. Of a list give three readings or none."""),
+    Text("""“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with
+their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes."""))
 
 
 def sheet(kit: Kit) -> bytes:
@@ -100,10 +102,11 @@ def sheet(kit: Kit) -> bytes:
     def pages() -> Iterator[Figure]:
         found = wanted(parameters)
         figure, page = drawing.sheet(*PAPERS["A4"])
-        top = drawing.write(page, BORDER, PAPERS["A4"][1] - BORDER, [f"{kit.title}: coupons"], 17) - 2
-        drawing.write(page, BORDER, top, [" ".join(text.split()).format(
-            name=kit.name, scale=math.ceil(1.5 * pull(parameters)["wide"] / 10) * 10) for text in _COVER]
-            + [f"•  {one.title}: {kit.name}-{one.name}.step" for one in found], 11)
+        top = drawing.write(page, BORDER, PAPERS["A4"][1] - BORDER, [
+            kit.say("{title}: coupons", title=kit.title)], 17) - 2
+        scale = math.ceil(1.5 * pull(parameters)["wide"] / 10) * 10
+        drawing.write(page, BORDER, top, [kit.say(text, name=kit.name, scale=scale) for text in _COVER]
+                      + [f"•  {kit.say(one.title)}: {kit.name}-{one.name}.step" for one in found], 11)
         yield figure
         for coupon in found:
             yield _page(kit, coupon)
@@ -114,7 +117,7 @@ def sheet(kit: Kit) -> bytes:
 def _page(kit: Kit, coupon: Coupon) -> Figure:
     (width, height), parameters = PAPERS["A4"], kit.results.parameters
     figure, page = drawing.sheet(width, height)
-    top = drawing.write(page, BORDER, height - BORDER, [coupon.title], 17) - 2
+    top = drawing.write(page, BORDER, height - BORDER, [kit.say(coupon.title)], 17) - 2
     top = drawing.write(page, BORDER, top, [said(kit, coupon)], 11) - 2
     low = BORDER
     for name, rows in coupon.rows(parameters).items():
@@ -127,7 +130,7 @@ def _page(kit: Kit, coupon: Coupon) -> Figure:
         _slope(page, low + ROW)
         low += BOARD
     axes = figure.add_axes([BORDER / width, low / height, 1 - 2 * BORDER / width, (top - low) / height])
-    draw_print(axes, _model(kit, coupon))
+    draw_print(axes, _model(kit, coupon), say=kit.say)
     return figure
 
 

@@ -15,6 +15,7 @@ from typing import Any, Callable, Mapping, Sequence
 
 import numpy as np
 
+from ..base.language import Text
 from ..base.native import native
 from .ring import DOWEL
 
@@ -139,51 +140,52 @@ def _bridges(parameters: Any) -> bool:
 
 
 COUPONS = (
-    *(Coupon(f"friction-{name}", f"Friction of walls: {name}",
-             """Take the support away as from the design. Tape the larger tile to a board, on its wall
-that is {angle:g}° off the wall between the tiles. Lay the smaller tile on that wall as both were printed.
-Raise the board slowly until the tile slides, and enter the slope of the wall: that of the board and
-{angle:g}°. Lay it on again each time. {own}""",
+    *(Coupon(f"friction-{name}", title, Text("""Take the support away as from the design. Tape the larger
+tile to a board, on its wall that is {angle:g}° off the wall between the tiles. Lay the smaller tile on
+that wall as both were printed. Raise the board slowly until the tile slides, and enter the slope of the
+wall: that of the board and {angle:g}°. Lay it on again each time. {own}"""),
              lambda parameters: {"friction": [{"angle_deg": None}] * TIMES},
              partial(friction, bumps), own=partial(_has_walls, bumps))
-      for name, bumps in (("bumps", "bumps"), ("dimples", "dimples"), ("bare", "none"))),
-    Coupon("glue", "Glue on pins, after the support went",
-           """Glue a strip of the latex, 80 × 25 mm and not stretched, onto the front pins as the assembly
-sheet says. Take the support away and let all dry as there. Hold the latex flat on a table and pull one
-tile after the other along it, by a thread around its walls, until its pin comes off. Enter the largest
-force of each; each pin has {pin:.1f} mm². The anchors of the design ask for {anchor:.2f} MPa.""",
+      for name, bumps, title in (("bumps", "bumps", Text("Friction of walls with bumps")),
+                                 ("dimples", "dimples", Text("Friction of walls with dimples")),
+                                 ("bare", "none", Text("Friction of bare walls")))),
+    Coupon("glue", Text("Glue on pins, after the support went"),
+           Text("""Glue a strip of the latex, 80 × 25 mm and not stretched, onto the front pins as the
+assembly sheet says. Take the support away and let all dry as there. Hold the latex flat on a table and
+pull one tile after the other along it, by a thread around its walls, until its pin comes off. Enter the
+largest force of each; each pin has {pin:.1f} mm². {asked}"""),
            lambda parameters: {"glue": [{"force_n": None, "area_mm2": PIN}] * (len(GAPS) + 1)},
            lambda parameters: strip("glue", _changed(parameters), _gaps(parameters))),
-    Coupon("gaps", "Gaps of 0.2 to 0.6 mm",
-           """Take the support away. Push feeler gauges through each gap, on the side that lay on the bed,
-where the first layers swell. Enter the thickest that passes all along, and 0 where none does. The gaps
-get wider from the left to the right. Do not order a design whose least clearance (its shop sheet has it)
-is below the first gap that is open.""",
+    Coupon("gaps", Text("Gaps of 0.2 to 0.6 mm"),
+           Text("""Take the support away. Push feeler gauges through each gap, on the side that lay on the
+bed, where the first layers swell. Enter the thickest that passes all along, and 0 where none does. The
+gaps get wider from the left to the right. Do not order a design whose least clearance (its shop sheet has
+it) is below the first gap that is open."""),
            lambda parameters: {"gaps": [{"nominal_mm": gap, "measured_mm": None} for gap in GAPS]},
            lambda parameters: strip("gaps", _changed(parameters, bumps="none", xy_compensation=0.0),
                                     GAPS)),
-    Coupon("bridges", "Bridges that break",
-           """Hold one tile of the row after the other in the fingers or a vice, and pull its neighbour up
-with a thread around it, at right angles to the row, until the bridges between them break. Enter the
-largest force of each.""",
+    Coupon("bridges", Text("Bridges that break"),
+           Text("""Hold one tile of the row after the other in the fingers or a vice, and pull its
+neighbour up with a thread around it, at right angles to the row, until the bridges between them break.
+Enter the largest force of each."""),
            lambda parameters: {"bridges": [{"force_n": None}] * len(GAPS)},
            lambda parameters: strip("bridges", _changed(parameters), _gaps(parameters)), _bridges),
-    Coupon("growth", "Growth of the printer",
-           """Measure both widths of each of the three blocks by calliper, in their middles and away from
-the side that lay on the bed. Half of what they are wider is what each wall grows: the parameter
-xy_compensation.""",
+    Coupon("growth", Text("Growth of the printer"),
+           Text("""Measure both widths of each of the three blocks by calliper, in their middles and away
+from the side that lay on the bed. Half of what they are wider is what each wall grows: the parameter
+xy_compensation."""),
            lambda parameters: {"growth": [{"nominal_mm": width, "measured_mm": None}
                                           for block in BLOCKS for width in block]},
            lambda parameters: plates("growth", BLOCKS, _height(parameters)),
            tiny=False),
-    Coupon("clamps", "Strips of latex",
-           """Cut both strips along the template, of the sheets for the membranes. Measure the thickness
-over ten layers. Stretch each twice to {tau:g} times its length beforehand. Clamp its ends between two
-bars with two bolts of M4 in their holes, from line to line of the template. Pull the narrow strip to each
-stretch: {lengths} mm from bar to bar, and enter the force after a minute; some {narrow:.0f} N at the
-last. So with the wide one: {wide_lengths} mm, some {wide:.0f} N; its width can't shrink, so latex is
-stretched in both directions there. Then leave the narrow strip at {tau:g} times its length and read the
-force at the minutes that are listed: latex creeps. Wear goggles: a strip that tears snaps back.""",
+    Coupon("clamps", Text("Strips of latex"),
+           Text("""Cut both strips along the template, of the sheets for the membranes. Measure the
+thickness over ten layers. Stretch each twice to {tau:g} times its length beforehand. Clamp its ends
+between two bars with two bolts of M4 in their holes, from line to line of the template. Pull the narrow
+strip to each stretch: {lengths} mm from bar to bar, and enter the force after a minute; some {narrow:.0f}
+N at the last. So with the wide one: {wide_lengths} mm, some {wide:.0f} N; its width can't shrink, so latex
+is stretched in both directions there. Then leave the narrow strip at {tau:g} times its length and read the
+force at the minutes that are listed: latex creeps. Wear goggles: a strip that tears snaps back."""),
            lambda parameters: {
                "width_mm": NARROW[0], "wide_width_mm": WIDE[0], "thickness_mm": None,
                **{rows: [{"stretch": stretch, "force_n": None} for stretch in stretches(parameters)]

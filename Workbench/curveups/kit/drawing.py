@@ -18,6 +18,7 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.patches import Circle
 from matplotlib.textpath import TextToPath
 
+from ..base.language import ENGLISH, Language
 from ..report import pictures  # noqa: F401 (sets matplotlib up for work without a display)
 
 INCH = 25.4
@@ -67,7 +68,7 @@ class Drawing:
 def svg(drawing: Drawing) -> bytes:
     """With a group a layer."""
     figure, axes = sheet(*drawing.size)
-    _draw(axes, drawing)
+    draw(axes, drawing)
     return saved(figure, "svg")
 
 
@@ -109,7 +110,7 @@ def whole(drawing: Drawing, width: float) -> Figure:
     figure, axes = sheet(width, drawing.size[1] * scale)
     axes.set_xlim(0, drawing.size[0])
     axes.set_ylim(0, drawing.size[1])
-    _draw(axes, drawing, scale)
+    draw(axes, drawing, scale)
     return figure
 
 
@@ -168,27 +169,29 @@ def _holds(drawing: Drawing, x: float, y: float, width: float, height: float) ->
                for low, high in boxes)
 
 
-def tiled_pdf(drawing: Drawing, notes: Sequence[str], go_on: Callable[[], object] = lambda: None) -> bytes:
+def tiled_pdf(drawing: Drawing, notes: Sequence[str], go_on: Callable[[], object] = lambda: None,
+              say: Language = ENGLISH) -> bytes:
     """For each paper a cover with the whole and its parts, then the parts at full size."""
     def pages() -> Iterator[Figure]:
         for paper in PAPERS:
             parts = tiles(drawing, paper)
-            yield _cover(drawing, paper, parts, notes)
+            yield _cover(drawing, paper, parts, notes, say)
             for number, part in enumerate(parts, 1):
-                yield _part(drawing, paper, number, len(parts), part)
+                yield _part(drawing, paper, number, len(parts), part, say)
 
     return book(pages(), go_on)
 
 
-def _cover(drawing: Drawing, paper: str, parts: Sequence[Any], notes: Sequence[str]) -> Figure:
+def _cover(drawing: Drawing, paper: str, parts: Sequence[Any], notes: Sequence[str], say: Language) -> Figure:
     width, height = PAPERS[paper]
     figure, page = sheet(width, height)
     top = write(page, BORDER, height - BORDER, [drawing.title], 15)
     top = write(page, BORDER, top - 2, [
-        f"For {paper} paper: print at 100 % (“actual size”), not fitted to the page, and measure the ruler. "
-        + (f"{len(parts)} pages follow, which overlap by {OVERLAP:g} mm: lay cross on cross. This page "
-           "shows the whole, and which page has which part." if len(parts) > 1 else "One page follows."),
-        *notes], 9.5)
+        say("For {paper} paper: print at 100 % (“actual size”), not fitted to the page; measure the ruler.",
+            paper=paper),
+        say("{count} pages follow, which overlap by {overlap:g} mm: lay cross on cross. This page shows the "
+            "whole, and which page has which part.", count=len(parts), overlap=OVERLAP)
+        if len(parts) > 1 else say("One page follows."), *notes], 9.5)
     room = (width - 2 * BORDER, top - 2 * BORDER)
     scale = min(room[0] / drawing.size[0], room[1] / drawing.size[1])
     inner = figure.add_axes([BORDER / width, BORDER / height, drawing.size[0] * scale / width,
@@ -196,7 +199,7 @@ def _cover(drawing: Drawing, paper: str, parts: Sequence[Any], notes: Sequence[s
     inner.set_xlim(0, drawing.size[0])
     inner.set_ylim(0, drawing.size[1])
     inner.axis("off")
-    _draw(inner, drawing, scale)
+    draw(inner, drawing, scale)
     for number, (_, _, (x, y, w, h)) in enumerate(parts, 1):
         x0, x1, y0, y1 = max(x, 0), min(x + w, drawing.size[0]), max(y, 0), min(y + h, drawing.size[1])
         inner.plot([x0, x1, x1, x0, x0], [y0, y0, y1, y1, y0], "--", color="#888888", linewidth=0.6,
@@ -206,7 +209,8 @@ def _cover(drawing: Drawing, paper: str, parts: Sequence[Any], notes: Sequence[s
     return figure
 
 
-def _part(drawing: Drawing, paper: str, number: int, count: int, part: tuple[int, int, Any]) -> Figure:
+def _part(drawing: Drawing, paper: str, number: int, count: int, part: tuple[int, int, Any], say: Language
+          ) -> Figure:
     width, height = PAPERS[paper]
     figure, page = sheet(width, height)
     column, row, (x, y, w, h) = part
@@ -214,15 +218,16 @@ def _part(drawing: Drawing, paper: str, number: int, count: int, part: tuple[int
     inner.set_xlim(x, x + w)
     inner.set_ylim(y, y + h)
     inner.axis("off")
-    _draw(inner, drawing)
+    draw(inner, drawing)
     for u in (BORDER + OVERLAP / 2, width - BORDER - OVERLAP / 2):
         for v in (BORDER + FOOT + OVERLAP / 2, height - BORDER - OVERLAP / 2):
             page.plot([u - 4, u + 4], [v, v], color="#555555", linewidth=0.4)
             page.plot([u, u], [v - 4, v + 4], color="#555555", linewidth=0.4)
     ruler(page, BORDER + 4, BORDER + 10)
-    page.text(BORDER + 4, BORDER, f"{drawing.title}: {paper}, page {number} of {count} (column "
-                                  f"{column + 1}, row "
-              f"{row + 1}). Print at 100 %: the ruler is {RULER:g} mm long.", size=8)
+    page.text(BORDER + 4, BORDER, say(
+        "{title}: {paper}, page {number} of {count} (column {column}, row {row}). Print at 100 %: the ruler "
+        "is {ruler:g} mm long.", title=drawing.title, paper=paper, number=number, count=count,
+        column=column + 1, row=row + 1, ruler=RULER), size=8)
     return figure
 
 
@@ -268,7 +273,8 @@ _FONT = FontProperties(size=100)
 _METRICS = TextToPath()
 
 
-def _draw(axes: Any, drawing: Drawing, scale: float = 1.0) -> None:
+def draw(axes: Any, drawing: Drawing, scale: float = 1.0) -> None:
+    """scale: of letters, which are sized in points."""
     for layer, lines in drawing.lines.items():
         colour, _, width = LAYERS[layer]
         axes.add_collection(LineCollection(lines, colors=colour, linewidths=width, gid=layer))

@@ -6,17 +6,19 @@ from __future__ import annotations
 import glob
 import hashlib
 import json
+from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Callable, Mapping
+from typing import Any, Callable, Mapping, Sequence
 
 from ..base.errors import Stopped
+from ..base.language import Language
 from ..base.native import native
 from ..base.output import Folder
 from ..project.project import Project, Results
 from ..report.assembly import GLUE_LAYER, glue_volumes, steps
 from ..report.data import build_report, to_text
-from ..report.exports import Choice, doubtful, file_names, plain, run_under
+from ..report.exports import Choice, File, doubtful, file_names, plain, run_under
 from ..report.files import keep_design
 from ..report.shop import latex, quote, rules
 from ..stages import asked_by
@@ -46,10 +48,24 @@ _SHEETS: Mapping[str, tuple[str, ...]] = {
        for side in ("front", "back") for kind in ("step", "stl", "dxf")},
     **{f"assembly.{kind}": ("assembly_sheet", "make", kind) for kind in ("html", "pdf")},
     "tiles.svg": ("tile_map", "make"),
-    **{f"trim.{kind}": ("trim", "make", kind) for kind in ("dxf", "svg")},
+    **{f"trim.{kind}": ("trim", "make", kind) for kind in ("pdf", "dxf", "svg")},
     **{f"gauges.{kind}": ("gauges", "make", kind) for kind in ("dxf", "svg")},
     "former.stl": ("gauges", "former"),
 }
+
+
+@dataclass(frozen=True)
+class Order:
+    """What the user chooses. mask: names of print files (exports.py); language: of sheets."""
+
+    quantity: int = 1
+    mask: str = "{name}-{body}"
+    language: str = "en"
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """As kit.json has it."""
+        return {"quantity": self.quantity, "names": self.mask, "language": self.language}
 
 
 def goals() -> tuple[str, ...]:
@@ -66,20 +82,30 @@ def make(project: Project, job: Job) -> Results:
     return run_under(project, results.design.with_name(name), results.parameters, goals(), job)
 
 
-def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: str = "{name}-{body}") -> bool:
-    """Writes all files of a kit; whether that was stopped. kit.json goes first and comes last: what it does
-    not list, this run did not write. mask: names of print files (exports.py)."""
-    design = native.write_design(results.design.with_name(plain(results)))
+def print_names(name: str, parameters: Any, kinds: Sequence[str], order: Order) -> dict[File, str]:
+    """Of print files. kinds: of bodies. Raises CurveUpsError for a mask that does not do."""
     wanted = tuple((kind, one.ending) for one in native.print_formats() for kind in one.wanted
-                   if kind in (*results["solids"].kinds, "print"))
-    names = file_names(results.name, Choice(wanted, mask), _fields(results, quantity))
+                   if kind in (*kinds, "print"))
+    soluble = native.support_kind(parameters).soluble
+    height = 2 * parameters.get("H_pin") + parameters.get("H_body")
+    return file_names(name, Choice(wanted, order.mask), {
+        "material": lambda kind: "soluble" if kind == "support" and soluble else "rigid",
+        "thickness": lambda kind: f"{height:g}mm", "quantity": lambda kind: f"{order.quantity}x"})
+
+
+def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) -> bool:
+    """Writes all files of a kit; whether that was stopped. kit.json goes first and comes last: what it does
+    not list, this run did not write."""
+    design = native.write_design(results.design.with_name(plain(results)))
+    names = print_names(results.name, results.parameters, results["solids"].kinds, order)
     report = build_report(results, results.rows(), False, {}, {})
-    kit = Kit(results, report, quantity)
+    kit = Kit(results, report, order.quantity, say=Language(order.language))
     stopped = results.stopped
     readings = f"{results.name}-{MEASURED}"
     filled_in = _is_changed(path, f"{COUPONS}/{readings}")
+    earlier = [name for name in _listed(path) if Path(name).name == name and not _is_changed(path, name)]
     with Folder(path) as folder, Folder(path / COUPONS) as coupons:
-        folder.remove(KIT, *(f"{results.name}-{ending}" for ending in _SHEETS))
+        folder.remove(KIT, *earlier, *(f"{results.name}-{ending}" for ending in _SHEETS))
         folder.remove(*(place.name for ending in _OF_BEDS
                         for place in folder.path.glob(f"{glob.escape(results.name)}-{ending}")))
         coupons.remove(*(place.name for place in coupons.path.glob(f"{glob.escape(results.name)}-*")
@@ -119,19 +145,27 @@ def write_kit(results: Results, path: Path, job: Job, quantity: int = 1, mask: s
                     write(into, name, lambda place: place.write_bytes(made()))
         except (Stopped, native.Cancelled):
             stopped = True
-        folder.write_text(KIT, to_text(_contents(kit, design, stopped)))
+        folder.write_text(KIT, to_text(_contents(kit, design, stopped, order)))
     return stopped
 
 
 def _is_changed(folder: Path, name: str) -> bool:
     """Whether a file is there that is not as the kit in this folder wrote it: readings that nobody wants to
     lose."""
-    place = folder / name
+    place, known = folder / name, _listed(folder).get(name, "")
     try:
-        known = json.loads((folder / KIT).read_text("utf-8"))["files"][name]["sha256"]
         return place.exists() and bool(known != _sum(place.read_bytes()))
-    except (OSError, ValueError, KeyError, TypeError):
-        return place.exists()
+    except OSError:
+        return True
+
+
+def _listed(folder: Path) -> dict[str, str]:
+    """Checksums of the files of the last kit in a folder, by their names."""
+    try:
+        files = json.loads((folder / KIT).read_text("utf-8"))["files"]
+        return {name: about["sha256"] for name, about in files.items()}
+    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+        return {}
 
 
 def _has_bridges(kit: Kit) -> bool:
@@ -140,16 +174,7 @@ def _has_bridges(kit: Kit) -> bool:
     return bool(support.bodies) and not support.soluble
 
 
-def _fields(results: Results, quantity: int) -> Mapping[str, Callable[[str], str]]:
-    """What masks of file names may ask for besides the name, by the kind of bodies."""
-    parameters = results.parameters
-    soluble = native.support_kind(parameters).soluble
-    return {"material": lambda kind: "soluble" if kind == "support" and soluble else "rigid",
-            "thickness": lambda kind: f"{results['solids'].model.bbox[2]:g}mm",
-            "quantity": lambda kind: f"{quantity}x"}
-
-
-def _contents(kit: Kit, design: str, stopped: bool) -> dict[str, Any]:
+def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, Any]:
     """kit.json."""
     report, parameters = kit.report, kit.results.parameters
     printed = {name: value for name, value in report["print"].items() if name != "files"}
@@ -158,7 +183,7 @@ def _contents(kit: Kit, design: str, stopped: bool) -> dict[str, Any]:
     return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.plain_title,
             "status": "stopped" if stopped else "complete", "design_sha256": _sum(design.encode("utf-8")),
             "valid": report["valid"], "holds": report["holds"], "reasons": report["reasons"],
-            "quantity": kit.quantity, "tiles": report["tiles"], "contacts": report["contacts"],
+            **order.data, "tiles": report["tiles"], "contacts": report["contacts"],
             "cuts": report["cuts"], "print": printed,
             **{name: report[name] for name in blocks if name in report},
             "rings": kit.rings, "gauges": figures(kit.undersides),
@@ -174,10 +199,11 @@ def _sum(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def is_current(folder: Path, design: str) -> bool:
-    """Whether the kit in a folder is whole and of this design (the text of design.json)."""
+def is_current(folder: Path, design: str, order: Order = Order()) -> bool:
+    """Whether the kit in a folder is whole and of this design (the text of design.json) and order."""
     try:
         found = json.loads((folder / KIT).read_text("utf-8"))
-        return bool(found["design_sha256"] == _sum(design.encode("utf-8")) and found["status"] == "complete")
+        return bool(found["design_sha256"] == _sum(design.encode("utf-8")) and found["status"] == "complete"
+                    and order.data == {name: found[name] for name in order.data})
     except (OSError, ValueError, KeyError, TypeError):
         return False

@@ -39,7 +39,7 @@ def ribs(kit: Kit) -> Drawing:
     found = named(kit.undersides)
     width = max((rib.length for _, rib in found), default=0.0) + 2 * GAP
     height = GAP
-    drawing = Drawing(f"{kit.title}, ribs of {SHEET:g} mm", (width, 0.0))
+    drawing = Drawing(kit.say("{title}, ribs of {sheet:g} mm", title=kit.title, sheet=SHEET), (width, 0.0))
     for name, rib in found:
         outline = rib.outline() - [rib.x[0] - GAP, -height]
         drawing.line("cut", *outline)

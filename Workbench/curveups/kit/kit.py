@@ -12,6 +12,7 @@ from typing import Any, Callable, Optional
 import numpy as np
 
 from ..base.errors import Stopped
+from ..base.language import ENGLISH, Language
 from ..base.native import native
 from ..project.project import Results
 from ..report.exports import doubtful, plain
@@ -23,13 +24,15 @@ from .underside import Underside
 
 @dataclass
 class Kit:
-    """files: what is there so far, with bytes and SHA-256. go_on: called between pages; raises Stopped."""
+    """files: what is there so far, with bytes and SHA-256. go_on: called between pages; raises Stopped. say:
+    the language of sheets."""
 
     results: Results
     report: dict[str, Any]
     quantity: int = 1
     files: dict[str, dict[str, Any]] = field(default_factory=dict)
     go_on: Callable[[], object] = lambda: None
+    say: Language = ENGLISH
     coupons: dict[str, Any] = field(default_factory=dict)  # native PrintModels that were made, by name
 
     @property
@@ -57,17 +60,18 @@ class Kit:
 
     def written(self, model: Any, ending: str, kind: str) -> bytes:
         """A file of a native PrintModel. Raises Stopped, native.Cancelled."""
-        def asked(*_: Any) -> bool:
-            try:
-                self.go_on()
-            except Stopped:
-                return False
-            return True
-
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / f"print.{ending}"
-            model.write(ending, kind, str(path), asked)
+            model.write(ending, kind, str(path), self._asked)
             return path.read_bytes()
+
+    def _asked(self, *_: Any) -> bool:
+        """For native work: whether it goes on."""
+        try:
+            self.go_on()
+        except Stopped:
+            return False
+        return True
 
     @cached_property
     def printer(self) -> dict[str, Any]:
@@ -81,9 +85,9 @@ class Kit:
 
     @cached_property
     def beds(self) -> Optional[Beds]:
-        """What goes on which bed, where one has no room for all."""
+        """What goes on which bed, where one has no room for all. Raises native.Cancelled."""
         design = self.results.design.with_parameters(self.results.parameters)
-        return beds(design, self.model, self.printer, self.shapes)
+        return beds(design, self.model, self.printer, self.shapes, self._asked)
 
     @cached_property
     def undersides(self) -> list[Underside]:

@@ -9,6 +9,7 @@ from typing import Any, Mapping, Sequence
 import numpy as np
 from matplotlib.path import Path as Outline
 
+from ..base.language import ENGLISH, Language
 from ..base.native import native
 from .drawing import Drawing, dxf
 from .kit import Kit
@@ -21,9 +22,9 @@ Part = tuple[Any, Any, Any, Any]  # outline, window, teeth, holes: n x 2
 def make(kit: Kit, side: str, kind: str) -> bytes:
     """A side's ring as step, stl or dxf (plywood)."""
     block, ring = kit.report["sheets"], kit.rings
-    title = f"{kit.title}, {side} ring"
+    title = kit.say("{title}, {side} ring", title=kit.title, side=kit.say(side))
     if kind == "dxf":
-        return dxf(frame(title, block, side, ring["thickness_mm"]))
+        return dxf(frame(title, block, side, ring["thickness_mm"], kit.say))
     return kit.written(solids(title, block, side, ring, kit.printer), kind, "print")
 
 
@@ -76,7 +77,8 @@ def _profile(block: Mapping[str, Any], places: np.ndarray, cut: Cut, fit: float)
     return [start + (cut[1] + s) * along + t * inwards for s, t in [*line, (fit, width)]]
 
 
-def frame(title: str, block: Mapping[str, Any], side: str, thickness: float) -> Drawing:
+def frame(title: str, block: Mapping[str, Any], side: str, thickness: float, say: Language = ENGLISH
+          ) -> Drawing:
     """The face with the teeth. Layer cut: outline, window and holes at the corners for dowels that align both
     rings; layer control: holes of teeth."""
     width, outer = frame_width(block), outer_size(block)
@@ -87,5 +89,35 @@ def frame(title: str, block: Mapping[str, Any], side: str, thickness: float) -> 
         drawing.circle("cut", x, y, DOWEL / 2)
     for tooth in teeth(block, side):
         drawing.circle("control", float(tooth[0]), float(tooth[1]), DOWEL / 2)
-    drawing.text(RIM, 2.0, 5.0, f"{title}: {thickness:g} mm plywood, holes {DOWEL:g} mm")
+    words = say("{title}: {thickness:g} mm plywood, holes {hole:g} mm", title=title, thickness=thickness,
+                hole=DOWEL)
+    drawing.text(RIM, 2.0, 5.0, words)
+    return drawing
+
+
+def section(kit: Kit) -> Drawing:
+    """Rings, sheets and print on one another, from the side; the window is shortened."""
+    ring, pitch, say = kit.rings, kit.report["sheets"]["tooth_pitch_mm"], kit.say
+    width, thickness, tooth, high = (ring[name] for name in ("width_mm", "thickness_mm", "tooth_height_mm",
+                                                             "apart_mm"))
+    print_width, words = 6 * pitch, 4.0
+    whole = 2 * width + print_width + 2 * pitch
+    drawing = Drawing(kit.title, (whole, 2 * thickness + high + 4 * words))
+    first = kit.report["print"]["glue"]["first"]
+    sides = (first, "back" if first == "front" else "front")
+    low = 2 * words
+    for side, face, up in ((sides[0], low + thickness, 1), (sides[1], low + thickness + high, -1)):
+        for x in (0.0, whole - width):
+            drawing.box("grid", x, face if up < 0 else face - thickness, width, thickness)
+        shift = 0.0 if side == "front" else 0.5
+        for row in range(1, kit.report["sheets"]["tooth_rows"] + 1):
+            for x in (width - (row - shift) * pitch, whole - width + (row - shift) * pitch):
+                drawing.box("grid", x - DOWEL / 2, face if up > 0 else face - tooth, DOWEL, tooth)
+        drawing.line("cut", (0, face), (whole, face))
+        drawing.text(2, face - up * (thickness / 2) - words / 2, words,
+                     say("{side} ring", side=say(side)))
+        drawing.text(width + 2, face - up * 1.8 * words - words / 2, words,
+                     say("{side} sheet, its lines this way", side=say(side)))
+    drawing.box("control", width + pitch, low + thickness, print_width, high)
+    drawing.centred(whole / 2, low + thickness + high / 2, min(words, 0.6 * high), say("print"))
     return drawing

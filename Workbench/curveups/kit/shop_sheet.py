@@ -16,20 +16,20 @@ def make(kit: Kit) -> bytes:
     """A PDF of one page."""
     width, height = PAPERS["A4"]
     figure, page = sheet(width, height)
-    parameters = kit.results.parameters
-    top = write(page, BORDER, height - BORDER, [f"{kit.title}: order for a 3D print"], 15)
-    said = (*_doubts(kit), *rules(kit.report, parameters))
+    parameters, say = kit.results.parameters, kit.say
+    top = write(page, BORDER, height - BORDER, [say("{title}: order for a 3D print", title=kit.title)], 15)
+    said = (*_doubts(kit), *rules(kit.report, parameters, say))
     top = write(page, BORDER, top - 1, [f"•  {rule}" for rule in said], 9.5) - 1
-    for label, value in quote(kit.report, parameters, kit.quantity):
+    for label, value in quote(kit.report, parameters, kit.quantity, say):
         page.plot([BORDER, width - BORDER], [top - 0.4] * 2, color="#cccccc", linewidth=0.4)
-        write(page, BORDER, top, [label], 8, LABELS - 2)
-        top = write(page, BORDER + LABELS, top, [value], 8)
-    top = write(page, BORDER, top - 1, ["Files, in mm, with bytes and SHA-256:"], 8)
+        top = min(write(page, BORDER, top, [label], 8, LABELS - 2),
+                  write(page, BORDER + LABELS, top, [value], 8))
+    top = write(page, BORDER, top - 1, [say("Files, in mm, with bytes and SHA-256:")], 8)
     for name, about in kit.files.items():
         top = write(page, BORDER, top, [f"{name}   {about['bytes']}   {about['sha256']}"], 5.5)
     room = top - BORDER
     axes = figure.add_axes([BORDER / width, BORDER / height, 1 - 2 * BORDER / width, room / height])
-    draw_print(axes, kit.model, kit.printer["bed_mm"])
+    draw_print(axes, kit.model, kit.printer["bed_mm"], say)
     return saved(figure, "pdf")
 
 
@@ -37,5 +37,7 @@ def _doubts(kit: Kit) -> list[str]:
     """Why nobody should print it; none where the design is valid."""
     if kit.report["valid"]:
         return []
-    word = "not valid" if kit.report["valid"] is False else "not verified"
-    return [f"Do not order it as it is: the design is {word}.", *kit.report["reasons"][:MOST_REASONS]]
+    why = kit.say("Do not order it as it is: the design is not valid.") if kit.report["valid"] is False else \
+        kit.say("Do not order it as it is: the design is not verified.")
+    reasons = kit.results.verdict.reasons[:MOST_REASONS]
+    return [why, *(reason.sentence(kit.say.style) for reason in reasons)]

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..base.language import Text
 from .drawing import Drawing, svg
 from .kit import Kit
 
@@ -26,12 +27,15 @@ def tile_map(kit: Kit) -> Drawing:
     corners = corners * max(1.0, LEAST_EDGE / edge)
     low, high = corners.reshape(-1, 2).min(0), corners.reshape(-1, 2).max(0)
     width, height = map(float, high - low)
-    drawing = Drawing(f"{kit.title}, tiles", (2 * width + 3 * MARGIN, height + 3 * MARGIN))
+    size = (2 * width + 3 * MARGIN, height + 3 * MARGIN)
+    drawing = Drawing(kit.say("{title}, tiles", title=kit.title), size)
     weak = set(kit.weak_tiles.tolist())
     front = corners - low + MARGIN
-    back = front * (-1, 1) + (2 * width + 4 * MARGIN, 0)
-    for side, half, x in (("front", front, MARGIN), ("back, mirrored", back, width + 2 * MARGIN)):
-        drawing.text(x, height + 1.5 * MARGIN, 3.0, f"{kit.title}: tiles from the {side}; 12 is T00012")
+    back = front * (-1, 1) + (2 * width + 3 * MARGIN, 0)
+    drawing.text(MARGIN, height + 2.2 * MARGIN, 3.0, kit.say("{title}: 12 is T00012", title=kit.title))
+    for text, half, x in ((Text("front"), front, MARGIN),
+                          (Text("back, mirrored"), back, width + 2 * MARGIN)):
+        drawing.text(x, height + 1.5 * MARGIN, 3.0, kit.say(text))
         for tile, (a, b, c) in enumerate(half):
             drawing.line("cut" if tile in weak else "grid", a, b, c, a)
             x, y = map(float, half[tile].mean(0))

@@ -8,8 +8,9 @@ from typing import Any, Iterator
 
 import numpy as np
 
+from ..base.language import Text
 from ..report.assembly import TRIM
-from .drawing import Drawing, dxf, svg
+from .drawing import Drawing, dxf, svg, tiled_pdf
 from .kit import Kit
 
 STOP = 1.0  # mm, radius of a hole that keeps a slit in the membrane from tearing on
@@ -19,8 +20,15 @@ Edge = tuple[int, int]  # tile, edge
 
 
 def make(kit: Kit, kind: str) -> bytes:
-    """The marks as svg or dxf."""
+    """The marks as pdf, svg or dxf."""
+    if kind == "pdf":
+        return tiled_pdf(marks(kit), [kit.say(_NOTE, trim=TRIM)], kit.go_on, kit.say)
     return (svg if kind == "svg" else dxf)(marks(kit))
+
+
+_NOTE = Text("""Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before
+that leaves its ring: the thin triangles are the outer pins. Copy the thick red lines, {trim:g} mm outside
+of them, and cut along these once the shell is off its rings. Punch small circles first.""")
 
 
 def marks(kit: Kit) -> Drawing:
@@ -31,7 +39,8 @@ def marks(kit: Kit) -> Drawing:
     holes = _ends_of_cuts(kit.results.design)
     points = np.concatenate(outlines)
     low, high = points.min(0) - MARGIN, points.max(0) + MARGIN
-    drawing = Drawing(f"{kit.title}, trim", (float(high[0] - low[0]), float(high[1] - low[1])))
+    size = (float(high[0] - low[0]), float(high[1] - low[1]))
+    drawing = Drawing(kit.say("{title}, trim", title=kit.title), size)
     for outline in outlines:
         drawing.line("cut", *(np.vstack([outline, outline[:1]]) - low))
     for x, y in holes:

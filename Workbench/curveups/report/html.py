@@ -98,10 +98,10 @@ def build_html(results: Results, report: dict, drawn: Optional[Sequence[Drawn]] 
     return page(report["title"], parts)
 
 
-def page(name: str, parts: Sequence[str]) -> str:
+def page(name: str, parts: Sequence[str], language: str = "en") -> str:
     """A whole page of these parts."""
     body = "\n".join(parts)
-    return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+    return (f'<!DOCTYPE html>\n<html lang="{language}"><head><meta charset="utf-8">'
             f'<meta name="viewport" content="width=device-width, initial-scale=1">'
             f"<title>{escape(name)} – CurveUps</title><style>{_STYLE}</style></head>\n"
             f"<body><main>\n{body}\n</main></body></html>\n")

@@ -10,6 +10,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
+from ..base.language import ENGLISH, Language
 from ..base.native import native
 from . import pictures
 
@@ -18,16 +19,16 @@ LINE = "#6d6454"
 BAND = 1.3  # mm
 
 
-def print_view(model: Any, bed: Sequence[float], width: float = 9.0) -> bytes:
+def print_view(model: Any, bed: Sequence[float], width: float = 9.0, say: Language = ENGLISH) -> bytes:
     """model: native PrintModel. bed: x and y, mm."""
     x, y, _ = (float(side) for side in model.bbox)
     height = float(np.clip(width * (y + 60) / (x + 30), 3, 14))
     figure = Figure(figsize=(width, height))
-    draw_print(figure.add_axes([0, 0, 1, 1]), model, bed)
+    draw_print(figure.add_axes([0, 0, 1, 1]), model, bed, say)
     return pictures._png(figure)
 
 
-def draw_print(axes: Any, model: Any, bed: Sequence[float] = ()) -> None:
+def draw_print(axes: Any, model: Any, bed: Sequence[float] = (), say: Language = ENGLISH) -> None:
     """What lies on top, lit, in the colours of the files; dimensions below and beside."""
     corners, colours = _seen(model)
     axes.add_collection(PolyCollection(corners, facecolors=colours, linewidths=0, antialiaseds=False,
@@ -36,24 +37,25 @@ def draw_print(axes: Any, model: Any, bed: Sequence[float] = ()) -> None:
     gap = 0.04 * max(x, y)
     _dimension(axes, (-x / 2, -y / 2 - gap), (x / 2, -y / 2 - gap), f"{x:.1f} mm")
     _dimension(axes, (x / 2 + gap, -y / 2), (x / 2 + gap, y / 2), f"{y:.1f} mm", 90)
-    axes.text(x / 2, -y / 2 - 2.2 * gap, f"{z:g} mm high", va="top", ha="right", color=LINE)
+    high = say("{height:g} mm high", height=z)
+    axes.text(x / 2, -y / 2 - 2.2 * gap, high, va="top", ha="right", color=LINE)
     below = 6 * gap if len(bed) else 2 * gap
     if len(bed):
         inner = axes.inset_axes([-x / 2, -y / 2 - 2 * gap - below, 0.5 * x, below - gap],
                                 transform=axes.transData)
-        _draw_bed(inner, (x, y), sorted(map(float, bed[:2]), reverse=x >= y))
+        _draw_bed(inner, (x, y), sorted(map(float, bed[:2]), reverse=x >= y), say)
     axes.set_xlim(-x / 2 - 1.5 * gap, x / 2 + 3 * gap)
     axes.set_ylim(-y / 2 - 2 * gap - below, y / 2 + 1.5 * gap)
     axes.set_aspect("equal")
     axes.axis("off")
 
 
-def _draw_bed(axes: Any, size: tuple[float, float], bed: Sequence[float]) -> None:
+def _draw_bed(axes: Any, size: tuple[float, float], bed: Sequence[float], say: Language) -> None:
     """How much of the bed the print takes, as two rectangles."""
     for (w, h), style in (((bed[0], bed[1]), {"fill": False, "linestyle": "--"}),
                           (size, {"facecolor": "#d9cfb8"})):
         axes.add_patch(Rectangle((-w / 2, -h / 2), w, h, edgecolor=LINE, linewidth=0.8, **style))
-    axes.set_title(f"on a bed of {bed[0]:g} × {bed[1]:g} mm", size=7, color=LINE, pad=2)
+    axes.set_title(say("on a bed of {x:g} × {y:g} mm", x=bed[0], y=bed[1]), size=7, color=LINE, pad=2)
     axes.set_xlim(*(side * 0.51 * max(bed[0], size[0]) for side in (-1, 1)))
     axes.set_ylim(*(side * 0.51 * max(bed[1], size[1]) for side in (-1, 1)))
     axes.set_aspect("equal")

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any, Mapping, Optional
 
+from ..base.language import ENGLISH, Language, Text
 from ..base.native import native
 from ..project.project import Results
 from ..stages.solids import fits_bed, overhangs, read_printer
@@ -12,26 +13,28 @@ from ..stages.stage import Picture
 from .data import has_solids
 from .tables import show
 
-_SIDES = {"front-up": "front side up", "front-down": "front side down"}
+_SIDES = {"front-up": Text("front side up"), "front-down": Text("front side down")}
 
 
-def rules(report: Mapping[str, Any], parameters: Any) -> list[str]:
+def rules(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> list[str]:
     """What the shop must do, and must not."""
     support, pieces = native.support_kind(parameters), report["print"]["pieces"]
-    printer = read_printer(parameters.get("printer"))
-    tilted = _tilted(support, printer)
+    tilted = _tilted(support, read_printer(parameters.get("printer")))
     if support.soluble:
-        kept = "Leave supports and bridges in: do not wash them off. They alone keep the tiles in place."
+        kept = say("Leave supports and bridges in: do not wash them off. They alone keep the tiles in place.")
     elif support.bodies:
-        kept = "Leave supports and bridges in: do not break them. They alone keep the tiles in place."
+        kept = say("Leave supports and bridges in: do not break them. They alone keep the tiles in place.")
     else:
-        kept = "Nothing joins the tiles: keep each in its place, on the bed's plate or on adhesive film."
-    one = "One build: all bodies belong together" + f", {pieces} pieces of them" * (pieces > 1)
-    fixed = "Do not scale or arrange" if tilted else "Do not scale, turn or arrange"
-    return [kept, "Ship flat, between two stiff boards.", f"{one}.",
-            f"{fixed}: bodies stand in their places, and {report['tiles']} of them are meant to be apart.",
-            *(["Tilt the whole of it by 30° to 45° on supports of the slicer's, which touch the side on the "
-               "bed alone. Wash, and cure with the bridges on."] if tilted else [])]
+        kept = say("Nothing joins the tiles: keep each in its place, on the bed's plate or on adhesive film.")
+    one = say("One build: all bodies belong together, {pieces} pieces of them.", pieces=pieces) \
+        if pieces > 1 else say("One build: all bodies belong together.")
+    fixed = say("Do not scale or arrange: bodies stand in their places, and {tiles} of them are meant to be "
+                "apart.", tiles=report["tiles"]) if tilted else \
+        say("Do not scale, turn or arrange: bodies stand in their places, and {tiles} of them are meant to "
+            "be apart.", tiles=report["tiles"])
+    return [kept, say("Ship flat, between two stiff boards."), one, fixed,
+            *([say("Tilt the whole of it by 30° to 45° on supports of the slicer's, which touch the side on "
+                   "the bed alone. Wash, and cure with the bridges on.")] if tilted else [])]
 
 
 def _tilted(support: Any, printer: dict[str, Any]) -> bool:
@@ -39,7 +42,8 @@ def _tilted(support: Any, printer: dict[str, Any]) -> bool:
     return "resin" in printer["name"] and not support.soluble
 
 
-def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1) -> list[tuple[str, str]]:
+def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: Language = ENGLISH
+          ) -> list[tuple[str, str]]:
     """What a shop quotes by, and what to buy besides."""
     block, get, name = report["print"], parameters.get, report["name"]
     x, y, z = block["bbox_mm"]
@@ -47,45 +51,61 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1) -> list
     own = 0.0 if support.soluble else block["support_volume_cm3"]  # of the tiles' own material
     rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"] + own
     printer = read_printer(get("printer"))
-    bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
     soft = block["support_volume_cm3"] - own
-    materials = "two materials: " if support.soluble and soft > 0 else "one material: "
+    bath = support.soluble and soft > 0
+    pieces = say("{pieces} separate pieces", pieces=block["pieces"]) if block["pieces"] > 1 else \
+        say("one piece")
+    material = say("two materials: {material}, and support that a bath dissolves",
+                   material=say(printer["material_class"])) if bath else \
+        say("one material: {material}", material=say(printer["material_class"]))
+    volumes = {say("tiles"): block["tile_volume_cm3"], say("anchors"): block["anchor_volume_cm3"]}
+    if support.bodies and not support.soluble:
+        volumes[say(support.bodies)] = own
+    parts = ", ".join(f"{kind} {volume:.1f} cm³" for kind, volume in volumes.items())
+    soluble = say("{volume:.1f} cm³ (soluble)", volume=soft) if support.soluble else f"{soft:.1f} cm³"
+    reach_out = overhangs(block["overhang_mm"], parameters, printer)
+    fits = say("the print fits") if fits_bed(block["bbox_mm"], printer) else say("the print does not fit")
+    bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
     return [
-        ("Quantity", f"{quantity}, each of {block['bodies']} bodies ({report['tiles']} tiles) in "
-                     f"{block['pieces']} separate piece{'s' * (block['pieces'] > 1)}"),
-        ("To be printed", f"{name}-print.3mf or {name}-print.step: every body with its name, in place; "
-                          "or the files of tiles, anchors and support, which share one origin"),
-        ("Size", f"{x:.1f} × {y:.1f} × {z:.1f} mm"),
-        ("Material", materials + printer["material_class"]
-         + (", and support that a bath dissolves" if support.soluble and soft > 0 else "")),
-        ("Rigid material", f"{rigid:.1f} cm³, {rigid * get('density'):.0f} g at "
-                           f"{get('density'):g} g/cm³ (tiles {block['tile_volume_cm3']:.1f} cm³, anchors "
-                           f"{block['anchor_volume_cm3']:.1f} cm³"
-                           + (f", {support.bodies} {own:.1f} cm³)" if own else ")")),
-        ("Support material", f"{soft:.1f} cm³" + (" (soluble)" if support.soluble else "")
-         + ("; the slicer's supports under tiles that reach out come on top"
-            if overhangs(block["overhang_mm"], parameters, printer) else "")),
-        ("Layer, tolerance", f"{printer['layer_mm']:g} mm or less, ± {printer['tolerance_mm']:g} mm"),
-        ("Finish", printer["finish"]),
-        ("Orientation", f"{_SIDES[get('orientation')]}, as the files stand; support is printed with the "
-                        "parts"),
-        ("Printer compared with", f"{printer['name']}: bed {bed} mm, "
-         + ("the print fits" if fits_bed(block["bbox_mm"], printer) else "the print does not fit")),
-        ("Smallest feature", f"{block['smallest_feature_mm']:.3g} mm; the printer makes "
-                             f"{printer['smallest_feature_mm']:g} mm"),
-        ("Least clearance between tiles", f"{show(report['solids']['min_clearance_flat_mm'])} mm; the "
-                                          f"printer needs {printer['smallest_gap_mm']:g} mm"),
+        (say("Quantity"), say("{quantity}, each of {bodies} bodies ({tiles} tiles) in {pieces}",
+                              quantity=quantity, bodies=block["bodies"], tiles=report["tiles"],
+                              pieces=pieces)),
+        (say("To be printed"), say("{name}-print.3mf or {name}-print.step: every body with its name, in "
+                                   "place; or the files of tiles, anchors and support, with one origin",
+                                   name=name)),
+        (say("Size"), f"{x:.1f} × {y:.1f} × {z:.1f} mm"),
+        (say("Material"), material),
+        (say("Rigid material"), say("{volume:.1f} cm³, {mass:.0f} g at {density:g} g/cm³ ({parts})",
+                                    volume=rigid, mass=rigid * get("density"), density=get("density"),
+                                    parts=parts)),
+        (say("Support material"), say("{volume}; the slicer's supports under tiles that reach out come on "
+                                      "top",
+                                      volume=soluble) if reach_out else soluble),
+        (say("Layer, tolerance"), say("{layer:g} mm or less, ± {tolerance:g} mm", layer=printer["layer_mm"],
+                                      tolerance=printer["tolerance_mm"])),
+        (say("Finish"), say(printer["finish"])),
+        (say("Orientation"), say("{side}, as the files stand; support is printed with the parts",
+                                 side=say(_SIDES[get("orientation")]))),
+        (say("Printer compared with"), say("{printer}: bed {bed} mm, {fits}", printer=say(printer["name"]),
+                                           bed=bed, fits=fits)),
+        (say("Smallest feature"), say("{feature:.3g} mm; the printer makes {least:g} mm",
+                                      feature=block["smallest_feature_mm"],
+                                      least=printer["smallest_feature_mm"])),
+        (say("Least clearance between tiles"),
+         say("{gap} mm; the printer needs {least:g} mm", gap=show(report["solids"]["min_clearance_flat_mm"]),
+             least=printer["smallest_gap_mm"])),
     ]
 
 
-def latex(report: Mapping[str, Any], parameters: Any) -> str:
+def latex(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> str:
     """What to buy for the membranes."""
     get, sheets = parameters.get, report["sheets"]
     x, y = sheets["cut_mm"]
-    thickness = {get("thickness_front"), get("thickness_back")}
-    modulus = {get("shear_modulus_front"), get("shear_modulus_back")}
-    return (f"two sheets of latex, {_either(thickness)} mm thick, shear modulus {_either(modulus)} MPa, each "
-            f"cut to {x:.0f} × {y:.0f} mm, of which {sheets['grip_mm']:g} mm around are for the grip")
+    thickness, modulus = (_either(say, *(get(f"{name}_{side}") for side in ("front", "back")))
+                          for name in ("thickness", "shear_modulus"))
+    return say("two sheets of latex, {thickness} mm thick, shear modulus {modulus} MPa, each cut to {x:.0f} "
+               "× {y:.0f} mm, of which {grip:g} mm around are for the grip", thickness=thickness,
+               modulus=modulus, x=x, y=y, grip=sheets["grip_mm"])
 
 
 def print_picture(results: Results) -> Optional[Picture]:
@@ -98,6 +118,8 @@ def print_picture(results: Results) -> Optional[Picture]:
                    {"model": model, "bed": printer["bed_mm"]})
 
 
-def _either(values: set[float]) -> str:
+def _either(say: Language, front: float, back: float) -> str:
     """One number, or the front's and the back's."""
-    return " and ".join(f"{value:g}" for value in sorted(values))
+    if front == back:
+        return f"{front:g}"
+    return say("{front:g} (front) and {back:g} (back)", front=front, back=back)

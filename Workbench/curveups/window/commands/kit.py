@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from ...features import actions
+from ...kit.files import Order
 from ..macro import call, named
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
 from ..run import LIVE, Task
@@ -32,10 +33,11 @@ class Kit(DesignCommand):
 
         def opened(design: Any, written: actions.WrittenKit) -> None:
             actions.hand_over("kit", design, written)
-            call("actions.kit", named(design), repr(str(folder)))
+            call("actions.kit", named(design), repr(str(folder)), f"language={order.language!r}")
             QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(written.page))
 
-        work = actions.kit_work(design, str(folder))
+        order = Order(language=translate("CurveUps_Sheets", "en"))
+        work = actions.kit_work(design, str(folder), order)
         LIVE.start(design, Task(translate(self.name, self.text), work, opened))
 
 
