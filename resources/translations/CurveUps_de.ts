@@ -5478,6 +5478,13 @@
     </message>
   </context>
   <context>
+    <name>PythonGroupCommand</name>
+    <message>
+      <source>Examples</source>
+      <translation>Beispiele</translation>
+    </message>
+  </context>
+  <context>
     <name>SolvePanel</name>
     <message>
       <source>All parameters</source>

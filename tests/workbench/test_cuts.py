@@ -8,7 +8,7 @@ import Part
 import pytest
 from curveups.features import document as designs
 from curveups.window.overlays import overlay_of
-from robot import (click, click_at, close_panel, display, keys, on_screen, picture, press, QtCore, QtGui,
+from robot import (click, close_panel, display, keys, on_screen, picture, press, QtGui,
                    report, settle, until, widget, window)
 from steps import begin, click_edge, edge_at, LIVE, move_to
 
@@ -108,8 +108,8 @@ def test_the_surface_that_covers_its_target_is_hidden_while_edges_are_picked(pic
 
 def test_a_click_on_a_cut_takes_it_back_and_suggestions_are_accepted(pictures):
     made, design = cutting()
-    box = widget("live")  # no layout; its middle lies beside its text
-    click_at(box.mapToGlobal(QtCore.QPoint(10, box.height() // 2)))
+    box = widget("live")  # no layout
+    click(box)
     until(lambda: not box.isChecked(), 10, "the box")
     overlay = overlay_of(design)
     first = click_edge(design, 5, 0)

@@ -8,13 +8,15 @@ import FreeCADGui
 import pytest
 from curveups.features import document as designs
 from curveups.features.document import new_design
+from curveups.window.commands import menus
 from curveups.window.commands.command import no_design
 from curveups.window.overlays import overlay_of
 from curveups.window.panels.export import ExportPanel
 from curveups.window.panels.panel import show
 from curveups.window.panels.solve import SolvePanel
-from robot import (QtCore, QtGui, at_rest, choose, choose_file, click, click_at, click_item, cut_off,
-                   entry_of, fill, in_dialog, keys, menu_bar, picture, press, settle, until, widget)
+from robot import (QtCore, QtGui, action, at_rest, choose, choose_file, click, click_at, click_item,
+                   cut_off, entry_of, fill, in_dialog, keys, menu_bar, picture, press, settle, until, widget,
+                   window)
 from steps import ENGLISH, LIVE, example, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -50,6 +52,33 @@ def test_german(tmp_path):
     FreeCADGui.ActiveDocument.ActiveView.saveImage(str(tmp_path / "german.png"), 900, 600, "White")
     FreeCAD.closeDocument(FreeCAD.ActiveDocument.Name)
     assert no_design().startswith("Es gibt keinen Entwurf"), no_design()
+
+
+def menu_texts():
+    """Of the menu CurveUps, with the titles of menus below it."""
+    top = next(one for one in window.menuBar().actions() if one.text() == "&CurveUps")
+    menu = top.menu()  # PySide drops it with `top`
+    return [one.text().replace("&", "") for one in menu.actions() if not one.isSeparator()]
+
+
+def test_menus_follow_each_change_of_the_language():
+    """Titles, entries, and tooltips with the reason why a command can't run and the link to the guide."""
+    FreeCADGui.activateWorkbench("CurveUpsWorkbench")
+    english = ["New Design", "Check", "Solve", "Cuts", "Overlay", "Export Print Files", "Design", "Show",
+               "Examples", "Help"]
+    german = ["Neuer Entwurf", "Machbarkeit", "Lösen", "Schnitte", "Überlagerung",
+              "Druckdateien exportieren", "Entwurf", "Zeigen", "Beispiele", "Hilfe"]
+    new, solve = action("CurveUps_NewDesign"), action("CurveUps_Solve")
+    for language, texts, reason in (("German", german, "Es gibt keinen Entwurf"),
+                                    ("English", english, "There is no design")) * 2:
+        FreeCADGui.setLocale(language)
+        until(lambda: menu_texts() == texts, 10, f"{texts} in place of {menu_texts()}")
+        # FreeCAD translates the titles itself, with each change anew.
+        assert [titles[-1] for titles, _ in menus()] == ["&CurveUps", "Design", "Show", "&CurveUps", "Help"]
+        for name, active in (("NewDesign", True), ("Solve", False)):  # FreeCAD asks after each event
+            assert FreeCADGui.Command.get(f"CurveUps_{name}").isActive() == active
+        assert reason in solve.toolTip() and "guide:Solve" in solve.whatsThis(), solve.toolTip()
+        assert "guide:New Design" in new.whatsThis(), new.whatsThis()
 
 
 def test_a_check_is_german(pictures):
@@ -161,7 +190,7 @@ def test_the_preference_page_keeps_what_panels_show(dome_document, pictures):
         click_at(view.viewport().mapToGlobal(view.visualRect(place).center()))
         box = widget("all_parameters")
         picture("preferences")
-        click_at(box.mapToGlobal(QtCore.QPoint(10, box.height() // 2)))
+        click(box)
         fill(widget("export_mask"), "{name}_{body}")
         keys("Return")
 

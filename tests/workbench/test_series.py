@@ -137,7 +137,7 @@ def folded(session, design):
     session.panel("folded")
 
 
-@pytest.mark.parametrize("begin, around", sessions())
+@pytest.mark.parametrize("begin, around", list(sessions()))
 def test_a_first_session_ends_with_print_files(begin, around, tmp_path):
     FreeCADGui.activateWorkbench("CurveUpsWorkbench")
     window.move(0, 0)

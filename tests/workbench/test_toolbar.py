@@ -169,12 +169,12 @@ def misfits(name, room):
 @pytest.mark.parametrize("language", ["English", "German"])
 @pytest.mark.parametrize("theme", ["", "Dark-blue.qss"])
 def test_every_panel_fits_the_dock_that_a_fresh_profile_has(language, theme, dome_document, pictures):
-    FreeCADGui.setLocale(language)
     if theme:
         sheet = Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets" / theme
         if not sheet.exists():
             pytest.skip(f"this FreeCAD has no {theme}")
         QtGui.QApplication.instance().setStyleSheet(sheet.read_text("utf-8"))
+    FreeCADGui.setLocale(language)
     try:
         design = opened(dome_document)
         dock = next(one for one in window.findChildren(QtGui.QDockWidget)

@@ -8,7 +8,7 @@ import FreeCADGui
 import pytest
 from curveups.features import document as documents
 from curveups.window.viewproviders import following
-from robot import QtGui, click_at, keys, picture, settle, tidy, tree_entry, until, window
+from robot import QtCore, QtGui, click_at, keys, picture, settle, tidy, tree_entry, until, window
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -114,20 +114,19 @@ def test_deleting_takes_along_what_is_below(dome_document):
     assert len(again.ViewObject.Proxy.claimChildren()) == 7
 
 
-def place_in_tree(label):
-    """Labels from below the document's row in the tree down to an object's, for each row that it has."""
+def places_in_tree(document, label):
+    """Labels on the way from the document's row in the tree down to each row of that label."""
     found = []
 
-    def look(item, way):
-        way = [*way, item.text(0)]
-        if item.text(0) == label:
-            found.append(way[2:])
-        for number in range(item.childCount()):
-            look(item.child(number), way)
+    def look(row, way):
+        if way[-1:] == [label]:
+            found.append(way)
+        for child in map(row.child, range(row.childCount())):
+            look(child, [*way, child.text(0)])
 
     for tree in window.findChildren(QtGui.QTreeWidget):
-        for number in range(tree.topLevelItemCount()):
-            look(tree.topLevelItem(number), [])
+        for row in tree.findItems(document.Label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive):
+            look(row, [])
     return found
 
 
@@ -143,7 +142,7 @@ def test_a_design_in_a_group_is_deleted_whole_and_comes_back_there(dome_document
     document.recompute()
     settle()
     others = {obj.Name for obj in document.Objects} - {design.Name, *(getattr(design, p).Name for p in PARTS)}
-    before = place_in_tree(design.Label), place_in_tree("Tiles")
+    before = places_in_tree(document, design.Label), places_in_tree(document, "Tiles")
     assert before == ([["Mine", design.Label]], [["Mine", design.Label, "Tiles"]])
     click_at(tree_entry(design))
     for _ in range(2):
@@ -155,7 +154,7 @@ def test_a_design_in_a_group_is_deleted_whole_and_comes_back_there(dome_document
         settle(500)
         picture("undone")
         assert sorted(obj.Label for obj in document.Objects) == sorted([*labels, *others])
-        assert (place_in_tree(design.Label), place_in_tree("Tiles")) == before
+        assert (places_in_tree(document, design.Label), places_in_tree(document, "Tiles")) == before
         assert document.Design.Verdict == "valid"
         click_at(tree_entry(document.Design))
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-from ..qt import QT_TRANSLATE_NOOP, translate
+from ..qt import QT_TRANSLATE_NOOP
 
 # The way from a surface to print files: the toolbar, and the head of the menu.
 _STEPS = ("new_design", "check", "solve", "cuts", "overlay", "export")
@@ -26,11 +26,10 @@ def steps() -> list[str]:
 
 
 def menus() -> list[tuple[list[str], list[str]]]:
-    """Titles on the way to a menu, and names of what stands there."""
+    """Titles on the way to a menu, for FreeCAD to translate, and names of what stands there."""
     found = [([MENU], [*steps(), "Separator"])]
     for title, files in _MENUS:
-        found.append(([MENU, translate("Workbench", title)] if title else [MENU],
-                      [_command(file).name for file in files]))
+        found.append(([MENU, title] if title else [MENU], [_command(file).name for file in files]))
     return found
 
 

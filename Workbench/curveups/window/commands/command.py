@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import Any, Optional, Sequence
+from typing import Any, Sequence
 
 import FreeCADGui
 
@@ -53,23 +53,21 @@ class Command(ABC):
         with errors_shown(translate(self.name, self.text)):
             self.run()
 
-    _said: Optional[str] = None
-
     def _say(self, reason: str) -> None:
-        """Puts the reason into tooltip and status tip, since FreeCAD only greys a command out."""
-        if reason == self._said:
-            return
+        """Puts the reason into tooltip and status tip, since FreeCAD only greys a command out. FreeCAD takes
+        it out of them when the language changes."""
         command = FreeCADGui.Command.get(self.name)
-        if command is None:
-            return
-        self._said = reason
-        for action, one in zip(command.getAction(), self.menu() or (self,)):  # a menu's are its items
+        actions = command.getAction() if command is not None else []
+        for action, one in zip(actions, self.menu() or (self,)):  # a menu's are its items
             tip = translate(one.name, one.tooltip)
-            action.setToolTip(f"<b>{translate(one.name, one.text)}</b><br>{tip}"
-                              + (f"<br><i>{reason}</i>" if reason else ""))
+            shown = (f"<b>{translate(one.name, one.text)}</b><br>{tip}"
+                     + (f"<br><i>{reason}</i>" if reason else ""))
+            if action.toolTip() == shown:
+                return
+            action.setToolTip(shown)
             action.setStatusTip(reason or tip)
             guide = link_to(self.text, translate("CurveUps_Guide", "Guide"))
-            action.setWhatsThis(f"{action.toolTip()}<p>{guide}</p>")
+            action.setWhatsThis(f"{shown}<p>{guide}</p>")
             action.setProperty("CurveUpsTopic", self.text)
 
 

@@ -23,6 +23,7 @@ class Examples(Command):
 
     name = "CurveUps_Examples"
     text = QT_TRANSLATE_NOOP("CurveUps_Examples", "Examples")
+    QT_TRANSLATE_NOOP("PythonGroupCommand", "Examples")  # where FreeCAD looks when the language changes
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Examples",
                                 "Open a new document with a built-in target, and watch its design being "
                                 "solved")
