@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "curveups/core/parallel.hpp"
@@ -27,20 +28,65 @@ constexpr double gap_goal = least_membrane_clearance + 0.1,
 // Folds sharper than this must not become sharper: they already bound insets on either side.
 constexpr double sharp = 0.3;  // rad
 
-// By how much the linear scale of the largest pin exceeds that of `share` times A_pin_min, in mm.
-double excess(const TileMesh& tiles, const Truncation& truncation, const Parameters& p, int tile,
-              Side side, double share) {
-  const double scale = pin_region(tiles, truncation, p, tile, side, p.p_min).scale;
-  return p.L * (scale - std::sqrt(share * p.A_pin_min / tiles.area(tile)));
-}
-
-void set_lower(const TileMesh& tiles, const Truncation& truncation, const Parameters& p, int tile,
-               Side side, Array6& lower) {
-  const PinRegion clearance = pin_region(tiles, truncation, p, tile, side, p.p_min);
-  for (int t = 0; t < 3; ++t) lower(tile, inset_index(side, t)) = clearance.lower[t];
-}
-
 }  // namespace
+
+// The pins of one geometry and the tiles at its vertices, each looked for once.
+class ClearanceProgram::Pins {
+ public:
+  Pins(const TileMesh& of, const Truncation& truncation, const Parameters& parameters)
+      : tiles(of),
+        truncation_(truncation),
+        parameters_(parameters),
+        regions_(2 * static_cast<std::size_t>(of.tile_count())),
+        lower_(Array6::Zero(of.tile_count(), 6)) {}
+
+  const PinRegion& region(int tile, Side side) {
+    std::optional<PinRegion>& known = regions_[2 * tile + (side == Side::back ? 1 : 0)];
+    if (!known) {
+      known = pin_region(tiles, truncation_, parameters_, tile, side, parameters_.p_min);
+      for (int t = 0; t < 3; ++t) lower_(tile, inset_index(side, t)) = known->lower[t];
+    }
+    return *known;
+  }
+
+  // By how much the linear scale of the largest pin exceeds that of `share` times A_pin_min, in mm.
+  double excess(int tile, Side side, double share) {
+    const double least = std::sqrt(share * parameters_.A_pin_min / tiles.area(tile));
+    return parameters_.L * (region(tile, side).scale - least);
+  }
+
+  // Of the membrane of a side over the corners at a vertex, mm.
+  double over_corners(int vertex, const std::vector<int>& around, Side side) {
+    for (int tile : around) region(tile, side);
+    const std::vector<double> clearances =
+        corner_clearances(tiles, lower_, parameters_.H_pin, side, vertex, around);
+    return *std::min_element(clearances.begin(), clearances.end());
+  }
+
+  double over_edge(int tile, int edge, Side side) {
+    return edge_clearance(tiles.dihedral(tile, edge), side, region(tile, side).lower[edge],
+                          parameters_.H_pin);
+  }
+
+  const std::vector<int>& at_vertex(int vertex) {
+    if (at_vertex_.empty()) {
+      at_vertex_.resize(static_cast<std::size_t>(tiles.mesh.V.rows()));
+      for (int i = 0; i < tiles.tile_count(); ++i) {
+        for (int t = 0; t < 3; ++t) at_vertex_[tiles.mesh.F(i, t)].push_back(i);
+      }
+    }
+    return at_vertex_[vertex];
+  }
+
+  const TileMesh& tiles;
+
+ private:
+  const Truncation& truncation_;
+  const Parameters& parameters_;
+  std::vector<std::optional<PinRegion>> regions_;
+  Array6 lower_;
+  std::vector<std::vector<int>> at_vertex_;
+};
 
 // One requirement: room for a pin, a fold that is not to become sharper, or room under a membrane
 // over the corners at a vertex or over the edge of a tile.
@@ -85,12 +131,13 @@ DesignGeometry ClearanceProgram::geometry(const TriangleMesh& mesh) const {
 }
 
 double ClearanceProgram::missing(const DesignGeometry& here) const {
+  Pins pins(here.tiles, here.truncation, parameters_);
   double sum = 0;
   for (const SmallPin& pin : here.pin_bounds.small) {
-    const double lack = -excess(here.tiles, here.truncation, parameters_, pin.tile, pin.side, 1);
+    const double lack = -pins.excess(pin.tile, pin.side, 1);
     sum += std::isfinite(lack) ? std::max(0.0, lack) : 100 * parameters_.L;
   }
-  for (const Gap& gap : gaps(here, least_membrane_clearance)) {
+  for (const Gap& gap : gaps(here, least_membrane_clearance, pins)) {
     sum += least_membrane_clearance * parameters_.H_pin - gap.clearance;
   }
   return sum;
@@ -100,45 +147,35 @@ std::vector<SmallPin> ClearanceProgram::lacking(const DesignGeometry& here) cons
   std::vector<SmallPin> out = here.pin_bounds.small;
   PinSides known;
   for (const SmallPin& pin : out) known.insert({pin.tile, pin.side});
-  for (const Gap& gap : gaps(here, least_membrane_clearance)) {
+  Pins pins(here.tiles, here.truncation, parameters_);
+  for (const Gap& gap : gaps(here, least_membrane_clearance, pins)) {
+    const Side side = gap.need.side;
     for (int tile : gap.tiles) {
-      if (!known.insert({tile, gap.need.side}).second) continue;
-      const double area = pin_region(here.tiles, here.truncation, parameters_, tile, gap.need.side,
-                                     parameters_.p_min)
-                              .area;
-      out.push_back({tile, gap.need.side, area});
+      if (known.insert({tile, side}).second) {
+        out.push_back({tile, side, pins.region(tile, side).area});
+      }
     }
   }
   return out;
 }
 
-std::vector<ClearanceProgram::Gap> ClearanceProgram::gaps(const DesignGeometry& here,
-                                                          double most) const {
+std::vector<ClearanceProgram::Gap> ClearanceProgram::gaps(const DesignGeometry& here, double most,
+                                                          Pins& pins) const {
   std::vector<Gap> out;
   if (!membranes_ || !here.shaped) return out;
-  const TileMesh& tiles = here.tiles;
-  const double H_pin = parameters_.H_pin, limit = most * H_pin;
-  Array6 lower(tiles.tile_count(), 6);
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    for (Side side : {Side::front, Side::back}) {
-      set_lower(tiles, here.truncation, parameters_, i, side, lower);
-    }
-  }
-  const std::vector<std::vector<int>> around = tiles_around_inner_vertices(tiles);
+  const double limit = most * parameters_.H_pin;
+  const std::vector<std::vector<int>> around = tiles_around_inner_vertices(here.tiles);
   for (Side side : {Side::front, Side::back}) {
     for (int v = 0; v < static_cast<int>(around.size()); ++v) {
       if (around[v].empty()) continue;
-      const std::vector<double> clearances =
-          corner_clearances(tiles, lower, H_pin, side, v, around[v]);
-      const double clearance = *std::min_element(clearances.begin(), clearances.end());
+      const double clearance = pins.over_corners(v, around[v], side);
       if (clearance < limit)
         out.push_back({{Need::corner_gap, v, -1, side, 0}, clearance, around[v]});
     }
-    for (const Contact& contact : tiles.contacts) {
+    for (const Contact& contact : here.tiles.contacts) {
       for (int s = 0; s < 2; ++s) {
         const int tile = contact.tile[s], edge = contact.side[s];
-        const double clearance = edge_clearance(tiles.dihedral(tile, edge), side,
-                                                lower(tile, inset_index(side, edge)), H_pin);
+        const double clearance = pins.over_edge(tile, edge, side);
         if (clearance < limit)
           out.push_back({{Need::edge_gap, tile, edge, side, 0}, clearance, {tile}});
       }
@@ -147,30 +184,15 @@ std::vector<ClearanceProgram::Gap> ClearanceProgram::gaps(const DesignGeometry& 
   return out;
 }
 
-// at: as `tiles` numbers the tile or vertex.
-double ClearanceProgram::value(const Need& need, const TileMesh& tiles,
-                               const Truncation& truncation, int at) const {
-  if (need.kind != Need::tile_shape) {
-    std::vector<int> around(1, at);
-    if (need.kind == Need::corner_gap) {
-      around.clear();
-      for (int i = 0; i < tiles.tile_count(); ++i) {
-        if ((tiles.mesh.F.row(i).array() == at).any()) around.push_back(i);
-      }
-    }
-    Array6 lower = Array6::Zero(tiles.tile_count(), 6);
-    for (int i : around) set_lower(tiles, truncation, parameters_, i, need.side, lower);
-    const double H_pin = parameters_.H_pin, wanted = need.share * H_pin;
-    if (need.kind == Need::edge_gap) {
-      const double inset = lower(at, inset_index(need.side, need.edge));
-      return edge_clearance(tiles.dihedral(at, need.edge), need.side, inset, H_pin) - wanted;
-    }
-    const std::vector<double> clearances =
-        corner_clearances(tiles, lower, H_pin, need.side, at, around);
-    return *std::min_element(clearances.begin(), clearances.end()) - wanted;
+// at: as the tiles of `pins` number the tile or vertex.
+double ClearanceProgram::value(const Need& need, Pins& pins, int at) const {
+  const double wanted = need.share * parameters_.H_pin;
+  if (need.kind == Need::edge_gap) return pins.over_edge(at, need.edge, need.side) - wanted;
+  if (need.kind == Need::corner_gap) {
+    return pins.over_corners(at, pins.at_vertex(at), need.side) - wanted;
   }
-  if (need.edge < 0) return excess(tiles, truncation, parameters_, at, need.side, need.share);
-  const double before = dihedral_(need.at, need.edge), now = tiles.dihedral(at, need.edge);
+  if (need.edge < 0) return pins.excess(at, need.side, need.share);
+  const double before = dihedral_(need.at, need.edge), now = pins.tiles.dihedral(at, need.edge);
   return 0.5 * parameters_.L * (before > 0 ? before - now : now - before);
 }
 
@@ -183,7 +205,11 @@ std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& 
     Vec3 derivative;
   };
   std::map<std::tuple<Need::Kind, int, int>, std::vector<Need>> narrow;  // by kind, place and edge
-  for (Gap& gap : gaps(here, near_gap)) {
+  Pins pins(here.tiles, here.truncation, parameters_);
+  for (int i = 0; i < here.tiles.tile_count(); ++i) {
+    for (Side side : {Side::front, Side::back}) pins.region(i, side);  // for all threads
+  }
+  for (Gap& gap : gaps(here, near_gap, pins)) {
     const bool lifted = std::any_of(gap.tiles.begin(), gap.tiles.end(), [&](int tile) {
       return asked.count({tile, gap.need.side}) != 0;
     });
@@ -217,8 +243,7 @@ std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& 
         const int tile = patch.tiles[k];
         for (int t = 0; t < 3; ++t) add_gaps(Need::edge_gap, tile, t, k);
         for (Side side : {Side::front, Side::back}) {
-          const PinRegion clearance =
-              pin_region(here.tiles, here.truncation, parameters_, tile, side, parameters_.p_min);
+          const PinRegion& clearance = pins.region(tile, side);
           const bool close = clearance.area < near_minimum * parameters_.A_pin_min;
           if (!std::isfinite(clearance.scale) || !(close || asked.count({tile, side}))) continue;
           local.push_back(
@@ -233,10 +258,10 @@ std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& 
       }
       if (local.empty()) continue;
       const Eigen::MatrixXd by_vertex = derivatives_by_vertex(patch, [&](const LocalGeometry& g) {
+        Pins moved(g.tiles, g.truncation, parameters_);
         Eigen::VectorXd out(static_cast<Eigen::Index>(local.size()));
         for (std::size_t r = 0; r < local.size(); ++r) {
-          out(static_cast<Eigen::Index>(r)) =
-              value(local[r].first, g.tiles, g.truncation, local[r].second);
+          out(static_cast<Eigen::Index>(r)) = value(local[r].first, moved, local[r].second);
         }
         return out;
       });
@@ -256,7 +281,7 @@ std::vector<ClearanceProgram::Row> ClearanceProgram::rows(const DesignGeometry& 
   }
   std::vector<Row> out;
   for (auto& [need, row] : found) {
-    row.value = value(need, here.tiles, here.truncation, need.at);
+    row.value = value(need, pins, need.at);
     // Sides out of reach must not lose what they have.
     const bool of_pin = need.kind == Need::tile_shape && need.edge < 0;
     const bool out_of_reach =

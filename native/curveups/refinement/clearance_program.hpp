@@ -58,9 +58,10 @@ class ClearanceProgram {
  private:
   struct Need;
   struct Gap;
+  class Pins;
   // Under membranes, those of less than `most` times H_pin.
-  std::vector<Gap> gaps(const DesignGeometry& here, double most) const;
-  double value(const Need& need, const TileMesh& tiles, const Truncation& truncation, int at) const;
+  std::vector<Gap> gaps(const DesignGeometry& here, double most, Pins& pins) const;
+  double value(const Need& need, Pins& pins, int at) const;
 
   const TriangleMesh& target_;
   const Edges& cuts_;
