@@ -57,6 +57,7 @@ def _migrate(obj: Any, design: Any) -> None:
         obj.setExpression(path, None)
     bodies = {body.Kind: body for body in obj.InList if getattr(body, "Design", None) == obj}
     for body in bodies.values():
+        body.Design = None  # FreeCAD 1.1 would count it among those that depend on the Design still
         body.removeProperty("Design")
     for name in (*old, "Layout", "SolvedVerdict", "Verdict", "Reasons"):
         obj.removeProperty(name)
