@@ -203,3 +203,18 @@ def test_garbage_ends_in_the_thread_that_polls(worker, ended, cancel):
         worker.poll()
     assert len(ended) == 1 and worker.settled and gc.isenabled()
     assert threads == {threading.current_thread()}
+
+
+def test_garbage_waits_for_the_last_of_several_workers(worker, ended):
+    other, going_on = Worker(), threading.Event()
+    worker.start_work(lambda job: going_on.wait(60), ended.append)
+    other.start_work(lambda job: None, ended.append)
+    assert other.wait(60)
+    while not other.settled:
+        other.poll()
+    assert ended[0].error is None and not gc.isenabled()
+    going_on.set()
+    assert worker.wait(60)
+    while not worker.settled:
+        worker.poll()
+    assert gc.isenabled()

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands and panels in a real window: what each leaves in the document, the report view, the picture."""
 
+import gc
 import json
 import os
+import threading
 
 import FreeCAD
 import FreeCADGui
@@ -18,8 +20,8 @@ from curveups.window.commands import new_design
 from curveups.window.commands.new_design import make_design
 from curveups.window.notice import show_error
 from curveups.window.overlays import overlay_of
-from robot import action, at_rest, click, picture, press, QtGui, report, settle, tidy, until, widget
-from steps import begin, enter, example, in_units, LIVE, panel
+from robot import action, at_rest, click, fill, picture, press, QtGui, report, settle, tidy, until, widget
+from steps import begin, enter, example, in_units, LIVE, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -128,6 +130,37 @@ def quit_in_mid_run():
 def test_quitting_in_mid_run(elsewhere):
     """FreeCAD's own way out, with a native call at work: nothing is left of it, and nothing crashes."""
     elsewhere(quit_in_mid_run, window=True)
+
+
+def test_garbage_is_collected_in_the_window_s_thread_alone(dome_document, tmp_path):
+    """Widgets of closed panels may be in it. Pictures of a report make much garbage, in a thread."""
+    document, design = opened(dome_document)
+    for command in ("Check", "Cuts", "Solve"):
+        press(f"CurveUps_{command}")
+        at_rest()
+    collected = set()
+
+    def note(phase, info):
+        collected.add((threading.current_thread().name, WORKER.busy))
+
+    press("CurveUps_Export")
+    fill(widget("folder"), str(tmp_path / "files"))
+    gc.callbacks.append(note)
+    try:
+        click(widget("write"))
+        until(lambda: LIVE.busy, 10, "the export")
+        assert not gc.isenabled()
+        at_rest()
+        until(gc.isenabled, 10, "Python's own collection")
+    finally:
+        gc.callbacks.remove(note)
+    assert (tmp_path / "files" / "report.html").exists()
+    # An edit's solids are built in a thread of their own.
+    design.HPin = 1.2
+    document.recompute()
+    until(lambda: not gc.isenabled(), 10, "the thread of an edit")
+    until(gc.isenabled, 60, "its end")
+    assert ("MainThread", True) in collected and {name for name, _ in collected} == {"MainThread"}, collected
 
 
 def test_designs_of_selected_surfaces_and_their_targets(tmp_path, monkeypatch, pictures):

@@ -114,6 +114,9 @@ class _Run(threading.Thread):
         self._count += 1
 
 
+_COLLECTING: set["Worker"] = set()  # those with a thread: while there are any, Python collects nothing itself
+
+
 class Worker:
     """Does one thing at a time. All its methods are for one thread, a window's, and answer at once."""
 
@@ -121,7 +124,6 @@ class Worker:
         self._current: Optional[_Run] = None
         self._last: Optional[_Run] = None  # that may still be ending
         self._status = Status()
-        self._collects = False             # instead of Python
 
     @property
     def busy(self) -> bool:
@@ -131,7 +133,7 @@ class Worker:
     @property
     def settled(self) -> bool:
         """Whether nothing more is to be polled for."""
-        return not self.busy and not self._collects
+        return not self.busy and self not in _COLLECTING
 
     def start(self, project: Project, goals: Sequence[str], on_done: OnDone,
               note: Optional[Finding] = None) -> None:
@@ -151,9 +153,8 @@ class Worker:
         before = self._last if self._is_alive() else None
         if before is None:
             _leave_a_core()
-        if gc.isenabled():
-            gc.disable()
-            self._collects = True
+        gc.disable()
+        _COLLECTING.add(self)
         self._current = self._last = _Run(work, on_done, before)
         self._current.start()
 
@@ -197,11 +198,12 @@ class Worker:
 
     def _collect(self) -> None:
         """What Python would collect; Python goes on with it once no thread is left."""
-        if not self._collects:
+        if self not in _COLLECTING:
             return
         if self._current is None and not self._is_alive():
-            gc.enable()
-            self._collects = False
+            _COLLECTING.discard(self)
+            if not _COLLECTING:
+                gc.enable()
             return
         full = [generation for generation, (count, most) in enumerate(zip(gc.get_count(), gc.get_threshold()))
                 if count > most > 0]

@@ -109,8 +109,9 @@ class Follower:
 
     def _look(self) -> None:
         self._worker.poll()
-        if not self._worker.busy:
+        if self._worker.settled:
             self._poll.stop()
+        if not self._worker.busy:
             FreeCADGui.getMainWindow().statusBar().clearMessage()
             return
         now = self._worker.status()
