@@ -432,7 +432,7 @@ def test_freecad_reads_each_drawing_at_its_size(kit):
 
 def test_assimp_reads_every_body_of_the_print(kit):
     said = subprocess.run(["assimp", "info", kit.folder / "small-cap-print.3mf"], check=True,
-                          capture_output=True, text=True).stdout
+                          capture_output=True, encoding="utf-8").stdout
     assert int(re.search(r"Meshes: +(\d+)", said)[1]) == kit.json["print"]["bodies"]
     low, high = (np.array(re.search(rf"{end} point +\((\S+) (\S+) (\S+)\)", said).groups(), float)
                  for end in ("Minimum", "Maximum"))
