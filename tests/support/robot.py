@@ -309,6 +309,12 @@ def entry_of(*commands):
     return next(action(one).text().replace("&", "") for one in commands if one in FreeCADGui.listCommands())
 
 
+def menu_of(entry):
+    """The menu that an entry opens, or None. A menu from PySide's QAction.menu() may end with what Python
+    knows of it: the window loses it."""
+    return next((one for one in window.findChildren(QtGui.QMenu) if one.menuAction() == entry), None)
+
+
 def press(command):
     """Clicks the command's button in the toolbar, or its entry in the menu CurveUps."""
     wanted = action(command)
@@ -320,17 +326,13 @@ def press(command):
 
     def way(menu):
         for one in menu.actions():
-            below = one.menu()
+            below = menu_of(one)
             rest = way(below) if below is not None else [] if one == wanted else None
             if rest is not None:
                 return [one.text().replace("&", ""), *rest]
         return None
 
-    # FreeCAD makes the menus anew where a workbench or a document changes.
-    top = until(lambda: next((one for one in window.menuBar().actions() if one.text() == "&CurveUps"), None),
-                10, "the menu CurveUps")
-    menu = top.menu()
-    found = way(menu)
+    found = way(menu_of(next(one for one in window.menuBar().actions() if one.text() == "&CurveUps")))
     assert found, f"{command} has neither a button nor an entry"
     choose(lambda: menu_bar("CurveUps"), *found)
 

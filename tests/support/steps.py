@@ -10,7 +10,7 @@ from curveups.window.commands.new_design import make_design
 from curveups.window.panels import panel as panels
 from curveups.window.overlays import overlay_of
 from curveups.window.run import LIVE
-from robot import QtGui, display, fill, on_screen, settle, tidy
+from robot import QtGui, at_rest, close_panel, display, fill, on_screen, settle, tidy
 
 # Words that no German text has, but names of files may.
 ENGLISH = re.compile(r"(?<![\w-])(the|tiles|are|back|front|face|lower|with|room|margin|checking|writing|of"
@@ -51,6 +51,16 @@ def opened(path):
 def panel():
     """The panel that is open."""
     return panels.current()
+
+
+def leave():
+    """Closes whatever a command has opened, once it is at rest."""
+    at_rest()
+    if panel() is not None:
+        panel().reject()
+    elif FreeCADGui.Control.activeDialog():
+        close_panel()
+    settle(200)
 
 
 def enter(form, name, text):

@@ -15,8 +15,8 @@ from curveups.window.panels.export import ExportPanel
 from curveups.window.panels.panel import show
 from curveups.window.panels.solve import SolvePanel
 from robot import (QtCore, QtGui, action, at_rest, choose, choose_file, click, click_at, click_item,
-                   cut_off, entry_of, fill, in_dialog, keys, menu_bar, picture, press, settle, until, widget,
-                   window)
+                   cut_off, entry_of, fill, in_dialog, keys, menu_bar, menu_of, picture, press, settle,
+                   until, widget, window)
 from steps import ENGLISH, LIVE, example, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -57,8 +57,7 @@ def test_german(tmp_path):
 def menu_texts():
     """Of the menu CurveUps, with the titles of menus below it."""
     top = next(one for one in window.menuBar().actions() if one.text() == "&CurveUps")
-    menu = top.menu()  # PySide drops it with `top`
-    return [one.text().replace("&", "") for one in menu.actions() if not one.isSeparator()]
+    return [one.text().replace("&", "") for one in menu_of(top).actions() if not one.isSeparator()]
 
 
 def test_menus_follow_each_change_of_the_language():

@@ -14,8 +14,8 @@ from curveups.window.notice import with_links
 from curveups.window.overlays import overlay_of
 from curveups.window.run import LIVE
 from PySide import QtGui
-from robot import action, choose, click, close_panel, cut_off, display, keys, menu_bar, picture, press, settle
-from robot import until, widget, window
+from robot import action, choose, click, close_panel, cut_off, display, keys, menu_bar, menu_of, picture
+from robot import press, settle, until, widget, window
 from running import ROOT
 from steps import panel
 
@@ -60,7 +60,7 @@ def guide():
 
 def entries(menu):
     for one in menu.actions():
-        below = one.menu()
+        below = menu_of(one)
         if below is not None:
             yield from entries(below)
         elif not one.isSeparator():
@@ -73,8 +73,7 @@ def test_the_toolbar_has_the_six_steps_and_the_menu_has_everything(pictures):
     actions = [one for one in bar.actions() if not one.isSeparator()]
     assert [one.objectName() for one in actions] == [f"CurveUps_{name}" for name in STEPS]
     top = next(one for one in window.menuBar().actions() if one.text() == "&CurveUps")
-    menu = top.menu()
-    found = list(entries(menu))
+    found = list(entries(menu_of(top)))
     known = {name for name in FreeCADGui.listCommands() if name.startswith("CurveUps_")}
     assert not {name for name in known - set(found) if "Example" not in name}, found
     assert any("half" in name.lower() for name in found), found

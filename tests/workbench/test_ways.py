@@ -1,13 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every command in every way that a user has to it, by the mouse: toolbar, menu, context menus of tree and
-view. What they record as a macro does the same in a FreeCAD without a window."""
+view."""
 
-import inspect
-import json
 import os
-import shutil
-import subprocess
-import textwrap
 
 import FreeCAD
 import FreeCADGui
@@ -16,11 +11,9 @@ import pytest
 from curveups.features import document as designs
 from curveups.window import commands, qt
 from curveups.window.overlay import cameras
-from freecad_process import command as started
-from robot import (QtCore, QtGui, choose, click, click_at, close_panel, entry_of, fill, in_dialog, keys,
-                   menu_bar, on_screen, picture, press, report, settle, tree_entry, until, widget, window,
-                   write)
-from steps import LIVE, begin, click_edge, edge_at, enter, example, panel, point_in
+from robot import (QtCore, QtGui, at_rest, choose, click, click_at, in_dialog, keys, menu_bar, menu_of,
+                   on_screen, picture, press, report, settle, tree_entry, until, widget, window)
+from steps import LIVE, begin, click_edge, edge_at, example, leave, panel, point_in
 
 pytestmark = pytest.mark.freecad(window=True, timeout=600)
 
@@ -28,21 +21,6 @@ pytestmark = pytest.mark.freecad(window=True, timeout=600)
 def entry(name):
     """What a command is called in menus."""
     return qt.translate(name, FreeCADGui.Command.get(name).getInfo()["menuText"]).replace("&", "")
-
-
-def at_rest():
-    until(lambda: not LIVE.busy, 120, "the run to end")
-    settle(200)
-
-
-def leave():
-    """Closes whatever a command has opened."""
-    at_rest()
-    if panel() is not None:
-        panel().reject()
-    elif FreeCADGui.Control.activeDialog():
-        close_panel()
-    settle(200)
 
 
 def check(name, start, design, pages):
@@ -108,9 +86,9 @@ def entries(menu, before=()):
     """Texts on the way to each entry of a menu and of those below it."""
     for one in menu.actions():
         text = one.text().replace("&", "")
-        below = [other for other in menu.findChildren(QtGui.QMenu) if other.menuAction() == one]
-        if below:
-            yield from entries(below[0], (*before, text))
+        below = menu_of(one)
+        if below is not None:
+            yield from entries(below, (*before, text))
         elif not one.isSeparator():
             yield (*before, text)
 
@@ -206,92 +184,6 @@ def test_cuts_by_the_menu_over_a_tile_and_in_a_new_view(prepared, pictures):
         prepared.Document.undo()
         leave()
         assert not len(designs.cuts_of(prepared))
-
-
-def recording(start):
-    """By the menu Macro; start: whether it starts or ends."""
-    if not start:
-        stop = entry_of("Std_MacroStopRecord", "Std_DlgMacroRecord")
-        return choose(lambda: menu_bar("Macro"), stop)
-
-    def begin_it():
-        write("everything")
-        click(widget("buttonStart"))
-
-    in_dialog(lambda: choose(lambda: menu_bar("Macro"), entry_of("Std_DlgMacroRecord")), begin_it)
-
-
-def state_of(document):
-    """What a design has been made of."""
-    design = document.Design
-    return [list(map(str, design.Layout.Poses)), sorted(map(str, design.Cuts.Edges)), design.Verdict,
-            {name: str(getattr(design, name)) for name in ("L", "HBody", "Tau", "TileCount")},
-            design.Target.BuiltIn, round(design.Tiles.Shape.Volume, 6), design.Actuation]
-
-
-def replayed(macro, folder):
-    """What comes of it in a FreeCAD without a window."""
-    script, out = folder / "replay.py", folder / "replayed.json"
-    script.write_text("import json, runpy, FreeCAD\n" + inspect.getsource(state_of) + textwrap.dedent(f"""
-        runpy.run_path({str(macro)!r}, run_name="__main__")
-        open({str(out)!r}, "w").write(json.dumps(state_of(FreeCAD.ActiveDocument)))
-        """))
-    done = subprocess.run(started(script, window=False), capture_output=True, text=True)
-    assert out.exists(), done.stdout + done.stderr
-    return json.loads(out.read_text("utf-8"))
-
-
-def test_a_macro_of_all_commands_replays_without_a_window(pages, tmp_path, pictures):
-    begin()
-    FreeCAD.closeDocument("Made")
-    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Macro").SetString("MacroPath", str(tmp_path))
-    recording(True)
-    choose(lambda: menu_bar("CurveUps"), "Examples", "Disc")
-    leave()
-    document = FreeCAD.ActiveDocument
-    document.UndoMode = 1
-    design = document.Design
-    design.ViewObject.doubleClicked()
-    until(lambda: panel() is not None and panel().form.isVisible(), 10, "the panel")
-    settle(500)
-    for group, name, value in (("Target", "L", "14"), ("Layout", "Tau", "2.9")):
-        panel().turn_to(group)
-        settle(300)
-        enter(panel().form, name, value)
-    until(lambda: (float(design.L), design.Tau) == (14, 2.9), 10, "values")
-    leave()
-    for name in ("Cuts", "Check", "Solve"):
-        press(f"CurveUps_{name}")
-        leave()
-    press("CurveUps_Cuts")
-    at_rest()
-    FreeCADGui.ActiveDocument.ActiveView.viewTop()
-    FreeCADGui.ActiveDocument.ActiveView.fitAll()
-    settle(500)
-    picture("before-the-cut")
-    click_edge(design, 20, 10)
-    leave()
-    assert len(designs.cuts_of(design))
-    for name in ("Solve", "Verify", "Repair", "Actuate", "BuildSolids", "ShowFlat", "ShowActuated",
-                 "ShowSolids", "Overlay", "WorstContacts", "Report"):
-        press(f"CurveUps_{name}")
-        leave()
-    press("CurveUps_Export")
-    fill(panel().form.folder, str(tmp_path / "out"))
-    click(panel().form.write)
-    leave()
-    design.Layout.Proxy = None
-    press("CurveUps_RestoreObjects")
-    recording(False)
-    files = sorted(os.listdir(tmp_path / "out"))
-    assert files
-    shutil.rmtree(tmp_path / "out")
-    assert replayed(tmp_path / "everything.FCMacro", tmp_path) == state_of(document)
-    assert sorted(os.listdir(tmp_path / "out")) == files
-    text = (tmp_path / "everything.FCMacro").read_text("utf-8")
-    for name in ("newDocument", "new_design", "L = 14", "Tau = 2.9", "check", "divide", "set_cuts", "solve",
-                 "verify", "repair", "actuate", "build_solids", "report", "export", "restore"):
-        assert name in text, (name, text)
 
 
 def look():
