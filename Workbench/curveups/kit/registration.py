@@ -64,14 +64,6 @@ def register(points: np.ndarray, V: np.ndarray, F: np.ndarray, tile: float,
     return Registration(R[0], t[0], float(_spreads(many, R[:1], t[:1], V, F)[0]), others)
 
 
-def rigid_motion(source: np.ndarray, target: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """R, t with the least sum of squares of R x + t - y over pairs of points, n x 3."""
-    a, b = source.mean(0), target.mean(0)
-    u, _, vt = np.linalg.svd((target - b).T @ (source - a))
-    R = u @ np.diag([1.0, 1.0, np.linalg.det(u @ vt)]) @ vt
-    return R, b - R @ a
-
-
 def _turns() -> np.ndarray:
     """Rotations some 25 degrees apart."""
     count, around = 60, 15

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped, tile_name
+from ..base.motions import rigid_motion
 from ..base.native import native
 from ..base.output import Folder
 from ..base.reading import read_text
@@ -22,7 +23,7 @@ from ..report.tables import table
 from ..stages.stage import Job
 from ..targets.target_files import read_target
 from .openings import openings
-from .registration import register, rigid_motion
+from .registration import register
 
 FORMAT, VERSION = "curveups-compare", 1
 POINTS = (".xyz", ".txt", ".csv")

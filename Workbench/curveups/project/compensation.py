@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped
+from ..base.motions import rigid_motion
 from ..base.native import native
 from ..stages.stage import Job
 
@@ -57,7 +58,9 @@ def compensate(design: Any, rounds: int, job: Job) -> Compensation:
             raise Stopped
         if settled is None or settled.holds is None:
             break
-        off = on_target - _fitted(np.asarray(settled.corners).reshape(-1, 3), on_target)
+        corners = np.asarray(settled.corners).reshape(-1, 3)
+        R, t = rigid_motion(corners, on_target)
+        off = on_target - (corners @ R.T + t)
         distance = np.linalg.norm(off, axis=1)
         if not mean or distance.mean() < min(mean):
             best, kept = design, number
@@ -79,11 +82,3 @@ def _solved(aim: np.ndarray, wanted: np.ndarray, design: Any, job: Job) -> Any:
                          (wanted, design.F))
     repaired = native.repair_design(laid, progress=job)
     return repaired.design if repaired.status == "valid" else None
-
-
-def _fitted(points: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Points turned and moved to the places (least squares; Kabsch, Acta Cryst. A 32, 1976)."""
-    a, b = points - points.mean(0), places - places.mean(0)
-    u, _, vt = np.linalg.svd(a.T @ b)
-    u[:, 2] *= np.sign(np.linalg.det(u @ vt))
-    return np.asarray(a @ u @ vt + places.mean(0))
