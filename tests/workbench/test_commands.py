@@ -264,7 +264,7 @@ def test_verify_repair_solids_report_and_export(tmp_path, monkeypatch, pictures)
     FreeCADGui.runCommand("CurveUps_BuildSolids")
     at_rest()
     until(lambda: abs(design.Tiles.Shape.BoundBox.ZLength - 4.5) < 1e-6, 60, "solids of the new thickness")
-    assert designs.state_of(design, "Tiles")[0] == "current"
+    assert design.Tiles.Status == "current"
     assert design.Verdict == "out of date", design.Verdict
     panel().reject()
     settle(100)

@@ -60,7 +60,7 @@ def test_a_chain_of_clicks_cuts_along_edges_and_each_click_is_undone_singly(pict
     quiet()
     assert overlay_of(design).scene.flat is not None, "no layout is shown"
     assert "Layout in" in widget("doing").text()
-    assert designs.state_of(design, "Layout")[0] == "empty"  # it is no result
+    assert design.Layout.Status == "empty"  # it is no result
     picture("chain")
     tree.topLevelItem(0).setSelected(True)
     settle(200)

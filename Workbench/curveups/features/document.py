@@ -32,8 +32,9 @@ from .proxy import SLOTS, design_of, designs, show, write
 from .target import is_target
 from .verification import VerificationProxy, write_verification
 
-__all__ = ["build_bodies", "design_of", "design_project_of", "designs", "new_design", "project_of",
-           "set_cuts", "set_running", "set_source", "settings_of", "state_of", "take", "visibility"]
+__all__ = ["build_bodies", "design_of", "design_project_of", "designs", "has_layout", "new_design",
+           "project_of", "set_cuts", "set_running", "set_source", "settings_of", "state_of", "take",
+           "visibility"]
 
 # Pictures of membranes are most of a verification and are made anew where they are asked for.
 _NOT_STORED = ("membranes",)
@@ -135,11 +136,16 @@ def _edges_of(target: Any, edges: np.ndarray, where: str) -> np.ndarray:
     return edges
 
 
-def state_of(obj: Any, part: str = "") -> tuple[str, str]:
-    """State (empty, current, out of date, invalid, running) and reason of a Design, or of what is below
-    it by the name of its slot."""
+def has_layout(obj: Any) -> bool:
+    """Whether a Design holds a layout, current or not. Commands ask several times a second: the states below
+    read all results."""
+    return status.is_solved(read_keys(obj))
+
+
+def state_of(obj: Any) -> tuple[str, str]:
+    """State (empty, current, out of date, invalid, running) and reason of a Design."""
     found = status.status_of(obj, obj.Proxy.refused(obj), obj.Proxy.running)
-    return found.parts[part] if part else (found.state, "; ".join(map(str, found.reasons)))
+    return found.state, "; ".join(map(str, found.reasons))
 
 
 def reasons_of(obj: Any) -> tuple[Finding, ...]:

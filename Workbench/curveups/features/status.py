@@ -40,7 +40,7 @@ class Status:
 def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False) -> Status:
     """`refused`: why the properties' values can't be used, where they can't."""
     keys, values = read_keys(obj), properties.values_of(obj)
-    solved = "design" in keys.records
+    solved = is_solved(keys)
     source, cuts = _source_changes(obj, keys), _cut_changes(obj, keys)
     records = {**keys.records, **({"source": _CHANGED} if source else {}),
                **({"cut request": _CHANGED} if cuts else {})}
@@ -61,7 +61,7 @@ def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False
     if refused:
         state, verdict, reasons = INVALID, VERDICTS[False], [refused]
     parts = {
-        "Target": _part(solved or (is_target(obj.Target) and obj.Target.Mesh.CountFacets > 0), target),
+        "Target": _part(solved or has_tiles(obj), target),
         "Cuts": _part(solved or bool(_edges(obj)), cuts),
         "Layout": _part(solved, layout),
         "Verification": _part(keys.valid is not None, layout or verification),
@@ -75,6 +75,16 @@ def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False
     return Status(state, verdict, _holds(keys, records, values, bool(layout or verification or refused)),
                   tuple(reasons), parts, _part(kit is not None, layout + (kit or [])),
                   _part(risen is not None, layout + _changed("changed.risen", risen)))
+
+
+def is_solved(keys: Keys) -> bool:
+    """Whether there is a layout."""
+    return "design" in keys.records
+
+
+def has_tiles(obj: Any) -> bool:
+    """Whether the Target of a Design has been made into tiles."""
+    return is_target(obj.Target) and obj.Target.Mesh.CountFacets > 0
 
 
 def _holds(keys: Keys, records: Mapping[str, Record], values: Mapping[str, Any], edited: bool) -> str:

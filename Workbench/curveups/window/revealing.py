@@ -7,7 +7,7 @@ from __future__ import annotations
 from contextlib import suppress
 from typing import Any, Optional
 
-from ..features.document import designs, state_of
+from ..features.document import designs, has_layout
 from .overlay.cameras import active_view, aim
 
 _cameras: dict[tuple[str, str], str] = {}  # before the first layout, by names of document and design
@@ -17,7 +17,7 @@ class Reveal:
     """Of one run on a design, or one panel; without a layout before, it does something."""
 
     def __init__(self, design: Any):
-        self._first = state_of(design, "Layout")[0] == "empty"
+        self._first = not has_layout(design)
         self._hidden: Optional[Any] = None    # the surface, hidden only while the run goes on
         self._fitted: Optional[tuple] = None  # the camera as this left it
 
@@ -55,6 +55,6 @@ def follow_undo(document: Any) -> None:
     """After an undo or a cancel: the camera goes back where there is no layout any more."""
     for design in designs(document):
         view, camera = active_view(document.Name), _cameras.get((document.Name, design.Name))
-        if view is not None and camera and state_of(design, "Layout")[0] == "empty":
+        if view is not None and camera and not has_layout(design):
             del _cameras[document.Name, design.Name]
             view.setCamera(camera)

@@ -9,7 +9,7 @@ from typing import Any, Callable, Optional
 from ..base.errors import CurveUpsError
 from ..base.native import problem
 from ..features import actions
-from ..features.document import state_of
+from ..features.document import has_layout
 from .macro import call, named
 from .qt import translate
 from .run import LIVE, Task
@@ -23,7 +23,7 @@ def reason(which: str, design: Any) -> str:
     if LIVE.busy:
         return LIVE.obstacle()
     of_target = which in actions.RUNS and actions.RUNS[which].of_target  # exports are of a layout
-    if not of_target and state_of(design, "Layout")[0] == "empty":
+    if not of_target and not has_layout(design):
         return translate("CurveUps", "There is no layout yet: Solve makes it")
     return ""
 

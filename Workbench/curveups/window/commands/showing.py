@@ -7,7 +7,8 @@ from typing import Any
 
 import FreeCADGui
 
-from ...features.document import state_of
+from ...features.document import has_layout
+from ...features.status import has_tiles
 from ..macro import named
 from ..overlays import overlay_of
 from ..qt import translate
@@ -38,7 +39,7 @@ def missing(design: Any, layout: bool) -> str:
     except KeyError:
         scene = None
     if scene is None:  # a hidden design may have none yet
-        there = state_of(design, "Layout" if layout else "Target")[0] != "empty"
+        there = has_layout(design) or not layout and has_tiles(design)
     else:
         there = not layout or scene.flat is not None
     if there:
