@@ -148,7 +148,7 @@ class SolvePanel(Panel):
             action = menu.addAction(name.upper() or translate("CurveUpsSolve", "Standard"))
             action.setToolTip(profiles.about(profiles.profile_path(name)) if name else translate(
                 "CurveUpsSolve", "Set the defaults of all parameters that a profile sets"))
-            action.triggered.connect(partial(self._apply, "actions.apply_profile", name))
+            action.triggered.connect(partial(self._apply, "actions.apply_profile", (name,)))
 
     def _prepare_materials(self) -> None:
         menu = _menu(self.form.materials)
@@ -158,7 +158,7 @@ class SolvePanel(Panel):
                 action = menu.addAction(name)
                 action.setCheckable(True)
                 action.setToolTip(profiles.about(profiles.material_path(name)))
-                action.triggered.connect(partial(self._apply, "actions.apply_material", kind, name))
+                action.triggered.connect(partial(self._apply, "actions.apply_material", (kind, name)))
         menu.aboutToShow.connect(lambda: self._mark_materials(menu))
 
     def _mark_materials(self, menu: Any) -> None:
@@ -168,12 +168,12 @@ class SolvePanel(Panel):
                 own = profiles.parameters(profiles.material_path(action.text()))
                 action.setChecked(all(properties.same(values[name], value) for name, value in own.items()))
 
-    def _apply(self, function: str, *names: Any) -> None:
-        """names: strings; what a click hands over besides is left out."""
+    def _apply(self, function: str, names: tuple[str, ...], *_: Any) -> None:
+        """*_: what a click hands over."""
         if self._rows:
             self._rows.flush()
         with errors_shown(translate("CurveUpsSolve", "Parameters")):
-            call(function, named(self.design), *(repr(name) for name in names if isinstance(name, str)))
+            call(function, named(self.design), *map(repr, names))
             self.design.Document.recompute()
         self._refresh_rows()
         self.show()
