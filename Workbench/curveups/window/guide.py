@@ -99,21 +99,25 @@ def install() -> None:
     """Gives F1 and the links of What's This to the guide, where they are about CurveUps. Once a session."""
     global _keys
     if _keys is None:
-        window = FreeCADGui.getMainWindow()
-        _keys = _Keys(window, window)
+        _keys = answer_keys(FreeCADGui.getMainWindow())
+
+
+def answer_keys(widget: Any) -> Any:
+    """The same for what comes to a widget and those in it."""
+    return _Keys(widget, widget)
 
 
 class _Keys(EventFilter):
-    """Sees what nobody took before FreeCAD's window gets it."""
+    """Sees what nobody took before a widget gets it."""
 
     def takes(self, event: Any) -> bool:
         kind = event.type()
         if kind == QtCore.QEvent.WhatsThisClicked and event.href().startswith(SCHEME):
             show_guide(event.href()[len(SCHEME):])
             return True
-        # The panels' dock keeps the key itself: it is asked for before.
-        if kind != QtCore.QEvent.ShortcutOverride or event.key() != QtCore.Qt.Key_F1 or (
-                event.modifiers() != QtCore.Qt.NoModifier):
+        # The dock of panels keeps the key itself. Qt 5 asks all widgets for it before, Qt 6 does not.
+        if kind not in (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress) or (
+                event.key() != QtCore.Qt.Key_F1 or event.modifiers() != QtCore.Qt.NoModifier):
             return False
         topic = _topic_at(QtWidgets.QApplication.widgetAt(QtGui.QCursor.pos())) or _topic_at(
             QtWidgets.QApplication.focusWidget())

@@ -11,6 +11,7 @@ import FreeCADGui
 
 from ...base.errors import CurveUpsError
 from ...project.worker import Status
+from ..guide import answer_keys
 from ..notice import follow_link, show_in
 from ..overlays import overlay_of
 from ..qt import QtCore, QtWidgets, load_ui, translate
@@ -84,6 +85,7 @@ class Panel(ABC):
         letters = self.form.fontMetrics()
         self.form.setWindowTitle(letters.elidedText(title, QtCore.Qt.ElideRight, 9 * letters.height()))
         self.form.setProperty("CurveUpsTopic", self.TOPIC)
+        answer_keys(self.form)
         self._overlay = overlay_of(design)
         self._reveal = Reveal(design)
         self._line: Any = getattr(self.form, "line", None)
