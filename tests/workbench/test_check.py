@@ -274,7 +274,7 @@ def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
     assert shown.endswith(", part2 mm-wide)"), shown
     sheet = "QWidget { background: #2b2b2b; color: #dddddd; }"
     QtGui.QApplication.instance().setStyleSheet(sheet)
-    made, design = design_of_tent(L="10 mm", HBody="9 mm", Fidelity="3 mm")
+    made, design = design_of_tent(L="9 mm", HBody="9 mm", Fidelity="3 mm")
     press("CurveUps_Check")
     form = widget("CheckPanel")
     checking(form)
