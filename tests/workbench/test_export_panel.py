@@ -9,8 +9,9 @@ import FreeCADGui
 import pytest
 from curveups.features import document as designs
 from curveups.window import qt
-from robot import (QtGui, choose, choose_file, click, click_at, close_panel, entry_of, fill, in_dialog,
-                   keys, menu_bar, picture, press, report, settle, tree_entry, until, widget, write)
+from robot import (QtCore, QtGui, choose, choose_file, click, click_at, close_panel, entry_of, fill,
+                   in_dialog, keys, menu_bar, picture, press, report, settle, tree_entry, until, widget,
+                   write)
 from steps import LIVE, example, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -95,9 +96,19 @@ def test_each_design_remembers_where_its_files_went(dome_document, tmp_path, pic
     close_panel()
 
 
-def export(obj, kind, path):
-    """FreeCAD's File > Export of an object, as a type of file."""
+def export(obj, kind, path, freecads=False):
+    """FreeCAD's File > Export of an object, as a type of file. freecads: by FreeCAD's own writers, for which
+    FreeCAD 1.1 asks for options in a dialog after that of files."""
     click_at(tree_entry(obj))
+    dialogs: list = []
+    options = QtCore.QTimer()
+
+    def agree():
+        if QtGui.QApplication.activeModalWidget() not in (None, *dialogs):
+            options.stop()
+            keys("Return")
+
+    options.timeout.connect(agree)
 
     def answer():
         box = widget("fileTypeCombo")
@@ -107,8 +118,12 @@ def export(obj, kind, path):
         assert box.currentText().startswith(kind), box.currentText()
         click(widget("fileNameEdit"))
         choose_file(str(path))
+        dialogs.append(QtGui.QApplication.activeModalWidget())
+        if freecads:
+            options.start(100)
 
     in_dialog(lambda: choose(lambda: menu_bar("File"), entry_of("Std_Export")), answer)
+    options.stop()
     return path.read_bytes()
 
 
@@ -131,10 +146,10 @@ def test_FreeCADs_export_of_a_design_writes_its_print(dome_document, tmp_path, p
     # All bodies in one STL; other objects, and the target, are FreeCAD's as they were.
     each = [facets((folder / f"dome-{kind}.stl").read_bytes()) for kind in ("tiles", "support", "anchors")]
     assert facets(export(design, "STL Mesh", tmp_path / "all.stl")) == sum(each)
-    assert facets(export(box, "STL Mesh", tmp_path / "box.stl")) == 12
-    target = export(design.Target, "STL Mesh", tmp_path / "target.stl")
+    assert facets(export(box, "STL Mesh", tmp_path / "box.stl", True)) == 12
+    target = export(design.Target, "STL Mesh", tmp_path / "target.stl", True)
     assert facets(target) == design.Target.Mesh.CountFacets
-    assert b"MANIFOLD_SOLID_BREP" in export(box, "STEP with colors", tmp_path / "box.step")
+    assert b"MANIFOLD_SOLID_BREP" in export(box, "STEP with colors", tmp_path / "box.step", True)
     assert "rror" not in report(), report()
     # What can't be is said where the user looks, and nothing is written.
     again = designs.new_design(document, "half-sphere")

@@ -24,7 +24,9 @@ _FORMATS = {".step": "step", ".stp": "step", ".stl": "stl", ".3mf": "3mf"}
 
 
 def exportOptions(filename: str) -> Optional[dict]:
-    """What FreeCAD asks for before it exports: options of its own module, where that has some."""
+    """What FreeCAD asks for before it exports: options of its own module, where that writes and has some."""
+    if proxy.selection is not None and any(map(_is_ours, proxy.selection())):
+        return None
     ask = getattr(_freecads(filename), "exportOptions", None)
     return ask(filename) if ask is not None else None
 
@@ -50,9 +52,14 @@ def _freecads(filename: str) -> Any:
     return importlib.import_module(names[bool(FreeCAD.GuiUp)])
 
 
+def _is_ours(obj: Any) -> bool:
+    """Whether our writers write it."""
+    return proxy.type_of(obj) in ("CurveUps::Design", "CurveUps::Bodies")
+
+
 def _chosen(objects: Sequence[Any], filename: str) -> tuple[Any, str]:
     """The design and the kind of its bodies that are to be written by us; None for what is FreeCAD's."""
-    ours = [obj for obj in objects if proxy.type_of(obj) in ("CurveUps::Design", "CurveUps::Bodies")]
+    ours = list(filter(_is_ours, objects))
     found = {design.Name: design for obj in ours if (design := proxy.design_of(obj)) is not None}
     if len(found) == 1 and len(ours) == len(objects):
         return next(iter(found.values())), ours[0].Kind if len(ours) == 1 and hasattr(

@@ -14,9 +14,10 @@ READ_ONLY, TRANSIENT, HIDDEN, OUTPUT = 1, 2, 4, 8  # as addProperty takes them
 # Slots of a Design, in the order of the tree.
 SLOTS = ("Target", "Cuts", "Layout", "Verification", "Tiles", "Support", "Anchors")
 
-# Set by a window: what gives an object its view, and what shows an error.
+# Set by a window: what gives an object its view, what shows an error, and which objects are selected.
 attach_view: Optional[Callable[[Any], None]] = None
 show_error: Optional[Callable[[Exception], None]] = None
+selection: Optional[Callable[[], list[Any]]] = None
 
 
 class Proxy:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
+import FreeCADGui
 
 from ..features import proxy
 
@@ -18,6 +19,7 @@ def install() -> None:
     """Gives document objects their views, from the first one on, and FreeCAD's export of designs our
     writers."""
     proxy.attach_view, proxy.show_error = _attach, _show_error
+    proxy.selection = FreeCADGui.Selection.getSelection
     for name, modules in _EXPORTS.items():
         for module in modules:
             FreeCAD.changeExportModule(name, module, "curveups.features.file_export")
