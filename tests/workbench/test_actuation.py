@@ -2,13 +2,14 @@
 """Actuate: the path from flat is computed, played, kept with the document, and told to be out of date."""
 
 import FreeCAD
+import FreeCADGui
 import numpy as np
 import pytest
 from curveups.project.worker import WORKER
 from curveups.window.overlays import overlay_of
 from robot import (at_rest, choose_file, click, close_panel, cut_off, display, in_dialog, picture, press,
                    QtCore, settle, until)
-from steps import LIVE, opened, panel
+from steps import example, LIVE, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -109,10 +110,9 @@ def test_a_path_is_computed_played_and_kept(dome_document, pictures, tmp_path):
     assert design.Actuation == "current"
 
 
-def test_a_run_that_is_cancelled_or_undone_leaves_nothing(dome_document, pictures):
-    document, design = opened(dome_document)
-    design.Bumps = "none"
-    document.recompute()
+def test_a_run_that_is_cancelled_or_undone_leaves_nothing(pictures):
+    document, design = example(L=14, Bumps="none")  # the dome rises within the time of a click
+    FreeCADGui.runCommand("CurveUps_Solve")
     at_rest()
     steps = list(document.UndoNames)
     press("CurveUps_Actuate")
