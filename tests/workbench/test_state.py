@@ -10,6 +10,7 @@ import Part
 import pytest
 from curveups.base.errors import CurveUpsError
 from curveups.features import actions, document as documents
+from curveups.stages.stage import Job
 
 pytestmark = pytest.mark.freecad
 
@@ -357,6 +358,20 @@ def test_a_sheet_that_sets_a_parameter_reads_figures_with_their_units(dome_docum
     document.recompute()
     assert design.HBody.Value == 2.5 and "Invalid" not in (*design.State, *sheet.State)
     assert design.CreaseAngle.getValueAs("deg").Value == 180
+
+
+def test_figures_do_not_outlive_their_layout(dome_document):
+    """A run that is stopped makes a layout and measures little of it."""
+    document, design = opened(dome_document)
+    figures = ("MinNormalForce", "SettledDeviation", "MaxFriction")
+    assert all(getattr(design, name) > 0 for name in figures)
+    design.Tau = 2.8
+    stop = Job(listen=lambda *_: setattr(stop, "stopped", True))
+    results = documents.project_of(design).run(("design", "figures", "deviation", "verification"), stop)
+    documents.take(design, results)
+    assert results["layout"].stopped and design.TileCount == 54 and design.AreaRatio > 1
+    assert not any(getattr(design, name) for name in figures)
+    assert document.Verification.MinNormalForce.Value == 0
 
 
 def test_figures_are_read_by_sheets_and_placement_moves_everything(dome_document):

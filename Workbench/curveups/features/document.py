@@ -205,7 +205,7 @@ def _take_design(obj: Any, results: Results, solved: bool) -> None:
         _write_mesh(obj.Target, places.V, places.F)
     if VERDICT in results or solved:
         write_verification(obj.Verification, results.get(VERDICT))
-    write_figures(obj, results)
+    write_figures(obj, results, solved)
 
 
 def _keys_with(obj: Any, results: Results, before: Keys, solved: bool) -> Keys:

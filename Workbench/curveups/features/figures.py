@@ -56,8 +56,8 @@ def add_figures(obj: Any, with_units: bool) -> None:
             add(obj, "App::PropertyFloat", name, properties.FIGURES, f"{meaning}, {unit}.", status)
 
 
-def write_figures(obj: Any, results: Results) -> None:
-    """Those that a run's results have."""
+def write_figures(obj: Any, results: Results, solved: bool) -> None:
+    """Those that a run's results have; the others become 0 with another layout (solved)."""
     report: dict[str, Any] = {}
     for result in results.values():
         report.update(result.report())
@@ -67,6 +67,8 @@ def write_figures(obj: Any, results: Results) -> None:
             value = value.get(key) if isinstance(value, Mapping) else None
         if isinstance(value, (int, float)):
             _write(obj, name, value)
+        elif solved and path:
+            _write(obj, name, 0)
 
 
 def write_volumes(obj: Any, volumes: Mapping[str, float], kinds: Mapping[str, str]) -> None:
