@@ -4568,8 +4568,8 @@
       <translation>Nichts verbindet sie: an ihren Rändern mit Klebeband oder Kleber verbinden.</translation>
     </message>
     <message>
-      <source>Numbers of tiles from the front, and mirrored from the back: 12 is T00012. Red: tiles of the weakest contacts. The file -tiles.svg has it large enough to read.</source>
-      <translation>Nummern der Kacheln von vorne und gespiegelt von hinten: 12 ist T00012. Rot: Kacheln der schwächsten Kontakte. Die Datei -tiles.svg hat den Plan groß genug zum Lesen.</translation>
+      <source>Numbers of tiles from the front, and mirrored from the back: 12 is T00012. Red: tiles of the weakest contacts. {name}-tiles.svg has it large enough to read.</source>
+      <translation>Nummern der Kacheln von vorne und gespiegelt von hinten: 12 ist T00012. Rot: Kacheln der schwächsten Kontakte. {name}-tiles.svg hat den Plan groß genug zum Lesen.</translation>
     </message>
     <message>
       <source>On the {on_bed} {level}. Bridges alone hold the tiles meanwhile, and break easily.</source>

@@ -224,6 +224,8 @@ def test_the_assembly_sheet_has_a_page_a_step_with_its_picture(kit):
     pages = pdf_text(path).split("\f")
     for number, (title, text) in enumerate(zip(titles, pages[1:]), 1):
         assert text.split("\n")[0].strip().startswith(f"{number}. {title[:40]}")
+    named = set(re.findall(r"[\w-]+\.(?:svg|pdf|dxf|step|stl)", pdf_text(path)))
+    assert len(named) > 8 and not [one for one in named if not list(kit.folder.rglob(one))], named
     block = kit.json["print"]["glue"]
     volume = kit.json["glue"]["volume_cm3"]["front"]
     assert volume == pytest.approx(1e-4 * (block["front_pins_mm2"] + block["front_anchors_mm2"]))

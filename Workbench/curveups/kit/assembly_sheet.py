@@ -130,7 +130,7 @@ def _html(kit: Kit) -> bytes:
         kit.go_on()
         found += [f"<h2>{number}. {escape(step.title)}</h2>", f"<p>{escape(step.text)}</p>"]
         found += [picture(shown[step.picture](), "")] if step.picture else []
-    found += [f"<h2>{escape(say(_MAP))}</h2>", picture(shown["map"](), say(_OF_MAP))]
+    found += [f"<h2>{escape(say(_MAP))}</h2>", picture(shown["map"](), say(_OF_MAP, name=kit.name))]
     return page(kit.title, found, say.name).encode("utf-8")
 
 
@@ -147,7 +147,8 @@ def _pdf(kit: Kit) -> bytes:
             _show(figure, shown[step.picture](), top)
             yield figure
         figure, canvas, top = _page(say(_MAP))
-        _show(figure, shown["map"](), drawing.write(canvas, drawing.BORDER, top, [say(_OF_MAP)], 9.5))
+        top = drawing.write(canvas, drawing.BORDER, top, [say(_OF_MAP, name=kit.name)], 9.5)
+        _show(figure, shown["map"](), top)
         yield figure
 
     return drawing.book(pages(), kit.go_on)
@@ -155,7 +156,7 @@ def _pdf(kit: Kit) -> bytes:
 
 _MAP = Text("Map of tiles")
 _OF_MAP = Text("""Numbers of tiles from the front, and mirrored from the back: 12 is T00012. Red: tiles of
-the weakest contacts. The file -tiles.svg has it large enough to read.""")
+the weakest contacts. {name}-tiles.svg has it large enough to read.""")
 
 
 def _title(kit: Kit) -> str:
