@@ -4278,8 +4278,32 @@
       <translation>Bausatz</translation>
     </message>
     <message>
-      <source>Write the order for the print shop, templates for the latex and the steps of assembly, and open the steps</source>
-      <translation>Schreibt die Bestellung für die Druckerei, Schablonen für das Latex und die Schritte des Zusammenbaus und öffnet diese</translation>
+      <source>Kit of {name}</source>
+      <translation>Bausatz von {name}</translation>
+    </message>
+    <message>
+      <source>Write the order for the print shop, templates for the latex and the steps of assembly</source>
+      <translation>Die Bestellung für die Druckerei, Schablonen für das Latex und die Schritte des Zusammenbaus schreiben</translation>
+    </message>
+    <message>
+      <source>open the folder</source>
+      <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+      <source>the back template</source>
+      <translation>die Schablone der Rückseite</translation>
+    </message>
+    <message>
+      <source>the front template</source>
+      <translation>die Schablone der Vorderseite</translation>
+    </message>
+    <message>
+      <source>the order for the print shop</source>
+      <translation>die Bestellung für die Druckerei</translation>
+    </message>
+    <message>
+      <source>the steps of assembly</source>
+      <translation>die Schritte des Zusammenbaus</translation>
     </message>
   </context>
   <context>
@@ -5388,6 +5412,53 @@
     <message>
       <source>{name} stands for the design, {body} for what the file holds</source>
       <translation>{name} steht für den Entwurf, {body} für den Inhalt der Datei</translation>
+    </message>
+  </context>
+  <context>
+    <name>KitPanel</name>
+    <message>
+      <source>Cancel</source>
+      <translation>Abbrechen</translation>
+    </message>
+    <message>
+      <source>End now. The folder then holds a part of the kit, and kit.json says so</source>
+      <translation>Jetzt aufhören. Der Ordner enthält dann einen Teil des Bausatzes, und kit.json sagt das</translation>
+    </message>
+    <message>
+      <source>Folder</source>
+      <translation>Ordner</translation>
+    </message>
+    <message>
+      <source>Kit</source>
+      <translation>Bausatz</translation>
+    </message>
+    <message>
+      <source>Name the print files: {name} stands for the design, {body} for what the file holds; {material}, {thickness} and {quantity} are what some shops ask for</source>
+      <translation>Die Druckdateien benennen: {name} steht für den Entwurf, {body} für den Inhalt der Datei; {material}, {thickness} und {quantity} verlangen manche Druckereien</translation>
+    </message>
+    <message>
+      <source>Names</source>
+      <translation>Namen</translation>
+    </message>
+    <message>
+      <source>Quantity</source>
+      <translation>Anzahl</translation>
+    </message>
+    <message>
+      <source>Set how many the print shop is to make</source>
+      <translation>Festlegen, wie viele die Druckerei herstellen soll</translation>
+    </message>
+    <message>
+      <source>The fabrication kit is out of date: the design has changed since</source>
+      <translation>Der Bausatz ist veraltet: der Entwurf hat sich seitdem geändert</translation>
+    </message>
+    <message>
+      <source>Verify the design and write all files into the folder</source>
+      <translation>Den Entwurf prüfen und alle Dateien in den Ordner schreiben</translation>
+    </message>
+    <message>
+      <source>Write the Kit</source>
+      <translation>Schreiben</translation>
     </message>
   </context>
   <context>

@@ -94,15 +94,21 @@ def test_a_macro_of_all_commands_replays_without_a_window(monkeypatch, tmp_path,
     fill(panel().form.folder, str(tmp_path / "out"))
     click(panel().form.write)
     leave()
+    press("CurveUps_Kit")
+    fill(panel().form.folder, str(tmp_path / "kit"))
+    click(panel().form.write)
+    leave()
     design.Layout.Proxy = None
     press("CurveUps_RestoreObjects")
     recording(False)
+    shutil.rmtree(tmp_path / "kit")
     files = sorted(os.listdir(tmp_path / "out"))
     assert files
     shutil.rmtree(tmp_path / "out")
     assert replayed(tmp_path / "everything.FCMacro", tmp_path) == state_of(document)
     assert sorted(os.listdir(tmp_path / "out")) == files
+    assert (tmp_path / "kit" / "kit.json").exists()
     text = (tmp_path / "everything.FCMacro").read_text("utf-8")
     for name in ("newDocument", "new_design", "L = 14", "Tau = 2.9", "check", "divide", "set_cuts", "solve",
-                 "verify", "repair", "actuate", "build_solids", "report", "export", "restore"):
+                 "verify", "repair", "actuate", "build_solids", "report", "export", "kit", "restore"):
         assert name in text, (name, text)

@@ -24,7 +24,8 @@ pytestmark = pytest.mark.freecad(window=True)
 F1 = "67"  # the code of the key: by its name xdotool presses Alt too, with keyboard maps of 2026
 STEPS = ("NewDesign", "Check", "Solve", "Cuts", "Overlay", "Export")
 PANELS = (("Check", "CheckPanel"), ("Cuts", "CutsPanel"), ("Overlay", "OverlayPanel"),
-          ("WorstContacts", "WorstContactsPanel"), ("Actuate", "ActuatePanel"), ("Export", "ExportPanel"))
+          ("WorstContacts", "WorstContactsPanel"), ("Actuate", "ActuatePanel"), ("Export", "ExportPanel"),
+          ("Kit", "KitPanel"))
 
 
 def begin():

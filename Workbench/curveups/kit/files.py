@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, Callable, Mapping, Sequence
 
-from ..base.errors import Stopped
+from ..base.errors import CurveUpsError, Stopped
 from ..base.language import Language
 from ..base.native import native
 from ..base.output import Folder
@@ -197,6 +197,15 @@ def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, A
 
 def _sum(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
+
+
+def last_order(folder: Path) -> Order:
+    """What was chosen for the kit in a folder; the usual where there is none."""
+    try:
+        found = json.loads((folder / KIT).read_text("utf-8"))
+        return Order(int(found["quantity"]), str(found["names"]), Language(found["language"]).name)
+    except (CurveUpsError, OSError, ValueError, KeyError, TypeError):
+        return Order()
 
 
 def is_current(folder: Path, design: str, order: Order = Order()) -> bool:

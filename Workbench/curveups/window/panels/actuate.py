@@ -172,10 +172,4 @@ class ActuatePanel(Panel):
             enable(button, idle(running))
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
-        running = goes_on and LIVE.runs_on(self.design)
-        self._show_running(running)
-        form = self.form
-        form.progress.setMaximum(0 if running and status.fraction < 0 else 1000)
-        form.progress.setValue(int(1000 * max(status.fraction, 0.0)) if running else 0)
-        form.progress.setTextVisible(running)
-        form.doing.setText(f"{status.what}, {status.seconds:.1f} s" if running else "")
+        self._show_running(goes_on and LIVE.runs_on(self.design))

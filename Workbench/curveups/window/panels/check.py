@@ -210,10 +210,6 @@ class CheckPanel(Panel):
         mine = goes_on and LIVE.runs_on(self.design)
         if not goes_on or self.form.check.isEnabled() == LIVE.busy:
             self._show_running(mine)
-        if mine:
-            self.form.doing.setText(f"{status.what}, {status.seconds:.1f} s")
-            self.form.progress.setMaximum(1000 if status.fraction >= 0 else 0)
-            self.form.progress.setValue(int(1000 * min(max(status.fraction, 0.0), 1.0)))
 
 
 _HEAD = (QT_TRANSLATE_NOOP("CurveUps_Check", "Worst"),

@@ -13,7 +13,6 @@ from ...base.errors import CurveUpsError
 from ...base.native import native
 from ...features import actions
 from ...features.document import settings_of
-from ...features.proxy import HIDDEN
 from ...project.worker import Status
 from ...report.exports import Choice, choices, file_names, other_report
 from ..guide import link
@@ -23,6 +22,7 @@ from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from ..units import show_number
 from . import preferences
+from .folder_row import FolderRow
 from .panel import Panel, enable, idle
 
 
@@ -44,9 +44,7 @@ class ExportPanel(Panel):
         form.deviation.setProperty("minimum", 0.0001)
         show_number(form.deviation, FreeCAD.Units.Quantity(f"{self._parameters.get('mesh_deviation')} mm"))
         form.names.setText(preferences.export_mask())
-        form.folder.textChanged.connect(lambda text: form.folder.setToolTip(text))  # it may be long
-        form.folder.setText(self._folder())
-        form.browse.clicked.connect(lambda *_: self._browse())
+        self._folder = FolderRow(form, design, "ExportFolder", "print")
         form.write.clicked.connect(lambda *_: self.write())
         form.cancel.clicked.connect(lambda *_: LIVE.cancel())
         form.files.itemChanged.connect(lambda *_: self._show_names())
@@ -69,17 +67,14 @@ class ExportPanel(Panel):
         """Writes the files on the worker; the line on top says how that went."""
         self._say("")
         with errors_shown(translate("CurveUpsExport", "Export")):
-            choice, folder = self.choice(), self.form.folder.text()
+            choice, folder = self.choice(), self._folder.path
             file_names(self.design.Label, choice)
-            if not folder:
-                raise CurveUpsError(translate("CurveUpsExport", "there is no folder"), "",
-                                    translate("CurveUpsExport", "choose one"))
             if choice.reports and not self._may_replace(Path(folder)):
                 return
             work = actions.export_work(self.design, folder, choice)
             self._written_to = folder, choice
             LIVE.start(self.design, Task(translate("CurveUpsExport", "Export"), work, self._written))
-            self._keep_folder(folder)
+            self._folder.keep()
             preferences.set_export_mask(choice.mask)
 
     def _written(self, design: Any, names: list[str]) -> None:
@@ -114,29 +109,6 @@ class ExportPanel(Panel):
             item.setCheckState(0, QtCore.Qt.Checked if (kind, ending) in wanted else QtCore.Qt.Unchecked)
             self.form.files.addTopLevelItem(item)
 
-    def _folder(self) -> str:
-        """Where the design's files went last; beside its document at first, or where that folder is of
-        another machine."""
-        kept = Path(getattr(self.design.ViewObject, "ExportFolder", ""))
-        if kept.name and kept.parent.is_dir():
-            return str(kept)
-        saved = self.design.Document.FileName
-        return str((Path(saved).parent if saved else Path.home()) / f"{actions.file_name(self.design)}-print")
-
-    def _keep_folder(self, folder: str) -> None:
-        """With the view of the design, as what the overlay shows: no step of undo."""
-        view = self.design.ViewObject
-        if "ExportFolder" not in view.PropertiesList:
-            view.addProperty("App::PropertyString", "ExportFolder", "Overlay", "Where files went last.",
-                             HIDDEN)
-        view.ExportFolder = folder
-
-    def _browse(self) -> None:
-        folder = QtWidgets.QFileDialog.getExistingDirectory(
-            self.form, translate("CurveUpsExport", "Folder for the files"), self.form.folder.text())
-        if folder:
-            self.form.folder.setText(str(folder))
-
     def show(self) -> None:
         """What speaks against printing the design as it is."""
         found = actions.doubts(self.design)
@@ -161,8 +133,6 @@ class ExportPanel(Panel):
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
         self._show_running(goes_on and LIVE.runs_on(self.design))
-        self.form.progress.setMaximum(0 if goes_on and status.fraction < 0 else 1000)
-        self.form.progress.setValue(int(1000 * max(status.fraction, 0.0)) if goes_on else 0)
 
 
 def _links(folder: Path, names: list[str]) -> list[str]:

@@ -10,7 +10,7 @@ from typing import Any, Optional
 import FreeCADGui
 
 from ...base.errors import CurveUpsError
-from ...project.worker import Status
+from ...project.worker import WORKER, Status
 from ..guide import answer_keys
 from ..notice import follow_link, show_in
 from ..overlays import overlay_of
@@ -70,7 +70,8 @@ def idle(running: bool) -> str:
 
 class Panel(ABC):
     """FreeCAD's task dialog for a design: `form` is its widget, and None once FreeCAD has closed it without
-    asking. Where the form has a `line`, messages come there and the panel is told how runs go."""
+    asking. Where the form has a `line`, messages come there, the panel is told how runs go, and shows how far
+    they are in the form's `progress`."""
 
     form: Any
     TOPIC = ""  # of the guide: the command that opens it
@@ -106,6 +107,7 @@ class Panel(ABC):
             self._say("")
             show_in(self._say)
             LIVE.observe(self._run_changed)
+            self._show_progress(WORKER.status(), LIVE.runs_on(self.design))
         self.show()
 
     @abstractmethod
@@ -114,6 +116,18 @@ class Panel(ABC):
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
         """How the run of the window stands, whatever design it is for."""
+
+    def _show_progress(self, status: Status, running: bool) -> None:
+        """How far this design's run is, and what it does, where the form has a place for that."""
+        bar = getattr(self.form, "progress", None)
+        if bar is None:
+            return
+        bar.setMaximum(0 if running and status.fraction < 0 else 1000)
+        bar.setValue(int(1000 * min(max(status.fraction, 0.0), 1.0)) if running else 0)
+        bar.setTextVisible(running)
+        if hasattr(self.form, "doing"):
+            what = translate("CurveUpsSolve", "stopping") if status.stopping else status.what
+            self.form.doing.setText(f"{what}, {status.seconds:.1f} s" if running else "")
 
     def _say(self, text: str) -> None:
         """A line of rich text at the top."""
@@ -125,6 +139,7 @@ class Panel(ABC):
         if self.form is None:
             self.close()
         else:
+            self._show_progress(status, goes_on and LIVE.runs_on(self.design))
             self._show_run(status, goes_on)
 
     def _changed(self) -> None:

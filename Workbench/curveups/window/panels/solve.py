@@ -264,10 +264,6 @@ class SolvePanel(Panel):
         for button in (form.stop, form.cancel):
             enable(button, idle(running))
         enable(form.parameters, LIVE.obstacle() if running else "")
-        form.progress.setTextVisible(running)
-        if not running:
-            form.progress.setValue(0)
-            form.doing.setText("")
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
         if goes_on and not LIVE.runs_on(self.design):
@@ -275,14 +271,7 @@ class SolvePanel(Panel):
         self._show_stage(status, goes_on)
         self.curves.show_status(status)
         self._show_running(goes_on)
-        if goes_on:
-            what = translate("CurveUpsSolve", "stopping") if status.stopping else status.what
-            self.form.doing.setText(f"{what}, {status.seconds:.1f} s")
-            self.form.progress.setMaximum(1000 if status.fraction >= 0 else 0)
-            self.form.progress.setValue(int(1000 * min(max(status.fraction, 0.0), 1.0)))
-            return
-        self.form.progress.setMaximum(1000)
-        if self.design.Document.Name in FreeCAD.listDocuments():
+        if not goes_on and self.design.Document.Name in FreeCAD.listDocuments():
             if self._rows:
                 self._rows.refresh()
             self.show()
