@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <CGAL/IO/STL.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -130,6 +137,22 @@ std::size_t shells_of(const Facets& facets) {
   return roots.size();
 }
 
+// CGAL reads the file as it is, without mending, as the boundary of one solid of this volume, mm3.
+void expect_solid_by_cgal(const std::string& path, double volume) {
+  namespace pmp = CGAL::Polygon_mesh_processing;
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
+  std::vector<Point> points;
+  std::vector<std::array<int, 3>> triangles;
+  ASSERT_TRUE(CGAL::IO::read_STL(path, points, triangles));
+  ASSERT_TRUE(pmp::is_polygon_soup_a_polygon_mesh(triangles));
+  CGAL::Surface_mesh<Point> mesh;
+  pmp::polygon_soup_to_polygon_mesh(points, triangles, mesh);
+  ASSERT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_FALSE(pmp::does_self_intersect(mesh));
+  EXPECT_TRUE(pmp::is_outward_oriented(mesh));
+  EXPECT_NEAR(pmp::volume(mesh), volume, 1e-6 * volume);
+}
+
 TEST_F(Files, APieceOnBridgesIsOneClosedShellWhereItIsFused) {
   Parameters parameters;
   parameters.support = "breakaway";
@@ -147,6 +170,7 @@ TEST_F(Files, APieceOnBridgesIsOneClosedShellWhereItIsFused) {
   const double overlaps = 2 * parameters.bridge_depth * parameters.bridge_width *
                           parameters.bridge_thickness * static_cast<double>(s.supports.size());
   EXPECT_GT(volume_of(facets), apart - 3 * overlaps);
+  expect_solid_by_cgal(path("a.stl"), volume_of(facets));
   EXPECT_THROW(write_stl(model(), "fused", path("b.stl"), {}), InvalidInput);
   const Progress stop = [](const std::string& what, double) { return what != "uniting bodies"; };
   EXPECT_THROW(write_stl(s, "fused", path("c.stl"), stop), Cancelled);
