@@ -4424,8 +4424,8 @@
       <translation>Prüfkörper</translation>
     </message>
     <message>
-      <source>Cut both membranes along the lines, {trim:g} mm outside of the outer pins, along rims, holes and cuts. Where the drawing has small circles, punch these first: they keep a cut from tearing on. Anchors go with the surplus. {apart}</source>
-      <translation>Beide Membranen entlang der Linien schneiden, {trim:g} mm außerhalb der äußeren Zapfen, an Rändern, Löchern und Schnitten. Wo die Zeichnung kleine Kreise hat, diese zuerst ausstanzen: sie verhindern, dass ein Schnitt weiterreißt. Die Anker gehen mit dem Überstand weg. {apart}</translation>
+      <source>Cut both sheets out of their rings together</source>
+      <translation>Beide Folien gemeinsam aus den Ringen schneiden</translation>
     </message>
     <message>
       <source>Cut both strips along the outer lines. Bars clamp them from the inner lines outwards.</source>
@@ -4434,6 +4434,10 @@
     <message>
       <source>Cut both strips along the template, of the sheets for the membranes. Measure the thickness over ten layers. Stretch each twice to {tau:g} times its length beforehand. Clamp its ends between two bars with two bolts of M4 in their holes, from line to line of the template. Pull the narrow strip to each stretch: {lengths} mm from bar to bar, and enter the force after a minute; some {narrow:.0f} N at the last. So with the wide one: {wide_lengths} mm, some {wide:.0f} N; its width can't shrink, so latex is stretched in both directions there. Then leave the narrow strip at {tau:g} times its length and read the force at the minutes that are listed: latex creeps. Wear goggles: a strip that tears snaps back.</source>
       <translation>Beide Streifen nach der Schablone aus den Folien für die Membranen schneiden. Die Dicke über zehn Lagen messen. Jeden vorher zweimal auf das {tau:g}-Fache seiner Länge dehnen. Die Enden zwischen je zwei Leisten mit zwei Schrauben M4 in deren Löchern klemmen, von Linie zu Linie der Schablone. Den schmalen Streifen auf jede Dehnung ziehen: {lengths} mm von Leiste zu Leiste, und nach einer Minute die Kraft eintragen; zuletzt etwa {narrow:.0f} N. Ebenso den breiten: {wide_lengths} mm, etwa {wide:.0f} N; seine Breite kann nicht schrumpfen, so ist das Latex dort in beiden Richtungen gedehnt. Dann den schmalen Streifen beim {tau:g}-Fachen seiner Länge lassen und die Kraft zu den angegebenen Minuten ablesen: Latex kriecht. Schutzbrille tragen: ein Streifen, der reißt, schnellt zurück.</translation>
+    </message>
+    <message>
+      <source>Cut the front membrane along its lines, which were {trim:g} mm outside of the outer pins while it was stretched, and the back one as far outside of its own pins. {stop} Anchors go with the surplus. {apart}</source>
+      <translation>Die vordere Membran entlang ihrer Linien schneiden, die {trim:g} mm außerhalb der äußeren Zapfen lagen, solange sie gedehnt war, und die hintere ebenso weit außerhalb ihrer eigenen Zapfen. {stop} Die Anker gehen mit dem Überstand weg. {apart}</translation>
     </message>
     <message>
       <source>Cut the surplus off</source>
@@ -4456,8 +4460,8 @@
       <translation>Nicht skalieren, drehen oder anordnen: die Körper stehen an ihren Plätzen, und {tiles} davon sollen getrennt sein.</translation>
     </message>
     <message>
-      <source>Each page says how one coupon is measured, and has a table for what you read. Then put the readings into {name}-MEASURED.json, in place of null, in the units of the names. What stays null is left out. Of a list give three readings or none.</source>
-      <translation>Jede Seite sagt, wie ein Prüfkörper gemessen wird, und hat eine Tabelle für die Ablesungen. Diese dann in {name}-MEASURED.json anstelle von null eintragen, in den Einheiten der Namen. Was null bleibt, wird ausgelassen. Von einer Liste drei Ablesungen angeben oder keine.</translation>
+      <source>Each page says how one coupon is measured, and has a table for what you read. Then put the readings into {name}-MEASURED.json, in place of null, in the units of the names. What stays null is left out. Give three readings of a list or more, or none.</source>
+      <translation>Jede Seite sagt, wie ein Prüfkörper gemessen wird, und hat eine Tabelle für die Ablesungen. Diese dann in {name}-MEASURED.json anstelle von null eintragen, in den Einheiten der Namen. Was null bleibt, wird ausgelassen. Von einer Liste drei Ablesungen oder mehr angeben, oder keine.</translation>
     </message>
     <message>
       <source>FDM printer, 0.4 mm nozzle</source>
@@ -4470,6 +4474,10 @@
     <message>
       <source>Finish</source>
       <translation>Oberfläche</translation>
+    </message>
+    <message>
+      <source>Follow rims, holes and cuts. Where the drawing has small circles, punch these first: they keep a cut from tearing on.</source>
+      <translation>Rändern, Löchern und Schnitten folgen. Wo die Zeichnung kleine Kreise hat, diese zuerst ausstanzen: sie verhindern, dass ein Schnitt weiterreißt.</translation>
     </message>
     <message>
       <source>For {paper} paper: print at 100 % (“actual size”), not fitted to the page; measure the ruler.</source>
@@ -4532,20 +4540,20 @@
       <translation>Latex</translation>
     </message>
     <message>
-      <source>Latex {thickness:g} mm thick. Cut it {x:.0f} × {y:.0f} mm along the outer line; {grip:g} mm around are for the hands. Wash, dry and stretch it twice before you trace the lines, with a pen whose ink stays on latex. Punch a hole of {hole:g} mm in every circle.</source>
-      <translation>Latex, {thickness:g} mm dick. Auf {x:.0f} × {y:.0f} mm entlang der äußeren Linie schneiden; {grip:g} mm ringsum sind für die Hände. Waschen, trocknen und zweimal dehnen, bevor die Linien mit einem Stift nachgezogen werden, dessen Farbe auf Latex haftet. In jeden Kreis ein Loch von {hole:g} mm stanzen.</translation>
+      <source>Latex {thickness:g} mm thick. Cut it {x:.0f} × {y:.0f} mm along the outer line; {grip:g} mm around are for the hands. Wash it, dry it, pull it to some {tau:g} times its size and let it go, twice, before you trace the lines, with a pen whose ink stays on latex. Punch a hole of {hole:g} mm in every circle.</source>
+      <translation>Latex, {thickness:g} mm dick. Auf {x:.0f} × {y:.0f} mm entlang der äußeren Linie schneiden; {grip:g} mm ringsum sind für die Hände. Waschen, trocknen, auf etwa das {tau:g}-Fache ziehen und loslassen, zweimal, bevor die Linien mit einem Stift nachgezogen werden, dessen Farbe auf Latex haftet. In jeden Kreis ein Loch von {hole:g} mm stanzen.</translation>
     </message>
     <message>
       <source>Lay the parts side by side</source>
       <translation>Die Teile nebeneinanderlegen</translation>
     </message>
     <message>
-      <source>Lay the print down with its {first} up: pins and anchors alone stand out there ({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto their tops, {layer:g} mm thick, with a roller that touches nothing below: a flexible glue for rubber on hard plastic that water does not loosen. Walls, gaps and all that holds the tiles together stay dry. {lay} Press sheet and print together between two boards that fit through the window, with weights spread evenly, for as long as the glue's maker says. Air the room: the glue's vapour harms you.</source>
-      <translation>Den Druck mit seiner {first} nach oben hinlegen: dort stehen nur Zapfen und Anker vor ({first_mm2:.0f} mm²). {behind} {first_cm3:.2f} cm³ Kleber auf ihre Enden rollen, {layer:g} mm dick, mit einer Rolle, die darunter nichts berührt: einen elastischen Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst. Wände, Spalte und alles, was die Kacheln zusammenhält, bleiben trocken. {lay} Folie und Druck zwischen zwei Brettern, die durch das Fenster passen, mit gleichmäßig verteilten Gewichten so lange zusammenpressen, wie es der Hersteller des Klebers sagt. Lüften: die Dämpfe des Klebers sind schädlich.</translation>
+      <source>Lay the print down with its {first} up: pins and anchors alone stand out there ({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto the tops of these, {layer:g} mm thick, with a roller that touches nothing below: a flexible glue for rubber on hard plastic that water does not loosen. Walls, gaps and all that holds the tiles together stay dry. {lay} Press sheet and print together between two boards that fit through the window, with weights spread evenly, for as long as the glue's maker says. Air the room: the glue's vapour harms you.</source>
+      <translation>Den Druck mit seiner {first} nach oben hinlegen: dort stehen nur Zapfen und Anker vor ({first_mm2:.0f} mm²). {behind} {first_cm3:.2f} cm³ Kleber auf die Enden dieser Zapfen und Anker rollen, {layer:g} mm dick, mit einer Rolle, die darunter nichts berührt: einen elastischen Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst. Wände, Spalte und alles, was die Kacheln zusammenhält, bleiben trocken. {lay} Folie und Druck zwischen zwei Brettern, die durch das Fenster passen, mit gleichmäßig verteilten Gewichten so lange zusammenpressen, wie es der Hersteller des Klebers sagt. Lüften: die Dämpfe des Klebers sind schädlich.</translation>
     </message>
     <message>
-      <source>Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3 mm thick, by their numbers, and press them together. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first membrane is glued over all of them at once.</source>
-      <translation>Die {parts} Teile, ihre {first} oben, nach ihren Nummern in den Rahmen {name}-frame.dxf legen, der aus einer 3 mm dicken Platte geschnitten ist, und zusammenschieben. Teile, die schief liegen, lassen mehr als {opening:g} mm Spalt: ihre Kanten feilen. Die erste Membran wird auf einmal über alle geklebt.</translation>
+      <source>Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3 mm thick, by their numbers, and press them together. A part without a label fits its pocket with its {first} up alone. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first membrane is glued over all of them at once.</source>
+      <translation>Die {parts} Teile, ihre {first} oben, nach ihren Nummern in den Rahmen {name}-frame.dxf legen, der aus einer 3 mm dicken Platte geschnitten ist, und zusammenschieben. Ein Teil ohne Schild passt nur mit seiner {first} oben in seine Tasche. Teile, die schief liegen, lassen mehr als {opening:g} mm Spalt: ihre Kanten feilen. Die erste Membran wird auf einmal über alle geklebt.</translation>
     </message>
     <message>
       <source>Layer, tolerance</source>
@@ -4560,12 +4568,12 @@
       <translation>Alles liegen lassen und die gedehnte Folie der {first} daraufsenken, mit den Zähnen nach unten und dem Druck in der Mitte des Fensters.</translation>
     </message>
     <message>
-      <source>Leave supports and bridges in: do not break them. They alone keep the tiles in place.</source>
-      <translation>Stützen und Brücken nicht herausbrechen: nur sie halten die Kacheln an ihrem Platz.</translation>
+      <source>Leave the bridges between the tiles in: do not break them. They alone keep the tiles in place.</source>
+      <translation>Die Brücken zwischen den Kacheln nicht herausbrechen: nur sie halten die Kacheln an ihrem Platz.</translation>
     </message>
     <message>
-      <source>Leave supports and bridges in: do not wash them off. They alone keep the tiles in place.</source>
-      <translation>Stützen und Brücken nicht auswaschen: nur sie halten die Kacheln an ihrem Platz.</translation>
+      <source>Leave the support in: do not wash it off. It alone keeps the tiles in place. Name the bath that dissolves it.</source>
+      <translation>Das Stützmaterial nicht auswaschen: nur es hält die Kacheln an ihrem Platz. Das Bad nennen, das es löst.</translation>
     </message>
     <message>
       <source>Look at the print</source>
@@ -4604,12 +4612,8 @@
       <translation>Auf der {second} {level} und würden mitgeklebt.</translation>
     </message>
     <message>
-      <source>Once the glue holds, the {second} is up. The membrane stays on its ring: it alone keeps the tiles in their places.</source>
-      <translation>Sobald der Kleber hält, liegt die {second} oben. Die Membran bleibt auf ihrem Ring: nur sie hält die Kacheln an ihrem Platz.</translation>
-    </message>
-    <message>
-      <source>Once the glue holds, turn the ring over, so that you can reach the {second}, and {away}. {stays}: it alone keeps the tiles in their places now.</source>
-      <translation>Sobald der Kleber hält, den Ring wenden, sodass die {second} zugänglich ist, und {away}. {stays}: nur sie hält jetzt die Kacheln an ihrem Platz.</translation>
+      <source>Once the glue holds, {away}. {stays}: it alone keeps the tiles in their places now.</source>
+      <translation>Sobald der Kleber hält, {away}. {stays}: nur sie hält jetzt die Kacheln an ihrem Platz.</translation>
     </message>
     <message>
       <source>One build: all bodies belong together, {pieces} pieces of them.</source>
@@ -4632,6 +4636,10 @@
       <translation>PLA oder PETG</translation>
     </message>
     <message>
+      <source>Parts of the print with their numbers, seen from above, the side that lies up on the beds.</source>
+      <translation>Teile des Drucks mit ihren Nummern, von oben gesehen, die Seite oben, die auf den Betten oben liegt.</translation>
+    </message>
+    <message>
       <source>Peel the slicer's supports off the {on_bed}, tile by tile</source>
       <translation>Die Stützen des Slicers Kachel für Kachel von der {on_bed} lösen</translation>
     </message>
@@ -4640,8 +4648,12 @@
       <translation>Druck</translation>
     </message>
     <message>
-      <source>Print the coupons together with the design: on the same printer, of the same materials, the same way up. STEP and 3MF have all bodies in place, STL has tiles and support apart.</source>
-      <translation>Die Prüfkörper wie den Entwurf drucken: auf demselben Drucker, aus denselben Materialien, mit derselben Seite nach oben. STEP und 3MF haben alle Körper an ihrem Platz, STL hat Kacheln und Stützen getrennt.</translation>
+      <source>Print the coupons before the design is ordered, as it will be printed: on the same printer, of the same materials, the same way up. STEP and 3MF have all bodies in place, STL has tiles and support apart.</source>
+      <translation>Die Prüfkörper drucken, bevor der Entwurf bestellt wird, und so, wie er gedruckt wird: auf demselben Drucker, aus denselben Materialien, mit derselben Seite nach oben. STEP und 3MF haben alle Körper an ihrem Platz, STL hat Kacheln und Stützen getrennt.</translation>
+    </message>
+    <message>
+      <source>Print the drawing {name}-frame.pdf at 100 %, and tape the {parts} parts onto it, their {first} up, tile on tile: the numbers of the parts stand on it. A part without a label matches the drawing with its {first} up alone. Gaps between parts are {opening:g} mm wider than those inside of them, and no tile may be more than {error:g} mm off its place. The first membrane is glued over all of them at once.</source>
+      <translation>Die Zeichnung {name}-frame.pdf mit 100 % drucken und die {parts} Teile, ihre {first} oben, mit Klebeband darauf befestigen, Kachel auf Kachel: die Nummern der Teile stehen darauf. Ein Teil ohne Schild stimmt nur mit seiner {first} oben mit der Zeichnung überein. Spalte zwischen Teilen sind {opening:g} mm breiter als die in ihnen, und keine Kachel darf mehr als {error:g} mm neben ihrem Platz liegen. Die erste Membran wird auf einmal über alle geklebt.</translation>
     </message>
     <message>
       <source>Printer compared with</source>
@@ -4660,12 +4672,12 @@
       <translation>Hartes Material</translation>
     </message>
     <message>
-      <source>Roll {second_cm3:.2f} cm³ of glue onto the pins and anchors of the {second} ({second_mm2:.0f} mm²), as before. Lay the second membrane on, stretched on its ring, with its teeth down: the rings close face to face, {height:g} mm apart, and their teeth stand half a pitch beside one another. Rods in the holes at the corners align them. Press through both windows, as long as before.</source>
-      <translation>{second_cm3:.2f} cm³ Kleber wie zuvor auf Zapfen und Anker der {second} ({second_mm2:.0f} mm²) rollen. Die zweite Membran auflegen, gedehnt auf ihrem Ring, mit den Zähnen nach unten: die Ringe schließen sich Fläche an Fläche, {height:g} mm voneinander, und ihre Zähne stehen um eine halbe Teilung versetzt. Stäbe in den Löchern an den Ecken richten sie aus. Durch beide Fenster pressen, so lange wie zuvor.</translation>
+      <source>Roll {second_cm3:.2f} cm³ of glue onto the pins and anchors of the {second} ({second_mm2:.0f} mm²), as before. Lay the second membrane on, stretched on its ring, with its teeth down: the rings close face to face, {height:g} mm apart, and the teeth of one stand in the middle between those of the other. Rods in the holes at the corners align them: punch the rims of the sheets there, where nothing pulls. Press through both windows, as long as before.</source>
+      <translation>{second_cm3:.2f} cm³ Kleber wie zuvor auf Zapfen und Anker der {second} ({second_mm2:.0f} mm²) rollen. Die zweite Membran auflegen, gedehnt auf ihrem Ring, mit den Zähnen nach unten: die Ringe schließen sich Fläche an Fläche, {height:g} mm voneinander, und die Zähne des einen stehen mitten zwischen denen des anderen. Stäbe in den Löchern an den Ecken richten sie aus: dort die Ränder der Folien lochen, an denen nichts zieht. Durch beide Fenster pressen, so lange wie zuvor.</translation>
     </message>
     <message>
-      <source>Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before that leaves its ring: the thin triangles are the outer pins. Copy the thick red lines, {trim:g} mm outside of them, and cut along these once the shell is off its rings. Punch small circles first.</source>
-      <translation>Von vorne gesehen, in der Größe der gedehnten Folie. Auf die Folie der Vorderseite legen, bevor sie vom Ring kommt: die dünnen Dreiecke sind die äußeren Zapfen. Die dicken roten Linien, {trim:g} mm außerhalb davon, übertragen und daran entlang schneiden, sobald die Schale von den Ringen ist. Kleine Kreise zuerst ausstanzen.</translation>
+      <source>Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors. Copy the thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off its rings. Punch small circles on them first.</source>
+      <translation>Von vorne gesehen, in der Größe der gedehnten Folie. Auf die Folie der Vorderseite legen, bevor sie vom Ring kommt: die dünnen Dreiecke sind die äußeren Zapfen, was um sie herum steht, sind Anker. Die dicken roten Linien, {trim:g} mm außerhalb der Zapfen, übertragen und daran entlang schneiden, sobald die Schale von den Ringen ist. Kleine Kreise auf ihnen zuerst ausstanzen.</translation>
     </message>
     <message>
       <source>Sew with a strong thread through the membrane into a stitching hole ({hole:g} mm), out at its other side, and back through the hole that faces it in the other piece; {holes} holes in all. A drop of glue around a hole keeps the membrane from tearing on. Pull the thread tight when all stitches are in.</source>
@@ -4688,16 +4700,16 @@
       <translation>So trennen sich die {pieces} Stücke: jedes hält seine Form allein.</translation>
     </message>
     <message>
-      <source>Stretch both membranes to {tau:g} times their length, each over the teeth of its own ring: every hole comes onto a tooth, {pitch:g} mm from the next. The sheet lies on the face that the teeth stick out of, with its lines on the ring, since glue does not hold on ink. Begin in the middles of opposite sides, and end at the corners. The window inside measures {window[0]:.0f} × {window[1]:.0f} mm. Measure through it: each of the five control squares of {square:g} mm must read {stretched:g} ± {slack:.1f} mm in both directions. Measure once more just before gluing, since latex creeps, and stretch anew what has become smaller. The front sheet pulls at the sides of its ring with {front[0]:.0f} N and {front[1]:.0f} N, the back sheet with {back[0]:.0f} N and {back[1]:.0f} N: wear goggles, a sheet that slips off snaps back.</source>
-      <translation>Beide Membranen auf das {tau:g}-Fache ihrer Länge dehnen, jede über die Zähne ihres eigenen Rings: jedes Loch kommt auf einen Zahn, {pitch:g} mm vom nächsten. Die Folie liegt auf der Fläche, aus der die Zähne ragen, mit den Linien zum Ring, denn auf Farbe hält kein Kleber. In der Mitte gegenüberliegender Seiten beginnen und an den Ecken enden. Das Fenster innen misst {window[0]:.0f} × {window[1]:.0f} mm. Durch das Fenster messen: jedes der fünf Prüfquadrate von {square:g} mm muss in beiden Richtungen {stretched:g} ± {slack:.1f} mm messen. Kurz vor dem Kleben noch einmal messen, denn Latex kriecht, und neu dehnen, was kleiner geworden ist. Die vordere Folie zieht an den Seiten ihres Rings mit {front[0]:.0f} N und {front[1]:.0f} N, die hintere mit {back[0]:.0f} N und {back[1]:.0f} N: Schutzbrille tragen, eine Folie, die abrutscht, schnellt zurück.</translation>
+      <source>Stretch both membranes to {tau:g} times their length, each over the teeth of its own ring: every hole comes onto a tooth, {pitch:g} mm from the next. The sheet lies on the face that the teeth stick out of, with its lines on the ring, since glue does not hold on ink. Begin in the middles of opposite sides, and end at the corners. The window inside measures {window[0]:.0f} × {window[1]:.0f} mm. The back ring's teeth, and so its sheet, lie {half:g} mm off its middle along both sides: that is meant, they pass between those of the front. Measure through the window: each of the five control squares of {square:g} mm must read {stretched:g} ± {slack:.1f} mm in both directions. Where one does not, a hole hangs on the wrong tooth or has torn out: hang its rows anew. Measure once more just before gluing, since latex creeps. The front sheet pulls with {front[0]:.0f} N at the left and right sides of its ring and {front[1]:.0f} N at the others, the back sheet with {back[0]:.0f} N and {back[1]:.0f} N: wear goggles, a sheet that slips off snaps back.</source>
+      <translation>Beide Membranen auf das {tau:g}-Fache ihrer Länge dehnen, jede über die Zähne ihres eigenen Rings: jedes Loch kommt auf einen Zahn, {pitch:g} mm vom nächsten. Die Folie liegt auf der Fläche, aus der die Zähne ragen, mit den Linien zum Ring, denn auf Farbe hält kein Kleber. In der Mitte gegenüberliegender Seiten beginnen und an den Ecken enden. Das Fenster innen misst {window[0]:.0f} × {window[1]:.0f} mm. Die Zähne des hinteren Rings und damit seine Folie liegen an beiden Seiten {half:g} mm neben seiner Mitte: das ist so gewollt, sie gehen zwischen denen des vorderen hindurch. Durch das Fenster messen: jedes der fünf Prüfquadrate von {square:g} mm muss in beiden Richtungen {stretched:g} ± {slack:.1f} mm messen. Wo eines das nicht tut, hängt ein Loch am falschen Zahn oder ist ausgerissen: seine Reihen neu aufhängen. Kurz vor dem Kleben noch einmal messen, denn Latex kriecht. Die vordere Folie zieht mit {front[0]:.0f} N an der linken und rechten Seite ihres Rings und mit {front[1]:.0f} N an den anderen, die hintere mit {back[0]:.0f} N und {back[1]:.0f} N: Schutzbrille tragen, eine Folie, die abrutscht, schnellt zurück.</translation>
     </message>
     <message>
       <source>Stretch both sheets</source>
       <translation>Beide Folien dehnen</translation>
     </message>
     <message>
-      <source>Stretch it {tau:g} times in both directions, until each hole is on a tooth of the ring, {pitch:g} mm from the next. The five squares of {square:g} mm must then read {stretched:g} mm in both directions. Latex creeps: measure them once more just before gluing, and stretch anew where they are smaller.</source>
-      <translation>Auf das {tau:g}-Fache in beiden Richtungen dehnen, bis jedes Loch auf einem Zahn des Rings sitzt, {pitch:g} mm vom nächsten. Die fünf Quadrate von {square:g} mm müssen dann in beiden Richtungen {stretched:g} mm messen. Latex kriecht: kurz vor dem Kleben noch einmal messen und neu dehnen, wo sie kleiner sind.</translation>
+      <source>Stretch it to {tau:g} times its length in both directions, until each hole is on a tooth of the ring, {pitch:g} mm from the next. The five squares of {square:g} mm must then read {stretched:g} mm in both directions. Latex creeps: measure them once more just before gluing.</source>
+      <translation>Auf das {tau:g}-Fache ihrer Länge in beiden Richtungen dehnen, bis jedes Loch auf einem Zahn des Rings sitzt, {pitch:g} mm vom nächsten. Die fünf Quadrate von {square:g} mm müssen dann in beiden Richtungen {stretched:g} mm messen. Latex kriecht: kurz vor dem Kleben noch einmal messen.</translation>
     </message>
     <message>
       <source>Stretching rings</source>
@@ -4712,16 +4724,12 @@
       <translation>Stützmaterial</translation>
     </message>
     <message>
-      <source>Take both sheets off their rings together</source>
-      <translation>Beide Folien gemeinsam von den Ringen nehmen</translation>
-    </message>
-    <message>
       <source>Take care with the tiles of the weakest contacts: {worst}.</source>
       <translation>Vorsicht mit den Kacheln der schwächsten Kontakte: {worst}.</translation>
     </message>
     <message>
-      <source>Take the bath that the shop names for its support. The membrane stays on its ring while it is washed and dries</source>
-      <translation>Das Bad nehmen, das der Druckdienst für sein Stützmaterial nennt. Die Membran bleibt auf ihrem Ring, während sie gewaschen wird und trocknet</translation>
+      <source>Take the bath that the shop names for its support, if latex and glue of the coupon have stood it, and a tub that holds the ring. The membrane stays on its ring while it is washed and dries</source>
+      <translation>Das Bad nehmen, das der Druckdienst für sein Stützmaterial nennt, wenn Latex und Kleber des Prüfkörpers es vertragen haben, und eine Wanne, in die der Ring passt. Die Membran bleibt auf ihrem Ring, während sie gewaschen wird und trocknet</translation>
     </message>
     <message>
       <source>Take the support away as from the design. Tape the larger tile to a board, on its wall that is {angle:g}° off the wall between the tiles. Lay the smaller tile on that wall as both were printed. Raise the board slowly until the tile slides, and enter the slope of the wall: that of the board and {angle:g}°. Lay it on again each time. {own}</source>
@@ -4734,10 +4742,6 @@
     <message>
       <source>Take {latex}. Wash powder and grease off with lukewarm water and a drop of dish soap, rinse the sheets and let them dry. Pull each by hand to some {tau:g} times its size and let it go, twice: latex softens the first time. Then copy the template of each onto it: lay thin latex on the paper and trace what shows through, or use carbon paper. Draw the grid, the circles, the control squares and the cutting line with a pen whose ink stays on latex, and write FRONT or BACK on the rim. Cut along the outer line. Punch a hole of {punch:g} mm in every circle, with a sharp punch: latex tears on from a nick. Wear gloves. Keep the sheets away from oil, from sun and from whoever is allergic to latex.</source>
       <translation>Benötigt: {latex}. Puder und Fett mit lauwarmem Wasser und einem Tropfen Spülmittel abwaschen, die Folien abspülen und trocknen lassen. Jede von Hand zweimal auf etwa das {tau:g}-Fache ihrer Größe ziehen und loslassen: beim ersten Mal wird Latex weicher. Dann die Schablone jeder Folie übertragen: dünnes Latex auf das Papier legen und nachziehen, was durchscheint, oder Kohlepapier nehmen. Raster, Kreise, Prüfquadrate und Schnittlinie mit einem Stift zeichnen, dessen Farbe auf Latex haftet, und FRONT oder BACK auf den Rand schreiben. Entlang der äußeren Linie schneiden. In jeden Kreis mit einem scharfen Locheisen ein Loch von {punch:g} mm stanzen: an einer Kerbe reißt Latex weiter. Handschuhe tragen. Die Folien von Öl, von der Sonne und von allen fernhalten, die gegen Latex allergisch sind.</translation>
-    </message>
-    <message>
-      <source>Tape the {parts} parts, their {first} up, onto the drawing {name}-frame.dxf, tile on tile, at full size. The first membrane is glued over all of them at once.</source>
-      <translation>Die {parts} Teile, ihre {first} oben, mit Klebeband auf der Zeichnung {name}-frame.dxf in voller Größe befestigen, Kachel auf Kachel. Die erste Membran wird auf einmal über alle geklebt.</translation>
     </message>
     <message>
       <source>Templates</source>
@@ -4760,16 +4764,16 @@
       <translation>Die Membran bleibt auf ihrem Ring</translation>
     </message>
     <message>
-      <source>The sheet pulls with {load[0]:.0f} N at the left and right sides and {load[1]:.0f} N at the others. Where the print lies on it does not matter, as long as all of it lies inside of the window.</source>
-      <translation>Die Folie zieht mit {load[0]:.0f} N an der linken und rechten Seite und mit {load[1]:.0f} N an den anderen. Wo der Druck darauf liegt, ist gleich, solange er ganz im Fenster liegt.</translation>
+      <source>The sheet pulls with {load[0]:.0f} N at the left and right sides and {load[1]:.0f} N at the others. The print comes into the middle of the window; some millimetres beside it do no harm.</source>
+      <translation>Die Folie zieht mit {load[0]:.0f} N an der linken und rechten Seite und mit {load[1]:.0f} N an den anderen. Der Druck kommt in die Mitte des Fensters; einige Millimeter daneben schaden nicht.</translation>
     </message>
     <message>
-      <source>They come in {front} and {back} parts for the bed, which are glued at their dovetails on a flat table.</source>
-      <translation>Für das Bett bestehen sie aus {front} und {back} Teilen, die auf einem ebenen Tisch an ihren Schwalbenschwänzen verklebt werden.</translation>
+      <source>They come in {front} and {back} parts for the bed: split them in the slicer, and glue them at their dovetails on a flat table.</source>
+      <translation>Für das Bett bestehen sie aus {front} und {back} Teilen: im Slicer trennen und auf einem ebenen Tisch an ihren Schwalbenschwänzen verkleben.</translation>
     </message>
     <message>
-      <source>Tilt the whole of it by 30° to 45° on supports of the slicer's, which touch the side on the bed alone. Wash, and cure with the bridges on.</source>
-      <translation>Das Ganze um 30° bis 45° neigen, auf Stützen des Slicers, die nur die Seite am Bett berühren. Waschen und mit den Brücken aushärten.</translation>
+      <source>Tilt the whole of it by 30° to 45° on supports of the slicer's, which touch the side on the bed alone. Wash, take these supports off, and cure with the bridges on.</source>
+      <translation>Das Ganze um 30° bis 45° neigen, auf Stützen des Slicers, die nur die Seite am Bett berühren. Waschen, diese Stützen abnehmen und mit den Brücken aushärten.</translation>
     </message>
     <message>
       <source>Time and cost of the print</source>
@@ -4788,20 +4792,20 @@
       <translation>Den Druck wenden und mit dem Kleber nach unten in der Mitte des Fensters auf die gedehnte Folie der {first} legen.</translation>
     </message>
     <message>
-      <source>Turn the sheet over</source>
-      <translation>Die Folie wenden</translation>
+      <source>Uncover the {second}</source>
+      <translation>Die {second} freilegen</translation>
     </message>
     <message>
       <source>Wash and mark the latex</source>
       <translation>Das Latex waschen und anzeichnen</translation>
     </message>
     <message>
-      <source>When the glue holds, print {name}-trim.pdf at 100 %, lay it on the front sheet with its triangles on the outer pins, and copy its lines onto the sheet. Then lift both sheets off their teeth together, one side after the other. The shell pulls itself into shape. Help with your hands where it stays flat, from the middle outwards. Lay it over the kit's former, or its ribs: where it does not touch, it is not in shape yet.</source>
-      <translation>Wenn der Kleber hält, {name}-trim.pdf mit 100 % drucken, mit den Dreiecken auf den äußeren Zapfen auf die vordere Folie legen und die Linien auf die Folie übertragen. Dann beide Folien gemeinsam von den Zähnen heben, eine Seite nach der anderen. Die Schale zieht sich selbst in Form. Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen. Sie über den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form.</translation>
+      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat, from the middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not in shape yet.</source>
+      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen. Sie mit der Rückseite auf den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form.</translation>
     </message>
     <message>
-      <source>You need a calliper, feeler gauges of 0.05 to 0.6 mm, a board, an inclinometer, thread, eight bolts of M4 and a spring scale up to {scale} N.</source>
-      <translation>Benötigt werden ein Messschieber, Fühlerlehren von 0.05 bis 0.6 mm, ein Brett, ein Neigungsmesser, Faden, acht Schrauben M4 und eine Federwaage bis {scale} N.</translation>
+      <source>You need a calliper, feeler gauges of 0.05 to 0.6 mm, a board, an inclinometer, thread, eight bolts of M4 with nuts, a spring scale up to {scale} N, and latex of the same sheet for the strips ({name}-strips.pdf) and the glue's coupon.</source>
+      <translation>Benötigt werden ein Messschieber, Fühlerlehren von 0.05 bis 0.6 mm, ein Brett, ein Neigungsmesser, Faden, acht Schrauben M4 mit Muttern, eine Federwaage bis {scale} N und Latex von derselben Folie für die Streifen ({name}-strips.pdf) und den Prüfkörper des Klebers.</translation>
     </message>
     <message>
       <source>a plate 3 mm thick, cut by {name}-frame.dxf, for the {count} parts of the print</source>
@@ -4872,16 +4876,16 @@
       <translation>glänzend; ein matter Überzug lässt einen Film von Stützmaterial auf den Zapfen, auf dem Kleber nicht hält</translation>
     </message>
     <message>
+      <source>in {pieces} separate pieces</source>
+      <translation>in {pieces} getrennten Stücken</translation>
+    </message>
+    <message>
       <source>on a bed of {x:g} × {y:g} mm</source>
       <translation>auf einem Bett von {x:g} × {y:g} mm</translation>
     </message>
     <message>
       <source>one material: {material}</source>
       <translation>ein Material: {material}</translation>
-    </message>
-    <message>
-      <source>one piece</source>
-      <translation>einem Stück</translation>
     </message>
     <message>
       <source>peel the slicer's supports off the {on_bed}</source>
@@ -4904,10 +4908,6 @@
       <translation>hartes Photopolymer (Vero, RGD oder ähnlich)</translation>
     </message>
     <message>
-      <source>scissors, a sharp punch of {punch:g} mm, a pen whose ink stays on latex, carbon paper, a roller, a ruler, two boards that fit through the window and weights, gloves, goggles</source>
-      <translation>Schere, ein scharfes Locheisen von {punch:g} mm, ein Stift, dessen Farbe auf Latex haftet, Kohlepapier, eine Rolle, ein Lineal, zwei Bretter, die durch das Fenster passen, und Gewichte, Handschuhe, Schutzbrille</translation>
-    </message>
-    <message>
       <source>slab</source>
       <translation>Platte</translation>
     </message>
@@ -4920,12 +4920,24 @@
       <translation>Standard- oder zähes Harz, nichts Biegsames</translation>
     </message>
     <message>
+      <source>strong scissors, a sharp punch of {punch:g} mm, a pen whose ink stays on latex, carbon paper, tape, dish soap, a roller, a ruler, two boards thicker than a ring ({thickness:g} mm), larger than the print and smaller than the window, weights, gloves, goggles</source>
+      <translation>starke Schere, ein scharfes Locheisen von {punch:g} mm, ein Stift, dessen Farbe auf Latex haftet, Kohlepapier, Klebeband, Spülmittel, eine Rolle, ein Lineal, zwei Bretter, dicker als ein Ring ({thickness:g} mm), größer als der Druck und kleiner als das Fenster, Gewichte, Handschuhe, Schutzbrille</translation>
+    </message>
+    <message>
+      <source>take the drawing and its tape off</source>
+      <translation>die Zeichnung mit ihrem Klebeband abnehmen</translation>
+    </message>
+    <message>
       <source>the print does not fit</source>
       <translation>der Druck passt nicht</translation>
     </message>
     <message>
       <source>the print fits</source>
       <translation>der Druck passt</translation>
+    </message>
+    <message>
+      <source>the print is divided among {beds} beds</source>
+      <translation>der Druck ist auf {beds} Betten verteilt</translation>
     </message>
     <message>
       <source>the slab lies level with the pins ({area:.0f} mm²)</source>
@@ -4940,16 +4952,20 @@
       <translation>Kacheln</translation>
     </message>
     <message>
-      <source>two frames of {outer:.0f} × {high:.0f} × {thickness:g} mm around a window of {width:.0f} × {height:.0f} mm. Print {name}-ring-front.step and {name}-ring-back.step, or their STL, of rigid plastic, lying flat with the teeth up. {joined} Or saw them of plywood as thick ({name}-ring-front.dxf and {name}-ring-back.dxf) and glue {teeth} dowels of {dowel:g} × {length:g} mm into each as teeth, of which {tooth:g} mm stick out, their ends rounded and sanded. 4 rods of {dowel:g} × {rod:g} mm in the holes at the corners align the rings</source>
-      <translation>zwei Rahmen von {outer:.0f} × {high:.0f} × {thickness:g} mm um ein Fenster von {width:.0f} × {height:.0f} mm. {name}-ring-front.step und {name}-ring-back.step oder ihre STL aus hartem Kunststoff drucken, flach liegend, mit den Zähnen nach oben. {joined} Oder aus ebenso dickem Sperrholz sägen ({name}-ring-front.dxf und {name}-ring-back.dxf) und in jeden {teeth} Dübel von {dowel:g} × {length:g} mm als Zähne einleimen, die {tooth:g} mm vorstehen, die Enden gerundet und geschliffen. 4 Stäbe von {dowel:g} × {rod:g} mm in den Löchern an den Ecken richten die Ringe aus</translation>
+      <source>turn the ring over, so that you can reach the {second}</source>
+      <translation>den Ring wenden, sodass die {second} zugänglich ist</translation>
+    </message>
+    <message>
+      <source>two frames of {outer:.0f} × {high:.0f} × {thickness:g} mm around a window of {width:.0f} × {height:.0f} mm. Print {name}-ring-front.step and {name}-ring-back.step, or their STL, of rigid plastic, lying flat with the teeth up. {joined} Or saw them of plywood of that thickness ({name}-ring-front.dxf and {name}-ring-back.dxf) and glue {teeth} dowels of {dowel:g} × {length:g} mm into each as teeth, of which {tooth:g} mm stick out, their ends rounded and sanded. 4 rods of {dowel:g} × {rod:g} mm in the holes at the corners align the rings</source>
+      <translation>zwei Rahmen von {outer:.0f} × {high:.0f} × {thickness:g} mm um ein Fenster von {width:.0f} × {height:.0f} mm. {name}-ring-front.step und {name}-ring-back.step oder ihre STL aus hartem Kunststoff drucken, flach liegend, mit den Zähnen nach oben. {joined} Oder aus Sperrholz dieser Dicke sägen ({name}-ring-front.dxf und {name}-ring-back.dxf) und in jeden {teeth} Dübel von {dowel:g} × {length:g} mm als Zähne einleimen, die {tooth:g} mm vorstehen, die Enden gerundet und geschliffen. 4 Stäbe von {dowel:g} × {rod:g} mm in den Löchern an den Ecken richten die Ringe aus</translation>
     </message>
     <message>
       <source>two materials: {material}, and support that a bath dissolves</source>
       <translation>zwei Materialien: {material}, und Stützmaterial, das sich in einem Bad löst</translation>
     </message>
     <message>
-      <source>two sheets of latex, {thickness} mm thick, shear modulus {modulus} MPa, each cut to {x:.0f} × {y:.0f} mm, of which {grip:g} mm around are for the grip</source>
-      <translation>zwei Latexfolien, {thickness} mm dick, Schubmodul {modulus} MPa, jede auf {x:.0f} × {y:.0f} mm geschnitten, davon ringsum {grip:g} mm zum Greifen</translation>
+      <source>two sheets of latex, {thickness} mm thick, shear modulus {modulus} MPa, each at least {x:.0f} × {y:.0f} mm, of which {grip:g} mm around are for the grip</source>
+      <translation>zwei Latexfolien, {thickness} mm dick, Schubmodul {modulus} MPa, jede mindestens {x:.0f} × {y:.0f} mm groß, davon ringsum {grip:g} mm zum Greifen</translation>
     </message>
     <message>
       <source>washed and cured, no coat and no varnish</source>
@@ -4960,8 +4976,8 @@
       <translation>Fenster des Rings</translation>
     </message>
     <message>
-      <source>{bodies} bodies, {tiles} of them tiles: {name}-shop.pdf is the order</source>
-      <translation>{bodies} Körper, davon {tiles} Kacheln: {name}-shop.pdf ist die Bestellung</translation>
+      <source>{beds} builds, one a bed: the bodies of a bed belong together.</source>
+      <translation>{beds} Druckaufträge, einer je Bett: die Körper eines Betts gehören zusammen.</translation>
     </message>
     <message>
       <source>{count} anchors</source>
@@ -4972,8 +4988,8 @@
       <translation>{count} Seiten folgen, die sich um {overlap:g} mm überlappen: Kreuz auf Kreuz legen. Diese Seite zeigt das Ganze, und welche Seite welchen Teil hat.</translation>
     </message>
     <message>
-      <source>{count} ribs of a sheet {sheet:g} mm thick ({name}-gauges.dxf), or {former}</source>
-      <translation>{count} Rippen aus einer {sheet:g} mm dicken Platte ({name}-gauges.dxf), oder {former}</translation>
+      <source>{count} ribs of a sheet {sheet:g} mm thick ({name}-gauges.dxf), U across V by their slots, each in the order of its numbers; or {former}</source>
+      <translation>{count} Rippen aus einer {sheet:g} mm dicken Platte ({name}-gauges.dxf), U mit den Schlitzen quer auf V, jede in der Reihenfolge ihrer Nummern; oder {former}</translation>
     </message>
     <message>
       <source>{count} tiles</source>
@@ -4984,8 +5000,8 @@
       <translation>{feature:.3g} mm; der Drucker schafft {least:g} mm</translation>
     </message>
     <message>
-      <source>{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as much again for the roller; a flexible glue for rubber on hard plastic</source>
-      <translation>{front:.2f} cm³ für die Vorderseite und {back:.2f} cm³ für die Rückseite, und noch halb so viel für die Rolle; ein elastischer Kleber für Gummi auf hartem Kunststoff</translation>
+      <source>{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as much again for the roller; a flexible glue for rubber on hard plastic, that water does not loosen; for rings in parts or with dowels also a rigid one</source>
+      <translation>{front:.2f} cm³ für die Vorderseite und {back:.2f} cm³ für die Rückseite, und noch halb so viel für die Rolle; ein elastischer Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst; für Ringe in Teilen oder mit Dübeln auch ein fester</translation>
     </message>
     <message>
       <source>{front:g} (front) and {back:g} (back)</source>
@@ -5000,52 +5016,64 @@
       <translation>{height:g} mm hoch</translation>
     </message>
     <message>
-      <source>{label} There are {bodies} bodies: {counts}. The map at the end of this sheet has the number of each tile. What is missing or broken is printed anew by its number, and laid into its place before gluing: “curveups export design.json --tiles T00012 -o spares” writes tile 12. {weak}</source>
-      <translation>{label} Es sind {bodies} Körper: {counts}. Der Plan am Ende dieser Anleitung hat die Nummer jeder Kachel. Was fehlt oder zerbrochen ist, wird nach seiner Nummer neu gedruckt und vor dem Kleben an seinen Platz gelegt: „curveups export design.json --tiles T00012 -o spares“ schreibt Kachel 12. {weak}</translation>
+      <source>{label} There are {bodies} bodies: {counts}. The map at the end of this sheet has the number of each tile. What is missing or broken is printed anew by its number, and laid into its place before gluing: the program CurveUps writes tile 12 by “curveups export design.json --tiles T00012 -o spares”. {weak}</source>
+      <translation>{label} Es sind {bodies} Körper: {counts}. Der Plan am Ende dieser Anleitung hat die Nummer jeder Kachel. Was fehlt oder zerbrochen ist, wird nach seiner Nummer neu gedruckt und vor dem Kleben an seinen Platz gelegt: das Programm CurveUps schreibt Kachel 12 mit „curveups export design.json --tiles T00012 -o spares“. {weak}</translation>
     </message>
     <message>
       <source>{layer:g} mm or less, ± {tolerance:g} mm</source>
       <translation>{layer:g} mm oder weniger, ± {tolerance:g} mm</translation>
     </message>
     <message>
-      <source>{name}-coupons.pdf in the folder coupons says what to print and to measure before the order</source>
-      <translation>{name}-coupons.pdf im Ordner coupons sagt, was vor der Bestellung zu drucken und zu messen ist</translation>
+      <source>{name}-bed-01.3mf to -{last:02}.3mf, or .step: a job a bed, every body with its name, in place. The print as a whole does not fit the bed</source>
+      <translation>{name}-bed-01.3mf bis -{last:02}.3mf, oder .step: ein Auftrag je Bett, jeder Körper mit seinem Namen an seinem Platz. Der Druck als Ganzes passt nicht auf das Bett</translation>
+    </message>
+    <message>
+      <source>{name}-coupons.pdf in the folder coupons says what to print and to measure before the order, and what latex that takes besides</source>
+      <translation>{name}-coupons.pdf im Ordner coupons sagt, was vor der Bestellung zu drucken und zu messen ist, und welches Latex das außerdem braucht</translation>
     </message>
     <message>
       <source>{name}-former.stl, {volume:.0f} cm³, printed hollow of any plastic</source>
       <translation>{name}-former.stl, {volume:.0f} cm³, hohl gedruckt aus beliebigem Kunststoff</translation>
     </message>
     <message>
-      <source>{name}-latex-front.pdf and {name}-latex-back.pdf, printed at 100 %</source>
-      <translation>{name}-latex-front.pdf und {name}-latex-back.pdf, mit 100 % gedruckt</translation>
+      <source>{name}-latex-front.pdf and {name}-latex-back.pdf, printed at 100 %, the pages of one size of paper: A4, A3 or Letter</source>
+      <translation>{name}-latex-front.pdf und {name}-latex-back.pdf, mit 100 % gedruckt, die Seiten eines Papierformats: A4, A3 oder Letter</translation>
     </message>
     <message>
       <source>{name}-print.3mf or {name}-print.step: every body with its name, in place; or the files of tiles, anchors and support, with one origin</source>
       <translation>{name}-print.3mf oder {name}-print.step: jeder Körper mit Namen, an seinem Platz; oder die Dateien von Kacheln, Ankern und Stützen, mit einem Ursprung</translation>
     </message>
     <message>
-      <source>{pieces} separate pieces</source>
-      <translation>{pieces} getrennten Stücken</translation>
-    </message>
-    <message>
       <source>{printer}: bed {bed} mm, {fits}</source>
       <translation>{printer}: Bett {bed} mm, {fits}</translation>
     </message>
     <message>
-      <source>{quantity}, each of {bodies} bodies ({tiles} tiles) in {pieces}</source>
-      <translation>{quantity}, je {bodies} Körper ({tiles} Kacheln) in {pieces}</translation>
+      <source>{quantity}, of {bodies} bodies each ({tiles} tiles) {pieces}</source>
+      <translation>{quantity}, je {bodies} Körper ({tiles} Kacheln) {pieces}</translation>
     </message>
     <message>
       <source>{side} ring</source>
       <translation>Ring der {side}</translation>
     </message>
     <message>
-      <source>{side} sheet, its lines this way</source>
+      <source>{side} sheet, its lines on this side</source>
       <translation>Folie der {side}, Linien auf dieser Seite</translation>
     </message>
     <message>
       <source>{side}, as the files stand; support is printed with the parts</source>
       <translation>{side}, so wie die Dateien stehen; Stützen werden mit den Teilen gedruckt</translation>
+    </message>
+    <message>
+      <source>{side}, tilted as a whole; the bridges are printed with the parts</source>
+      <translation>{side}, als Ganzes geneigt; die Brücken werden mit den Teilen gedruckt</translation>
+    </message>
+    <message>
+      <source>{some} and {last}</source>
+      <translation>{some} und {last}</translation>
+    </message>
+    <message>
+      <source>{tiles} tiles and what holds them: {name}-shop.pdf is the order</source>
+      <translation>{tiles} Kacheln und was sie hält: {name}-shop.pdf ist die Bestellung</translation>
     </message>
     <message>
       <source>{title}, frame</source>
@@ -5116,8 +5144,8 @@
       <translation>{volume}; dazu kommen die Stützen des Slicers unter Kacheln, die überstehen</translation>
     </message>
     <message>
-      <source>“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes.</source>
-      <translation>„curveups calibrate {name}-MEASURED.json -o DIR“ passt Modul, Reibung, Kleber und Zugabe mit ihrer Unsicherheit an. Es schreibt material.json und printer.json, die „curveups design --config“ nimmt.</translation>
+      <source>“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes: with them make the design and its kit anew.</source>
+      <translation>„curveups calibrate {name}-MEASURED.json -o DIR“ passt Modul, Reibung, Kleber und Zugabe mit ihrer Unsicherheit an. Es schreibt material.json und printer.json, die „curveups design --config“ nimmt: damit den Entwurf und seinen Bausatz neu machen.</translation>
     </message>
   </context>
   <context>

@@ -95,9 +95,10 @@ def test_parts_butt_in_a_frame(design, support, orientation):
     parts = [np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="control"]')]
     pockets = [np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="cut"]')][1:]
     assert {text.dxf.text for text in space.query("TEXT")} == {
-        f"P{part + 1}" for bed in found.places for part in bed}
+        f"{part + 1}" for bed in found.places for part in bed}
     if support == "breakaway":
-        assert len(parts) == model.tile_count and not pockets  # tiles on a drawing
+        anchors = len(found.model.piece_of_bodies("anchors"))
+        assert len(parts) == model.tile_count + anchors and not pockets  # on a drawing
         return
     pocket, = pockets
     assert pocket.min() > 0
@@ -169,15 +170,31 @@ def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
     assert {path.name for path in tmp_path.glob("*-bed-*")} == {
         f"small-cap-bed-{k:02}.{ending}" for k in range(1, count + 1) for ending in ("3mf", "step")}
     assert (tmp_path / "small-cap-frame.dxf").exists()
+    # The order is of beds, and says what each holds.
+    printed = read_text(tmp_path / "small-cap-shop.pdf")
+    assert f"small-cap-bed-01.3mf to -{count:02}.3mf" in printed and f"{count} builds" in printed
+    assert f"divided among {count} beds" in printed and "the print does not fit" not in printed
+    for number, bed in enumerate(found["beds"]["beds"], 1):
+        assert found["files"][f"small-cap-bed-{number:02}.3mf"]["sha256"] in printed
+        assert " × ".join(f"{x:.1f}" for x in bed["bbox_mm"]) in printed
+    bodies = sum(bed["bodies"] for bed in found["beds"]["beds"])
+    assert f"of {bodies} bodies each" in printed
+    assert any(f"There are {bodies} bodies" in step["text"] for step in found["steps"])
+    assert "ring over" in " ".join(step["text"] for step in found["steps"])
     assert any(step["title"] == "Lay the parts side by side" for step in found["steps"])
-    said = subprocess.run(["pdftotext", tmp_path / "small-cap-assembly.pdf", "-"], check=True,
-                          capture_output=True, encoding="utf-8").stdout
-    assert "Lay the parts side by side" in said and f"bed {count}:" in " ".join(said.split())
+    said = read_text(tmp_path / "small-cap-assembly.pdf")
+    assert "Lay the parts side by side" in said and f"bed {count}:" in said
     for one in found["costs"]:
         assert one["hours"] > 0 and one["price"] == pytest.approx(costs.price(
             one["hours"], one["rigid_cm3"], one["support_cm3"], small["prices"]))
         assert one["hours_by"] == ("prusa-slicer" if shutil.which("prusa-slicer")
                                    else "rates of the printer's file")
+
+
+def read_text(path):
+    """Of a PDF."""
+    said = subprocess.run(["pdftotext", path, "-"], check=True, capture_output=True, encoding="utf-8").stdout
+    return " ".join(said.split())
 
 
 def test_the_search_for_beds_ends_when_it_is_told_to(design):

@@ -77,7 +77,7 @@ def test_the_shop_sheet_is_one_page_with_rules_before_figures(kit):
     path = kit.folder / "small-cap-shop.pdf"
     assert pages_of(path) == 1
     text = pdf_text(path)
-    words = ["Leave supports and bridges in", "Do not scale, turn or arrange", "Quantity", "Rigid material ",
+    words = ["Leave the support in", "Do not scale, turn or arrange", "Quantity", "Rigid material ",
              kit.json["files"]["small-cap-print.3mf"]["sha256"], "5 mm high"]
     places = [text.index(one) for one in words]
     assert places == sorted(places)
@@ -87,9 +87,11 @@ def test_the_shop_sheet_is_one_page_with_rules_before_figures(kit):
 
 @pytest.mark.parametrize("settings, said, unsaid", [
     (("support=breakaway", "printer=fdm"), ("do not break them", "PLA or PETG", "Do not scale, turn"),
-     ("wash them off", "two materials", "Tilt")),
-    (("support=breakaway", "printer=resin"), ("Tilt the whole", "cure with the bridges on"), ("turn or",)),
-    (("support=none",), ("Nothing joins the tiles",), ("Leave supports",))])
+     ("wash it off", "two materials", "Tilt")),
+    (("support=breakaway", "printer=resin"),
+     ("Tilt the whole", "take these supports off, and cure with the bridges on", "tilted as a whole"),
+     ("turn or", "as the files stand")),
+    (("support=none",), ("Nothing joins the tiles",), ("Leave the",))])
 def test_the_shop_sheet_fits_support_and_printer(curveups, printed, tmp_path, settings, said, unsaid):
     ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path,
                    *(word for one in settings for word in ("--set", one)))
@@ -100,7 +102,7 @@ def test_the_shop_sheet_fits_support_and_printer(curveups, printed, tmp_path, se
 
 def test_the_report_begins_with_what_the_shop_needs(printed):
     page = (printed.folder / "report.html").read_text(encoding="utf-8")
-    places = [page.index(one) for one in ("For the print shop", "Leave supports and bridges in", "Quantity",
+    places = [page.index(one) for one in ("For the print shop", "Leave the support in", "Quantity",
                                           "All that is printed", "<h2>Flat layout")]
     assert places == sorted(places) and page.index("<img") > places[2]
 
@@ -111,7 +113,7 @@ def test_names_of_print_files_have_what_shops_ask_for(curveups, printed, tmp_pat
     assert ran.status == 0, ran.err
     assert (tmp_path / "3x-small-cap-tiles-rigid-5mm.stl").exists()
     assert (tmp_path / "3x-small-cap-support-soluble-5mm.stl").exists()
-    assert "3, each of" in pdf_text(tmp_path / "small-cap-shop.pdf")
+    assert "3, of 35 bodies each (24 tiles)" in pdf_text(tmp_path / "small-cap-shop.pdf")
     # A kit under other names takes the place of the last, but for files that somebody has changed.
     (tmp_path / "3x-small-cap-tiles-rigid-5mm.stl").write_text("scaled")
     assert curveups("kit", printed.folder / "design.json", "-o", tmp_path).status == 0
@@ -238,8 +240,11 @@ def test_the_assembly_sheet_has_a_page_a_step_with_its_picture(kit):
 
 
 @pytest.mark.parametrize("settings, said", [
-    (("support=breakaway", "printer=fdm"), ("slicer&#x27;s supports off the back, break the bridges",)),
-    (("support=none",), ("the back is up. The membrane stays", "Leave all where it lies"))])
+    (("support=breakaway", "printer=fdm"),
+     ("holds, peel the slicer&#x27;s supports off the back and break the bridges",)),
+    (("support=breakaway", "printer=resin"), ("holds, break the bridges",)),
+    (("support=none",), ("turn the ring over, so that you can reach the back. The membrane stays",
+                         "Leave all where it lies"))])
 def test_the_assembly_sheet_fits_the_support(curveups, printed, tmp_path, settings, said):
     ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path,
                    *(word for one in settings for word in ("--set", one)))
@@ -314,6 +319,12 @@ def test_trim_marks_go_around_all_pins_at_their_distance(kit):
     share = np.einsum("pnk,nk->pn", corners[:, None] - ends, along) / np.einsum("nk,nk->n", along, along)
     distance = np.linalg.norm(corners[:, None] - ends - share.clip(0, 1)[..., None] * along, axis=2).min(1)
     assert distance.min() > 1.499 and np.median(np.sort(distance)[:len(pins)]) < 1.7
+    # Anchors lie around that as they are printed, which the label makes plain.
+    anchors = [np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="control"]')]
+    assert len(anchors) == kit.json["sheets"]["anchors"]
+    assert not any(inside(corner, ends) for anchor in anchors for corner in anchor)
+    slab = np.array(kit.json["print"]["bbox_mm"][:2]) - 2 * native.Parameters().get("support_margin")
+    assert np.ptp(np.concatenate(anchors), axis=0) == pytest.approx(slab, abs=0.1)
 
 
 def test_trim_marks_print_at_their_size(kit, tmp_path):

@@ -41,34 +41,38 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
     glue, sheets, ring = glue_volumes(block["glue"]), kit.report["sheets"], kit.rings
     (width, height), (outer, high) = sheets["window_mm"], ring["outer_mm"]
     counts = [ring[side]["parts"] for side in ("front", "back")]
-    joined = say("They come in {front} and {back} parts for the bed, which are glued at their dovetails on a "
-                 "flat table.", front=counts[0], back=counts[1]) if max(counts) > 1 else ""
-    return [(say("Print"), say("{bodies} bodies, {tiles} of them tiles: {name}-shop.pdf is the order",
-                               bodies=block["bodies"], tiles=kit.report["tiles"], name=kit.name)),
+    joined = say("They come in {front} and {back} parts for the bed: split them in the slicer, and glue them "
+                 "at their dovetails on a flat table.", front=counts[0], back=counts[1]) \
+        if max(counts) > 1 else ""
+    return [(say("Print"), say("{tiles} tiles and what holds them: {name}-shop.pdf is the order",
+                               tiles=kit.report["tiles"], name=kit.name)),
             (say("Latex"), latex(kit.report, parameters, say)),
-            (say("Templates"), say("{name}-latex-front.pdf and {name}-latex-back.pdf, printed at 100 %",
-                                   name=kit.name)),
+            (say("Templates"), say("{name}-latex-front.pdf and {name}-latex-back.pdf, printed at 100 %, the "
+                                   "pages of one size of paper: A4, A3 or Letter", name=kit.name)),
             (say("Stretching rings"),
              say(_RINGS, name=kit.name, outer=outer, high=high, thickness=ring["thickness_mm"], width=width,
                  height=height, joined=joined, teeth=ring["teeth"], dowel=ring["dowel_mm"],
                  length=ring["dowel_length_mm"], tooth=ring["tooth_height_mm"],
                  rod=2 * ring["thickness_mm"] + ring["apart_mm"])),
             (say("Glue"), say("{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as "
-                              "much again for the roller; a flexible glue for rubber on hard plastic",
+                              "much again for the roller; a flexible glue for rubber on hard plastic, that "
+                              "water does not loosen; for rings in parts or with dowels also a rigid one",
                               **glue)),
             *_shaping(kit),
             (say("Coupons"), say("{name}-coupons.pdf in the folder coupons says what to print and to measure "
-                                 "before the order", name=kit.name)),
+                                 "before the order, and what latex that takes besides", name=kit.name)),
             (say("Time and cost of the print"), "; ".join(_cost(say, number, one) for number, one in
                                                           enumerate(kit.report["costs"], 1))),
-            (say("Tools"), say("scissors, a sharp punch of {punch:g} mm, a pen whose ink stays on latex, "
-                               "carbon paper, a roller, a ruler, two boards that fit through the window and "
-                               "weights, gloves, goggles", punch=HOLE * sheets["grid_mm"]))]
+            (say("Tools"), say("strong scissors, a sharp punch of {punch:g} mm, a pen whose ink stays on "
+                               "latex, carbon paper, tape, dish soap, a roller, a ruler, two boards thicker "
+                               "than a ring ({thickness:g} mm), larger than the print and smaller than the "
+                               "window, weights, gloves, goggles", punch=HOLE * sheets["grid_mm"],
+                               thickness=ring["thickness_mm"]))]
 
 
 _RINGS = Text("""two frames of {outer:.0f} × {high:.0f} × {thickness:g} mm around a window of {width:.0f} ×
 {height:.0f} mm. Print {name}-ring-front.step and {name}-ring-back.step, or their STL, of rigid plastic,
-lying flat with the teeth up. {joined} Or saw them of plywood as thick ({name}-ring-front.dxf and
+lying flat with the teeth up. {joined} Or saw them of plywood of that thickness ({name}-ring-front.dxf and
 {name}-ring-back.dxf) and glue {teeth} dowels of {dowel:g} × {length:g} mm into each as teeth, of which
 {tooth:g} mm stick out, their ends rounded and sanded. 4 rods of {dowel:g} × {rod:g} mm in the holes at the
 corners align the rings""")
@@ -79,9 +83,10 @@ def _shaping(kit: Kit) -> list[tuple[str, str]]:
     made, say = figures(kit.undersides), kit.say
     former = say("{name}-former.stl, {volume:.0f} cm³, printed hollow of any plastic", name=kit.name,
                  volume=made["former_cm3"])
-    found = [(say("Ribs or former"), say("{count} ribs of a sheet {sheet:g} mm thick ({name}-gauges.dxf), or "
-                                         "{former}", count=len(made["ribs"]), sheet=made["sheet_mm"],
-                                         name=kit.name, former=former) if made["ribs"] else former)]
+    ribs = say("{count} ribs of a sheet {sheet:g} mm thick ({name}-gauges.dxf), U across V by their slots, "
+               "each in the order of its numbers; or {former}", count=len(made["ribs"]),
+               sheet=made["sheet_mm"], name=kit.name, former=former) if made["ribs"] else former
+    found = [(say("Ribs or former"), ribs)]
     if kit.beds and kit.beds.seams and kit.model.outlines:
         found.append((say("Frame"), say("a plate 3 mm thick, cut by {name}-frame.dxf, for the {count} parts "
                                         "of the print", name=kit.name,

@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Callable
+from typing import Any, Callable
 
 import numpy as np
 
+from ..base.language import Text
 from .beds import FIT
-from .drawing import Drawing, dxf
+from .drawing import Drawing, dxf, tiled_pdf
 from .kit import Kit
 
+_NOTE = Text("""Parts of the print with their numbers, seen from above, the side that lies up on the
+beds.""")
 EDGE = 15.0  # mm of the frame around its pocket
 
 
@@ -25,6 +28,7 @@ def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
             found[f"{kit.name}-bed-{number + 1:02}.{ending}"] = partial(_bed, kit, number, ending)
     if kit.beds.seams:
         found[f"{kit.name}-frame.dxf"] = lambda: dxf(frame(kit))
+        found[f"{kit.name}-frame.pdf"] = lambda: tiled_pdf(frame(kit), [kit.say(_NOTE)], kit.go_on, kit.say)
     return found
 
 
@@ -35,17 +39,17 @@ def _bed(kit: Kit, number: int, ending: str) -> bytes:
 
 def frame(kit: Kit) -> Drawing:
     """Layer cut: the frame and its pockets, one a piece. Layer control: the parts, as they lie in them; of
-    parts without slabs, which hold by their bridges, their tiles."""
+    parts without slabs, which hold by their bridges, their tiles and anchors."""
     assert kit.beds is not None
     pockets = [_grown(np.asarray(loops[0]), FIT) for loops in kit.model.outlines]
     made = kit.beds.model
-    parts = [(f"P{part + 1}", [np.asarray(loops[0])])
+    parts = [(f"{part + 1}", [np.asarray(loops[0])])
              for part, loops in zip(made.piece_of_bodies("support"), made.outlines)]
     if not parts:
-        points, faces, body = made.mesh("tiles")
-        piece = np.asarray(made.piece_of_bodies("tiles"))
-        parts = [(f"P{part + 1}", [_hull(points[faces[body == tile]].reshape(-1, 3)[:, :2])
-                                   for tile in np.flatnonzero(piece == part)]) for part in np.unique(piece)]
+        bodies = [(part, outline) for kind in ("tiles", "anchors") if made.volumes[kind]
+                  for part, outline in zip(made.piece_of_bodies(kind), outlines_of(made, kind))]
+        parts = [(f"{part + 1}", [outline for other, outline in bodies if other == part])
+                 for part in sorted({part for part, _ in bodies})]
     lines = [*pockets, *(line for _, found in parts for line in found)]
     low = np.min([line.min(0) for line in lines], axis=0) - EDGE
     size = np.max([line.max(0) for line in lines], axis=0) + EDGE - low
@@ -69,6 +73,12 @@ def _grown(loop: np.ndarray, by: float) -> np.ndarray:
     out = np.stack([along[:, 1], -along[:, 0]], axis=1)
     both = out + np.roll(out, 1, axis=0)
     return np.asarray(loop + 2 * by * both / np.maximum((both ** 2).sum(1), 1.0)[:, None])
+
+
+def outlines_of(model: Any, kind: str) -> list[np.ndarray]:
+    """Of each body of a native PrintModel, seen from above: convex hulls, n x 2 mm."""
+    points, faces, body = model.mesh(kind)
+    return [_hull(points[np.unique(faces[body == one])][:, :2]) for one in np.unique(body)]
 
 
 def _hull(points: np.ndarray) -> np.ndarray:

@@ -52,9 +52,13 @@ class Beds:
         return {"bed_mm": printer["bed_mm"], "parts": sum(map(len, self.places)), "opening_mm": self.opening,
                 "frame_fit_mm": FIT, "position_error_mm": self.position_error,
                 "anchors_left_out": self.left_out,
-                "beds": [{"parts": [part + 1 for part in places],
-                          "bbox_mm": [float(x) for x in self.bed(number).bbox]}
+                "beds": [{"parts": [part + 1 for part in places], **_figures(self.bed(number))}
                          for number, places in enumerate(self.places)]}
+
+
+def _figures(model: Any) -> dict[str, Any]:
+    return {"bbox_mm": [float(x) for x in model.bbox],
+            "bodies": sum(len(model.piece_of_bodies(kind)) for kind in KINDS)}
 
 
 def beds(design: Any, model: Any, printer: dict[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:

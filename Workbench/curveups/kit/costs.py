@@ -13,6 +13,7 @@ from typing import Any, Mapping, Optional
 
 from ..base.language import Text
 from ..base.native import native
+from ..report.shop import is_tilted, tilted_height
 from .kit import Kit
 
 SLICER, RATES = "prusa-slicer", Text("rates of the printer's file")
@@ -32,7 +33,8 @@ def costs(kit: Kit) -> list[dict[str, Any]]:
         soft = volumes["support"] if soluble else 0.0
         rigid = sum(volumes[kind] for kind in ("tiles", "support", "anchors")) - soft
         sliced = None if soluble or printer["slicer"] != SLICER else _sliced(kit, model)
-        hours, rigid = sliced or (by_rates(float(model.bbox[2]), rigid + soft, printer["rates"]), rigid)
+        high = tilted_height(model.bbox) if is_tilted(kit.results.parameters) else float(model.bbox[2])
+        hours, rigid = sliced or (by_rates(high, rigid + soft, printer["rates"]), rigid)
         found.append({"hours": hours, "hours_by": SLICER if sliced else RATES,
                       "rigid_cm3": rigid, "support_cm3": soft, "currency": printer["prices"]["currency"],
                       "price": price(hours, rigid, soft, printer["prices"])})

@@ -84,15 +84,17 @@ def said(kit: Kit, coupon: Coupon) -> str:
 
 
 _COVER = (
-    Text("""Print the coupons together with the design: on the same printer, of the same materials, the
-same way up. STEP and 3MF have all bodies in place, STL has tiles and support apart."""),
+    Text("""Print the coupons before the design is ordered, as it will be printed: on the same printer, of the
+same materials, the same way up. STEP and 3MF have all bodies in place, STL has tiles and support apart."""),
     Text("""You need a calliper, feeler gauges of 0.05 to 0.6 mm, a board, an inclinometer, thread, eight
-bolts of M4 and a spring scale up to {scale} N."""),
+bolts of M4 with nuts, a spring scale up to {scale} N, and latex of the same sheet for the strips
+({name}-strips.pdf) and the glue's coupon."""),
     Text("""Each page says how one coupon is measured, and has a table for what you read. Then put the
 readings into {name}-MEASURED.json, in place of null, in the units of the names. What stays null is left
-out. Of a list give three readings or none."""),
+out. Give three readings of a list or more, or none."""),
     Text("""“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with
-their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes."""))
+their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes: with them
+make the design and its kit anew."""))
 
 
 def sheet(kit: Kit) -> bytes:

@@ -283,4 +283,5 @@ def draw(axes: Any, drawing: Drawing, scale: float = 1.0) -> None:
             axes.add_patch(Circle((x, y), radius, fill=False, edgecolor=LAYERS[layer][0], linewidth=0.5,
                                   gid=layer))
     for x, y, height, text in drawing.texts:
-        axes.text(x, y, text, size=height * POINT * scale / CAPITALS, color=LAYERS["text"][0], clip_on=True)
+        axes.text(x, y, text, size=height * POINT * scale / CAPITALS, color=LAYERS["text"][0], clip_on=True,
+                  bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0})  # over lines

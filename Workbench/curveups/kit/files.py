@@ -32,7 +32,7 @@ KIT = "kit.json"
 COUPONS = "coupons"  # the folder of theirs
 MEASURED = "MEASURED.json"
 
-_OF_BEDS = ("bed-[0-9][0-9].3mf", "bed-[0-9][0-9].step", "frame.dxf")
+_OF_BEDS = ("bed-[0-9][0-9].3mf", "bed-[0-9][0-9].step", "frame.dxf", "frame.pdf")
 _OF_COUPONS = (".step", ".3mf", ".stl", ".pdf", ".svg", ".dxf")
 _OF_BRIDGES = ("print-fused.stl", "print-fused.3mf")
 
@@ -132,17 +132,18 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) ->
             report["costs"] = costs(kit)
             for (kind, ending), name in names.items():
                 write(folder, name, lambda place: kit.model.write(ending, kind, str(place), job))
+            bed_files = import_module(".bed_files", __package__).files(kit)
+            for name, made in bed_files.items():  # the order lists them
+                write(folder, name, lambda place: place.write_bytes(made()))
             for ending, (module, function, *given) in _SHEETS.items():
                 if ending in _OF_BRIDGES and not _has_bridges(kit):
                     continue
                 make = getattr(import_module(f".{module}", __package__), function)
                 write(folder, f"{results.name}-{ending}",
                       lambda place: place.write_bytes(make(kit, *given)))
-            for into, module in ((folder, "bed_files"), (coupons, "coupon_sheet")):
-                for name, made in import_module(f".{module}", __package__).files(kit).items():
-                    if name == readings and filled_in:
-                        continue
-                    write(into, name, lambda place: place.write_bytes(made()))
+            for name, made in import_module(".coupon_sheet", __package__).files(kit).items():
+                if name != readings or not filled_in:
+                    write(coupons, name, lambda place: place.write_bytes(made()))
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(KIT, to_text(_contents(kit, design, stopped, order)))

@@ -102,7 +102,7 @@ def section(kit: Kit) -> Drawing:
                                                              "apart_mm"))
     print_width, words = 6 * pitch, 4.0
     whole = 2 * width + print_width + 2 * pitch
-    drawing = Drawing(kit.title, (whole, 2 * thickness + high + 4 * words))
+    drawing = Drawing(kit.title, (whole + 1, 2 * thickness + high + 4 * words))  # whole lines at the edge
     first = kit.report["print"]["glue"]["first"]
     sides = (first, "back" if first == "front" else "front")
     low = 2 * words
@@ -116,8 +116,10 @@ def section(kit: Kit) -> Drawing:
         drawing.line("cut", (0, face), (whole, face))
         drawing.text(2, face - up * (thickness / 2) - words / 2, words,
                      say("{side} ring", side=say(side)))
-        drawing.text(width + 2, face - up * 1.8 * words - words / 2, words,
-                     say("{side} sheet, its lines this way", side=say(side)))
+        drawing.text(width + pitch, face - up * 1.8 * words - words / 2, words,
+                     say("{side} sheet, its lines on this side", side=say(side)))
+    for x in (RIM / 2, whole - RIM / 2):
+        drawing.box("grid", x - DOWEL / 2, low, DOWEL, 2 * thickness + high)
     drawing.box("control", width + pitch, low + thickness, print_width, high)
     drawing.centred(whole / 2, low + thickness + high / 2, min(words, 0.6 * high), say("print"))
     return drawing

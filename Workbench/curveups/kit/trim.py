@@ -10,6 +10,7 @@ import numpy as np
 
 from ..base.language import Text
 from ..report.assembly import TRIM
+from .bed_files import outlines_of
 from .drawing import Drawing, dxf, svg, tiled_pdf
 from .kit import Kit
 
@@ -27,17 +28,19 @@ def make(kit: Kit, kind: str) -> bytes:
 
 
 _NOTE = Text("""Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before
-that leaves its ring: the thin triangles are the outer pins. Copy the thick red lines, {trim:g} mm outside
-of them, and cut along these once the shell is off its rings. Punch small circles first.""")
+that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors. Copy the
+thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off its rings. Punch
+small circles on them first.""")
 
 
 def marks(kit: Kit) -> Drawing:
-    """Layer cut: closed lines and stop holes; layer grid: the outer pins, to lay it on."""
+    """Layer cut: closed lines and stop holes; grid: the outer pins; control: the anchors, to lay it on."""
     pins = kit.shapes.flat_pins[:, :, :3, :2]  # tiles, front and back, corners, x and y
     loops = list(boundary(kit.shapes, len(pins)))
     outlines = [_outline(pins, loop) for loop in loops]
     holes = _ends_of_cuts(kit.results.design)
-    points = np.concatenate(outlines)
+    anchors = _anchors(kit)
+    points = np.concatenate([*outlines, *anchors])
     low, high = points.min(0) - MARGIN, points.max(0) + MARGIN
     size = (float(high[0] - low[0]), float(high[1] - low[1]))
     drawing = Drawing(kit.say("{title}, trim", title=kit.title), size)
@@ -47,7 +50,24 @@ def marks(kit: Kit) -> Drawing:
         drawing.circle("cut", float(x - low[0]), float(y - low[1]), STOP)
     for tile in sorted({tile for loop in loops for tile, _ in loop}):
         drawing.line("grid", *(pins[tile, 0][[0, 1, 2, 0]] - low))
+    for anchor in anchors:
+        drawing.line("control", *(np.vstack([anchor, anchor[:1]]) - low))
     return drawing
+
+
+def _anchors(kit: Kit) -> list[np.ndarray]:
+    """Their outlines seen from the front; the label beside one says which way round all is."""
+    if not kit.model.volumes["anchors"]:
+        return []
+    side = (1, 1) if kit.results.parameters.get("orientation") == "front-up" else (1, -1)
+    tiles, anchors = ([outline * side for outline in outlines_of(kit.model, kind)]
+                      for kind in ("tiles", "anchors"))
+    shift = _middle(np.asarray(kit.shapes.flat)[..., :2].reshape(-1, 2)) - _middle(np.concatenate(tiles))
+    return [outline + shift for outline in anchors]
+
+
+def _middle(points: np.ndarray) -> np.ndarray:
+    return np.asarray((points.min(0) + points.max(0)) / 2)
 
 
 def boundary(shapes: Any, count: int) -> Iterator[list[Edge]]:

@@ -10,7 +10,7 @@ from ..base.errors import tile_name
 from ..base.language import ENGLISH, Language, Text
 from ..base.native import native
 from ..stages.solids import overhangs, read_printer
-from .shop import latex
+from .shop import is_tilted, latex
 
 GLUE_LAYER = 0.1  # mm of wet glue on what stands out
 HOLE = 0.4        # diameter of a hole for a tooth, of the grid's pitch
@@ -26,46 +26,55 @@ sheets away from oil, from sun and from whoever is allergic to latex.""")
 _STRETCH = Text("""Stretch both membranes to {tau:g} times their length, each over the teeth of its own
 ring: every hole comes onto a tooth, {pitch:g} mm from the next. The sheet lies on the face that the teeth
 stick out of, with its lines on the ring, since glue does not hold on ink. Begin in the middles of opposite
-sides, and end at the corners. The window inside measures {window[0]:.0f} × {window[1]:.0f} mm. Measure
-through it: each of the five control squares of {square:g} mm must read {stretched:g} ± {slack:.1f} mm in
-both directions. Measure once more just before gluing, since latex creeps, and stretch anew what has become
-smaller. The front sheet pulls at the sides of its ring with {front[0]:.0f} N and {front[1]:.0f} N, the
-back sheet with {back[0]:.0f} N and {back[1]:.0f} N: wear goggles, a sheet that slips off snaps back.""")
+sides, and end at the corners. The window inside measures {window[0]:.0f} × {window[1]:.0f} mm. The back
+ring's teeth, and so its sheet, lie {half:g} mm off its middle along both sides: that is meant, they pass
+between those of the front. Measure through the window: each of the five control squares of {square:g} mm
+must read {stretched:g} ± {slack:.1f} mm in both directions. Where one does not, a hole hangs on the wrong
+tooth or has torn out: hang its rows anew. Measure once more just before gluing, since latex creeps. The
+front sheet pulls with {front[0]:.0f} N at the left and right sides of its ring and {front[1]:.0f} N at the
+others, the back sheet with {back[0]:.0f} N and {back[1]:.0f} N: wear goggles, a sheet that slips off snaps
+back.""")
 _LOOK = Text("""{label} There are {bodies} bodies: {counts}. The map at the end of this sheet has the
 number of each tile. What is missing or broken is printed anew by its number, and laid into its place
-before gluing: “curveups export design.json --tiles T00012 -o spares” writes tile 12. {weak}""")
+before gluing: the program CurveUps writes tile 12 by “curveups export design.json --tiles T00012 -o
+spares”. {weak}""")
 _LAY = Text("""Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3
-mm thick, by their numbers, and press them together. Parts that lie askew leave gaps wider than {opening:g}
-mm: file their edges. The first membrane is glued over all of them at once.""")
-_LAY_BARE = Text("""Tape the {parts} parts, their {first} up, onto the drawing {name}-frame.dxf, tile on
-tile, at full size. The first membrane is glued over all of them at once.""")
+mm thick, by their numbers, and press them together. A part without a label fits its pocket with its
+{first} up alone. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first
+membrane is glued over all of them at once.""")
+_LAY_BARE = Text("""Print the drawing {name}-frame.pdf at 100 %, and tape the {parts} parts onto it, their
+{first} up, tile on tile: the numbers of the parts stand on it. A part without a label matches the drawing
+with its {first} up alone. Gaps between parts are {opening:g} mm wider than those inside of them, and no
+tile may be more than {error:g} mm off its place. The first membrane is glued over all of them at once.""")
 _PEEL = Text("""On the {on_bed} {level}. Bridges alone hold the tiles meanwhile, and break easily.""")
 _FIRST = Text("""Lay the print down with its {first} up: pins and anchors alone stand out there
-({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto their tops, {layer:g} mm thick, with
-a roller that touches nothing below: a flexible glue for rubber on hard plastic that water does not loosen.
-Walls, gaps and all that holds the tiles together stay dry. {lay} Press sheet and print together between
-two boards that fit through the window, with weights spread evenly, for as long as the glue's maker says.
-Air the room: the glue's vapour harms you.""")
+({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto the tops of these, {layer:g} mm
+thick, with a roller that touches nothing below: a flexible glue for rubber on hard plastic that water does
+not loosen. Walls, gaps and all that holds the tiles together stay dry. {lay} Press sheet and print together
+between two boards that fit through the window, with weights spread evenly, for as long as the glue's maker
+says. Air the room: the glue's vapour harms you.""")
 _TURN = Text("""Turn the print over and lay it, glue down, onto the stretched {first} sheet, in the middle
 of the window.""")
 _LOWER = Text("""Leave all where it lies, and lower the stretched {first} sheet onto it, with its teeth
 down and the print in the middle of the window.""")
-_AWAY = Text("""Once the glue holds, turn the ring over, so that you can reach the {second}, and {away}.
-{stays}: it alone keeps the tiles in their places now.""")
-_NOTHING_AWAY = Text("""Once the glue holds, the {second} is up. The membrane stays on its ring: it alone
-keeps the tiles in their places.""")
+_AWAY = Text("""Once the glue holds, {away}. {stays}: it alone keeps the tiles in their places now.""")
 _SECOND = Text("""Roll {second_cm3:.2f} cm³ of glue onto the pins and anchors of the {second}
 ({second_mm2:.0f} mm²), as before. Lay the second membrane on, stretched on its ring, with its teeth down:
-the rings close face to face, {height:g} mm apart, and their teeth stand half a pitch beside one another.
-Rods in the holes at the corners align them. Press through both windows, as long as before.""")
-_RELEASE = Text("""When the glue holds, print {name}-trim.pdf at 100 %, lay it on the front sheet with its
-triangles on the outer pins, and copy its lines onto the sheet. Then lift both sheets off their teeth
-together, one side after the other. The shell pulls itself into shape. Help with your hands where it stays
-flat, from the middle outwards. Lay it over the kit's former, or its ribs: where it does not touch, it is
-not in shape yet.""")
-_TRIM = Text("""Cut both membranes along the lines, {trim:g} mm outside of the outer pins, along rims,
-holes and cuts. Where the drawing has small circles, punch these first: they keep a cut from tearing on.
-Anchors go with the surplus. {apart}""")
+the rings close face to face, {height:g} mm apart, and the teeth of one stand in the middle between those of
+the other. Rods in the holes at the corners align them: punch the rims of the sheets there, where nothing
+pulls. Press through both windows, as long as before.""")
+_RELEASE = Text("""When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf
+at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer
+pins, which you feel through it, and copy its lines onto the sheet. Then cut both sheets at once with strong
+scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so
+they let go together. The shell pulls itself into shape. Help with your hands where it stays flat, from the
+middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not
+in shape yet.""")
+_TRIM = Text("""Cut the front membrane along its lines, which were {trim:g} mm outside of the outer pins while
+it was stretched, and the back one as far outside of its own pins. {stop} Anchors go with the surplus.
+{apart}""")
+_STOP = Text("""Follow rims, holes and cuts. Where the drawing has small circles, punch these first: they keep
+a cut from tearing on.""")
 _APART = Text("So the {pieces} pieces come apart: each holds its shape by itself.")
 _TAPE = Text("Nothing joins them: tape or glue them along their borders.")
 _SEW = Text("""Sew with a strong thread through the membrane into a stitching hole ({hole:g} mm), out at
@@ -100,20 +109,29 @@ def steps(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
 def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[str, Any]:
     """What the steps' texts name. sides: which is glued first, and which then."""
     get, block, sheets = parameters.get, report["print"], report["sheets"]
+    beds, support = report.get("beds", {}), native.support_kind(parameters)
+    bodies = sum(one["bodies"] for one in beds["beds"]) if beds else block["bodies"]
+    anchors = sheets["anchors"] - beds.get("anchors_left_out", 0)
+    others = bodies - report["tiles"] - anchors
     glue, first = block["glue"], block["glue"]["first"]
     second = "back" if first == "front" else "front"
     on_bed = "back" if get("orientation") == "front-up" else "front"
     words = {"front": say("front"), "back": say("back")}
     slab = glue[f"{second}_support_mm2"]
-    level = say("the slab lies level with the pins ({area:.0f} mm²)", area=slab)
-    support = native.support_kind(parameters)
-    away = say(support.removal, second=words[second])
-    reach_out = overhangs(block["overhang_mm"], parameters, read_printer(get("printer")))
-    if reach_out:
-        level = say("the slicer's supports lie level with the pins")
-        if on_bed == second:
-            peel = say("peel the slicer's supports off the {on_bed}", on_bed=words[on_bed])
-            away = ", ".join(filter(None, (peel, away)))
+    # The shop takes the slicer's supports of a tilted print off.
+    reach_out = not is_tilted(parameters) and overhangs(block["overhang_mm"], parameters,
+                                                        read_printer(get("printer")))
+    level = say("the slicer's supports lie level with the pins") if reach_out else \
+        say("the slab lies level with the pins ({area:.0f} mm²)", area=slab)
+    taped = bool(beds.get("position_error_mm"))
+    lay = _TURN if others and not taped else _LOWER
+    removals = [say(text, second=words[second], on_bed=words[on_bed]) for text in (
+        *([Text("turn the ring over, so that you can reach the {second}")] if lay == _LOWER else []),
+        *([Text("take the drawing and its tape off")] if taped and not support.soluble else []),
+        *([Text("peel the slicer's supports off the {on_bed}")] if reach_out and on_bed == second else []),
+        *([support.removal] if support.removal else []))]
+    away = say("{some} and {last}", some=", ".join(removals[:-1]), last=removals[-1]) if removals[1:] else \
+        "".join(removals)
     along = slab or (reach_out and on_bed == second)
     label = say("The label beside an anchor of each piece says {side} on that side.",
                 side="FRONT" if on_bed == "back" else "BACK") if get("anchors") and get("engrave") else \
@@ -121,24 +139,25 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
     stretched, joints = sheets["control_square_stretched_mm"], report.get("joints", {})
     worst = ", ".join("–".join(map(tile_name, one["tiles"])) for one in report.get("worst_contacts", ()))
     weak = say("Take care with the tiles of the weakest contacts: {worst}.", worst=worst) if worst else ""
-    beds = report.get("beds", {})
     behind = say("On the {second} {level} and would be glued along.", second=words[second],
                  level=level) if along else ""
-    others = block["bodies"] - report["tiles"] - sheets["anchors"]
     held = say("slabs: {count}", count=others) if support.soluble else say("bridges: {count}", count=others)
-    counts = [say("{count} tiles", count=report["tiles"]), say("{count} anchors", count=sheets["anchors"]),
+    counts = [say("{count} tiles", count=report["tiles"]), say("{count} anchors", count=anchors),
               *([held] if others else [])]
-    stays = say("Take the bath that the shop names for its support. The membrane stays on its ring while it "
-                "is washed and dries") if support.soluble else say("The membrane stays on its ring")
+    stays = say("Take the bath that the shop names for its support, if latex and glue of the coupon have "
+                "stood it, and a tub that holds the ring. The membrane stays on its ring while it is washed "
+                "and dries") if support.soluble else say("The membrane stays on its ring")
     return {"name": report["name"], "slab": support.soluble, "parts": beds.get("parts", 1),
-            "opening": beds.get("opening_mm", 0.0), "latex": latex(report, parameters, say),
+            "opening": beds.get("opening_mm", 0.0), "error": beds.get("position_error_mm", 0.0),
+            "half": sheets["tooth_pitch_mm"] / 2, "stop": say(_STOP) if report["cuts"] else "",
+            "latex": latex(report, parameters, say),
             "tau": get("tau"), "window": sheets["window_mm"],
             "pitch": sheets["tooth_pitch_mm"], "square": sheets["control_square_mm"], "stretched": stretched,
             "slack": 0.02 * stretched, "front": sheets["load_n"]["front"], "back": sheets["load_n"]["back"],
-            "label": label, "bodies": block["bodies"], "counts": ", ".join(counts),
+            "label": label, "bodies": bodies, "counts": ", ".join(counts),
             "punch": HOLE * sheets["grid_mm"], "stays": stays, "level": level, "layer": GLUE_LAYER,
             "away": away, "trim": TRIM, "weak": weak,
-            "lay": say(_TURN if others and not beds.get("position_error_mm") else _LOWER, first=words[first]),
+            "lay": say(lay, first=words[first]),
             "first": words[first], "first_mm2": _area(glue, first), "first_cm3": glue_volumes(glue)[first],
             "second": words[second], "second_mm2": _area(glue, second),
             "second_cm3": glue_volumes(glue)[second], "behind": behind, "on_bed": words[on_bed],
@@ -160,9 +179,9 @@ def _steps(report: Mapping[str, Any], parameters: Any, values: Mapping[str, Any]
     if values["peel_first"]:
         yield Text("Peel the slicer's supports off the {on_bed}, tile by tile"), _PEEL, first
     yield Text("Glue the {first} first"), _FIRST, first
-    yield Text("Turn the sheet over"), _AWAY if values["away"] else _NOTHING_AWAY, second
+    yield Text("Uncover the {second}"), _AWAY, second
     yield Text("Glue the {second} pins and the other end of the anchors"), _SECOND, "section"
-    yield Text("Take both sheets off their rings together"), _RELEASE, "actuated"
+    yield Text("Cut both sheets out of their rings together"), _RELEASE, "actuated"
     yield Text("Cut the surplus off"), _TRIM, "trim"
     if values["pieces"] > 1:
         if values["holes"]:

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Mapping, Optional
+import math
+from typing import Any, Mapping, Optional, Sequence
 
 from ..base.language import ENGLISH, Language, Text
 from ..base.native import native
@@ -13,48 +14,66 @@ from ..stages.stage import Picture
 from .data import has_solids
 from .tables import show
 
+_FLAT = Text("{side}, as the files stand; support is printed with the parts")
+_TILTED = Text("{side}, tilted as a whole; the bridges are printed with the parts")
 _SIDES = {"front-up": Text("front side up"), "front-down": Text("front side down")}
 
 
 def rules(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> list[str]:
     """What the shop must do, and must not."""
     support, pieces = native.support_kind(parameters), report["print"]["pieces"]
-    tilted = _tilted(support, read_printer(parameters.get("printer")))
+    tilted, beds = is_tilted(parameters), len(report.get("beds", {}).get("beds", ()))
     if support.soluble:
-        kept = say("Leave supports and bridges in: do not wash them off. They alone keep the tiles in place.")
+        kept = say("Leave the support in: do not wash it off. It alone keeps the tiles in place. Name the "
+                   "bath that dissolves it.")
     elif support.bodies:
-        kept = say("Leave supports and bridges in: do not break them. They alone keep the tiles in place.")
+        kept = say("Leave the bridges between the tiles in: do not break them. They alone keep the tiles in "
+                   "place.")
     else:
         kept = say("Nothing joins the tiles: keep each in its place, on the bed's plate or on adhesive film.")
     one = say("One build: all bodies belong together, {pieces} pieces of them.", pieces=pieces) \
         if pieces > 1 else say("One build: all bodies belong together.")
+    if beds > 1:
+        one = say("{beds} builds, one a bed: the bodies of a bed belong together.", beds=beds)
     fixed = say("Do not scale or arrange: bodies stand in their places, and {tiles} of them are meant to be "
                 "apart.", tiles=report["tiles"]) if tilted else \
         say("Do not scale, turn or arrange: bodies stand in their places, and {tiles} of them are meant to "
             "be apart.", tiles=report["tiles"])
     return [kept, say("Ship flat, between two stiff boards."), one, fixed,
             *([say("Tilt the whole of it by 30° to 45° on supports of the slicer's, which touch the side on "
-                   "the bed alone. Wash, and cure with the bridges on.")] if tilted else [])]
+                   "the bed alone. Wash, take these supports off, and cure with the bridges on.")]
+              if tilted else [])]
 
 
-def _tilted(support: Any, printer: dict[str, Any]) -> bool:
+def is_tilted(parameters: Any) -> bool:
     """Whether a layer of the print lying flat would hold to the vat by its whole area."""
-    return "resin" in printer["name"] and not support.soluble
+    return "resin" in read_printer(parameters.get("printer"))["name"] \
+        and not native.support_kind(parameters).soluble
+
+
+def tilted_height(bbox: Sequence[float]) -> float:
+    """mm, of a print of this box (x, y, z) on its longer side, at the least of those tilts."""
+    return float(min(bbox[:2]) * math.sin(math.radians(30)) + bbox[2] * math.cos(math.radians(30)))
 
 
 def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: Language = ENGLISH
           ) -> list[tuple[str, str]]:
     """What a shop quotes by, and what to buy besides."""
     block, get, name = report["print"], parameters.get, report["name"]
-    x, y, z = block["bbox_mm"]
     support = native.support_kind(parameters)
     own = 0.0 if support.soluble else block["support_volume_cm3"]  # of the tiles' own material
     rigid = block["tile_volume_cm3"] + block["anchor_volume_cm3"] + own
     printer = read_printer(get("printer"))
     soft = block["support_volume_cm3"] - own
     bath = support.soluble and soft > 0
-    pieces = say("{pieces} separate pieces", pieces=block["pieces"]) if block["pieces"] > 1 else \
-        say("one piece")
+    beds = report.get("beds", {}).get("beds", ())
+    bodies = sum(one["bodies"] for one in beds) if beds else block["bodies"]
+    pieces = say("in {pieces} separate pieces", pieces=block["pieces"]) if block["pieces"] > 1 else ""
+    files = say("{name}-bed-01.3mf to -{last:02}.3mf, or .step: a job a bed, every body with its name, in "
+                "place. The print as a whole does not fit the bed", name=name, last=len(beds)) if beds else \
+        say("{name}-print.3mf or {name}-print.step: every body with its name, in place; or the files of "
+            "tiles, anchors and support, with one origin", name=name)
+    sizes = [one["bbox_mm"] for one in beds] or [block["bbox_mm"]]
     material = say("two materials: {material}, and support that a bath dissolves",
                    material=say(printer["material_class"])) if bath else \
         say("one material: {material}", material=say(printer["material_class"]))
@@ -63,17 +82,16 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
         volumes[say(support.bodies)] = own
     parts = ", ".join(f"{kind} {volume:.1f} cm³" for kind, volume in volumes.items())
     soluble = say("{volume:.1f} cm³ (soluble)", volume=soft) if support.soluble else f"{soft:.1f} cm³"
-    reach_out = overhangs(block["overhang_mm"], parameters, printer)
-    fits = say("the print fits") if fits_bed(block["bbox_mm"], printer) else say("the print does not fit")
+    reach_out = is_tilted(parameters) or overhangs(block["overhang_mm"], parameters, printer)
+    side = say(_SIDES[get("orientation")])
+    fits = say("the print is divided among {beds} beds", beds=len(beds)) if beds else \
+        say("the print fits") if fits_bed(block["bbox_mm"], printer) else say("the print does not fit")
     bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
     return [
-        (say("Quantity"), say("{quantity}, each of {bodies} bodies ({tiles} tiles) in {pieces}",
-                              quantity=quantity, bodies=block["bodies"], tiles=report["tiles"],
-                              pieces=pieces)),
-        (say("To be printed"), say("{name}-print.3mf or {name}-print.step: every body with its name, in "
-                                   "place; or the files of tiles, anchors and support, with one origin",
-                                   name=name)),
-        (say("Size"), f"{x:.1f} × {y:.1f} × {z:.1f} mm"),
+        (say("Quantity"), say("{quantity}, of {bodies} bodies each ({tiles} tiles) {pieces}",
+                              quantity=quantity, bodies=bodies, tiles=report["tiles"], pieces=pieces)),
+        (say("To be printed"), files),
+        (say("Size"), "; ".join(f"{x:.1f} × {y:.1f} × {z:.1f} mm" for x, y, z in sizes)),
         (say("Material"), material),
         (say("Rigid material"), say("{volume:.1f} cm³, {mass:.0f} g at {density:g} g/cm³ ({parts})",
                                     volume=rigid, mass=rigid * get("density"), density=get("density"),
@@ -84,8 +102,7 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
         (say("Layer, tolerance"), say("{layer:g} mm or less, ± {tolerance:g} mm", layer=printer["layer_mm"],
                                       tolerance=printer["tolerance_mm"])),
         (say("Finish"), say(printer["finish"])),
-        (say("Orientation"), say("{side}, as the files stand; support is printed with the parts",
-                                 side=say(_SIDES[get("orientation")]))),
+        (say("Orientation"), say(_TILTED if is_tilted(parameters) else _FLAT, side=side)),
         (say("Printer compared with"), say("{printer}: bed {bed} mm, {fits}", printer=say(printer["name"]),
                                            bed=bed, fits=fits)),
         (say("Smallest feature"), say("{feature:.3g} mm; the printer makes {least:g} mm",
@@ -103,8 +120,8 @@ def latex(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
     x, y = sheets["cut_mm"]
     thickness, modulus = (_either(say, *(get(f"{name}_{side}") for side in ("front", "back")))
                           for name in ("thickness", "shear_modulus"))
-    return say("two sheets of latex, {thickness} mm thick, shear modulus {modulus} MPa, each cut to {x:.0f} "
-               "× {y:.0f} mm, of which {grip:g} mm around are for the grip", thickness=thickness,
+    return say("two sheets of latex, {thickness} mm thick, shear modulus {modulus} MPa, each at least "
+               "{x:.0f} × {y:.0f} mm, of which {grip:g} mm around are for the grip", thickness=thickness,
                modulus=modulus, x=x, y=y, grip=sheets["grip_mm"])
 
 
