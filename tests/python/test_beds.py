@@ -167,8 +167,10 @@ def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
     found = json.loads((tmp_path / "kit.json").read_text("utf-8"))
     count = len(found["beds"]["beds"])
     assert count > 1 and found["beds"]["position_error_mm"] > 0 and len(found["costs"]) == count
+    endings = (".3mf", ".step", "-prusa.3mf")
     assert {path.name for path in tmp_path.glob("*-bed-*")} == {
-        f"small-cap-bed-{k:02}.{ending}" for k in range(1, count + 1) for ending in ("3mf", "step")}
+        f"small-cap-bed-{k:02}{ending}" for k in range(1, count + 1) for ending in endings}
+    assert not (tmp_path / "small-cap-prusa.3mf").exists()  # nothing that fits no bed
     assert (tmp_path / "small-cap-frame.dxf").exists()
     # The order is of beds, and says what each holds.
     printed = read_text(tmp_path / "small-cap-shop.pdf")

@@ -12,6 +12,7 @@ from ..base.language import Text
 from .beds import FIT
 from .drawing import Drawing, dxf, tiled_pdf
 from .kit import Kit
+from .print_shop import project
 
 _NOTE = Text("""Parts of the print with their numbers, seen from above, the side that lies up on the
 beds.""")
@@ -26,6 +27,7 @@ def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
     for number in range(len(kit.beds.places)):
         for ending in ("3mf", "step"):
             found[f"{kit.name}-bed-{number + 1:02}.{ending}"] = partial(_bed, kit, number, ending)
+        found[f"{kit.name}-bed-{number + 1:02}-prusa.3mf"] = partial(_project, kit, number)
     if kit.beds.seams:
         found[f"{kit.name}-frame.dxf"] = lambda: dxf(frame(kit))
         found[f"{kit.name}-frame.pdf"] = lambda: tiled_pdf(frame(kit), [kit.say(_NOTE)], kit.go_on, kit.say)
@@ -35,6 +37,11 @@ def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
 def _bed(kit: Kit, number: int, ending: str) -> bytes:
     assert kit.beds is not None
     return kit.written(kit.beds.bed(number), ending, "print")
+
+
+def _project(kit: Kit, number: int) -> bytes:
+    assert kit.beds is not None
+    return project(kit, kit.beds.bed(number))
 
 
 def frame(kit: Kit) -> Drawing:

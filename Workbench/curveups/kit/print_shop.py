@@ -8,7 +8,7 @@ from __future__ import annotations
 import io
 import struct
 import zipfile
-from typing import Sequence
+from typing import Any, Sequence
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
@@ -17,6 +17,7 @@ from matplotlib.figure import Figure
 from ..base.native import native
 from ..report.pictures import _png
 from ..report.print_pictures import draw_print
+from ..stages.solids import KINDS
 from .kit import Kit
 
 _TYPES = """<?xml version="1.0" encoding="UTF-8"?>
@@ -58,19 +59,22 @@ _PART = """<volume firstid="{first}" lastid="{last}"><metadata type="volume" key
 
 def fused(kit: Kit, ending: str) -> bytes:
     """Each piece as one closed shell; on bridges alone."""
-    return kit.fused_stl if ending == "stl" else _threemf(kit, [("print", kit.fused_stl, 1)])
+    return kit.fused_stl if ending == "stl" else _threemf(kit, kit.model, [("print", kit.fused_stl, 1)])
 
 
-def project(kit: Kit) -> bytes:
-    """The parts with their extruders: a soluble slab is of extruder 2."""
+def project(kit: Kit, model: Any = None) -> bytes:
+    """The kinds of bodies as parts with their extruders: a soluble slab is of extruder 2. model: the native
+    PrintModel of a bed, where it is not that of the kit."""
+    model = kit.model if model is None else model
     soluble = native.support_kind(kit.results.parameters).soluble
-    return _threemf(kit, [(kind, kit.stl(kind), 2 if kind == "support" and soluble else 1)
-                          for kind in ("tiles", "support", "anchors") if kit.model.volumes[kind] > 0])
+    parts = [(kind, kit.written(model, "stl", kind), 2 if kind == "support" and soluble else 1)
+             for kind in KINDS if model.volumes[kind] > 0]
+    return _threemf(kit, model, parts)
 
 
-def _threemf(kit: Kit, parts: Sequence[tuple[str, bytes, int]]) -> bytes:
-    """A 3MF of one object with PrusaSlicer's settings of parts and a thumbnail. parts: their name, STL and
-    extruder."""
+def _threemf(kit: Kit, model: Any, parts: Sequence[tuple[str, bytes, int]]) -> bytes:
+    """A 3MF of one object with PrusaSlicer's settings of parts and a thumbnail of the model. parts: their
+    name, STL and extruder."""
     vertices: list[str] = []
     triangles: list[str] = []
     volumes = ""
@@ -83,10 +87,10 @@ def _threemf(kit: Kit, parts: Sequence[tuple[str, bytes, int]]) -> bytes:
         vertices += ['<vertex x="%.9g" y="%.9g" z="%.9g"/>' % tuple(row) for row in points.tolist()]
         volumes += _PART.format(first=first, last=len(triangles) - 1, name=name, extruder=extruder)
     figure = Figure(figsize=(4, 4))
-    draw_print(figure.add_axes([0, 0, 1, 1]), kit.model)
-    model = _MODEL.format(vertices="\n".join(vertices), triangles="\n".join(triangles))
+    draw_print(figure.add_axes([0, 0, 1, 1]), model)
+    mesh = _MODEL.format(vertices="\n".join(vertices), triangles="\n".join(triangles))
     members = {"[Content_Types].xml": _TYPES.encode(), "_rels/.rels": _RELATIONS.encode(),
-               "3D/3dmodel.model": model.encode(),
+               "3D/3dmodel.model": mesh.encode(),
                "Metadata/Slic3r_PE_model.config":
                    _CONFIG.format(title=quoteattr(kit.title), parts=volumes).encode("utf-8"),
                "Metadata/thumbnail.png": _png(figure)}
