@@ -2,14 +2,13 @@
 """Ribs and formers below shapes of all kinds: they are closed, can be put together, and stay below the
 shell."""
 
-import re
-import subprocess
 
 import numpy as np
 import pytest
 
 from curveups.kit.gauges import former_stl
 from curveups.kit.underside import FOOT, LEAST_RIB, SHEET, Underside, figures, named
+from running import by_admesh
 
 THICK = (4.1, 1.1)  # mm, behind and before the front
 
@@ -121,11 +120,9 @@ def test_a_former_is_one_closed_body_below_the_shell(shape, tmp_path):
     V, F = SHAPES[shape]
     under = Underside.below(V, F, *THICK)
     (tmp_path / "former.stl").write_bytes(former_stl([under]))
-    said = subprocess.run(["admesh", tmp_path / "former.stl"], check=True, capture_output=True,
-                          text=True).stdout
-    assert re.search(r"Total disconnected facets +: +0 +0", said)
-    assert re.search(r"Number of parts +: +1 ", said) and re.search(r"Backwards edges +: +0", said)
-    assert float(re.search(r"Volume +: +([0-9.]+)", said)[1]) == pytest.approx(1000 * under.volume, rel=5e-3)
+    found = by_admesh(tmp_path / "former.stl")
+    assert found["Total disconnected facets"] == found["Backwards edges"] == 0
+    assert found["Number of parts"] == 1 and found["Volume"] == pytest.approx(1000 * under.volume, rel=5e-3)
 
 
 def test_a_closed_shape_is_cradled_from_outside():

@@ -26,6 +26,7 @@ from curveups.report.exports import Choice, file_names
 from curveups.report.shop import rules
 from curveups.stages.sheets import sheets
 from curveups.stages.stage import Job
+from running import by_admesh
 
 LATEX = [f"latex-{side}.{kind}" for side in ("front", "back") for kind in ("pdf", "svg", "dxf")]
 
@@ -516,12 +517,10 @@ def test_a_stop_between_pages_ends_the_pdf():
 
 
 def test_ribs_and_former_are_read_by_other_programs(kit):
-    path = kit.folder / "small-cap-former.stl"
-    said = subprocess.run(["admesh", path], check=True, capture_output=True, text=True).stdout
-    assert re.search(r"Total disconnected facets +: +0 +0", said)
-    assert re.search(r"Number of parts +: +1 ", said) and re.search(r"Backwards edges +: +0", said)
-    volume = float(re.search(r"Volume +: +([0-9.]+)", said)[1])
-    assert volume == pytest.approx(1000 * kit.json["gauges"]["former_cm3"], rel=0.02)
+    found = by_admesh(kit.folder / "small-cap-former.stl")
+    assert found["Total disconnected facets"] == found["Backwards edges"] == 0
+    assert found["Number of parts"] == 1
+    assert found["Volume"] == pytest.approx(1000 * kit.json["gauges"]["former_cm3"], rel=0.02)
     space = ezdxf.readfile(kit.folder / "small-cap-gauges.dxf").modelspace()
     outlines, names = list(space.query("LWPOLYLINE")), [text.dxf.text for text in space.query("TEXT")]
     assert names == kit.json["gauges"]["ribs"] and len(outlines) == len(names) >= 4

@@ -13,7 +13,7 @@ import zipfile
 import numpy as np
 import pytest
 from curveups.base import freecad_session
-from running import ROOT
+from running import ROOT, by_admesh
 
 SLICER = shutil.which("prusa-slicer")
 pytestmark = pytest.mark.skipif(not SLICER, reason="there is no prusa-slicer")
@@ -119,9 +119,9 @@ def test_a_fused_print_is_one_sound_body(curveups, printed, tmp_path):
         assert re.findall(r"^number_of_parts *= *(\d+)", said, re.MULTILINE) == ["1"]
         assert [round(float(z), 2) for z in re.findall(r"^size_z = (\S+)", said, re.MULTILINE)] == [5.0]
     path = tmp_path / "small-cap-print-fused.stl"
-    said = subprocess.run(["admesh", path], check=True, capture_output=True, text=True).stdout
-    assert re.search(r"Total disconnected facets +: +0 +0", said)
-    assert re.search(r"Number of parts +: +1 ", said) and re.search(r"Degenerate facets +: +0", said)
+    found = by_admesh(path)
+    assert found["Total disconnected facets"] == found["Degenerate facets"] == 0
+    assert found["Number of parts"] == 1
     _, mesh = freecad_session.load("Mesh")
     whole = mesh.Mesh(str(path))
     assert whole.isSolid() and not whole.hasSelfIntersections()
