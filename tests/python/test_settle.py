@@ -42,6 +42,7 @@ def test_a_design_says_whether_it_holds(printed):
     assert "24 tiles, valid, holds" in printed.ran.err
     block = report["settled"]
     assert block["converged"] and not block["open_contacts"] and block["normal_min"] > 0
+    assert 0 < block["element_change"] <= 1e-3
     assert block["drift_mm"] <= block["hold_tolerance_mm"] == pytest.approx(0.01 * report_L(printed))
     assert 0 < block["holding_friction"] <= block["friction_coefficient"] == 0.5
     scan = block["scan"]
@@ -126,7 +127,8 @@ def test_a_required_margin_that_is_not_known_leaves_the_verdict_open(cap_design)
 def test_the_window_says_how_far_and_what_fails_first(cap_design):
     results = settled(cap_design, window=True)
     window = {one["parameter"]: one for one in results["settle"].report()["window"]}
-    assert set(window) == {"stretch", "front_over_back", "xy_growth", "friction_coefficient", "glue_strength"}
+    assert set(window) == {"stretch", "front_over_back", "xy_growth", "xy_taper", "half_shift",
+                           "half_turn", "friction_coefficient", "glue_strength"}
     for one in window.values():
         for end, fails, searched in (("low", "fails_low", 0), ("high", "fails_high", 1)):
             assert (one[end] is None) == (one[fails] is None), one

@@ -20,6 +20,7 @@ py::dict block(const SettledDesign& settled) {
   out["normal_mean"] = settled.normal_mean;
   out["normal_min"] = settled.normal_min;
   out["open_contacts"] = open;
+  out["element_change"] = settled.element_change;
   out["largest_slip_mm"] = settled.largest_slip;
   out["drift_mm"] = settled.drift;
   out["holding_friction"] =

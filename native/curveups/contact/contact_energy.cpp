@@ -44,7 +44,8 @@ MotionDerivatives<2> ContactEnergy::of_pair(const TouchingPair& pair, const Pose
     const Vec3 by_y = -push * touch.normal + touch.tangents * tangential;
     Eigen::Matrix3d by_y_twice = Eigen::Matrix3d::Zero();
     if (second) {
-      if (push > 0) by_y_twice = touch.stiffness * touch.normal * touch.normal.transpose();
+      if (push > 0 || (closing && std::isinf(touch.cap)))
+        by_y_twice = touch.stiffness * touch.normal * touch.normal.transpose();
       Eigen::Matrix2d plane = k * Eigen::Matrix2d::Identity();
       if (slips) {
         plane *= touch.cap / (k * length);

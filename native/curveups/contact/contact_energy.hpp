@@ -36,6 +36,9 @@ class ContactEnergy : public MotionEnergy {
   // way, were a spring through its present force: a convex bound from above, which keeps Newton's
   // steps from leaping to and fro across the kinks where slipping turns round.
   bool careful = false;
+  // Second derivatives as if all that is bonded pushed: where bodies touch and nothing pushes yet,
+  // the first step of Newton's method knows that they will.
+  bool closing = false;
 
   std::string_view name() const override { return "contact"; }
   void couple(std::vector<Coupling>& couplings) const override;

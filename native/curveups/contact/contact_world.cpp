@@ -12,8 +12,6 @@
 namespace curveups {
 namespace {
 
-constexpr double cone_share = 0.03;
-
 double largest_row(const Motions& rows) {
   double largest = 0;
   for (int i = 0; i < rows.rows(); ++i) {
@@ -112,16 +110,10 @@ double ContactWorld::value(const Poses& poses) const {
 }
 
 double ContactWorld::gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const {
-  out.setZero(poses.size(), 6);
   if (hessian) hessian->set_zero();
-  double sum = 0;
-  for (std::size_t k = 0; k < energies_.size(); ++k) {
-    sum += energies_[k]->derivatives(poses, options_.lever, out, hessian, first_[k]);
-  }
+  double sum = given_gradient(poses, out, hessian);
   sum += contacts_.derivatives(poses, options_.lever, out, hessian, first_.back());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_[i].fixed) out.row(i).setZero();
-  }
+  hold_fixed(out);
   return sum;
 }
 
@@ -129,11 +121,12 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
   // What is left of friction beyond the cone is taken away when the step ends, and must not wake
   // bodies that would be at rest: they would creep from step to step.
   const double tolerance = std::max(options_.tolerance * scale, rounding_),
-               cone = cone_share * options_.cone_tolerance * scale;
+               cone = options_.cone_share * options_.cone_tolerance * scale;
   const double lever = options_.lever;
   AndersonIteration fixed_point;
   contacts_.careful = false;
-  Motions g, way;
+  Motions given, g, way;
+  double given_energy = given_gradient(x, given, nullptr);
   double before = -1;  // the residual before the last step, where it was a whole one
   bool factorized = false;
   double shift = 0;
@@ -142,12 +135,11 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
     const Motions so_far = between(poses_, x, lever);
     // By an older factorization where that contracts well.
     const bool fresh = !factorized;
-    double now = gradient(x, g, fresh ? hessian_.get() : nullptr);
+    g = given;
+    double now = given_energy + contacts_.derivatives(x, lever, g, nullptr, first_.back());
     now += 0.5 * weight * so_far.squaredNorm();
     g += weight * so_far;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (bodies_[i].fixed) g.row(i).setZero();
-    }
+    hold_fixed(g);
     const double residual = largest_row(g);
     report.residual = residual / scale;
     const double error = contacts_.cone_error(x);
@@ -172,6 +164,9 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
     ++report.iterations;
     if (fresh) {
       ++report.factorizations;
+      contacts_.closing = contacts_.is_bonded() && report.iterations == 1;
+      gradient(x, way, hessian_.get());
+      contacts_.closing = false;
       double extra = shift;
       while (!hessian_->factorize(0, weight + extra)) {
         extra = std::max(4 * extra, 1e-4 * hessian_->mean_diagonal());
@@ -194,10 +189,12 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
     const double blur = 1e-12 * (std::abs(now) + scale * lever);
     int halved = 0;
     for (;; part /= 2, ++halved) {
-      const Poses next = moved(x, part * way, lever);
-      const double energy = value(next) + 0.5 * weight * between(poses_, next, lever).squaredNorm();
+      Poses next = moved(x, part * way, lever);
+      given_energy = given_gradient(next, given, nullptr);
+      const double energy = given_energy + contacts_.value(next) +
+                            0.5 * weight * between(poses_, next, lever).squaredNorm();
       if (energy <= now + 1e-4 * part * slope + blur || halved == 30) {
-        x = next;
+        x = std::move(next);
         break;
       }
     }
@@ -208,13 +205,20 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
   }
 }
 
-double ContactWorld::given_gradient(Motions& out) const {
-  out.setZero(poses_.size(), 6);
+double ContactWorld::given_gradient(const Poses& poses, Motions& out,
+                                    BlockMatrix<6>* hessian) const {
+  out.setZero(poses.size(), 6);
   double energy = 0;
   for (std::size_t k = 0; k < energies_.size(); ++k) {
-    energy += energies_[k]->derivatives(poses_, options_.lever, out, nullptr, first_[k]);
+    energy += energies_[k]->derivatives(poses, options_.lever, out, hessian, first_[k]);
   }
   return energy;
+}
+
+void ContactWorld::hold_fixed(Motions& gradient) const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].fixed) gradient.row(i).setZero();
+  }
 }
 
 double ContactWorld::force_unit(const Motions& given) const {
@@ -233,13 +237,11 @@ StepReport ContactWorld::step() {
   if (!searched_) search();
   StepReport report;
   Motions g(poses_.size(), 6), given;
-  double energy = given_gradient(given);
+  double energy = given_gradient(poses_, given, nullptr);
   const double scale = force_unit(given);
   g = given;
   energy += contacts_.derivatives(poses_, options_.lever, g, nullptr, first_.back());
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_[i].fixed) g.row(i).setZero();
-  }
+  hold_fixed(g);
   report.residual = largest_row(g) / scale;
   report.cone_error = contacts_.cone_error(poses_) / scale;
   report.energy = energy;
@@ -249,7 +251,7 @@ StepReport ContactWorld::step() {
     return report;
   }
 
-  if (weight_ < 0) weight_ = scale / options_.step_limit;
+  if (weight_ < 0) weight_ = options_.first_weight * scale / options_.step_limit;
   if (contacts_.is_bonded()) {
     contacts_.bond(poses_);
   } else if (fresh_) {
@@ -328,7 +330,7 @@ StepReport ContactWorld::advance() {
   if (!searched_) search();
   StepReport report;
   Motions g;
-  given_gradient(g);
+  given_gradient(poses_, g, nullptr);
   const double unit = force_unit(g), lever = options_.lever;
   if (weight_ < 0) weight_ = unit / pace_.step_limit;
   report.before = report.energy = value(poses_);
@@ -348,9 +350,7 @@ StepReport ContactWorld::advance() {
     }
     now += 0.5 * weight_ * so_far.squaredNorm();
     g += weight_ * so_far;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (bodies_[i].fixed) g.row(i).setZero();
-    }
+    hold_fixed(g);
     report.converged = largest_row(g) <= std::max(0.1 * report.residual, pace_.tolerance) * unit;
     if (report.converged || iteration == pace_.iterations ||
         largest_row(so_far) > pace_.step_limit) {

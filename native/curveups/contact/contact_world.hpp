@@ -17,11 +17,16 @@ namespace curveups {
 struct WorldOptions {
   double lever = 3;       // mm: turns times this are lengths (rigid_body.hpp)
   double step_limit = 1;  // mm: how far a body may move in a step
+  // w of the first step, over the unit of forces a step_limit: less where bodies start near rest.
+  double first_weight = 1;
   // The unit of forces is the mean normal force, the mean given force on a body, or this where it
   // is larger, N.
   double least_unit = 0;
   // Forces left on a body, and friction beyond its cone, in that unit.
   double tolerance = 1e-7, cone_tolerance = 1e-6;
+  // What a step may leave of cone_tolerance: it is taken away when the step ends, and must not wake
+  // bodies that would be at rest.
+  double cone_share = 0.03;
   int max_iterations = 60;  // of Newton's method, a step
   SearchOptions search;
 };
@@ -54,10 +59,12 @@ class ContactWorld {
   void add(std::unique_ptr<MotionEnergy> energy) { energies_.push_back(std::move(energy)); }
   void set_friction(double coefficient) { contacts_.friction_coefficient = coefficient; }
   // As WorldOptions have them.
-  void set_tolerances(double tolerance, double cone_tolerance) {
+  void set_tolerances(double tolerance, double cone_tolerance, double cone_share) {
     options_.tolerance = tolerance;
     options_.cone_tolerance = cone_tolerance;
+    options_.cone_share = cone_share;
   }
+  const WorldOptions& options() const { return options_; }
   // From here on, with what friction remembers between faces that stay the same.
   void set_poses(const Poses& poses);
 
@@ -97,7 +104,8 @@ class ContactWorld {
   void search();
   double gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
   double value(const Poses& poses) const;
-  double given_gradient(Motions& out) const;
+  double given_gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
+  void hold_fixed(Motions& gradient) const;
   double force_unit(const Motions& given) const;
   void set_convex(bool convex);
   void factorize(const Poses& x, double weight, StepReport& report);

@@ -28,8 +28,20 @@ double PointLoads::derivatives(const Poses& poses, double lever, Motions& gradie
   return sum;
 }
 
+std::vector<int> PairLoads::pairs() const {
+  std::vector<int> first;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    if (k == 0 || loads[k].body != loads[k - 1].body) first.push_back(static_cast<int>(k));
+  }
+  first.push_back(static_cast<int>(loads.size()));
+  return first;
+}
+
 void PairLoads::couple(std::vector<Coupling>& couplings) const {
-  for (const PairLoad& load : loads) couplings.push_back({load.body[0], load.body[1]});
+  const std::vector<int> first = pairs();
+  for (std::size_t k = 0; k + 1 < first.size(); ++k) {
+    couplings.push_back({loads[first[k]].body[0], loads[first[k]].body[1]});
+  }
 }
 
 double PairLoads::value(const Poses& poses) const {
@@ -39,22 +51,52 @@ double PairLoads::value(const Poses& poses) const {
   });
 }
 
+// Of a pair, with forces f that turn with body 0 and arms a that turn with body 1, r from origin to
+// origin: the energy -sum f . (r + a) and its derivatives need sum f and G = sum f a^T alone.
+MotionDerivatives<2> PairLoads::of_pair(int begin, int end, const Poses& poses, double lever,
+                                        bool second) const {
+  const RigidMotion &one = poses[loads[begin].body[0]], &other = poses[loads[begin].body[1]];
+  Vec3 force = Vec3::Zero();
+  Eigen::Matrix3d G = Eigen::Matrix3d::Zero();
+  for (int k = begin; k < end; ++k) {
+    force += loads[k].force;
+    G += loads[k].force * loads[k].point.transpose();
+  }
+  force = one.R * force;
+  G = one.R * G * other.R.transpose();
+  const Vec3 r = other.t - one.t;
+  const Vec3 torque(G(2, 1) - G(1, 2), G(0, 2) - G(2, 0), G(1, 0) - G(0, 1));  // sum a x f
+  MotionDerivatives<2> out;
+  out.value = -force.dot(r) - G.trace();
+  out.gradient << force, (torque + r.cross(force)) / lever, -force, -torque / lever;
+  if (!second) return out;
+  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d turns =
+      (G.trace() * identity - 0.5 * (G + G.transpose())) / (lever * lever);
+  const Eigen::Matrix3d moves = skew(force) / lever;
+  out.hessian.block<3, 3>(3, 3) = turns - turn_curvature(force, r, lever);
+  out.hessian.block<3, 3>(9, 9) = turns;
+  out.hessian.block<3, 3>(3, 9) = (G.transpose() - G.trace() * identity) / (lever * lever);
+  out.hessian.block<3, 3>(9, 3) = out.hessian.block<3, 3>(3, 9).transpose();
+  out.hessian.block<3, 3>(3, 0) = moves;
+  out.hessian.block<3, 3>(3, 6) = -moves;
+  out.hessian.block<3, 3>(0, 3) = -moves;
+  out.hessian.block<3, 3>(6, 3) = moves;
+  return out;
+}
+
 double PairLoads::derivatives(const Poses& poses, double lever, Motions& gradient,
                               BlockMatrix<6>* hessian, int first) const {
+  const std::vector<int> pair = pairs();
   double sum = 0;
   parallel_gather<MotionDerivatives<2>>(
-      static_cast<int>(loads.size()),
+      static_cast<int>(pair.size()) - 1,
       [&](int k, MotionDerivatives<2>& out) {
-        const PairLoad& load = loads[k];
-        out = {};
-        out.value =
-            -load.force.dot(seen_from(poses[load.body[0]], poses[load.body[1]], load.point));
-        add_seen_point(poses, load.body, 1, 0, load.point, -load.force, Eigen::Matrix3d::Zero(),
-                       lever, hessian != nullptr && !convex, convex, out);
+        out = of_pair(pair[k], pair[k + 1], poses, lever, hessian && !convex);
       },
       [&](int k, const MotionDerivatives<2>& out) {
         sum += out.value;
-        out.add_to(loads[k].body, gradient, hessian, first + k);
+        out.add_to(loads[pair[k]].body, gradient, convex ? nullptr : hessian, first + k);
       });
   return sum;
 }

@@ -37,13 +37,18 @@ struct PairLoad {
 class PairLoads : public MotionEnergy {
  public:
   explicit PairLoads(std::vector<PairLoad> list) : loads(std::move(list)) {}
-  std::vector<PairLoad> loads;
+  std::vector<PairLoad> loads;  // those of a pair of bodies one after another
 
   std::string_view name() const override { return "pair loads"; }
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
   double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
                      int first) const override;
+
+ private:
+  std::vector<int> pairs() const;  // where each begins; then the end
+  MotionDerivatives<2> of_pair(int begin, int end, const Poses& poses, double lever,
+                               bool second) const;
 };
 
 }  // namespace curveups

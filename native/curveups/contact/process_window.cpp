@@ -2,10 +2,12 @@
 #include "curveups/contact/process_window.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 
 #include "curveups/core/checkpoint.hpp"
+#include "curveups/core/parallel.hpp"
 
 namespace curveups {
 namespace {
@@ -14,9 +16,9 @@ namespace {
 using Change = std::function<void(Settling&, double)>;
 
 // From one sample to the next until one fails; then between it and its neighbour, so many times.
-WindowEnd walk(Settling& settling, const Settling::State& standing, double from,
-               const std::vector<double>& values, int halvings, const Change& change) {
-  settling.restore(standing);
+WindowEnd walk(const Settling& standing, double from, const std::vector<double>& values,
+               int halvings, const Change& change) {
+  Settling settling(standing);
   WindowEnd end{from, {}};
   for (double value : values) {
     const Settling::State last = settling.state();
@@ -80,6 +82,21 @@ std::vector<Axis> axes() {
        0,
        {{{-0.02, -0.05, -0.1}, {0.02, 0.05, 0.1}}},
        with([](Conditions& c, double mm) { c.growth = mm; })},
+      {"xy_taper",
+       "mm",
+       0,
+       {{{-0.02, -0.05, -0.1}, {0.02, 0.05, 0.1}}},
+       with([](Conditions& c, double mm) { c.taper = mm; })},
+      {"half_shift",
+       "mm",
+       0,
+       {{{-0.1, -0.2, -0.4}, {0.1, 0.2, 0.4}}},
+       with([](Conditions& c, double mm) { c.half_shift = mm; })},
+      {"half_turn",
+       "degrees",
+       0,
+       {{{-0.1, -0.2, -0.4}, {0.1, 0.2, 0.4}}},
+       with([](Conditions& c, double degrees) { c.half_turn = degrees; })},
   };
 }
 
@@ -101,39 +118,36 @@ WindowRange range_of_glue(const LargestGlueLoads& glue) {
 
 }  // namespace
 
-WindowEnd holding_friction(Settling& settling, const Settling::State& standing, int halvings) {
-  const double mu = standing.friction;
-  return walk(settling, standing, mu, {0.8 * mu, 0.6 * mu, 0.4 * mu, 0.2 * mu}, halvings,
+WindowEnd holding_friction(const Settling& standing, int halvings) {
+  const double mu = standing.friction();
+  return walk(standing, mu, {0.8 * mu, 0.6 * mu, 0.4 * mu, 0.2 * mu}, halvings,
               [](Settling& tiles, double value) { tiles.settle(tiles.conditions(), value); });
 }
 
-Margin find_margin(Settling& settling, const Settling::State& standing,
-                   const Parameters& parameters) {
+Margin find_margin(const Settling& standing, const Parameters& parameters) {
   Margin out{parameters.margin, parameters.margin_mismatch, parameters.margin_friction, {}, {}};
   if (out.mode == "off") return out;
-  settling.restore(standing);
-  if (!settling.holds()) {
-    if (settling.is_known()) out.met = false;
+  if (!standing.holds()) {
+    if (standing.is_known()) out.met = false;
     return out;
   }
-  bool known = true;
-  for (int s = 0; s < 2; ++s) {
-    settling.restore(standing);
+  std::array<char, 2> known{};
+  parallel_each(2, [&](int s) {
+    Settling settling(standing);
     Conditions corner;
     corner.pull[s] = 1 + out.mismatch / 100;
-    settling.settle(corner, std::min(out.friction_coefficient, standing.friction));
+    settling.settle(corner, std::min(out.friction_coefficient, standing.friction()));
     out.failure[s] = settling.failure();
-    known = known && settling.is_known();
-  }
+    known[s] = settling.is_known();
+  });
   const bool fails = out.failure[0] || out.failure[1];
-  if (known || !fails) out.met = !fails;
+  if ((known[0] && known[1]) || !fails) out.met = !fails;
   return out;
 }
 
-std::vector<WindowRange> process_window(Settling& settling, const Settling::State& standing,
-                                        const WindowEnd& lowest_friction,
+std::vector<WindowRange> process_window(const Settling& standing, const WindowEnd& lowest_friction,
                                         const LargestGlueLoads& glue) {
-  const double mu = standing.friction;
+  const double mu = standing.friction();
   std::vector<Axis> all = axes();
   all.push_back({"friction_coefficient",
                  "",
@@ -141,22 +155,23 @@ std::vector<WindowRange> process_window(Settling& settling, const Settling::Stat
                  {{{}, {1.5 * mu, 2 * mu}}},
                  [](Settling& tiles, double value) { tiles.settle(tiles.conditions(), value); }});
   std::vector<WindowRange> out;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const Axis& axis = all[k];
-    WindowRange range{axis.parameter, axis.unit, "holds", {}, {}};
+  for (const Axis& axis : all) {
+    out.push_back({axis.parameter, axis.unit, "holds", {}, {}});
     for (int e = 0; e < 2; ++e) {
-      checkpoint("process window", (2.0 * static_cast<double>(k) + e) / (2.0 * all.size()));
-      if (axis.values[e].empty()) {
-        range.end[e] = lowest_friction;
-        range.searched[e] = 0.2 * mu;
-        continue;
-      }
-      range.searched[e] = axis.values[e].back();
-      range.end[e] =
-          walk(settling, standing, axis.own, axis.values[e], window_halvings, axis.change);
+      out.back().searched[e] = axis.values[e].empty() ? 0.2 * mu : axis.values[e].back();
     }
-    out.push_back(std::move(range));
   }
+  const int ends = 2 * static_cast<int>(all.size());
+  std::atomic<int> done = 0;
+  parallel_each(ends, [&](int k) {
+    checkpoint("process window", static_cast<double>(done) / ends);
+    const Axis& axis = all[k / 2];
+    const std::vector<double>& values = axis.values[k % 2];
+    out[k / 2].end[k % 2] = values.empty()
+                                ? lowest_friction
+                                : walk(standing, axis.own, values, window_halvings, axis.change);
+    ++done;
+  });
   out.push_back(range_of_glue(glue));
   return out;
 }

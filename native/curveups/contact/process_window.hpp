@@ -20,10 +20,10 @@ struct WindowEnd {
   std::optional<Finding> failure;
 };
 
-// Friction falls by fifths of its coefficient in `standing`, where the design holds, to where it no
+// Friction falls by fifths of its coefficient where the design stands and holds, to where it no
 // longer does; the range between the last two samples is halved so many times. Nothing says that it
 // would not hold again further down.
-WindowEnd holding_friction(Settling& settling, const Settling::State& standing, int halvings);
+WindowEnd holding_friction(const Settling& standing, int halvings);
 
 // The worst corners of the box of margin_mismatch and margin_friction.
 struct Margin {
@@ -34,8 +34,7 @@ struct Margin {
   // What fails, of the corners that do: with the front pulling harder, and the back.
   std::array<std::optional<Finding>, 2> failure;
 };
-Margin find_margin(Settling& settling, const Settling::State& standing,
-                   const Parameters& parameters);
+Margin find_margin(const Settling& standing, const Parameters& parameters);
 
 // The range of one parameter, all others as they are, in which the verdict stays.
 struct WindowRange {
@@ -44,9 +43,9 @@ struct WindowRange {
   std::array<double, 2> searched{};
   std::array<WindowEnd, 2> end;
 };
-// standing: where the design holds. lowest_friction: holding_friction's.
-std::vector<WindowRange> process_window(Settling& settling, const Settling::State& standing,
-                                        const WindowEnd& lowest_friction,
+// standing: where the design holds. lowest_friction: holding_friction's. Its ends are looked for at
+// once where there are threads.
+std::vector<WindowRange> process_window(const Settling& standing, const WindowEnd& lowest_friction,
                                         const LargestGlueLoads& glue);
 
 }  // namespace curveups

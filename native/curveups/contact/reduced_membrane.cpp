@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/contact/reduced_membrane.hpp"
 
+#include <algorithm>
+
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {
 namespace {
+
+Vec2 middle_of(const std::vector<int>& polygon, const Points2& flat) {
+  Vec2 middle = Vec2::Zero();
+  for (int corner : polygon) {
+    middle += flat.row(corner).transpose() / static_cast<double>(polygon.size());
+  }
+  return middle;
+}
 
 double twice_area(const std::array<Vec2, 3>& p) { return wedge(p[1] - p[0], p[2] - p[0]); }
 
@@ -18,11 +28,11 @@ ReducedMembrane::ReducedMembrane(const MembraneDomain& domain, const Points2& fl
     const std::vector<int>& c = patch.corners;
     const int n = static_cast<int>(c.size());
     if (patch.contact >= 0) {
-      Element element{{c[0] / 3, -1, -1}, {}};
-      std::array<int, 4> slot{};
+      Element element{{c[0] / 3, -1, -1}, 4, {}, {}, {}};
       for (int k = 0; k < 4; ++k) {
         if (c[k] / 3 != element.body[0]) element.body[1] = c[k] / 3;
-        slot[k] = c[k] / 3 == element.body[0] ? 0 : 1;
+        element.slot[k] = c[k] / 3 == element.body[0] ? 0 : 1;
+        element.point[k] = corners.row(c[k]);
       }
       // Along the diagonal from corner 0 and from corner 1; where the flat quadrilateral is not
       // convex only one of them lies inside.
@@ -38,9 +48,8 @@ ReducedMembrane::ReducedMembrane(const MembraneDomain& domain, const Points2& fl
         for (const std::array<int, 3>& t :
              {std::array<int, 3>{d, d + 1, d + 2}, std::array<int, 3>{d, d + 2, (d + 3) % 4}}) {
           if (share[d] == 0) continue;
-          add({slot[t[0]], slot[t[1]], slot[t[2]]},
-              {corners.row(c[t[0]]), corners.row(c[t[1]]), corners.row(c[t[2]])},
-              {flat.row(c[t[0]]), flat.row(c[t[1]]), flat.row(c[t[2]])}, share[d] / sum, element);
+          element.triangles.push_back(
+              {t, {c[t[0]], c[t[1]], c[t[2]]}, share[d] / sum, Eigen::Matrix2d::Zero(), 0});
         }
       }
       elements_.push_back(std::move(element));
@@ -48,27 +57,37 @@ ReducedMembrane::ReducedMembrane(const MembraneDomain& domain, const Points2& fl
     }
     const int node = first_node + static_cast<int>(polygons_.size());
     polygons_.push_back(c);
-    Vec2 middle = Vec2::Zero();
-    for (int corner : c) middle += flat.row(corner).transpose() / n;
+    const Vec2 middle = middle_of(c, flat);
     for (int k = 0; k < n; ++k) {
       const int a = c[k], b = c[(k + 1) % n];
       if (!(twice_area({middle, flat.row(a), flat.row(b)}) > 0)) continue;
-      Element element{{node, a / 3, b / 3}, {}};
-      add({0, 1, 2}, {Vec3::Zero(), corners.row(a), corners.row(b)},
-          {middle, flat.row(a), flat.row(b)}, 1, element);
+      Element element{
+          {node, a / 3, b / 3}, 3, {0, 1, 2}, {Vec3::Zero(), corners.row(a), corners.row(b)}, {}};
+      element.triangles.push_back(
+          {{0, 1, 2}, {-static_cast<int>(polygons_.size()), a, b}, 1, Eigen::Matrix2d::Zero(), 0});
       elements_.push_back(std::move(element));
     }
   }
+  set_flat(flat);
 }
 
-void ReducedMembrane::add(const std::array<int, 3>& slot, const std::array<Vec3, 3>& point,
-                          const std::array<Vec2, 3>& flat, double share, Element& element) const {
-  Eigen::Matrix2d rest;
-  rest << flat[1] - flat[0], flat[2] - flat[0];
-  rest /= tau_;
-  element.triangles.push_back(
-      {slot, point, rest.inverse(),
-       0.5 * material_.shear_modulus * material_.thickness * 0.5 * rest.determinant() * share});
+void ReducedMembrane::set_flat(const Points2& flat) {
+  auto place = [&](int pin) -> Vec2 {
+    if (pin >= 0) return flat.row(pin);
+    return middle_of(polygons_[-1 - pin], flat);
+  };
+  for (Element& element : elements_) {
+    for (Triangle& t : element.triangles) {
+      const Vec2 origin = place(t.pin[0]);
+      Eigen::Matrix2d rest;
+      rest << place(t.pin[1]) - origin, place(t.pin[2]) - origin;
+      rest /= tau_;
+      const double twice = rest.determinant();
+      t.inverse = twice > 0 ? Eigen::Matrix2d(rest.inverse()) : Eigen::Matrix2d::Identity();
+      t.weight =
+          0.25 * material_.shear_modulus * material_.thickness * std::max(0.0, twice) * t.share;
+    }
+  }
 }
 
 void ReducedMembrane::couple(std::vector<Coupling>& couplings) const {
@@ -80,55 +99,79 @@ void ReducedMembrane::couple(std::vector<Coupling>& couplings) const {
 
 double ReducedMembrane::evaluate(const Element& element, const Poses& poses, double lever,
                                  bool second, MotionDerivatives<3>* out) const {
+  const int count = element.corner_count;
+  std::array<Vec3, 4> arm, x, force;
+  for (int c = 0; c < count; ++c) {
+    const RigidMotion& pose = poses[element.body[element.slot[c]]];
+    arm[c] = pose.R * element.point[c];
+    x[c] = arm[c] + pose.t;
+    force[c].setZero();
+  }
+  // By the corners' places; of pairs of corners the blocks on and above the diagonal.
+  Eigen::Matrix<double, 12, 12> moves;
+  std::array<Eigen::Matrix3d, 4> turns;  // by the corners' bodies' turns, at their forces
+  if (second) {
+    moves.setZero();
+    for (Eigen::Matrix3d& one : turns) one.setZero();
+  }
   double sum = 0;
   for (const Triangle& t : element.triangles) {
     const Eigen::Matrix2d inverse = stretch * t.inverse;
     const double weight = pull / (stretch * stretch) * t.weight;
-    std::array<Vec3, 3> x;
-    for (int k = 0; k < 3; ++k) x[k] = poses[element.body[t.slot[k]]](t.point[k]);
     // F's columns are sums of the corners with these coefficients.
     Eigen::Matrix<double, 3, 2> coefficient;
     coefficient.bottomRows<2>() = inverse;
     coefficient.row(0) = -inverse.colwise().sum();
     Gradient32 F = Gradient32::Zero();
-    for (int k = 0; k < 3; ++k) F += x[k] * coefficient.row(k);
+    for (int k = 0; k < 3; ++k) F += x[t.corner[k]] * coefficient.row(k);
     const Density density = material_.model->evaluate(F, material_.constants, second);
     sum += weight * density.value;
     if (!out) continue;
-    // By the motion of corner k the gradient of F is (I, turn_k), times its two coefficients.
-    std::array<Eigen::Matrix3d, 3> turn;
     for (int k = 0; k < 3; ++k) {
-      const RigidMotion& pose = poses[element.body[t.slot[k]]];
-      const Vec3 arm = pose.R * t.point[k];
-      turn[k] = skew(arm / -lever);
-      const Vec3 force = weight * (coefficient(k, 0) * density.gradient.head<3>() +
+      const int c = t.corner[k];
+      const Vec3 pulls = weight * (coefficient(k, 0) * density.gradient.head<3>() +
                                    coefficient(k, 1) * density.gradient.tail<3>());
-      const int at = 6 * t.slot[k];
-      out->gradient.segment<3>(at) += force;
-      out->gradient.segment<3>(at + 3) += turn[k].transpose() * force;
+      force[c] += pulls;
       if (!second) continue;
-      const Eigen::Matrix3d turns = turn_curvature(force, arm, lever);
-      out->hessian.block<3, 3>(at + 3, at + 3) += convex ? positive_part(turns) : turns;
-    }
-    if (!second) continue;
-    for (int k = 0; k < 3; ++k) {
-      for (int l = k; l < 3; ++l) {
-        const Eigen::Matrix3d moves =
-            weight *
-            (coefficient(k, 0) * coefficient(l, 0) * density.hessian.topLeftCorner<3, 3>() +
-             coefficient(k, 0) * coefficient(l, 1) * density.hessian.topRightCorner<3, 3>() +
-             coefficient(k, 1) * coefficient(l, 0) * density.hessian.bottomLeftCorner<3, 3>() +
-             coefficient(k, 1) * coefficient(l, 1) * density.hessian.bottomRightCorner<3, 3>());
-        const Eigen::Matrix3d turned = moves * turn[l];
-        Eigen::Matrix<double, 6, 6> block;
-        block << moves, turned, turn[k].transpose() * moves, turn[k].transpose() * turned;
-        const int row = 6 * t.slot[k], column = 6 * t.slot[l];
-        out->hessian.block<6, 6>(row, column) += block;
-        if (l != k) out->hessian.block<6, 6>(column, row) += block.transpose();
+      if (convex) turns[c] += positive_part(turn_curvature(pulls, arm[c], lever));
+      for (int l = 0; l < 3; ++l) {
+        const int d = t.corner[l];
+        if (d < c) continue;
+        moves.block<3, 3>(3 * c, 3 * d) += (weight * coefficient(k, 0) * coefficient(l, 0)) *
+                                               density.hessian.topLeftCorner<3, 3>() +
+                                           (weight * coefficient(k, 0) * coefficient(l, 1)) *
+                                               density.hessian.topRightCorner<3, 3>() +
+                                           (weight * coefficient(k, 1) * coefficient(l, 0)) *
+                                               density.hessian.bottomLeftCorner<3, 3>() +
+                                           (weight * coefficient(k, 1) * coefficient(l, 1)) *
+                                               density.hessian.bottomRightCorner<3, 3>();
       }
     }
   }
-  if (out) out->value = sum;
+  if (!out) return sum;
+  out->value = sum;
+  // A corner moves with its body by (I, turn).
+  std::array<Eigen::Matrix3d, 4> turn;
+  for (int c = 0; c < count; ++c) {
+    turn[c] = skew(arm[c] / -lever);
+    const int at = 6 * element.slot[c];
+    out->gradient.segment<3>(at) += force[c];
+    out->gradient.segment<3>(at + 3) += turn[c].transpose() * force[c];
+    if (!second) continue;
+    out->hessian.block<3, 3>(at + 3, at + 3) +=
+        convex ? turns[c] : turn_curvature(force[c], arm[c], lever);
+  }
+  if (!second) return sum;
+  for (int c = 0; c < count; ++c) {
+    for (int d = c; d < count; ++d) {
+      const Eigen::Matrix3d own = moves.block<3, 3>(3 * c, 3 * d), turned = own * turn[d];
+      Eigen::Matrix<double, 6, 6> block;
+      block << own, turned, turn[c].transpose() * own, turn[c].transpose() * turned;
+      const int row = 6 * element.slot[c], column = 6 * element.slot[d];
+      out->hessian.block<6, 6>(row, column) += block;
+      if (d != c) out->hessian.block<6, 6>(column, row) += block.transpose();
+    }
+  }
   return sum;
 }
 

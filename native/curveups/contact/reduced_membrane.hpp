@@ -21,6 +21,8 @@ class ReducedMembrane : public MotionEnergy {
 
   // Factors on how hard it pulls and on how far it is stretched before tiles are glued to it.
   double pull = 1, stretch = 1;
+  // Other places of the pin corners in the layout. A triangle that they turn over pulls no more.
+  void set_flat(const Points2& flat);
 
   std::string_view name() const override { return "membrane"; }
   void couple(std::vector<Coupling>& couplings) const override;
@@ -33,17 +35,19 @@ class ReducedMembrane : public MotionEnergy {
 
  private:
   struct Triangle {
-    std::array<int, 3> slot;    // which of the element's bodies each corner belongs to
-    std::array<Vec3, 3> point;  // of that body
-    Eigen::Matrix2d inverse;    // of the rest edge matrix
-    double weight;              // kappa h times the rest area, times its share; N mm
+    std::array<int, 3> corner;  // of the element's
+    std::array<int, 3> pin;     // pin corners, or -1 - p: the middle of polygon p
+    double share;
+    Eigen::Matrix2d inverse;  // of the rest edge matrix
+    double weight;            // kappa h times the rest area, times its share; N mm
   };
   struct Element {
     std::array<int, 3> body;  // -1: none
+    int corner_count;
+    std::array<int, 4> slot;    // which of the bodies each corner belongs to
+    std::array<Vec3, 4> point;  // of that body
     std::vector<Triangle> triangles;
   };
-  void add(const std::array<int, 3>& slot, const std::array<Vec3, 3>& point,
-           const std::array<Vec2, 3>& flat, double share, Element& element) const;
   double evaluate(const Element& element, const Poses& poses, double lever, bool second,
                   MotionDerivatives<3>* out) const;
 

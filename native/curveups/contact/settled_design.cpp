@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "curveups/core/checkpoint.hpp"
+#include "curveups/core/parallel.hpp"
 
 namespace curveups {
 namespace {
@@ -38,6 +39,7 @@ void describe(const Settling& settling, const TileMesh& tiles, const Design& des
     const Eigen::Quaterniond turn(pose.R);
     out.poses.row(i) << pose.t.transpose() - settling.centres().row(i), turn.coeffs().transpose();
   }
+  out.element_change = settling.element_change();
   out.iterations = settling.iterations();
   out.factorizations = settling.factorizations();
 }
@@ -50,21 +52,21 @@ SettledDesign settle_design(const Design& design, SolutionStore* store, const Pr
   SolvedDesign solved = take_or_solve(store, bodies.geometry, design, progress);
   checkpoint("settle", 0);
   Settling settling(design, bodies, solved);
-  settling.settle({}, design.parameters.friction_coefficient);
+  settling.settle({}, design.parameters.friction_coefficient, &solved);
   SettledDesign out;
   describe(settling, bodies.geometry.tiles, design, out);
-  const Settling::State standing = settling.state();
-  if (settling.holds()) {
-    out.holding_friction =
-        holding_friction(settling, standing, design.parameters.window ? window_halvings : 0);
-  }
-  out.margin = find_margin(settling, standing, design.parameters);
+  // What follows starts from there, at once where there are threads.
+  parallel_tasks({[&] {
+                    if (!settling.holds()) return;
+                    out.holding_friction =
+                        holding_friction(settling, design.parameters.window ? window_halvings : 0);
+                  },
+                  [&] { out.margin = find_margin(settling, design.parameters); }});
   if (design.parameters.window && out.holding_friction) {
-    out.window = process_window(settling, standing, *out.holding_friction,
+    out.window = process_window(settling, *out.holding_friction,
                                 largest_of(glue_loads(bodies.geometry.tiles, design.q,
                                                       solved.membranes, design.parameters)));
   }
-  if (store) store->put(std::move(solved));
   return out;
 }
 

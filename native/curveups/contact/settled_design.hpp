@@ -20,7 +20,11 @@ struct SettledDesign {
   // Normal force of a whole contact, N: mean and least over the contacts.
   double normal_mean = 0, normal_min = 0;
   std::vector<std::array<int, 2>> open_contacts;  // pairs of tiles whose contact carries nothing
-  double largest_slip = 0;                        // mm, of a point that pushes
+  // The forces are those of the membranes' finite elements with the pins where they have settled,
+  // but for this much: a force, or torque over L, over the mean force on a tile. 0: the tiles did
+  // not come to rest.
+  double element_change = 0;
+  double largest_slip = 0;  // mm, of a point that pushes
   // Mean distance, mm, of the settled front surface from where it is while nothing slips: tiles and
   // bumps give way there as well, but friction holds.
   double drift = 0;
@@ -37,8 +41,8 @@ struct SettledDesign {
   Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor> poses;
 };
 
-// Under the design's parameters. store: as verify_design has it. Throws what make_tile_bodies and
-// take_or_solve throw, Cancelled.
+// Under the design's parameters. store: asked for what verification has solved; or null. Throws
+// what make_tile_bodies and take_or_solve throw, Cancelled.
 SettledDesign settle_design(const Design& design, SolutionStore* store, const Progress& progress);
 
 }  // namespace curveups

@@ -13,9 +13,14 @@ namespace {
 // What has not come to rest by then has no answer: the design as it stands, and under other
 // conditions, where it starts beside its place.
 constexpr int most_steps = 60, most_iterations = 600, most_sample_iterations = 100;
-// Once the design has settled as it stands, forces left and friction beyond its cone, over the mean
-// normal force: whether it holds elsewhere is a matter of 0.01 mm, and this is worth 1e-5.
-constexpr double sample_tolerance = 1e-3, sample_cone_tolerance = 1e-3;
+// How often elements are solved where tiles rest under Coulomb's law, and by how much they may then
+// differ from what the tiles feel, over the mean force on a tile.
+constexpr int most_rounds = 4;
+constexpr double element_tolerance = 1e-3;
+// Forces left and friction beyond its cone, over the mean normal force: whether it holds is a
+// matter of 0.01 mm, and this is worth 1e-5. As long as tiles move, their outlines are clipped anew
+// from step to step, so that only the last rest of the design as it stands is worth WorldOptions'.
+constexpr double sample_tolerance = 1e-3, sample_cone_tolerance = 1e-3, sample_cone_share = 0.3;
 
 }  // namespace
 
@@ -25,9 +30,21 @@ Settling::Settling(const Design& design, const TileBodies& bodies, const SolvedD
       built_(make_tile_world(bodies, solved, design.parameters.tile_modulus)),
       hold_tolerance_(design.parameters.hold_tolerance > 0 ? design.parameters.hold_tolerance
                                                            : 0.01 * design.parameters.L),
-      most_iterations_(most_iterations) {}
+      most_iterations_(most_iterations) {
+  built_.world->set_tolerances(sample_tolerance, sample_cone_tolerance, sample_cone_share);
+}
 
-void Settling::settle(const Conditions& conditions, double friction) {
+Settling::Settling(const Settling& other)
+    : tiles_(other.tiles_),
+      centres_(other.centres_),
+      built_(other.built_.copy()),
+      hold_tolerance_(other.hold_tolerance_),
+      most_iterations_(other.most_iterations_),
+      element_change_(other.element_change_) {
+  restore(other.state());
+}
+
+void Settling::settle(const Conditions& conditions, double friction, SolvedDesign* elements) {
   ContactWorld& world = *built_.world;
   bool still = true;
   if (!compressed_ || !(conditions == conditions_)) {
@@ -35,30 +52,41 @@ void Settling::settle(const Conditions& conditions, double friction) {
     compressed_.reset();
     built_.set(conditions);
     world.set_friction(std::numeric_limits<double>::infinity());
-    still = come_to_rest();
+    still = come_to_rest(elements);
     compressed_ = std::make_shared<ClosestPoints>(surface());
     conditions_ = conditions;
   }
   friction_ = friction;
   world.set_friction(friction);
-  at_rest_ = come_to_rest() && still;
+  at_rest_ = come_to_rest(elements) && still;
+  if (elements && at_rest_) {
+    const WorldOptions last;
+    world.set_tolerances(last.tolerance, last.cone_tolerance, last.cone_share);
+    at_rest_ = come_to_rest();
+    world.set_tolerances(sample_tolerance, sample_cone_tolerance, sample_cone_share);
+  }
   drift_ = measured_drift();
   measure_forces();
-  world.set_tolerances(sample_tolerance, sample_cone_tolerance);
   most_iterations_ = most_sample_iterations;
 }
 
-// Until the tiles are at rest, or are known not to hold.
-bool Settling::come_to_rest() {
+// Until the tiles are at rest, under what elements pull there, or are known not to hold. Where all
+// sticks elements are solved once: friction's rest has the last word.
+bool Settling::come_to_rest(SolvedDesign* elements) {
   int iterations = 0;
-  const StepReport last = built_.world->settle(most_steps, [&](const StepReport& step) {
-    iterations += step.iterations;
-    factorizations_ += step.factorizations;
-    checkpoint();
-    return has_left() || iterations > most_iterations_;
-  });
-  iterations_ += iterations;
-  return last.at_rest;
+  const int rounds = elements ? (compressed_ ? most_rounds : 1) : 0;
+  for (int round = 0;; ++round) {
+    const StepReport last = built_.world->settle(most_steps, [&](const StepReport& step) {
+      iterations += step.iterations;
+      iterations_ += step.iterations;
+      factorizations_ += step.factorizations;
+      checkpoint();
+      return has_left() || iterations > most_iterations_;
+    });
+    if (!last.at_rest || round == rounds) return last.at_rest;
+    element_change_ = built_.solve_elements(*elements, element_tolerance);
+    if (element_change_ <= element_tolerance) return true;
+  }
 }
 
 // Tiles have moved by more than the tolerance in the mean, and the surface as well.

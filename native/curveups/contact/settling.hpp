@@ -16,11 +16,15 @@ class Settling {
  public:
   // All three outlive it. Throws what make_tile_world throws.
   Settling(const Design& design, const TileBodies& bodies, const SolvedDesign& solved);
+  // Tiles of their own, in the same state: for another thread.
+  Settling(const Settling& other);
 
   // Lets the tiles settle under these conditions. First nothing slips, which shows the shape that
   // is only compressed: what friction then lets drift is counted from there, and adds up from
-  // change to change. Throws Cancelled.
-  void settle(const Conditions& conditions, double friction);
+  // change to change. elements: of the design as it stands, what they pull where the tiles come to
+  // rest takes the place of what they pull in the actuated configuration. Throws Cancelled, what
+  // TileWorld::solve_elements throws.
+  void settle(const Conditions& conditions, double friction, SolvedDesign* elements = nullptr);
   const Conditions& conditions() const { return conditions_; }
   double friction() const { return friction_; }
 
@@ -30,6 +34,9 @@ class Settling {
   double hold_tolerance() const { return hold_tolerance_; }
   // Normal force of each contact, N.
   const Eigen::VectorXd& contact_force() const { return contact_force_; }
+  // By how much the elements differ from what the tiles feel where they rest
+  // (TileWorld::solve_elements).
+  double element_change() const { return element_change_; }
   // Contacts that carry nothing, as pairs of tiles.
   std::vector<std::array<int, 2>> open_contacts() const;
   bool holds() const { return !failure(); }
@@ -50,13 +57,14 @@ class Settling {
   void restore(const State& state);
 
   const ContactWorld& world() const { return *built_.world; }
+  const TileWorld& tile_world() const { return built_; }
   const Points3& centres() const { return centres_; }
   TriangleMesh surface() const;
   int iterations() const { return iterations_; }
   int factorizations() const { return factorizations_; }
 
  private:
-  bool come_to_rest();
+  bool come_to_rest(SolvedDesign* elements = nullptr);
   bool has_left() const;
   double measured_drift() const;
   void measure_forces();
@@ -68,6 +76,7 @@ class Settling {
   int most_iterations_;
   Conditions conditions_;
   double friction_ = 0, drift_ = 0, drift_before_ = 0;
+  double element_change_ = 0;
   bool at_rest_ = false;
   int iterations_ = 0, factorizations_ = 0;
   Eigen::VectorXd contact_force_;

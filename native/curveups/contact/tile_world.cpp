@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "curveups/bodies/convex_distance.hpp"
+#include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/design/parameter_texts.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
+#include "curveups/physics/moved_pins.hpp"
 
 namespace curveups {
 namespace {
@@ -32,6 +34,63 @@ std::vector<std::array<int, 3>> contacts_of_walls(const TileMesh& tiles) {
   return out;
 }
 
+// Of the finite elements on the tiles, extrapolated from both meshes.
+Wrenches pull_of(const MembraneSolution& elements, const Points3& centres) {
+  Wrenches fine = Wrenches::Zero(centres.rows(), 6), coarse = fine;
+  add_wrenches(elements.forces, elements.pin_corners, centres, fine);
+  add_wrenches(elements.coarse_forces, elements.pin_corners, centres, coarse);
+  return extrapolate<Wrenches>(fine, coarse);
+}
+
+// Of a reduced membrane on the tiles.
+Wrenches pull_of(const ReducedMembrane& membrane, const Poses& poses, int tile_count) {
+  Motions gradient = Motions::Zero(poses.size(), 6);
+  membrane.derivatives(poses, 1, gradient, nullptr, 0);
+  return -gradient.topRows(tile_count);
+}
+
+// interface: where neighbours touch at the start, when no tile had turned. tiles: where they are.
+BalanceSystem balance_of(std::vector<ContactPoint> interface, const Poses& tiles, double L) {
+  Points3 centres(tiles.size(), 3);
+  for (std::size_t i = 0; i < tiles.size(); ++i) centres.row(i) = tiles[i].t.transpose();
+  return BalanceSystem(std::move(interface), centres, L, {});
+}
+
+// Wrenches on all tiles, shared out to the corners of interfaces, by the least forces that
+// neighbours can exert on one another.
+std::vector<PairLoad> shared_out(const Wrenches& wrenches, const Poses& tiles,
+                                 BalanceSystem& system) {
+  const ContactForces forces = solve_contact_forces(system, wrenches);
+  std::vector<PairLoad> loads;
+  for (int p = 0; p < system.point_count(); ++p) {
+    const ContactPoint& point = system.points()[p];
+    const RigidMotion &one = tiles[point.tile[0]], &other = tiles[point.tile[1]];
+    loads.push_back({point.tile, other.R.transpose() * (point.position - other.t),
+                     -(one.R.transpose() * (system.basis(p) * forces.force.row(p).transpose()))});
+  }
+  return loads;
+}
+
+TileWorld make_world(DesignedWorld designed,
+                     std::array<std::unique_ptr<ReducedMembrane>, 2>& reduced,
+                     std::vector<PointLoad> weights, const WorldOptions& options) {
+  TileWorld out;
+  out.tile_count = designed.tile_count;
+  out.world = std::make_unique<ContactWorld>(designed.bodies, designed.start, options);
+  for (int s = 0; s < 2; ++s) {
+    auto loads = std::make_unique<PairLoads>(designed.corrections[s]);
+    out.membranes[s] = reduced[s].get();
+    out.corrections[s] = loads.get();
+    out.world->add(std::move(reduced[s]));
+    out.world->add(std::move(loads));
+  }
+  auto weight = std::make_unique<PointLoads>(std::move(weights));
+  out.weight = weight.get();
+  out.world->add(std::move(weight));
+  out.designed = std::move(designed);
+  return out;
+}
+
 class Builder {
  public:
   Builder(const TileBodies& bodies, const SolvedDesign& solved, double modulus)
@@ -44,6 +103,8 @@ class Builder {
     options_.least_unit = force_scale(solved);
     options_.lever = 0.4 * bodies.parameters.L;
     options_.step_limit = bodies.parameters.L / 7;
+    options_.first_weight = 1e-4;  // what settles starts beside its place
+    options_.max_iterations = 200;
     options_.search.reach = std::max(0.5, 1.5 * bodies.parameters.bump_height);
   }
 
@@ -51,30 +112,33 @@ class Builder {
     add_tiles();
     add_nodes();
     settle_nodes();
-    TileWorld out;
-    out.tile_count = count_;
-    out.is_wall = std::move(is_wall_);
-    std::vector<std::unique_ptr<MotionEnergy>> energies;
-    BalanceSystem system(interface_points(tiles_, bodies_.geometry.patches), centres_,
-                         bodies_.parameters.L, {});
-    for (int s = 0; s < 2; ++s) {
-      std::unique_ptr<ReducedMembrane> reduced = membrane(static_cast<Side>(s));
-      out.designed_corrections[s] = corrections(*reduced, solved_.membranes[s], system);
-      auto loads = std::make_unique<PairLoads>(out.designed_corrections[s]);
-      out.membranes[s] = reduced.get();
-      out.corrections[s] = loads.get();
-      energies.push_back(std::move(reduced));
-      energies.push_back(std::move(loads));
+    DesignedWorld designed;
+    designed.tile_count = count_;
+    designed.L = bodies_.parameters.L;
+    designed.H_body = bodies_.parameters.H_body;
+    designed.is_wall = std::move(is_wall_);
+    designed.interface = interface_points(tiles_, bodies_.geometry.patches);
+    designed.normals.resize(count_, 3);
+    for (int i = 0; i < count_; ++i) {
+      designed.normals.row(i) = actuated_motion(tiles_.frame[i]).R.col(2).transpose();
     }
-    energies.push_back(std::make_unique<PointLoads>(weights()));
+    const Poses tiles(poses_.begin(), poses_.begin() + count_);
+    BalanceSystem system = balance_of(designed.interface, tiles, designed.L);
+    std::array<std::unique_ptr<ReducedMembrane>, 2> reduced;
+    for (int s = 0; s < 2; ++s) {
+      designed.pin_corners[s] = own_corners(s);
+      designed.flat_corners[s] =
+          flat_pin_corners(tiles_, bodies_.poses, bodies_.q, static_cast<Side>(s));
+      reduced[s] = membrane(static_cast<Side>(s));
+      const MembraneSolution& elements = solved_.membranes[s];
+      designed.corrections[s] = shared_out(
+          pull_of(elements, centres_) - pull_of(*reduced[s], poses_, count_), tiles, system);
+    }
     add_ground();
     for (int held : held_tiles(bodies_.geometry, bodies_.parameters)) list_[held].fixed = true;
-    out.designed_bodies = list_;
-    out.start = poses_;
-    out.world = std::make_unique<ContactWorld>(std::move(list_), std::move(poses_), options_);
-    for (auto& energy : energies) out.world->add(std::move(energy));
-    out.world->set_friction(bodies_.parameters.friction_coefficient);
-    return out;
+    designed.bodies = std::move(list_);
+    designed.start = std::move(poses_);
+    return make_world(std::move(designed), reduced, weights(), options_);
   }
 
  private:
@@ -148,12 +212,16 @@ class Builder {
     }
   }
 
-  std::unique_ptr<ReducedMembrane> membrane(Side side) const {
-    const int s = static_cast<int>(side);
+  Points3 own_corners(int s) const {
     Points3 own = corners_[s];
     for (int c = 0; c < own.rows(); ++c) own.row(c) -= centres_.row(c / 3);
+    return own;
+  }
+
+  std::unique_ptr<ReducedMembrane> membrane(Side side) const {
+    const int s = static_cast<int>(side);
     return std::make_unique<ReducedMembrane>(
-        domain_[s], flat_pin_corners(tiles_, bodies_.poses, bodies_.q, side), own,
+        domain_[s], flat_pin_corners(tiles_, bodies_.poses, bodies_.q, side), own_corners(s),
         bodies_.parameters.tau, membrane_material(bodies_.parameters, side), first_node_[s]);
   }
 
@@ -165,26 +233,6 @@ class Builder {
     for (int s = 0; s < 2; ++s) nodes.add(membrane(static_cast<Side>(s)));
     nodes.settle(40);
     poses_ = nodes.poses();
-  }
-
-  // What the tiles feel less of a side than by the finite elements, shared out to the corners of
-  // interfaces, by the least forces.
-  std::vector<PairLoad> corrections(const ReducedMembrane& reduced, const MembraneSolution& solved,
-                                    BalanceSystem& system) const {
-    Wrenches fine = Wrenches::Zero(count_, 6), coarse = Wrenches::Zero(count_, 6);
-    add_wrenches(solved.forces, solved.pin_corners, centres_, fine);
-    add_wrenches(solved.coarse_forces, solved.pin_corners, centres_, coarse);
-    Motions pull = Motions::Zero(list_.size(), 6);
-    reduced.derivatives(poses_, 1, pull, nullptr, 0);
-    const Wrenches missing = extrapolate<Wrenches>(fine, coarse) + pull.topRows(count_);
-    const ContactForces forces = solve_contact_forces(system, missing);
-    std::vector<PairLoad> loads;
-    for (int p = 0; p < system.point_count(); ++p) {
-      const ContactPoint& point = system.points()[p];
-      loads.push_back({point.tile, point.position - centres_.row(point.tile[1]).transpose(),
-                       -(system.basis(p) * forces.force.row(p).transpose())});
-    }
-    return loads;
   }
 
   std::vector<PointLoad> weights() const {
@@ -240,39 +288,64 @@ class Builder {
   std::array<int, 2> first_node_{};
 };
 
-double size_of_forces(const ReducedMembrane& membrane, const Poses& poses) {
-  Motions forces = Motions::Zero(poses.size(), 6);
-  membrane.derivatives(poses, 1, forces, nullptr, 0);
-  return forces.leftCols<3>().norm();
-}
-
 }  // namespace
 
-void TileWorld::set(const Conditions& conditions) {
-  for (int s = 0; s < 2; ++s) {
-    ReducedMembrane& membrane = *membranes[s];
-    membrane.pull = membrane.stretch = 1;
-    const double before = size_of_forces(membrane, start);
-    membrane.pull = conditions.pull[s];
-    membrane.stretch = conditions.stretch;
-    // What the finite elements pull besides changes as the reduced membrane's forces do.
-    const double factor = before > 0 ? size_of_forces(membrane, start) / before : 1;
-    corrections[s]->loads = designed_corrections[s];
-    for (PairLoad& load : corrections[s]->loads) load.force *= factor;
+Points3 TileWorld::pin_corners(Side side) const {
+  Points3 out = designed.pin_corners[static_cast<int>(side)];
+  for (int c = 0; c < out.rows(); ++c) {
+    out.row(c) = world->poses()[c / 3](out.row(c).transpose()).transpose();
   }
-  if (conditions.growth == growth) return;
-  growth = conditions.growth;
-  std::vector<RigidBody> bodies = designed_bodies;
-  for (int i = 0; i < tile_count; ++i) {
-    for (std::size_t f = 0; f < bodies[i].faces.size(); ++f) {
-      if (!is_wall[i][f]) continue;
-      BodySurface& face = bodies[i].faces[f];
-      face.offset += growth;
-      for (Vec3& corner : face.outline) corner += growth * face.normal;
-      for (Vec3& tip : face.tips) tip += growth * face.normal;
+  return out;
+}
+
+double TileWorld::solve_elements(SolvedDesign& solved, double enough) {
+  std::array<char, 2> found{};
+  parallel_each(2, [&](int s) {
+    found[s] =
+        move_pins(solved.membranes[s], pin_corners(static_cast<Side>(s)), solved.design.parameters);
+  });
+  const Poses& poses = world->poses();
+  const Poses tiles(poses.begin(), poses.begin() + tile_count);
+  std::vector<ContactPoint> now = designed.interface;
+  for (ContactPoint& point : now) {
+    const Vec3 own = point.position - designed.start[point.tile[1]].t;
+    point.position = tiles[point.tile[1]](own);
+  }
+  BalanceSystem system = balance_of(std::move(now), tiles, designed.L);
+  double mean = 0, off = 0;
+  std::array<Wrenches, 2> missing;
+  for (int s = 0; s < 2; ++s) {
+    if (!found[s]) {
+      throw SolverFailure(
+          std::string("the ") + (s == 0 ? "front" : "back") + " membrane found no equilibrium",
+          "use the tension-field model");
+    }
+    const Wrenches pull = pull_of(solved.membranes[s], system.centres());
+    missing[s] = pull - pull_of(*membranes[s], poses, tile_count);
+    Motions felt = Motions::Zero(poses.size(), 6);
+    corrections[s]->derivatives(poses, 1, felt, nullptr, 0);
+    Wrenches change = missing[s] + felt.topRows(tile_count);
+    change.rightCols<3>() /= designed.L;
+    off = std::max(off, change.rowwise().norm().maxCoeff());
+    mean += pull.leftCols<3>().rowwise().norm().mean();
+  }
+  if (!(mean > 0)) return 0;
+  if (off > enough * mean) {
+    for (int s = 0; s < 2; ++s) {
+      corrections[s]->loads = designed.corrections[s] = shared_out(missing[s], tiles, system);
     }
   }
-  world->set_bodies(std::move(bodies));
+  return off / mean;
+}
+
+TileWorld TileWorld::copy() const {
+  std::array<std::unique_ptr<ReducedMembrane>, 2> reduced;
+  for (int s = 0; s < 2; ++s) {
+    reduced[s] = std::make_unique<ReducedMembrane>(*membranes[s]);
+    reduced[s]->pull = reduced[s]->stretch = 1;
+    reduced[s]->set_flat(designed.flat_corners[s]);
+  }
+  return make_world(designed, reduced, weight->loads, world->options());
 }
 
 TileWorld make_tile_world(const TileBodies& bodies, const SolvedDesign& solved,

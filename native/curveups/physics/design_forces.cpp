@@ -57,20 +57,19 @@ void DesignForces::solve_membranes(bool fresh, const Progress& progress) {
   auto solve = [&](Side side, const Progress& sink) {
     SolvedMembrane& m = membranes_[static_cast<int>(side)];
     m.flat_corners = flat_pin_corners(tiles, poses_, q_, side);
-    const Points3 before = m.actuated_corners;
-    m.actuated_corners = actuated_pin_corners(tiles, q_, side, parameters_.H_pin);
+    const Points3 actuated = actuated_pin_corners(tiles, q_, side, parameters_.H_pin);
     const Points2 flat = vertex_positions(m.mesh.weights, m.flat_corners);
-    Points3 start = vertex_positions(m.mesh.weights, m.actuated_corners);
     if (fresh) {
+      m.actuated_corners = actuated;
       m.equilibrium = std::make_unique<MembraneEquilibrium>(m.mesh, flat, parameters_.tau,
                                                             membrane_material(parameters_, side));
-      start = m.equilibrium->energy().harmonic(start);
+      m.state = m.equilibrium->solve(
+          m.equilibrium->energy().harmonic(vertex_positions(m.mesh.weights, actuated)),
+          EquilibriumOptions{}, sink);
     } else {
       m.equilibrium->set_rest(flat, parameters_.tau);
-      // Free vertices go along with the pins around them before they settle.
-      start += m.state.x - vertex_positions(m.mesh.weights, before);
+      move_pins(m, actuated, EquilibriumOptions{}, sink);
     }
-    m.state = m.equilibrium->solve(start, EquilibriumOptions{}, sink);
   };
   // The progress sink is called from one thread only; the other membrane ends by itself.
   bool going = true;

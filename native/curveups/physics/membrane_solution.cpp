@@ -22,6 +22,16 @@ MembraneMaterial membrane_material(const Parameters& p, Side side) {
   return material;
 }
 
+bool move_pins(SolvedMembrane& m, const Points3& actuated_corners,
+               const EquilibriumOptions& options, const Progress& progress) {
+  Points3 start = vertex_positions(m.mesh.weights, actuated_corners);
+  start += m.state.x - vertex_positions(m.mesh.weights, m.actuated_corners);
+  m.actuated_corners = actuated_corners;
+  m.state = m.equilibrium->solve(start, options, progress);
+  // Rounding alone may keep a membrane from the last digits of its tolerance.
+  return m.state.solve.residual < 1e-6;
+}
+
 namespace {
 
 MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses& poses,

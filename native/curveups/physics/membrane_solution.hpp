@@ -29,6 +29,11 @@ struct SolvedMembrane {
   MembraneState state;
 };
 
+// Moves its pins in space; free vertices go along with the pins around them, then settle. Returns
+// whether they found their equilibrium.
+bool move_pins(SolvedMembrane& membrane, const Points3& actuated_corners,
+               const EquilibriumOptions& options, const Progress& progress = {});
+
 struct MembraneSolution {
   MembraneDomain domain;
   SolvedMembrane coarse;

@@ -169,7 +169,9 @@ TEST(MotionEnergy, GivenForcesHaveExactDerivatives) {
   const Poses poses = turned_poses(3);
   const PointLoads loads({{0, {1, 2, 3}, {0.5, -1, 2}}, {2, {-2, 0, 1}, {1, 1, 1}}});
   expect_derivatives(loads, poses);
-  const PairLoads pairs({{{0, 1}, {1, -2, 0.5}, {2, 1, -1}}, {{1, 2}, {0, 3, 1}, {-1, 0.5, 1}}});
+  const PairLoads pairs({{{0, 1}, {1, -2, 0.5}, {2, 1, -1}},
+                         {{0, 1}, {-1, 1, 2}, {0.5, -3, 1}},
+                         {{1, 2}, {0, 3, 1}, {-1, 0.5, 1}}});
   expect_derivatives(pairs, poses);
   expect_balance(pairs, poses);
 }

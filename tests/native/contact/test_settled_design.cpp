@@ -186,6 +186,140 @@ TEST(TileWorld, WallsThatHaveGrownPush) {
   EXPECT_NEAR(size(), before, 0.1);
 }
 
+TEST(TileWorld, WallsGrowMoreAtTheFront) {
+  const Sample sample(dome());
+  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+  Conditions conditions;
+  conditions.growth = 0.1;
+  conditions.taper = 0.06;
+  built.set(conditions);
+  int walls = 0;
+  for (int i = 0; i < built.tile_count; ++i) {
+    const Vec3 front = built.designed.normals.row(i);
+    for (std::size_t f = 0; f < built.designed.bodies[i].faces.size(); ++f) {
+      if (!built.designed.is_wall[i][f]) continue;
+      ++walls;
+      const BodySurface &before = built.designed.bodies[i].faces[f],
+                        &after = built.world->bodies()[i].faces[f];
+      EXPECT_NEAR(after.normal.norm(), 1, 1e-12);
+      for (std::size_t k = 0; k < before.outline.size(); ++k) {
+        EXPECT_NEAR(after.normal.dot(after.outline[k]), after.offset, 1e-9);
+        const double depth = -front.dot(before.outline[k]);  // 0 at the front, H_body at the back
+        EXPECT_NEAR(before.normal.dot(after.outline[k] - before.outline[k]),
+                    0.13 - 0.06 * depth / sample.design.parameters.H_body, 2e-3);
+      }
+      for (std::size_t k = 0; k < before.tips.size(); ++k) {
+        EXPECT_NEAR(before.normal.dot(after.tips[k] - before.tips[k]), 0.1, 0.04);
+      }
+    }
+  }
+  EXPECT_GT(walls, built.tile_count);
+  built.set({});
+  EXPECT_EQ(built.world->bodies()[0].faces[0].offset, built.designed.bodies[0].faces[0].offset);
+}
+
+TEST(TileWorld, AHalfThatHasMovedPullsAtTheSeam) {
+  const Sample sample(dome());
+  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+  const Motions before = built.world->given_forces();
+  const double mean = before.leftCols<3>().rowwise().norm().mean();
+  for (const bool turned : {false, true}) {
+    Conditions conditions;
+    (turned ? conditions.half_turn : conditions.half_shift) = 0.2;
+    built.set(conditions);
+    const Motions change = (built.world->given_forces() - before).topRows(built.tile_count);
+    int at_seam = 0;
+    for (int i = 0; i < built.tile_count; ++i) at_seam += change.row(i).norm() > 1e-6 * mean;
+    EXPECT_GT(at_seam, 0) << turned;
+    EXPECT_LT(at_seam, built.tile_count) << turned;
+    built.set({});
+    EXPECT_EQ(built.world->given_forces(), before) << turned;
+  }
+  // Glued further apart, the sheet has more between the halves, and pulls less across the seam.
+  const Points2& layout = built.designed.flat_corners[0];
+  const Vec2 low = layout.colwise().minCoeff(), high = layout.colwise().maxCoeff();
+  const int axis = high.x() - low.x() >= high.y() - low.y() ? 0 : 1;
+  auto pull = [&](double shift) {
+    Conditions conditions;
+    conditions.half_shift = shift;
+    built.set(conditions);
+    const Motions forces = built.world->given_forces();
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < built.tile_count; ++i) {
+      if (layout.middleRows<3>(3 * i).col(axis).mean() > 0.5 * (low + high)(axis)) {
+        sum += forces.row(i).head<3>().transpose();
+      }
+    }
+    return sum.norm();
+  };
+  EXPECT_LT(pull(0.2), pull(0));
+  EXPECT_LT(pull(0), pull(-0.2));
+}
+
+TEST(TileWorld, ACopyFeelsTheSameAndMovesByItself) {
+  const Sample sample(dome());
+  TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
+  Conditions conditions;
+  conditions.half_shift = 0.1;
+  conditions.pull = {1.2, 1};
+  built.set(conditions);
+  TileWorld other = built.copy();
+  EXPECT_FALSE(other.world->given_forces() == built.world->given_forces());
+  other.set(conditions);
+  EXPECT_EQ(other.world->given_forces(), built.world->given_forces());
+  const Poses before = built.world->poses();
+  other.world->set_friction(0.5);
+  other.world->settle(5);
+  EXPECT_EQ(built.world->poses()[0].t, before[0].t);
+  EXPECT_NE(other.world->poses()[0].t, before[0].t);
+}
+
+// Membranes by finite elements on both meshes, from scratch, with the pins where these tiles are.
+Wrenches by_elements(const Sample& sample, const SolvedDesign& solved, const TileWorld& built) {
+  const int count = built.tile_count;
+  Wrenches fine = Wrenches::Zero(count, 6), coarse = fine;
+  Points3 centres(count, 3);
+  for (int i = 0; i < count; ++i) centres.row(i) = built.world->poses()[i].t.transpose();
+  for (Side side : {Side::front, Side::back}) {
+    const MembraneSolution& known = solved.membranes[static_cast<int>(side)];
+    const Points3 pins = built.pin_corners(side);
+    for (const bool on_fine : {true, false}) {
+      const MembraneMesh& mesh = on_fine ? known.mesh : known.coarse.mesh;
+      MembraneEquilibrium equilibrium(
+          mesh, vertex_positions(mesh.weights, known.coarse.flat_corners),
+          sample.design.parameters.tau, membrane_material(sample.design.parameters, side));
+      const MembraneState state = equilibrium.solve(
+          equilibrium.energy().harmonic(vertex_positions(mesh.weights, pins)), {});
+      add_wrenches(pin_corner_forces(mesh, state, count), pins, centres, on_fine ? fine : coarse);
+    }
+  }
+  return extrapolate<Wrenches>(fine, coarse);
+}
+
+TEST(Settling, FeelsTheFiniteElementsWhereItHasSettled) {
+  Sample sample(dome());
+  double off[2];
+  for (const bool elements : {false, true}) {
+    Settling settling(sample.design, sample.bodies, sample.solved);
+    settling.settle({}, 0.8, elements ? &sample.solved : nullptr);
+    ASSERT_TRUE(settling.at_rest());
+    const TileWorld& built = settling.tile_world();
+    const Wrenches wanted = by_elements(sample, sample.solved, built);
+    const double mean = wanted.leftCols<3>().rowwise().norm().mean();
+    off[elements] = (built.world->given_forces().topRows(built.tile_count) - wanted)
+                        .leftCols<3>()
+                        .rowwise()
+                        .norm()
+                        .maxCoeff() /
+                    mean;
+    if (elements) {
+      EXPECT_LE(settling.element_change(), 1e-3);
+    }
+  }
+  EXPECT_LT(off[1], 2e-3);
+  EXPECT_LT(off[1], 0.3 * off[0]);
+}
+
 TEST(Settling, ComesBackToWhereItWas) {
   const Sample sample(dome());
   Settling settling(sample.design, sample.bodies, sample.solved);
