@@ -229,7 +229,7 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   const EdgeStatistics edges = edge_statistics(result.mesh);
   result.mean_edge = edges.mean;
   result.edge_cv = edges.deviation / edges.mean;
-  result.chord_error = largest_distance(surface, ClosestPoints(result.mesh)).low;
+  result.chord_error = largest_distance(surface, result.mesh).low;
   return result;
 }
 

@@ -9,6 +9,8 @@
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/geometry/closest_points.hpp"
+#include "curveups/geometry/height_bound.hpp"
 
 namespace curveups {
 namespace {
@@ -140,25 +142,67 @@ double twice_area(const TriangleMesh& mesh, int f) {
   return (b - a).cross(c - a).norm();
 }
 
+Vec3 centroid(const TriangleMesh& mesh, int f) {
+  return (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))) / 3;
+}
+
+// A mesh with the probes that everything begins with.
+struct Probed {
+  const TriangleMesh& mesh;
+  const ClosestPoints& surface;
+  std::vector<Probe> corners;  // of its vertices; those without a face have none
+  std::vector<Probe> middles;  // of its faces
+  double largest = 0;
+};
+
+constexpr int stretch = 256;  // of faces, whatever the threads
+
+Probed probed(const TriangleMesh& mesh, const ClosestPoints& surface) {
+  const int faces = static_cast<int>(mesh.F.rows()), stretches = (faces + stretch - 1) / stretch;
+  Probed out{mesh, surface, std::vector<Probe>(mesh.V.rows()), std::vector<Probe>(faces)};
+  std::vector<int> first(mesh.V.rows(), -1);  // the first face of a vertex, which asks for it
+  for (int f = faces - 1; f >= 0; --f) {
+    for (int t = 0; t < 3; ++t) first[mesh.F(f, t)] = f;
+  }
+  std::vector<double> largest(stretches, 0);
+  parallel_ranges(stretches, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      checkpoint();
+      const auto ask = [&](const Vec3& at, Probe& answer) {
+        answer = probe(surface, at);
+        largest[k] = std::max(largest[k], answer.distance);
+      };
+      for (int f = k * stretch; f < std::min(faces, (k + 1) * stretch); ++f) {
+        for (int t = 0; t < 3; ++t) {
+          const int v = mesh.F(f, t);
+          if (first[v] == f) ask(mesh.V.row(v), out.corners[v]);
+        }
+        ask(centroid(mesh, f), out.middles[f]);
+      }
+    }
+  });
+  for (double one : largest) out.largest = std::max(out.largest, one);
+  return out;
+}
+
 // By the rule of corners, edges' middles and centroid that is exact up to cubic polynomials.
-void integrate(const TriangleMesh& mesh, const ClosestPoints& surface, Deviation& out) {
+void integrate(const Probed& of, Deviation& out) {
+  const TriangleMesh& mesh = of.mesh;
   const int faces = static_cast<int>(mesh.F.rows());
   Eigen::ArrayX3d sums(faces, 3);  // area, distance, distance squared
   parallel_ranges(faces, [&](int begin, int end) {
     for (int f = begin; f < end; ++f) {
-      Eigen::Matrix3d p;
-      for (int t = 0; t < 3; ++t) p.col(t) = mesh.V.row(mesh.F(f, t)).transpose();
       double first = 0, second = 0;
-      const auto add = [&](double weight, const Vec3& at) {
-        const double d = surface(at).distance;
+      const auto add = [&](double weight, double d) {
         first += weight * d;
         second += weight * d * d;
       };
       for (int t = 0; t < 3; ++t) {
-        add(1.0 / 20, p.col(t));
-        add(2.0 / 15, 0.5 * (p.col(t) + p.col(next3(t))));
+        const Probe &here = of.corners[mesh.F(f, t)], &next = of.corners[mesh.F(f, next3(t))];
+        add(1.0 / 20, here.distance);
+        add(2.0 / 15, of.surface(0.5 * (here.at + next.at)).distance);
       }
-      add(9.0 / 20, p.rowwise().mean());
+      add(9.0 / 20, of.middles[f].distance);
       const double area = twice_area(mesh, f);
       sums.row(f) << area, area * first, area * second;
     }
@@ -169,44 +213,31 @@ void integrate(const TriangleMesh& mesh, const ClosestPoints& surface, Deviation
   out.rms = std::sqrt(total(2) / total(0));
 }
 
-}  // namespace
-
-LargestDistance largest_distance(const TriangleMesh& mesh, const ClosestPoints& surface) {
-  constexpr int stretch = 256;  // of faces, whatever the threads
-  const int faces = static_cast<int>(mesh.F.rows()), stretches = (faces + stretch - 1) / stretch;
-  std::vector<int> used(mesh.F.data(), mesh.F.data() + mesh.F.size());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  const int vertices = static_cast<int>(used.size());
-  Points3 samples(vertices + faces, 3);
-  for (int k = 0; k < vertices; ++k) samples.row(k) = mesh.V.row(used[k]);
-  for (int f = 0; f < faces; ++f) {
-    samples.row(vertices + f) =
-        (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))) / 3;
-  }
-  LargestDistance out;
-  out.low = largest_distance(samples, surface);
+LargestDistance largest_distance(const Probed& of, const TriangleMesh& surface) {
+  const int faces = static_cast<int>(of.mesh.F.rows()), stretches = (faces + stretch - 1) / stretch;
+  const HeightBound height_bound(surface);
+  LargestDistance out{of.largest, of.largest};
   // Every stretch is searched above what all samples reach, and so in any order.
   std::vector<LargestDistance> found(stretches, out);
   parallel_ranges(stretches, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       checkpoint();
-      int near = -1;  // where the triangle before was
       for (int f = k * stretch; f < std::min(faces, (k + 1) * stretch); ++f) {
-        std::array<Vec3, 3> at;
-        for (int t = 0; t < 3; ++t) at[t] = mesh.V.row(mesh.F(f, t));
-        if (near >= 0) {
-          double bound = 0;
-          for (const Vec3& p : at) bound = std::max(bound, surface.distance_to_face(p, near));
-          if (bound <= out.low) continue;
+        Cell cell;
+        for (int t = 0; t < 3; ++t) cell.push_back(of.corners[of.mesh.F(f, t)]);
+        const double enough = found[k].low + distance_tolerance;
+        double bound = upper_bound(cell, of.surface).value;
+        if (bound > enough) {
+          bound = height_bound({cell[0].at, cell[1].at, cell[2].at}, of.middles[f].nearest, enough);
         }
-        Cell cell = {probe(surface, at[0]), probe(surface, at[1]), probe(surface, at[2])};
-        near = cell[0].nearest;
-        search(std::move(cell), surface, found[k]);
+        if (bound > enough) {
+          search(std::move(cell), of.surface, found[k]);
+        } else {
+          found[k].high = std::max(found[k].high, bound);
+        }
       }
     }
   });
-  out.high = out.low;
   for (const LargestDistance& one : found) {
     out.low = std::max(out.low, one.low);
     out.high = std::max(out.high, one.high);
@@ -214,12 +245,20 @@ LargestDistance largest_distance(const TriangleMesh& mesh, const ClosestPoints& 
   return out;
 }
 
+}  // namespace
+
+LargestDistance largest_distance(const TriangleMesh& mesh, const TriangleMesh& surface) {
+  const ClosestPoints closest(surface);
+  return largest_distance(probed(mesh, closest), surface);
+}
+
 Deviation surface_deviation(const TriangleMesh& mesh, const TriangleMesh& target) {
   const ClosestPoints to(target), from(mesh);
+  const Probed there = probed(mesh, to), back = probed(target, from);
   Deviation out;
-  integrate(mesh, to, out);
-  out.max = largest_distance(mesh, to).low;
-  out.hausdorff = std::max(out.max, largest_distance(target, from).low);
+  integrate(there, out);
+  out.max = largest_distance(there, target).low;
+  out.hausdorff = std::max(out.max, largest_distance(back, mesh).low);
   return out;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far surfaces are from one another: the largest distance to a bound that is proven, by branch
-// and bound over triangles (after M. Tang, M. Lee, Y. J. Kim, "Interactive Hausdorff distance
-// computation for general polygonal models", 2009), mean and RMS by quadrature.
+// How far surfaces are from one another: the largest distance to a bound that is proven, by heights
+// (height_bound.hpp) and, where these prove nothing, by branch and bound over triangles (after M.
+// Tang, M. Lee, Y. J. Kim, "Interactive Hausdorff distance computation for general polygonal
+// models", 2009); mean and RMS by quadrature.
 #pragma once
 
-#include "curveups/geometry/closest_points.hpp"
+#include "curveups/geometry/triangle_mesh.hpp"
 
 namespace curveups {
 
@@ -17,8 +18,8 @@ struct LargestDistance {
 };
 
 // From any point of the mesh's faces to the surface; vertices without a face don't count. The same
-// whatever the threads. Throws Cancelled.
-LargestDistance largest_distance(const TriangleMesh& mesh, const ClosestPoints& surface);
+// whatever the threads. Throws what ClosestPoints throws of the surface, Cancelled.
+LargestDistance largest_distance(const TriangleMesh& mesh, const TriangleMesh& surface);
 
 struct Deviation {
   double mean = 0, rms = 0;  // of the mesh from the target, by area, mm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/coarsen.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 #include "curveups/geometry/remesh.hpp"

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "curveups/geometry/closest_points.hpp"
 #include "curveups/geometry/surface_deviation.hpp"
 #include "support/meshes.hpp"
 
@@ -76,7 +77,7 @@ TEST(SurfaceDeviation, TheLargestDistanceIsBoundedFromBothSides) {
       target.F = rest;
     }
     const ClosestPoints closest(target);
-    const LargestDistance found = largest_distance(mesh, closest);
+    const LargestDistance found = largest_distance(mesh, target);
     const int parts = 90;
     const double brute = by_brute_force(mesh, target, parts);
     EXPECT_GE(found.high, brute) << pair;
