@@ -61,7 +61,7 @@ class Pauses:
         self.timer.stop()
 
 def solve(design, pictures):
-    from curveups.window.commands import runs
+    from curveups.window import runs
     from curveups.window.panels import preferences
     from curveups.window.run import LIVE
     preferences.set_draws_live(pictures)

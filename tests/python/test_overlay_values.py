@@ -128,8 +128,11 @@ def test_ranges_of_fields():
     assert 0 < low < 0.02 and 0.98 < high <= 1
     assert Field("x", "deg", TILE, lambda: [-3.0, 8.0], signed=True).automatic_range() == \
         pytest.approx((-7.89, 7.89))
-    low, high = Field("x", "", TILE, lambda: [2.0, 2.0]).automatic_range()
-    assert low < 2 < high
+    for values, signed, ends in (([2.0, 2.0], False, (1, 3)), ([0.02], False, (0.01, 0.03)),
+                                 ([-3.0], True, (-3, 3)), ([0.0] * 9, True, (-1, 1)),
+                                 ([0.0] * 9, False, (0, 1)), ([False] * 900 + [True], False, (0, 1))):
+        found = Field("x", "", TILE, lambda: values, signed=signed).automatic_range()
+        assert found == pytest.approx(ends), values
     assert Field("x", "", TILE, lambda: [np.nan]).automatic_range() == (0, 1)
 
 

@@ -77,6 +77,13 @@ def test_files_that_pages_name_exist(page):
         assert (ROOT / name).exists() or list(ROOT.glob(f"{name}.*")), (page.name, name)
 
 
+@pytest.mark.parametrize("page", pages(), ids=lambda page: page.name)
+def test_tests_that_pages_name_exist(page):
+    for name, function in re.findall(r"`(test_\w+\.py)(?:::(\w+))?`", page.read_text(encoding="utf-8")):
+        file, = (ROOT / "tests").glob(f"*/{name}")
+        assert f"def {function}(" in file.read_text(encoding="utf-8") or not function, (page.name, function)
+
+
 def test_setup_is_silent_where_nothing_is_missing():
     done = subprocess.run(["tools/setup"], cwd=ROOT, stdin=subprocess.DEVNULL, capture_output=True,
                           text=True, timeout=550)

@@ -54,6 +54,7 @@ def test_a_path_is_computed_played_and_kept(dome_document, pictures, tmp_path):
     until(lambda: ends(form), 60, "the path to be played")
     assert design.ViewObject.Visibility and not design.Tiles.ViewObject.Visibility
     assert form.frame.maximum() > 5 and form.verdict.text() and not form.note.isVisible()
+    assert (overlay_of(design).legend.content.low, overlay_of(design).legend.content.high) == (0, 1)
     assert cut_off(form) == []
     end = corners(design)
     assert np.ptp(end[:, :, 2]) > 3 and picture("at-rest") > 12

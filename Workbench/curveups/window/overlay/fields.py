@@ -82,7 +82,8 @@ class Field:
         return max(abs(low), abs(high))
 
     def automatic_range(self) -> tuple[float, float]:
-        """All but the hundredth of values at either end; about 0 where signed."""
+        """All but the hundredth of values at either end; about 0 where signed. Where they are all alike, from
+        half of that to half as much again, and from 0 to 1 where they are all 0."""
         values = self.values[np.isfinite(self.values)]
         if not len(values):
             return 0.0, 1.0
@@ -90,7 +91,8 @@ class Field:
         if self.signed:
             low, high = -max(abs(low), abs(high)), max(abs(low), abs(high))
         if high - low <= 1e-9 * max(abs(low), abs(high), 1e-9):
-            low, high = low - 0.5, high + 0.5
+            half = abs(high) / 2
+            low, high = (low - half, high + half) if half > 1e-9 else (-1.0 if self.signed else 0.0, 1.0)
         return low, high
 
 
