@@ -68,6 +68,30 @@ def test_a_run_tells_where_it_is_and_hands_its_results_over(worker, ended):
     assert project.made() == {}, "the run's results are not the project's before somebody takes them"
 
 
+def test_what_one_stage_says_is_not_said_of_the_next(worker, ended):
+    """The bar stood at 97 % while the next stage was at work without a word."""
+    said, seen = [threading.Event() for _ in range(2)], [threading.Event() for _ in range(2)]
+
+    def work(job):
+        job.stage = "target"
+        job("remeshing", 0.97)
+        said[0].set()
+        assert seen[0].wait(20)
+        job.stage = "relief"
+        said[1].set()
+        assert seen[1].wait(20)
+
+    worker.start_work(work, ended.append)
+    told = []
+    for one, other in zip(said, seen):
+        assert one.wait(20)
+        told.append(worker.status())
+        other.set()
+    finish(worker)
+    assert [(one.stage, one.what, one.fraction) for one in told] == [("target", "remeshing", 0.97),
+                                                                     ("relief", "", -1.0)]
+
+
 def test_the_last_iterate_of_a_layout_is_its_result(worker, ended):
     worker.start(project_of("half-sphere", L=12), ("layout",), ended.append)
     finish(worker)

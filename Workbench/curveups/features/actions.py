@@ -25,10 +25,20 @@ from ..stages import RISEN, asked_by, sizes
 from ..stages.layout import Layout
 from ..stages.stage import Job
 from . import live, properties, rebuild, status
-from .document import reasons_of, state_of, take, take_bodies
+from .document import Stored, reasons_of, state_of, take, take_bodies, to_store
 from .keys import Keys, read_keys, write_keys
 
-Work = Callable[[Job], Results]
+
+@dataclass(frozen=True)
+class Ran:
+    """What a run made, and what a document that still holds `before` stores of it."""
+
+    results: Results
+    before: Project
+    stored: Optional[Stored]
+
+
+Work = Callable[[Job], Ran]
 
 
 @dataclass(frozen=True)
@@ -73,16 +83,17 @@ def prepare(which: str, design: Any) -> tuple[Project, Work]:
     """The work of a run, for any thread: it touches no document; and the project that it is done on, whose
     target is there as soon as it is made. Raises CurveUpsError where there is nothing to start from or a
     property can't be used."""
-    run = RUNS[which]
+    run, before = RUNS[which], live.stored(design)
     project = run.project(design).copy()
     if run.anew:
         project.forget_stopped()
 
-    def work(job: Job) -> Results:
+    def work(job: Job) -> Ran:
         if run.anew and run.of_target:
             project.run(("relief",), job)
             project.forget_out_of_date()  # a picture shows what is there
-        return project.run(run.goals, job, strict=run.strict)
+        results = project.run(run.goals, job, strict=run.strict)
+        return Ran(results, before, None if which == "build_solids" else to_store(before, results))
 
     return project, work
 
@@ -210,15 +221,14 @@ def build_solids(design: Any) -> Results:
 
 
 def _run(which: str, design: Any) -> Results:
-    results = _made.pop((which, design.Document.Name, design.Name), None)
-    if results is None:
-        results = prepare(which, design)[1](Job())
+    ran = _made.pop((which, design.Document.Name, design.Name), None) or prepare(which, design)[1](Job())
+    results = ran.results
     if which == "build_solids":
         take_bodies(design, results)
     else:
         with transaction(design.Document, RUNS[which].title):
             first = "design" not in read_keys(design).records
-            take(design, results)
+            take(design, results, stored=ran.stored if live.stored(design) is ran.before else None)
             if first and which == "solve" and design.Target.Source is not None:
                 design.Target.Source.Visibility = False  # it would cover the layout
     return results

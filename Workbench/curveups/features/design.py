@@ -6,7 +6,8 @@ Results are kept as text, so that reopening a document needs no solving and chan
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from contextlib import contextmanager
+from typing import Any, Iterator, Optional
 
 from .. import __version__
 from ..base.errors import CurveUpsError
@@ -115,6 +116,15 @@ class DesignProxy(Proxy):
                     write(part, "Reason", reason)
         finally:
             self._refreshing = False
+
+    @contextmanager
+    def many_changes(self) -> Iterator[None]:
+        """States are not brought up to date meanwhile: who makes the changes does so once, at their end."""
+        before, self._refreshing = self._refreshing, True
+        try:
+            yield
+        finally:
+            self._refreshing = before
 
     def refused(self, obj: Any) -> Optional[Finding]:
         """Why the properties' values can't be used; None where they can, or nobody can tell."""

@@ -6,7 +6,7 @@ Lengths are in mm. Everything raises CurveUpsError, with the document as it was,
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, Callable, Mapping, Optional
@@ -18,7 +18,7 @@ from ..base.findings import Finding
 from ..base.native import translated
 from ..project import saved_results
 from ..project.keys import changes
-from ..project.project import Made, Results
+from ..project.project import Made, Project, Results
 from ..stages import BY_NAME, SETTLED, VERDICT
 from ..stages.stage import Job
 from . import live, properties, rebuild, status, target
@@ -74,27 +74,48 @@ def design_with_results(document: Any, results: Results) -> Any:
     return obj
 
 
-def take(obj: Any, results: Results, timed: bool = True) -> None:
-    """A run's results become those of the Design and what is below it. To be called inside of the
-    caller's transaction; solids follow (build_bodies). `timed`: whether seconds are kept."""
-    before = live.stored(obj)
-    _complete(obj)
-    finished, keys = before.latest("design"), read_keys(obj)
+@dataclass(frozen=True)
+class Stored:
+    """What a document stores of results: `made`, as it is read from `text`, the text's digest, and whether a
+    new layout is among them."""
+
+    made: Mapping[str, Made]
+    text: str
+    digest: str
+    solved: bool
+
+
+def to_store(before: Project, results: Results, timed: bool = True) -> Stored:
+    """What a document that holds `before` (live.stored) stores of a run's results; for any thread. `timed`:
+    whether seconds are kept."""
+    finished = before.latest("design")
     solved = "design" in results and (finished is None or "layout" in results)
     made = {**before.given(), **before.made()}
     made.update(_worth_keeping(results, made, solved))
-    with translated(obj.Label):
+    with translated(before.where):
         text = saved_results.to_text(made, _NOT_STORED, timed)
-    if "target" in results:
-        for name, value in results["target"].settles().items():  # L, where the mesh is taken as it is
-            properties.write_parameter(obj, name, value)
-    if "design" in results:
-        _take_design(obj, results, solved)
-    elif "target" in results:
-        _write_mesh(obj.Target, results["target"].V, results["target"].F)
-    write_keys(obj, replace(_keys_with(obj, results, keys, solved), results=digest_of_text(text)))
-    write(obj, "Results", text)
-    obj.Proxy.project = obj.Proxy.standing = None
+    return Stored(saved_results.as_read(made, _NOT_STORED), text, digest_of_text(text), solved)
+
+
+def take(obj: Any, results: Results, timed: bool = True, stored: Optional[Stored] = None) -> None:
+    """A run's results become those of the Design and what is below it. To be called inside of the
+    caller's transaction; solids follow (build_bodies). `stored`: from `to_store`, where it is of what the
+    Design holds now; made here where it is not given."""
+    before = live.stored(obj)
+    stored = stored or to_store(before, results, timed)
+    _complete(obj)
+    keys = read_keys(obj)
+    with obj.Proxy.many_changes():
+        if "target" in results:
+            for name, value in results["target"].settles().items():  # L, where the mesh is taken as it is
+                properties.write_parameter(obj, name, value)
+        if "design" in results:
+            _take_design(obj, results, stored.solved)
+        elif "target" in results:
+            _write_mesh(obj.Target, results["target"].V, results["target"].F)
+        write_keys(obj, replace(_keys_with(obj, results, keys, stored.solved), results=stored.digest))
+        write(obj, "Results", stored.text)
+    live.keep(obj, stored.made)
     obj.Proxy.refresh(obj)
     obj.touch()
 
@@ -236,7 +257,8 @@ def _write_mesh(obj: Any, V: np.ndarray, F: np.ndarray) -> None:
 
     if obj is not None:
         placement = obj.Placement
-        obj.Mesh = Mesh.Mesh([[tuple(map(float, V[v])) for v in face] for face in F])
+        points = list(map(tuple, np.asarray(V, float).tolist()))
+        obj.Mesh = Mesh.Mesh([[points[v] for v in face] for face in F.tolist()])
         obj.Placement = placement
         obj.purgeTouched()
 

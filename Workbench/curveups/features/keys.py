@@ -8,6 +8,7 @@ import dataclasses
 import hashlib
 import json
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any, Mapping, Optional
 
 from ..base.findings import Finding
@@ -48,8 +49,14 @@ def write_keys(obj: Any, keys: Keys, name: str = "Keys") -> None:
 
 def read_keys(obj: Any, name: str = "Keys") -> Keys:
     """NONE where there are none, and where the text is not what `write_keys` writes."""
+    return _keys_of(getattr(obj, name, ""))
+
+
+@lru_cache(maxsize=64)
+def _keys_of(text: Any) -> Keys:
+    """States ask dozens of times for each change, and reasons may name every tile."""
     try:
-        data = json.loads(getattr(obj, name, "") or "{}")
+        data = json.loads(text or "{}")
         records = {stage: Record(**one) for stage, one in data.pop("records", {}).items()}
         reasons = tuple(map(Finding.read, data.pop("reasons", ())))
         found = Keys(records, reasons=reasons, **data)

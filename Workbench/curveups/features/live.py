@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, cast
+from typing import Any, Mapping, Optional, cast
 
 from ..base.errors import CurveUpsError
 from ..base.native import native
 from ..base.parameters import table
 from ..project import saved_results
-from ..project.project import Project
+from ..project.project import Made, Project
 from ..stages.design import FinishedDesign
 from ..stages.surface import Source
 from . import properties
@@ -83,18 +83,21 @@ def _base(finished: Any) -> Any:
 
 def stored(obj: Any) -> Project:
     """What the document holds, under whatever parameters; see project_of and design_project_of."""
-    proxy = obj.Proxy
-    if proxy.project is None:
+    if obj.Proxy.project is None:
         known = obj.Results and are_intact(obj)  # nothing is taken from others
-        made = saved_results.from_text(obj.Results, obj.Label) if known else {}
-        given = {name: made[name].result for name in ("source", "cut request") if name in made}
-        if "source" not in given and "design" in made:
-            given = {"design": made["design"].result}
-        others = {name: one for name, one in made.items() if name not in given}
-        parameters = _base(made["design"].result if "design" in made else None)
-        proxy.project = Project(obj.Label, parameters, given, obj.Label, others)
-        proxy.standing = None
-    return proxy.project
+        keep(obj, saved_results.from_text(obj.Results, obj.Label) if known else {})
+    return cast(Project, obj.Proxy.project)
+
+
+def keep(obj: Any, made: Mapping[str, Made]) -> None:
+    """What the document holds from now on, as it is read from it."""
+    given = {name: made[name].result for name in ("source", "cut request") if name in made}
+    if "source" not in given and "design" in made:
+        given = {"design": made["design"].result}
+    others = {name: one for name, one in made.items() if name not in given}
+    parameters = _base(made["design"].result if "design" in made else None)
+    obj.Proxy.project = Project(obj.Label, parameters, given, obj.Label, others)
+    obj.Proxy.standing = None
 
 
 def _has_source(obj: Any) -> bool:

@@ -33,9 +33,9 @@ Work = Callable[[Job], Any]
 
 @dataclass(frozen=True)
 class Status:
-    """Where work is. fraction: of what is being done, negative where unknown. energies: of the layout's
-    iterates, in order; weak_points: left by the steps of repair; violations: of constraints, mm, of both.
-    count: of iterates so far."""
+    """Where work is. what: is being done, empty where the stage has not said it. fraction: of that, negative
+    where unknown. energies: of the layout's iterates, in order; weak_points: left by the steps of repair;
+    violations: of constraints, mm, of both. count: of iterates so far."""
 
     stage: str = ""
     what: str = ""
@@ -73,7 +73,7 @@ class _Run(threading.Thread):
         self.job = Job(self._progress, self._listen)
         self._work, self._before = work, before
         self._began, self._ended = time.perf_counter(), 0.0
-        self._said = ("", -1.0)
+        self._said = ("", "", -1.0)  # in which stage, what, how far
         self._iterate: Optional[Iterate] = None
         self._count = 0
         self._violations: list[float] = []
@@ -96,14 +96,16 @@ class _Run(threading.Thread):
         self.outcome = found
 
     def status(self) -> Status:
-        what, fraction = self._said
+        stage, what, fraction = self._said
+        if stage != self.job.stage:  # it has said nothing yet, and what was said before holds no more
+            what, fraction = "", -1.0
         seconds = (self._ended or time.perf_counter()) - self._began
         return Status(self.job.stage, what, fraction, seconds, tuple(self._figures["layout"]),
                       tuple(self._violations), tuple(self._figures["repair"]), self._iterate, self._count,
                       self.job.stopped)
 
     def _progress(self, what: str, fraction: float) -> bool:
-        self._said = what, fraction
+        self._said = self.job.stage, what, fraction
         return True
 
     def _listen(self, stage: str, T: np.ndarray, q: np.ndarray, figure: float, violation: float) -> None:

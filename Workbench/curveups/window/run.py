@@ -14,6 +14,7 @@ import FreeCADGui
 from ..features.document import set_running
 from ..project.project import Project
 from ..project.worker import WORKER, Outcome, Status
+from ..stages import label_of
 from ..stages.stage import Job
 from .notice import errors_shown, show_error, show_line, words_of
 from .overlay.scene import scene_of
@@ -179,7 +180,8 @@ class Live:
 
     def _tell(self, goes_on: bool) -> None:
         status = WORKER.status()
-        status = replace(status, what=words_of(status.what))
+        what = words_of(status.what) if status.what else translate("CurveUpsSolve", label_of(status.stage))
+        status = replace(status, what=what)
         if not goes_on:
             FreeCADGui.getMainWindow().statusBar().clearMessage()
         elif not self._observers:  # no panel shows it

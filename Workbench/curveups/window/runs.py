@@ -43,7 +43,9 @@ def _finisher(which: str) -> Any:
     def finish(design: Any, results: Any) -> None:
         actions.hand_over(which, design, results)
         call(f"actions.{which}", named(design))
-        design.Document.recompute()
+        with design.Proxy.many_changes():
+            design.Document.recompute()
+        design.Proxy.refresh(design)
 
     return finish
 
