@@ -4528,6 +4528,10 @@
       <translation>Zugabe des Druckers</translation>
     </message>
     <message>
+      <source>Growth of walls in XY that does no harm</source>
+      <translation>Wachsen der Wände in XY, das nicht schadet</translation>
+    </message>
+    <message>
       <source>Hold one tile of the row after the other in the fingers or a vice, and pull its neighbour up with a thread around it, at right angles to the row, until the bridges between them break. Enter the largest force of each.</source>
       <translation>Eine Kachel der Reihe nach der anderen mit den Fingern oder in einem Schraubstock halten und ihre Nachbarin mit einem Faden senkrecht zur Reihe hochziehen, bis die Brücken dazwischen brechen. Jeweils die größte Kraft eintragen.</translation>
     </message>
@@ -5022,6 +5026,10 @@
     <message>
       <source>{layer:g} mm or less, ± {tolerance:g} mm</source>
       <translation>{layer:g} mm oder weniger, ± {tolerance:g} mm</translation>
+    </message>
+    <message>
+      <source>{low} to {high} mm; {taper_low} to {taper_high} mm more at the front than at the back, each alone</source>
+      <translation>{low} bis {high} mm; {taper_low} bis {taper_high} mm mehr an der Vorderseite als an der Rückseite, jedes für sich</translation>
     </message>
     <message>
       <source>{name}-bed-01.3mf to -{last:02}.3mf, or .step: a job a bed, every body with its name, in place. The print as a whole does not fit the bed</source>

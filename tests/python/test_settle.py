@@ -10,6 +10,8 @@ from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.project.project import Project
 from curveups.project.saved_results import from_text, to_text
+from curveups.report.shop import growth
+from curveups.report.tables import show
 from curveups.stages import asked_by, settle
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.settle import Settled
@@ -143,6 +145,13 @@ def test_the_window_says_how_far_and_what_fails_first(cap_design):
     if friction["low"] is not None:
         below = settled(cap_design, friction_coefficient=0.5 * friction["low"])["settle"]
         assert below.holds is not True
+    # The shop's order says what concerns the print.
+    [(what, said)] = growth(results["settle"].report())
+    for name in ("xy_growth", "xy_taper"):
+        one = window[name]
+        for k, end in enumerate(("low", "high")):
+            assert show(one["searched"][k] if one[end] is None else one[end]) in said, (name, said)
+    assert "XY" in what and growth(settled(cap_design)["settle"].report()) == []
     assert not settled(cap_design)["settle"].window
 
 

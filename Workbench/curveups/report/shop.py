@@ -111,7 +111,21 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
         (say("Least clearance between tiles"),
          say("{gap} mm; the printer needs {least:g} mm", gap=show(report["solids"]["min_clearance_flat_mm"]),
              least=printer["smallest_gap_mm"])),
+        *growth(report, say),
     ]
+
+
+def growth(report: Mapping[str, Any], say: Language = ENGLISH) -> list[tuple[str, str]]:
+    """How far walls may be off; nothing where the process window was not looked for."""
+    found = {one["parameter"]: [show(one["searched"][k] if one[end] is None else one[end])
+                                for k, end in enumerate(("low", "high"))]
+             for one in report.get("window", ())}
+    if not {"xy_growth", "xy_taper"} <= set(found):
+        return []
+    return [(say("Growth of walls in XY that does no harm"),
+             say("{low} to {high} mm; {taper_low} to {taper_high} mm more at the front than at the back, "
+                 "each alone", low=found["xy_growth"][0], high=found["xy_growth"][1],
+                 taper_low=found["xy_taper"][0], taper_high=found["xy_taper"][1]))]
 
 
 def latex(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> str:

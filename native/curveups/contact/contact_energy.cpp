@@ -173,7 +173,12 @@ void ContactEnergy::remember(const Poses& poses) {
       const double limit = is_bonded() ? touch.cap : friction_coefficient * touch.push(y);
       const double held = hold(touch, length, limit) / touch.tangent_stiffness;
       if (held < length) {
-        if (touch.push(y) > 0) touch.slip += length - held;
+        // What a nearest point on a face that is touched otherwise remembered may be more than this
+        // one can hold, where nothing moved.
+        if (touch.push(y) > 0) {
+          const Vec2 way = touch.tangents.transpose() * y - touch.reference;
+          touch.slip += std::min(length - held, way.norm());
+        }
         touch.stretch = held / length * reach;
       } else {
         touch.stretch = reach;

@@ -96,6 +96,30 @@ TEST(KnownAnswers, BlockUnderChangingLoadsDoesNotCreep) {
   EXPECT_LT((after_cycles(100) - once).norm(), 1e-8);
 }
 
+TEST(KnownAnswers, NothingSlipsFurtherThanItMoves) {
+  Scene scene;
+  scene.add(box(10, 10, 10, {0, 0}), true);
+  scene.add(box(10, 10, 10, {0, 9.99}), false);
+  std::vector<std::array<int, 2>> near;
+  ContactEnergy energy;
+  energy.friction_coefficient = 0.1;
+  energy.pairs = find_touching(scene.bodies, scene.poses, {}, {}, near);
+  ASSERT_EQ(energy.pairs.size(), 1u);
+  // More than these points can hold, inherited from some that were softer.
+  for (Touch& touch : energy.pairs[0].touches) touch.stretch = {170, 0};
+  energy.remember(scene.poses);
+  for (const TouchForce& force : energy.forces(scene.poses)) {
+    EXPECT_GT(force.push, 0);
+    EXPECT_EQ(force.slip, 0);
+  }
+  scene.poses[1].t.x() += 0.5;
+  energy.remember(scene.poses);
+  for (const TouchForce& force : energy.forces(scene.poses)) {
+    EXPECT_LE(force.slip, 0.5 + 1e-12);
+    EXPECT_GT(force.slip, 0.49);  // but for what springs give way by
+  }
+}
+
 TEST(KnownAnswers, BlockCrossesAClearanceWithoutSticking) {
   // Onto a slope that it would slide on, and onto one that it would not.
   const double angle = 0.3;
