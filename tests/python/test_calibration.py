@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 from curveups.base.errors import CurveUpsError
 from curveups.base.native import native
-from curveups.kit.calibration import calibrate, parameters, read_measured
+from curveups.kit.calibration import _ROWS, _SHEET, calibrate, parameters, read_measured
 
 G, C1, C2, LEFT, FRICTION, GLUE, GROWTH = 0.31, 0.12, 0.05, 0.8, 0.52, 0.9, 0.06
+LOSS, BRIDGE = 0.25, 12.0
 STRIP, WIDE = np.linspace(1.2, 3.2, 11), np.linspace(1.2, 2.8, 7)
 MINUTES = np.array([1, 2, 5, 10, 30, 60, 120, 300.0])
+COMB = np.repeat([0.2, 0.3, 0.4, 0.5, 0.6], 2)  # whose narrowest gaps are closed
 SHEET = {"width_mm": 20, "wide_width_mm": 120, "thickness_mm": 0.5}
 
 
@@ -44,6 +46,8 @@ def others(seed):
     area = np.full(8, 25.0)
     nominal = np.array([5, 10, 20, 40, 5, 10, 20, 40.0])
     return {"friction": rows(angle_deg=angles), "held": rows(minutes=MINUTES, force_n=force),
+            "gaps": rows(nominal_mm=COMB, measured_mm=(COMB - LOSS + noise.normal(0, 0.02, 10)).clip(0)),
+            "bridges": rows(force_n=BRIDGE + noise.normal(size=8)),
             "glue": rows(force_n=area * (GLUE + 0.05 * noise.normal(size=8)), area_mm2=area),
             "growth": rows(nominal_mm=nominal, measured_mm=nominal + 2 * GROWTH + noise.normal(0, 0.04, 8))}
 
@@ -60,6 +64,8 @@ CASES = [("shear_modulus", neo_hooke, G, 0.02 / np.linalg.norm(SHAPE)),
          ("left_after_a_day", others, LEFT, 0.03 * math.sqrt(SLOPE @ np.linalg.inv(LINE.T @ LINE) @ SLOPE)),
          ("friction_coefficient", others, FRICTION, 0.03 / math.sqrt(12)),
          ("glue_strength", others, GLUE, 0.05 / math.sqrt(8)),
+         ("gap_loss", others, LOSS, 0.02 / math.sqrt(8)),
+         ("bridge_strength", others, BRIDGE, 1 / math.sqrt(8)),
          ("xy_compensation", others, GROWTH, 0.02 / math.sqrt(8))]
 
 
@@ -69,6 +75,12 @@ def test_intervals_hold_the_truth_and_are_hardly_wider_than_they_must(name, meas
     assert 90 <= sum(one.low <= truth <= one.high for one in fitted) <= 99
     assert np.mean([one.high - one.low for one in fitted]) <= 1.5 * 2 * 1.96 * least
     assert np.mean([one.value for one in fitted]) == pytest.approx(truth, abs=3 * least / 10 + 1e-9)
+
+
+def test_every_value_that_can_be_fitted_is_a_case():
+    made = {**mooney_rivlin(1), **others(1)}
+    assert set(calibrate(read_measured(made, "made"))) == {case[0] for case in CASES}
+    assert made.keys() == {*_SHEET, *_ROWS}
 
 
 def test_files_are_what_config_takes(curveups, cap, tmp_path):

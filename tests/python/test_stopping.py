@@ -159,3 +159,25 @@ def test_the_bar_of_work_whose_end_is_not_known_moves(monkeypatch):
         assert bar("reading the target", -1.0)
     drawn = re.findall(r"\[(-*#-*)\] reading the target", shown.getvalue())
     assert len(set(drawn)) == 4 and {len(one) for one in drawn} == {Reporter.WIDTH}
+
+
+@pytest.mark.parametrize("word", ["small-cap-print.step", "small-cap-latex-front.pdf", "coupons/"])
+def test_stopping_a_kit(printed, tmp_path, word):
+    out = tmp_path / "out"
+    status, said = interrupted(word, "kit", printed.folder / "design.json", "-o", out)
+    assert status == 3 and "Traceback" not in said and said.splitlines()[-1].startswith("stopped"), said
+    found = json.loads((out / "kit.json").read_text("utf-8"))
+    assert found["status"] == "stopped"
+    there = {str(path.relative_to(out)) for path in out.rglob("*") if path.is_file()}
+    assert there == {*found["files"], "kit.json", "design.json"}
+    assert all((out / name).stat().st_size == about["bytes"] for name, about in found["files"].items())
+
+
+def test_stopping_a_comparison_writes_nothing(printed, tmp_path):
+    design = json.loads((printed.folder / "design.json").read_text("utf-8"))
+    (tmp_path / "scan.xyz").write_text("".join("%g %g %g\n" % tuple(point) for point in design["V"]))
+    out = tmp_path / "out"
+    status, said = interrupted("registering", "compare", printed.folder / "design.json",
+                               tmp_path / "scan.xyz", "-o", out)
+    assert status == 3 and said.splitlines()[-1] == "curveups: stopped", said
+    assert not out.exists()

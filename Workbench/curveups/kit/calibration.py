@@ -2,8 +2,9 @@
 """Fits materials and the printer's growth to measured coupons, with 95 % intervals, and writes files that
 --config takes.
 
-Every model is linear in what is fitted: least squares, and Student's t for the intervals. Forces of a strip
-are nominal stresses times the cross-section of the sheet as it was: G (x - x^-2) for a narrow strip at
+Every model is linear in what is fitted, so LAPACK's least squares (numpy) and Student's t (scipy) give values
+and intervals in closed form. A solver of nonlinear problems would iterate to the same values. Forces of a
+strip are nominal stresses times the cross-section of the sheet as it was: G (x - x^-2) for a narrow strip at
 stretch x and G (x - x^-3) for a wide one (neo-Hooke); 2 (C1 + C2 / x) (x - x^-2) and 2 (C1 + C2) (x - x^-3)
 (Mooney-Rivlin).
 """

@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped, tile_name
-from ..base.motions import rigid_motion
 from ..base.native import native
 from ..base.output import Folder
 from ..base.reading import read_text
@@ -23,7 +22,7 @@ from ..report.tables import table
 from ..stages.stage import Job
 from ..targets.target_files import read_target
 from .openings import openings
-from .registration import register
+from .registration import register, register_markers
 
 FORMAT, VERSION = "curveups-compare", 1
 POINTS = (".xyz", ".txt", ".csv")
@@ -118,7 +117,7 @@ def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
 
     if len(scan.tiles):
         middles = V[F].mean(1)[scan.tiles]
-        R, t = rigid_motion(scan.points, middles)
+        R, t = register_markers(scan.points, middles)
         points = scan.points @ R.T + t
         away, others = np.linalg.norm(points - middles, axis=1), 0
         owners = scan.tiles
