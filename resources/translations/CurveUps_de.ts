@@ -32,12 +32,20 @@
       <translation>STEP exportieren…</translation>
     </message>
     <message>
+      <source>Find out where to press the piece by hand if it jams, which takes several times as long as the path</source>
+      <translation>Herausfinden, wo man das Stück mit der Hand drückt, wenn es klemmt; das dauert mehrmals so lange wie der Weg</translation>
+    </message>
+    <message>
       <source>Flat</source>
       <translation>Flach</translation>
     </message>
     <message>
       <source>Let the piece rise from flat, as the design is now</source>
       <translation>Das Stück aus der Ebene aufsteigen lassen, wie der Entwurf jetzt ist</translation>
+    </message>
+    <message>
+      <source>Look for Touches</source>
+      <translation>Griffe suchen</translation>
     </message>
     <message>
       <source>Move the tiles along the path</source>
@@ -60,12 +68,20 @@
       <translation>Die Kacheln der Kontakte auswählen, die offen bleiben</translation>
     </message>
     <message>
+      <source>Select the tiles that hands press to bring the piece home</source>
+      <translation>Die Kacheln auswählen, die Hände drücken, damit das Stück in seine Form kommt</translation>
+    </message>
+    <message>
       <source>Stop</source>
       <translation>Anhalten</translation>
     </message>
     <message>
       <source>The path is out of date: the design has changed since</source>
       <translation>Der Weg ist veraltet: der Entwurf hat sich seither geändert</translation>
+    </message>
+    <message>
+      <source>Tiles to Press</source>
+      <translation>Zu drückende Kacheln</translation>
     </message>
     <message>
       <source>Write the tiles as they are shown to a STEP file</source>
@@ -884,12 +900,20 @@
       <translation>STEP exportieren</translation>
     </message>
     <message>
+      <source>Frame {number} of {count}, by hand: {energy} stored</source>
+      <translation>Bild {number} von {count}, mit der Hand: {energy} gespeichert</translation>
+    </message>
+    <message>
       <source>Frame {number} of {count}: {energy} stored</source>
       <translation>Bild {number} von {count}: {energy} gespeichert</translation>
     </message>
     <message>
       <source>Let the piece rise from flat under its membranes, and find out whether it arrives by itself and what holds it back</source>
       <translation>Das Stück unter seinen Membranen aus der Ebene aufsteigen lassen und herausfinden, ob es von selbst in seine Form kommt und was es hindert</translation>
+    </message>
+    <message>
+      <source>No touches are known that bring the piece home</source>
+      <translation>Keine Griffe sind bekannt, die das Stück in seine Form bringen</translation>
     </message>
     <message>
       <source>Path of {name}</source>
@@ -1594,6 +1618,14 @@
     <message>
       <source>bumps would touch the neighbour in the flat layout</source>
       <translation>Noppen würden in der Abwicklung den Nachbarn berühren</translation>
+    </message>
+    <message>
+      <source>by hand it comes home: shake it ({taps} taps), lay it over the former of the kit, press {pressed} tiles to their places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
+      <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), über die Form des Bausatzes legen, {pressed} Kacheln an ihre Plätze drücken, {force:g} N je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g} mm von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
+    </message>
+    <message>
+      <source>by hand it comes home: shake it ({taps} taps), press {touches:, } to their places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
+      <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), {touches:, } an ihre Plätze drücken, {force:g} N je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g} mm von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
       <source>can't write {0}: it is a device, and a rename would replace it</source>
@@ -2408,6 +2440,10 @@
       <translation>Schnitte suchen</translation>
     </message>
     <message>
+      <source>looking for touches</source>
+      <translation>Griffe werden gesucht</translation>
+    </message>
+    <message>
       <source>lower A_pin_floor or raise A_pin_min</source>
       <translation>A_pin_floor verringern oder A_pin_min erhöhen</translation>
     </message>
@@ -2654,6 +2690,10 @@
     <message>
       <source>no thickness up to {0} mm does for L = {1} mm</source>
       <translation>keine Dicke bis {0} mm genügt für L = {1} mm</translation>
+    </message>
+    <message>
+      <source>no touches that were tried bring it home: of {tried}, with up to {force:g} N on every tile, the best leave it {shortfall:.3g} mm short of its shape and {open} of {count} contacts open</source>
+      <translation>kein Griff, der versucht wurde, bringt es in seine Form: von {tried}, mit bis zu {force:g} N auf jeder Kachel, lässt der beste {shortfall:.3g} mm bis zu ihr und {open} von {count} Kontakten offen</translation>
     </message>
     <message>
       <source>no volume</source>
@@ -3118,6 +3158,18 @@
     <message>
       <source>shake it, and press it home by hand where contacts are open</source>
       <translation>schütteln und von Hand andrücken, wo Kontakte offen sind</translation>
+    </message>
+    <message>
+      <source>shaken, it comes home: after {taps} taps it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
+      <translation>gerüttelt kommt es in seine Form: nach {taps} Stößen ist es {shortfall:.3g} mm von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
+    </message>
+    <message>
+      <source>shaken, it comes into its shape: after {taps} taps it is {shortfall:.3g} mm from the shape that it keeps; {open} of {count} contacts stay open, and none of {tried} touches that were tried closes them</source>
+      <translation>gerüttelt kommt es in seine Form: nach {taps} Stößen ist es {shortfall:.3g} mm von der Form entfernt, die es behält; {open} von {count} Kontakten bleiben offen, und keiner von {tried} versuchten Griffen schließt sie</translation>
+    </message>
+    <message>
+      <source>shaking</source>
+      <translation>es wird gerüttelt</translation>
     </message>
     <message>
       <source>simplify the mesh</source>
@@ -3956,6 +4008,10 @@
       <translation>Wände stehen um {set:g} mm zurück für das, was Drucke wachsen; ein {printer} lässt Wände um {grows:g} mm wachsen: xy_compensation erhöhen</translation>
     </message>
     <message>
+      <source>what brings it home by hand is not known: it was stopped</source>
+      <translation>was es mit der Hand in seine Form bringt, ist nicht bekannt: es wurde abgebrochen</translation>
+    </message>
+    <message>
       <source>what was said of the layout's making is damaged or gone: Solve makes it</source>
       <translation>was über die Entstehung der Abwicklung gesagt war, ist beschädigt oder fehlt: „Lösen“ berechnet sie</translation>
     </message>
@@ -4250,6 +4306,18 @@
     <message>
       <source>{sizes: }, with which it is valid: that was tried</source>
       <translation>{sizes: }, womit er gültig ist: das wurde ausprobiert</translation>
+    </message>
+    <message>
+      <source>{which:8} inwards</source>
+      <translation>{which:8} nach innen</translation>
+    </message>
+    <message>
+      <source>{which:8} outwards</source>
+      <translation>{which:8} nach außen</translation>
+    </message>
+    <message>
+      <source>{which:8} sideways</source>
+      <translation>{which:8} seitwärts</translation>
     </message>
   </context>
   <context>

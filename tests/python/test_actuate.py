@@ -14,16 +14,17 @@ from schema import OPTIONAL, check
 
 from curveups.base.errors import CurveUpsError, Stopped
 from curveups.base.native import native
+from curveups.kit.underside import Underside
 from curveups.project import saved_results
 from curveups.project.project import Project
 from curveups.report import actuation
 from curveups.report.exports import report
 from curveups.report.moving import front_corners
 from curveups.stages import RISEN, START, asked_by
-from curveups.stages.actuation import findings
+from curveups.stages.actuation import ActuationStart, findings
 from curveups.stages.stage import Job
 
-FILES = {"frames.json", "frames.fold", "actuation.html", "small-cap-settled.step"}
+FILES = {"frames.json", "frames.fold", "actuation.html", "small-cap-settled.step", "small-cap-former.stl"}
 
 
 @pytest.fixture(scope="module")
@@ -57,6 +58,7 @@ def test_what_it_finds_is_said_with_its_tiles(risen):
     said = [str(one) for one in findings(risen.answer["actuation"])]
     assert said and [one["what"] for one in risen.answer["findings"]] == said
     assert all(f"small-cap: {one}" in risen.ran.err for one in said)
+    assert said[-1] == str(findings(risen.answer["actuation"])[-1]) and "taps" in said[-1]
     tiles = {tile for pair in risen.answer["actuation"]["open_contacts"] for tile in pair}
     assert set(risen.answer["findings"][0]["tiles"]) == tiles
 
@@ -87,6 +89,65 @@ def test_each_answer_has_its_words(changed, kinds):
         assert "T00001-T00002" in str(found[0]) and found[0].remedy()
     if kinds[-1] == "actuation_trapped":
         assert found[-1].tiles == (1, 2, 4, 6) and "T00002-T00005" in str(found[-1])
+
+
+def by_hand(tiles=(), reached="home", tried=0, ways=("inwards",)):
+    hands = [{"tiles": list(tiles[k::len(ways)]), "way": way, "force_n": 2.0, "direction": [0, 0, -1]}
+             for k, way in enumerate(ways) if tiles[k::len(ways)]]
+    end, shaken = ({"shortfall_mm": far, "open_contacts": [[0, 1]]} for far in (0.05, 1.5))
+    return {"hands": hands, "by_hand": {"taps": 7, "tried": tried, "reached": reached, "end": end,
+                                        "shaken": shaken, "largest_force_n": 8.0}}
+
+
+@pytest.mark.parametrize("given, kind, words", [
+    (by_hand(), "hands_shaken", ["7 taps", "1.5 mm"]),
+    (by_hand((3, 8, 9), tried=4, ways=("inwards", "outwards")), "hands_press",
+     ["press T00004, T00010 inwards, T00009 outwards", "2 N a tile", "0.05 mm", "1 of 9"]),
+    (by_hand(range(30), tried=5, ways=["sideways"] * 10), "hands_over", ["30 tiles", "former", "2 N"]),
+    (by_hand(reached="none", tried=3), "hands_none", ["of 3", "up to 8 N", "0.05 mm short"]),
+    (by_hand(reached="shape", tried=3), "hands_no_more", ["1.5 mm", "none of 3 touches"])])
+def test_what_hands_do_has_its_words(given, kind, words):
+    found = findings(block_of(**given))
+    assert [one.kind for one in found] == ["actuation_jammed", kind]
+    assert all(word in str(found[-1]) for word in words), str(found[-1])
+    assert set(found[-1].tiles) == {tile for touch in given["hands"] for tile in touch["tiles"]}
+    assert findings(block_of(**given, arrives=None, trap=None))[-1].kind == "actuation_restless"
+    assert findings(block_of(stopped=True))[-1].kind == "hands_stopped"
+
+
+def test_hands_go_on_where_the_path_ends(risen):
+    block = risen.answer["actuation"]
+    hands = json.loads((risen.folder / "frames.json").read_text("utf-8"))["hands"]
+    assert not block["arrives"] and len(hands) > 3
+    steps = [risen.frames[-1], *hands]
+    for name in ("time", "friction"):
+        assert (np.diff([frame[name] for frame in steps]) >= 0).all()
+    assert hands[block["by_hand"]["shaken_frame"]]["energy"] == pytest.approx(
+        block["by_hand"]["shaken"]["energy_n_mm"])
+    assert block["by_hand"]["shaken"]["energy_n_mm"] < risen.frames[-1]["energy"]
+    touched = [tile for touch in block["hands"] for tile in touch["tiles"]]
+    assert len(touched) == len(set(touched)) and all(0 <= tile < 24 for tile in touched)
+    assert (block["by_hand"]["reached"] == "none") <= (block["hands"] == [])
+
+
+def test_the_former_is_that_of_the_kit(risen):
+    data = (risen.folder / "small-cap-former.stl").read_bytes()
+    corners = np.frombuffer(data[84:], np.dtype([("n", "<f4", 3), ("at", "<f4", (3, 3)), ("x", "<u2")]))["at"]
+    parts = native.evaluate_design(risen.design)
+    area = {"flat_cm2": parts.flat_area_mm2 / 100, "actuated_cm2": parts.actuated_area_mm2 / 100}
+    expected = Underside.of(risen.design, risen.design.parameters, area)
+    volume = np.einsum("nk,nk->n", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6
+    assert volume == pytest.approx(1000 * sum(one.volume for one in expected), rel=0.01)
+
+
+def test_without_hands_nothing_is_said_of_them(risen, curveups, tmp_path):
+    curveups("actuate", risen.source, "-o", tmp_path, "--no-hands", "--set", "bumps=none",
+             "friction_coefficient=0.2")
+    answer = json.loads((tmp_path / "actuation.json").read_text("utf-8"))
+    assert "hands" not in answer["actuation"] and "hands" not in json.loads(
+        (tmp_path / "frames.json").read_text("utf-8"))
+    same = dict(risen.answer["actuation"])
+    assert same.pop("by_hand") and same.pop("hands") is not None and answer["actuation"] == same
 
 
 def test_the_folder_holds_what_actuation_json_lists(risen):
@@ -122,7 +183,8 @@ def test_fold_frames_keep_every_tile_rigid(risen):
 
 def test_the_page_needs_nothing_beside_it(risen):
     page = (risen.folder / "actuation.html").read_text("utf-8")
-    assert f"FRAMES={len(risen.frames)}," in page and "small-cap" in page
+    hands = json.loads((risen.folder / "frames.json").read_text("utf-8"))["hands"]
+    assert f"FRAMES={len(risen.frames) + len(hands)}," in page and "small-cap" in page
     assert not re.search(r"(src|href)=[\"'](?!data:)", page)
 
 
@@ -224,6 +286,7 @@ def project(risen):
     parameters.set("bumps", "none")
     parameters.set("friction_coefficient", 0.2)
     found.parameters = parameters
+    found.give(START, ActuationStart(hands=True))
     found.run(asked_by("actuate"))
     return found
 
@@ -233,7 +296,8 @@ def test_the_command_shows_what_the_stage_finds(risen, project):
     assert RISEN not in asked_by("check", "cuts", "solve", "settle", "verify", "build", "print")
     found = project.latest(RISEN)
     assert json.loads(json.dumps(found.block)) == risen.answer["actuation"]
-    assert np.array([frame["poses"] for frame in risen.frames]) == pytest.approx(found.frames, abs=1e-9)
+    path = found.frames[:found.path_count]
+    assert np.array([frame["poses"] for frame in risen.frames]) == pytest.approx(path, abs=1e-9)
     assert set(found.open_tiles) == set(risen.answer["findings"][0]["tiles"])
 
 

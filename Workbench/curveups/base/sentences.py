@@ -27,7 +27,8 @@ PROGRESS = (
     "dividing into 1 piece", "looking for cuts", "making room for pins", "checking tiles", "trying {0}",
     "layout", "restoring the layout", "measuring deviation", "membrane", "front membrane", "back membrane",
     "meshing membranes", "friction and unilateral contacts", "repair: fresh membranes",
-    "repair: {0} weak points", "settle", "actuate", "process window", "building bodies", "building tiles",
+    "repair: {0} weak points", "settle", "actuate", "shaking",
+    "looking for touches", "process window", "building bodies", "building tiles",
     "placing anchors",
     "building the support", "dividing the support's underside", "dividing the support's lid",
     "measuring bodies", "measuring clearances", "building solids", "checking solids", "measuring solids",
@@ -122,6 +123,25 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "actuation_friction": "friction holds it back: with a coefficient of {reach:.3g} it arrives",
     "actuation_restless": "whether it arrives is not known: the tiles do not come to rest",
     "actuation_stopped": "whether it arrives is not known: it was stopped",
+    "hands_shaken": "shaken, it comes home: after {taps} taps it is {shortfall:.3g} mm from the shape that "
+                    "it keeps, and {open} of {count} contacts stay open",
+    "hands_press": "by hand it comes home: shake it ({taps} taps), press {touches:, } to their places, "
+                   "{force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the "
+                   "shape that it keeps, and {open} of {count} contacts stay open",
+    "hands_over": "by hand it comes home: shake it ({taps} taps), lay it over the former of the kit, press "
+                  "{pressed} tiles to their places, {force:g} N a tile, shake it again and let go; then it "
+                  "is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay "
+                  "open",
+    "hands_none": "no touches that were tried bring it home: of {tried}, with up to {force:g} N on every "
+                  "tile, the best leave it {shortfall:.3g} mm short of its shape and {open} of {count} "
+                  "contacts open",
+    "hands_no_more": "shaken, it comes into its shape: after {taps} taps it is {shortfall:.3g} mm from the "
+                     "shape that it keeps; {open} of {count} contacts stay open, and none of {tried} touches "
+                     "that were tried closes them",
+    "hands_touch.inwards": "{which:8} inwards",
+    "hands_touch.outwards": "{which:8} outwards",
+    "hands_touch.sideways": "{which:8} sideways",
+    "hands_stopped": "what brings it home by hand is not known: it was stopped",
     "unsettled_design": "the margin is required, and the tiles did not settle: set settle and verify on",
     "glue_carries": "the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear",
     "margin": "beyond the margin, where the {side} membrane pulls {percent:.3g} % harder and friction is "

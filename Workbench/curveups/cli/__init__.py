@@ -102,6 +102,8 @@ def make_parser() -> argparse.ArgumentParser:
     actuate.add_argument("--from", dest="begin", default="flat", metavar="flat|target|FRAME",
                          help="begin there; FRAME is a frames.json of an earlier run, by default its last "
                               "frame, or FRAMES.json:NUMBER (default: flat)")
+    actuate.add_argument("--no-hands", dest="hands", action="store_false",
+                         help="don't look for what brings a piece home by hand that jams")
     actuate.add_argument("--compensate", type=_rounds, default=0, metavar="N",
                          help="first move the surface against the shape in which it settles and solve again, "
                               "N times, and write the best as design.json")

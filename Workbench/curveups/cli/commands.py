@@ -18,6 +18,8 @@ from ..base.progress import Interrupt, Reporter
 from ..base.reading import read_text
 from ..features.document_file import write_document
 from ..kit import calibration, files as kit_files, scan
+from ..kit.gauges import former_stl
+from ..kit.underside import Underside
 from ..project.compensation import compensate
 from ..project.project import Project, Results
 from ..report import actuation
@@ -208,10 +210,14 @@ def actuate(options: Any, session: Session) -> int:
             given = project.latest("design").design.with_parameters(project.parameters)
             compensation = compensate(given, options.compensate, job)
         project = Project.of_design(compensation.design, str(options.design))
-    project.give(START, start)
-    results = project.run(("bodies", *asked_by("actuate")), job, strict=True)
+    project.give(START, replace(start, hands=options.hands))
+    results = project.run(("bodies", "figures", *asked_by("actuate")), job, strict=True)
+    former = None
+    if results[RISEN].block["arrives"] is False:
+        area = results["figures"].report()["area"]
+        former = former_stl(Underside.of(results.design, results.parameters, area))
     with session.interrupt.shielded(), translated(str(options.design)):
-        stopped = actuation.write_actuation(results, options.output, job, compensation)
+        stopped = actuation.write_actuation(results, options.output, job, compensation, former)
     if compensation:
         session.reporter.say(f"{project.name}: {compensation.said}")
     for one in results[RISEN].findings():

@@ -23,10 +23,12 @@ from ..stages.actuation import Actuation, ActuationStart
 from ..stages.stage import Job
 from . import html, tables
 from .data import to_text
+from .hand_pictures import hands_view, touches
 from .moving import answers, front_corners, moving_view
 
 FORMAT, VERSION = "curveups-actuation", 1
 FRAMES_FORMAT, FRAMES_VERSION = "curveups-frames", 1
+HANDS = "Before hands press, from two sides. Press the tiles in red to their places, as the arrows show."
 ANSWER, FRAMES, FOLD, PAGE = "actuation.json", "frames.json", "frames.fold", "actuation.html"
 
 
@@ -58,21 +60,24 @@ def read_start(text: str, count: int) -> ActuationStart:
 
 
 def write_actuation(results: Results, path: Path, job: Job,
-                    compensation: Optional[Compensation] = None) -> bool:
+                    compensation: Optional[Compensation] = None, former: Optional[bytes] = None) -> bool:
     """Writes all files of a run that made the path and the bodies; whether that, or the path before it, was
     stopped. actuation.json goes first and comes last. compensation: what the design comes from, where it goes
-    into a design.json as well."""
-    found, step = results[RISEN], f"{results.name}-settled.step"
+    into a design.json as well. former: a body (STL) over which to press a piece that jams."""
+    found, step, dome = results[RISEN], f"{results.name}-settled.step", f"{results.name}-former.stl"
     stopped = job.stopped
     with Folder(path) as folder:
-        folder.remove(ANSWER, FRAMES, FOLD, PAGE, step)
+        folder.remove(ANSWER, FRAMES, FOLD, PAGE, step, dome)
         folder.write_text(FRAMES, _compact(_frames(found)))
         folder.write_text(FOLD, _compact(_fold(found, results.name)))
         folder.write_text(PAGE, _page(found, results.name))
+        if former is not None:
+            body = former
+            folder.write(dome, lambda place: place.write_bytes(body))
         if compensation:
             folder.write_text("design.json", native.write_design(results.design))
         try:
-            write_frame(results["bodies"].model, found.frames[-1], folder, step, job)
+            write_frame(results["bodies"].model, found.frames[found.path_count - 1], folder, step, job)
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(ANSWER, to_text({
@@ -102,11 +107,13 @@ def _compact(value: Any) -> str:
 
 def _frames(found: Actuation) -> dict[str, Any]:
     """Lengths to 1e-6 mm; energies in N mm."""
-    return {"format": FRAMES_FORMAT, "version": FRAMES_VERSION,
-            "frames": [{"time": float(time), "energy": float(energy), "friction": float(friction),
-                        "stretch": float(stretch), "poses": np.round(poses, 9).tolist()}
-                       for time, energy, friction, stretch, poses in
-                       zip(found.time, found.energy, found.friction, found.stretch, found.frames)]}
+    rows = [{"time": float(time), "energy": float(energy), "friction": float(friction),
+             "stretch": float(stretch), "poses": np.round(poses, 9).tolist()}
+            for time, energy, friction, stretch, poses in
+            zip(found.time, found.energy, found.friction, found.stretch, found.frames)]
+    hands = [{**row, "work": float(work)} for row, work in zip(rows, found.hand_work)][found.path_count:]
+    return {"format": FRAMES_FORMAT, "version": FRAMES_VERSION, "frames": rows[:found.path_count],
+            **({"hands": hands} if hands else {})}
 
 
 def _fold(found: Actuation, name: str) -> dict[str, Any]:
@@ -114,7 +121,7 @@ def _fold(found: Actuation, name: str) -> dict[str, Any]:
     design, count = found.design, len(found.design.F)
     frames = [{"frame_title": f"{time:.6g} s", "frame_classes": ["foldedForm"], "frame_parent": 0,
                "frame_inherit": True, "vertices_coords": _coordinates(front_corners(design, rows))}
-              for time, rows in zip(found.time, found.frames)]
+              for time, rows in zip(found.time[:found.path_count], found.frames)]
     return {"file_spec": 1.1, "file_creator": f"CurveUps {__version__}", "file_title": name,
             "file_classes": ["animation"], "frame_title": "design", "frame_classes": ["foldedForm"],
             "frame_attributes": ["3D"], "frame_unit": "mm",
@@ -136,6 +143,8 @@ def _page(found: Actuation, name: str) -> str:
              f'<p><span class="verdict {kind}">{escape(str(said))}</span></p>',
              *(f"<p>{escape(text)}</p>" for text in (*map(str, others), remedy) if text),
              html.picture(moving_view(found), "Drag to turn. Fronts are yellow, backs are blue.")]
+    if found.pressed_tiles:
+        parts += ["<h2>By hand</h2>", html.picture(hands_view(found), HANDS), touches(block)]
     if said.tiles:
         parts.append(f'<p class="note">Tiles of open contacts: {escape(tile_list(said.tiles))}</p>')
     parts += ["<h2>Answers</h2>", answers(block)]
@@ -143,6 +152,8 @@ def _page(found: Actuation, name: str) -> str:
     if "sampled" in block:
         ends = [*(("flat", one) for one in block["sampled"]), *ends,
                 ("from the target", block["frictionless_from_target"])]
+    if "by_hand" in block:
+        ends += [("jammed, shaken", block["by_hand"]["shaken"]), ("jammed, by hand", block["by_hand"]["end"])]
     parts += ["<h2>Where paths end</h2>", tables.table([_end(*one) for one in ends], (
         "Begins", "Friction", "Arrives", "Short by, mm", "Open contacts", "Scan mean / largest, mm",
         "Energy, N mm"))]

@@ -43,7 +43,7 @@ Drawn = Union[bytes, str]  # PNG, or HTML of what moves
 _VIEWS = {"flat": ("pictures", "flat_layout"), "actuated": ("pictures", "actuated_view"),
           "cuts": ("cut_pictures", "cut_view"), "stretch": ("membrane_pictures", "stretch_view"),
           "movement": ("pictures", "movement_view"), "blocked": ("pictures", "blocked_view"),
-          "moving": ("moving", "moving_view"),
+          "moving": ("moving", "moving_view"), "hands": ("hand_pictures", "hands_view"),
           "print": ("print_pictures", "print_view")}
 
 

@@ -83,7 +83,7 @@ def actuated_view(design: Any, width: float = 7.0) -> bytes:
 def blocked_view(V: np.ndarray, F: np.ndarray, marks: np.ndarray) -> bytes:
     """A target from two sides, its tiles in the colours of their marks: 0, 1 (doubtful), 2 (impossible)."""
     colours = np.array([matplotlib.colors.to_rgb(mark) for mark in MARKS])[marks]
-    return _png(_both_sides(V, F, colours)[0])
+    return _png(two_sides(V, F, colours)[0])
 
 
 def movement_view(V: np.ndarray, F: np.ndarray, values: np.ndarray) -> bytes:
@@ -91,14 +91,14 @@ def movement_view(V: np.ndarray, F: np.ndarray, values: np.ndarray) -> bytes:
     of_tile = np.asarray(values)[F].max(axis=1)
     scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, max(float(of_tile.max()), 1e-9)),
                                          "viridis")
-    figure, height = _both_sides(V, F, scale.to_rgba(of_tile)[:, :3], 0.6)
+    figure, height = two_sides(V, F, scale.to_rgba(of_tile)[:, :3], 0.6)
     figure.colorbar(scale, cax=figure.add_axes([0.3, 0.4 / height, 0.4, 0.12 / height]),
                     orientation="horizontal", label="mm")
     return _png(figure)
 
 
-def _both_sides(V: np.ndarray, F: np.ndarray, colours: np.ndarray, below: float = 0.0,
-                width: float = 10.0) -> tuple[Figure, float]:
+def two_sides(V: np.ndarray, F: np.ndarray, colours: np.ndarray, below: float = 0.0,
+              width: float = 10.0) -> tuple[Figure, float]:
     """A picture of the tiles in these colours (M x 3) and its height, inches, of which `below` are free."""
     target = SimpleNamespace(V=V, F=F)
     low, high = _bounds(_seen(target)[0])
@@ -148,11 +148,15 @@ def _seen(design: Any, turned: bool = False) -> tuple[np.ndarray, np.ndarray]:
     """Corners (M x 3 x 3) and normals of the actuated tiles in the camera's coordinates; `turned`:
     from the opposite side."""
     V, F = np.asarray(design.V), np.asarray(design.F)
-    corners = ((V - V.mean(0)) @ _camera(V, F).T)[F]
-    if turned:
-        corners = corners * np.array([-1.0, 1.0, -1.0])
+    corners = in_view(V, V, camera(V, F), turned)[F]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return corners, normal / np.linalg.norm(normal, axis=1, keepdims=True)
+
+
+def in_view(points: np.ndarray, V: np.ndarray | None, seen_by: np.ndarray, turned: bool) -> np.ndarray:
+    """Points about the middle of V, or directions, in the coordinates of a camera."""
+    found = (points if V is None else points - V.mean(0)) @ seen_by.T
+    return found * np.array([-1.0, 1.0, -1.0]) if turned else found
 
 
 def _bounds(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -167,7 +171,7 @@ def _frame(axes: Any, low: np.ndarray, high: np.ndarray) -> None:
     axes.set_aspect("equal")
 
 
-def _camera(V: np.ndarray, F: np.ndarray) -> np.ndarray:
+def camera(V: np.ndarray, F: np.ndarray) -> np.ndarray:
     """Rows: right, up and towards the eye; from above the mean normal, 35 degrees off it."""
     a, b, c = V[F[:, 0]], V[F[:, 1]], V[F[:, 2]]
     towards = np.cross(b - a, c - a).sum(0)

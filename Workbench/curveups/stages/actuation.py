@@ -4,7 +4,7 @@ what holds it back, and the path."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
@@ -15,13 +15,18 @@ from . import settle
 from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
 
 
+MOST_TOUCHES = 6  # that are named; more are a matter of a former
+
+
 @dataclass(frozen=True)
 class ActuationStart(Result):
     """Where tiles begin, as the command line has it (flat, target, a file of frames), and for all but flat a
-    row a tile, as frames have them."""
+    row a tile, as frames have them. hands: whether to find out what brings a piece home that jams;
+    the path is the same."""
 
     begin: str = "flat"
     poses: Optional[np.ndarray] = None
+    hands: bool = False
 
     @property
     def content(self) -> str:
@@ -31,7 +36,8 @@ class ActuationStart(Result):
 @dataclass(frozen=True)
 class Actuation(Result):
     """block: as report.json has it. design: native Design. Of the frames: s, N mm, N mm, the mean stretch
-    ratio of the membranes, and poses (K x M x 7) as whole numbers of `steps` (7)."""
+    ratio of the membranes, and poses (K x M x 7) as whole numbers of `steps` (7); the last `by_hand` of them
+    are of hands, from where the path ends. hand_work: N mm that hands have put in, of all frames."""
 
     block: Mapping[str, Any]
     design: Any
@@ -41,6 +47,13 @@ class Actuation(Result):
     stretch: np.ndarray
     poses: np.ndarray
     steps: np.ndarray
+    by_hand: int = 0
+    hand_work: np.ndarray = field(default_factory=lambda: np.zeros(0))
+
+    @property
+    def path_count(self) -> int:
+        """How many frames are of the path."""
+        return len(self.time) - self.by_hand
 
     @property
     def frames(self) -> np.ndarray:
@@ -57,6 +70,11 @@ class Actuation(Result):
         """The tiles of open contacts."""
         return sorted(set(_tiles(self.block["open_contacts"])))
 
+    @property
+    def pressed_tiles(self) -> list[int]:
+        """The tiles that hands press."""
+        return sorted(tile for touch in self.block.get("hands", ()) for tile in touch["tiles"])
+
     def report(self) -> dict[str, Any]:
         return {"actuation": self.block}
 
@@ -69,8 +87,11 @@ class Actuation(Result):
 
     def pictures(self) -> Sequence[Picture]:
         said = "; ".join(map(str, self.findings()))
+        hands = (Picture("By hand", "Before hands press, from two sides. Press the tiles in red to their "
+                         "places, as the arrows show.", "hands",
+                         {"found": self}),) if self.pressed_tiles else ()
         return (Picture("From flat to shape", f"{said[0].upper()}{said[1:]}. Drag to turn. Fronts are "
-                        "yellow, backs are blue.", "moving", {"found": self}),)
+                        "yellow, backs are blue.", "moving", {"found": self}), *hands)
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("actuate", seconds, self.block["steps"]),)
@@ -102,7 +123,30 @@ def findings(block: Mapping[str, Any]) -> list[Finding]:
                                    distance=block["trap_distance_mm"], pairs=wedged))
     elif not block["arrives"] and block["reach_friction"] is not None:
         found.append(Finding.about("actuation_friction", reach=block["reach_friction"]))
-    return found
+    return found + _of_hands(block)
+
+
+def _of_hands(block: Mapping[str, Any]) -> list[Finding]:
+    """What to do by hand, where that was asked."""
+    if "by_hand" not in block:
+        return [Finding.about("hands_stopped")] if block["stopped"] else []
+    hands, touches = block["by_hand"], block["hands"]
+    # Where nothing more does, it is what shaking leaves.
+    end = hands["end"] if block["hands"] or hands["reached"] == "none" else hands["shaken"]
+    tiles = [tile for touch in touches for tile in touch["tiles"]]
+    figures = {"taps": hands["taps"], "shortfall": end["shortfall_mm"], "open": len(end["open_contacts"]),
+               "count": block["contacts"]}
+    if not tiles:
+        if hands["reached"] != "none" and not hands["tried"]:
+            return [Finding.about("hands_shaken", **figures)]
+        kind = "hands_none" if hands["reached"] == "none" else "hands_no_more"
+        return [Finding.about(kind, tried=hands["tried"], force=hands["largest_force_n"], **figures)]
+    figures["force"] = touches[0]["force_n"]
+    if len(touches) > MOST_TOUCHES:
+        return [Finding.about("hands_over", tiles, pressed=len(tiles), **figures)]
+    each = tuple(Finding.about(f"hands_touch.{touch['way']}", touch["tiles"], which=tuple(touch["tiles"]))
+                 for touch in touches)
+    return [Finding.about("hands_press", tiles, touches=each, **figures)]
 
 
 def _pairs(pairs: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], ...]:
@@ -118,13 +162,13 @@ def _run(inputs: Inputs, job: Job) -> Actuation:
     design = inputs["design"].design.with_parameters(inputs.parameters)
     try:
         with translated(inputs.where if start.poses is None else start.begin):
-            found = native.actuate_design(design, inputs.store, job, start.poses)
+            found = native.actuate_design(design, inputs.store, job, start.poses, hands=start.hands)
     finally:
         inputs.store.clear()
-    frames = np.stack(found.frames)
+    frames = np.stack([*found.frames, *found.hand_frames])
     steps = np.maximum(np.abs(frames).max((0, 1)), 1e-9) / np.iinfo(np.int32).max
     return Actuation(found.block, design, found.time, found.energy, found.friction, found.stretch,
-                     np.round(frames / steps).astype("<i4"), steps)
+                     np.round(frames / steps).astype("<i4"), steps, len(found.hand_frames), found.hand_work)
 
 
 START = Stage("actuation start", (), frozenset(), lambda inputs, job: ActuationStart())

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
@@ -20,7 +19,9 @@ constexpr double same_energy = 1e-3;
 struct Followed {
   ActuationPath path;
   PathEnd end;
-  TriangleMesh surface;  // of the last frame's fronts
+  TriangleMesh surface;         // of the last frame's fronts
+  TileWorld world;              // at its end
+  PointLoads* hands = nullptr;  // of the world's energies, without loads
 };
 
 class Actuation {
@@ -77,6 +78,7 @@ class Actuation {
     for (const PathEnd& end : out.sampled) {
       if (arrives(out, end)) out.reach_friction = end.friction_coefficient;
     }
+    if (options_.hands && out.arrives == false) use_hands(rising, held, out);
     return out;
   }
 
@@ -93,12 +95,17 @@ class Actuation {
   template <class Plan>
   void follow(std::vector<Followed>& paths, const Plan& plan) const {
     const int count = static_cast<int>(paths.size());
-    std::vector<TileWorld> worlds;  // first, so that a stop finds all paths begun
-    for (int k = 0; k < count; ++k) worlds.push_back(make_world());
+    // Worlds first, so that a stop finds all paths begun.
+    for (Followed& one : paths) {
+      one.world = make_world();
+      auto hands = std::make_unique<PointLoads>(std::vector<PointLoad>());
+      one.hands = hands.get();
+      one.world.world->add(std::move(hands));
+    }
     auto follow_one = [&](int k) {
       const auto [friction, begin] = plan(k);
       Followed& out = paths[k];
-      TileWorld& world = worlds[k];
+      TileWorld& world = out.world;
       world.world->set_poses(*begin);
       world.world->set_friction(friction);
       PathOptions path = options_.path;
@@ -107,12 +114,9 @@ class Actuation {
       const Finishing finishing;
       out.surface = fitted_surface(tiles_, centres_, world.world->poses());
       PathEnd& end = out.end;
+      end = describe_end(*world.world, tiles_, out.surface, design_.mesh);
       end.friction_coefficient = friction;
       end.at_rest = out.path.at_rest;
-      end.energy = out.path.frames.back().energy;
-      end.scan = describe_scan(scan_distances(out.surface, ClosestPoints(design_.mesh)),
-                               out.surface, design_.mesh);
-      list_pairs(*world.world, end);
       end.steps = out.path.steps;
       end.iterations = out.path.iterations;
       end.factorizations = out.path.factorizations;
@@ -140,25 +144,6 @@ class Actuation {
     for (Followed& one : paths) one.end.shortfall = scan_distances(one.surface, surface).mean();
   }
 
-  void list_pairs(const ContactWorld& world, PathEnd& end) const {
-    std::map<std::array<int, 2>, double> contacts, others;
-    for (const Contact& contact : tiles_.contacts) contacts[contact.tile] = 0;
-    for (const TouchForce& force : world.forces()) {
-      const auto contact = contacts.find(force.body);
-      if (contact != contacts.end()) {
-        contact->second += force.push;
-      } else if (force.push > 0 && force.body[1] < tiles_.tile_count()) {
-        others[force.body] += force.push;
-      }
-    }
-    for (const auto& [pair, push] : contacts) {
-      if (push == 0) end.open_contacts.push_back(pair);
-    }
-    for (const auto& [pair, push] : others) end.wedged.push_back(pair);
-    std::stable_sort(end.wedged.begin(), end.wedged.end(),
-                     [&](const auto& a, const auto& b) { return others.at(a) > others.at(b); });
-  }
-
   void describe(const TriangleMesh& surface, ActuatedDesign& out) const {
     const Finishing finishing;
     for (const PathFrame& frame : out.path.frames) {
@@ -169,6 +154,19 @@ class Actuation {
     out.deviation.resize(tiles_.tile_count());
     for (int i = 0; i < tiles_.tile_count(); ++i) {
       out.deviation(i) = far.segment<scan_samples>(scan_samples * i).mean();
+    }
+  }
+
+  void use_hands(Followed& jammed, const Followed& held, ActuatedDesign& out) const {
+    try {
+      out.hands = bring_home(bodies_, jammed.world, *jammed.hands,
+                             {held.world.world->poses(), held.surface, out.tolerance},
+                             design_.parameters.friction_coefficient, out.path.frames.back());
+      for (const PathFrame& frame : out.hands->frames) {
+        out.hand_frames.push_back(frame_rows(tiles_, frame.poses));
+      }
+    } catch (const Cancelled&) {
+      out.path.stopped = true;
     }
   }
 

@@ -1,35 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// From flat to shape: whether a piece gets there by itself, at which friction it still does, and
-// whether it could come to rest elsewhere (a trap).
+// From flat to shape: whether a piece gets there by itself, at which friction it still does,
+// whether it could come to rest elsewhere (a trap), and what hands can do.
 #pragma once
 
 #include <optional>
 
 #include "curveups/actuation/flat_piece.hpp"
-#include "curveups/actuation/path.hpp"
-#include "curveups/contact/virtual_scan.hpp"
+#include "curveups/actuation/hands.hpp"
 
 namespace curveups {
-
-// Where one path ends.
-struct PathEnd {
-  double friction_coefficient = 0;
-  bool at_rest = false;
-  double energy = 0;  // N mm
-  VirtualScan scan;   // of its last frame, beside the design
-  // Mean distance, mm, of the last frame's front surface from that of the piece that was let go
-  // where it is actuated, with the design's friction.
-  double shortfall = 0;
-  std::vector<std::array<int, 2>> open_contacts;  // pairs of tiles whose contact carries nothing
-  // Pairs of tiles that press on one another and are no contact, the hardest first: most share a
-  // corner.
-  std::vector<std::array<int, 2>> wedged;
-  int steps = 0, iterations = 0, factorizations = 0;
-};
 
 struct ActuationOptions {
   std::optional<FrameRows> start;  // where tiles begin; none: flat
   bool answers = true;             // else the path alone
+  bool hands = true;               // with the answers: what brings it home where it does not arrive
   PathOptions path;
 };
 
@@ -49,11 +33,12 @@ struct ActuatedDesign {
   // Without friction, flat and actuated pieces end differently.
   std::optional<bool> trap;
   PathEnd frictionless_from_target;
-  double trap_distance = 0;  // mm, mean, between the two ends
+  double trap_distance = 0;    // mm, mean, between the two ends
+  std::optional<Hands> hands;  // where it does not arrive; none where that was stopped
   // Of the last frame: 3 M x 3 front corners, fitted to the design, and per tile the mean distance.
   Points3 corners;
   Eigen::VectorXd deviation;
-  std::vector<FrameRows> frames;  // of the path, as files have them
+  std::vector<FrameRows> frames, hand_frames;  // of path and hands, as files have them
 
   bool has_arrived(const PathEnd& one) const {
     return one.open_contacts.empty() && one.shortfall <= tolerance;

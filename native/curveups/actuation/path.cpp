@@ -52,52 +52,71 @@ void thin_out(std::vector<PathFrame>& frames, int most) {
 
 }  // namespace
 
-ActuationPath follow_path(const TileBodies& bodies, TileWorld& world, const PathOptions& options) {
-  ContactWorld& moving = *world.world;
-  moving.begin_path(pace_of(bodies.parameters));
-  ActuationPath path;
-  PathFrame now;
-  auto keep = [&] {
-    now.poses = moving.poses();
-    now.stretch = mean_stretch(bodies, now.poses);
-    path.frames.push_back(now);
-  };
-  now.energy = moving.energy();
+PathFollower::PathFollower(const TileBodies& bodies, TileWorld& world, const PathOptions& options,
+                           const PointLoads* hands)
+    : bodies_(bodies), world_(world), options_(options), hands_(hands) {
+  world.world->begin_path(pace_of(bodies.parameters));
+  now_.energy = world.world->energy() - pushing();
   keep();
+}
+
+void PathFollower::keep() {
+  now_.poses = world_.world->poses();
+  now_.stretch = mean_stretch(bodies_, now_.poses);
+  path_.frames.push_back(now_);
+}
+
+StepReport PathFollower::step() {
+  ContactWorld& moving = *world_.world;
+  const Poses before = moving.poses();
+  const double pushed = pushing();
+  const StepReport step = moving.advance();
+  path_.iterations += step.iterations;
+  path_.factorizations += step.factorizations;
+  path_.at_rest = step.at_rest;
+  if (step.at_rest) return step;
+  ++path_.steps;
+  path_.largest_rise = std::max(path_.largest_rise, step.energy - step.before);
+  path_.found_anew += std::abs(step.before - pushed - now_.energy);
+  for (const TouchForce& touch : moving.forces()) {
+    path_.deepest = std::max(path_.deepest, -touch.gap);
+  }
+  now_.time += 1 / step.weight;
+  now_.energy = step.energy - pushing();
+  now_.friction += step.friction;
+  now_.hands += pushed - pushing();
+  now_.moved += mean_way(before, moving.poses(), world_.tile_count);
+  keep();
+  thin_out(path_.frames, 8 * options_.most_frames);
+  return step;
+}
+
+ActuationPath PathFollower::take() {
+  thin_out(path_.frames, 2 * options_.most_frames);
+  return std::move(path_);
+}
+
+ActuationPath follow_path(const TileBodies& bodies, TileWorld& world, const PathOptions& options) {
+  PathFollower follower(bodies, world, options);
+  const ActuationPath& path = follower.path();
   std::vector<double> energies;  // before each step
+  bool stopped = false;
   try {
     while (path.steps < options.max_steps) {
       const int earlier = path.steps - stalled_steps;
-      if (earlier > 0 && energies[earlier] - now.energy < stalled_part * std::abs(now.energy)) {
-        break;
-      }
-      energies.push_back(now.energy);
-      const Poses before = moving.poses();
-      const StepReport step = moving.advance();
-      path.iterations += step.iterations;
-      path.factorizations += step.factorizations;
-      path.at_rest = step.at_rest;
-      if (step.at_rest) break;
-      ++path.steps;
-      path.largest_rise = std::max(path.largest_rise, step.energy - step.before);
-      path.found_anew += std::abs(step.before - now.energy);
-      for (const TouchForce& touch : moving.forces()) {
-        path.deepest = std::max(path.deepest, -touch.gap);
-      }
-      now.time += 1 / step.weight;
-      now.energy = step.energy;
-      now.friction += step.friction;
-      now.moved += mean_way(before, moving.poses(), world.tile_count);
-      keep();
-      thin_out(path.frames, 8 * options.most_frames);
+      const double now = follower.energy();
+      if (earlier > 0 && energies[earlier] - now < stalled_part * std::abs(now)) break;
+      energies.push_back(now);
+      if (follower.step().at_rest) break;
       if (options.reports) checkpoint("actuate", path.steps / (path.steps + 50.0));
     }
   } catch (const Cancelled&) {
-    path.stopped = true;
-    path.at_rest = false;
+    stopped = true;
   }
-  thin_out(path.frames, 2 * options.most_frames);
-  return path;
+  ActuationPath out = follower.take();
+  out.stopped = stopped;
+  out.at_rest = out.at_rest && !stopped;
+  return out;
 }
 
 }  // namespace curveups

@@ -19,6 +19,7 @@ struct PathFrame {
   double time = 0;      // s, under the drag
   double energy = 0;    // stored, N mm
   double friction = 0;  // what friction has taken so far, N mm
+  double hands = 0;     // what hands have put in so far, N mm
   double stretch = 0;   // mean_stretch
   double moved = 0;     // how far tiles have moved so far, in the mean, mm
   Poses poses;          // of all bodies of the world
@@ -28,11 +29,36 @@ struct ActuationPath {
   std::vector<PathFrame> frames;
   bool at_rest = false;  // all forces balance
   bool stopped = false;  // by whoever watches: the path so far
-  // N mm: by which energy rose in a step, at most, and between steps where contact points were
-  // found anew, in all.
+  // N mm: by which stored energy less the work of hands rose in a step, at most, and stored energy
+  // between steps where contact points were found anew, in all.
   double largest_rise = 0, found_anew = 0;
   double deepest = 0;  // mm: of points in faces at the end of steps, at most
   int steps = 0, iterations = 0, factorizations = 0;
+};
+
+// A path step by step, from where the world's bodies are.
+class PathFollower {
+ public:
+  // All outlive it. hands: of the world's energies, what is not stored but put in.
+  PathFollower(const TileBodies& bodies, TileWorld& world, const PathOptions& options,
+               const PointLoads* hands = nullptr);
+  // The world's next step, and a frame of it. At rest nothing moves. Throws Cancelled.
+  StepReport step();
+  // What there is of the path so far, with some most_frames frames.
+  ActuationPath take();
+  const ActuationPath& path() const { return path_; }
+  double energy() const { return now_.energy; }  // stored, N mm
+
+ private:
+  void keep();
+  double pushing() const { return hands_ ? hands_->value(world_.world->poses()) : 0; }
+
+  const TileBodies& bodies_;
+  TileWorld& world_;
+  PathOptions options_;
+  const PointLoads* hands_;
+  ActuationPath path_;
+  PathFrame now_;
 };
 
 // Moves the world's bodies, from where they are, until they are at rest. Where it is stopped, or

@@ -20,6 +20,7 @@ py::dict end_block(const ActuatedDesign& found, const PathEnd& end) {
   out["arrives"] =
       end.at_rest && found.from_target.at_rest ? py::cast(found.has_arrived(end)) : py::none();
   out["energy_n_mm"] = end.energy;
+  out["normal_mean"] = end.push;
   out["shortfall_mm"] = end.shortfall;
   out["open_contacts"] = pairs_list(end.open_contacts);
   out["wedged"] = pairs_list(end.wedged);
@@ -28,6 +29,42 @@ py::dict end_block(const ActuatedDesign& found, const PathEnd& end) {
   out["iterations"] = end.iterations;
   out["factorizations"] = end.factorizations;
   return out;
+}
+
+const char* word_of(Homecoming reached) {
+  switch (reached) {
+    case Homecoming::home:
+      return "home";
+    case Homecoming::shape:
+      return "shape";
+    default:
+      return "none";
+  }
+}
+
+void add_hands(const ActuatedDesign& found, py::dict& out) {
+  const Hands& hands = *found.hands;
+  py::list touches;
+  for (const HandTouch& touch : hands.touches) {
+    py::dict one;
+    one["tiles"] = touch.tiles;
+    one["direction"] =
+        std::array<double, 3>{touch.direction.x(), touch.direction.y(), touch.direction.z()};
+    one["way"] = touch.outward > 0.5 ? "outwards" : touch.outward < -0.5 ? "inwards" : "sideways";
+    one["force_n"] = touch.force;
+    touches.append(one);
+  }
+  out["hands"] = touches;
+  py::dict by_hand;
+  by_hand["taps"] = hands.taps;
+  by_hand["shaken"] = end_block(found, hands.shaken);
+  by_hand["end"] = end_block(found, hands.end);
+  by_hand["reached"] = word_of(hands.reached);
+  by_hand["shaken_frame"] = hands.shaking_frames - 1;
+  by_hand["tried"] = hands.tried;
+  by_hand["largest_force_n"] = hands.largest_force;
+  by_hand["largest_rise_n_mm"] = hands.largest_rise;
+  out["by_hand"] = by_hand;
 }
 
 // As report.json has it.
@@ -51,14 +88,19 @@ py::dict block(const ActuatedDesign& found) {
     out["frictionless_from_target"] = end_block(found, found.frictionless_from_target);
     out["trap_distance_mm"] = found.trap_distance;
   }
+  if (found.hands) add_hands(found, out);
   return out;
 }
 
+// The path's frames, then those of hands, which go on from its end.
 template <double PathFrame::*Member>
 Eigen::VectorXd of_frames(const ActuatedDesign& found) {
-  Eigen::VectorXd out(found.path.frames.size());
-  for (Eigen::Index k = 0; k < out.size(); ++k) out(k) = found.path.frames[k].*Member;
-  return out;
+  std::vector<double> out;
+  for (const PathFrame& frame : found.path.frames) out.push_back(frame.*Member);
+  if (found.hands) {
+    for (const PathFrame& frame : found.hands->frames) out.push_back(frame.*Member);
+  }
+  return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
 }
 
 }  // namespace
@@ -71,6 +113,10 @@ void bind_actuation(py::module_& module) {
       .def_readonly("frames", &ActuatedDesign::frames,
                     "Per frame of the path a row a tile, how it has moved from its place in the "
                     "actuated design: x, y, z (mm) and a unit quaternion (w, x, y, z).")
+      .def_readonly("hand_frames", &ActuatedDesign::hand_frames,
+                    "The same of hands, from where the path ends.")
+      .def_property_readonly("hand_work", &of_frames<&PathFrame::hands>,
+                             "What hands have put in until then, N mm; of all frames.")
       .def_property_readonly("time", &of_frames<&PathFrame::time>,
                              "Of the frames, s, with a drag of 1 N s / mm on every tile.")
       .def_property_readonly("energy", &of_frames<&PathFrame::energy>, "Stored, N mm.")
@@ -85,8 +131,9 @@ void bind_actuation(py::module_& module) {
   module.def(
       "actuate_design",
       [](const Design& design, SolutionStore* store, py::object progress,
-         std::optional<FrameRows> begin, bool answers) {
+         std::optional<FrameRows> begin, bool answers, bool hands) {
         ActuationOptions options;
+        options.hands = hands;
         options.start = std::move(begin);
         options.answers = answers;
         return without_gil(std::move(progress), [&](const Progress& sink) {
@@ -94,10 +141,11 @@ void bind_actuation(py::module_& module) {
         });
       },
       py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
-      py::arg("begin") = py::none(), py::arg("answers") = true,
+      py::arg("begin") = py::none(), py::arg("answers") = true, py::arg("hands") = true,
       "Lets a piece rise from flat, or from a frame of an earlier path. store: as in "
       "verify_design. answers: whether it is asked at which friction it arrives, and whether it "
-      "could come to rest elsewhere; a path from a frame has none of these.");
+      "could come to rest elsewhere; a path from a frame has none of these. hands: with the "
+      "answers, what brings it home by hand where it does not arrive.");
 }
 
 }  // namespace curveups::bindings

@@ -23,17 +23,6 @@ TriangleMesh settled_mesh(const TileMesh& tiles, const Points3& centres, const P
   return mesh;
 }
 
-// The rigid motion of one set of points to where it is nearest to the other (W. Kabsch, 1976).
-RigidMotion best_fit(const Points3& from, const Points3& to) {
-  const Eigen::RowVector3d a = from.colwise().mean(), b = to.colwise().mean();
-  const Eigen::Matrix3d product = (from.rowwise() - a).transpose() * (to.rowwise() - b);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity();
-  mirror(2, 2) = (svd.matrixV() * svd.matrixU().transpose()).determinant() < 0 ? -1 : 1;
-  const Eigen::Matrix3d R = svd.matrixV() * mirror * svd.matrixU().transpose();
-  return {R, b.transpose() - R * a.transpose()};
-}
-
 // Corners, edge midpoints and middle of a tile.
 Vec3 sample(const TriangleMesh& mesh, int tile, int k) {
   Vec3 a = mesh.V.row(mesh.F(tile, 0)), b = mesh.V.row(mesh.F(tile, 1)),
@@ -57,6 +46,16 @@ Vec3 sample(const TriangleMesh& mesh, int tile, int k) {
 }
 
 }  // namespace
+
+RigidMotion best_fit(const Points3& from, const Points3& to) {
+  const Eigen::RowVector3d a = from.colwise().mean(), b = to.colwise().mean();
+  const Eigen::Matrix3d product = (from.rowwise() - a).transpose() * (to.rowwise() - b);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity();
+  mirror(2, 2) = (svd.matrixV() * svd.matrixU().transpose()).determinant() < 0 ? -1 : 1;
+  const Eigen::Matrix3d R = svd.matrixV() * mirror * svd.matrixU().transpose();
+  return {R, b.transpose() - R * a.transpose()};
+}
 
 Eigen::VectorXd scan_distances(const TriangleMesh& mesh, const ClosestPoints& surface) {
   const int count = static_cast<int>(mesh.F.rows());

@@ -14,6 +14,9 @@ struct VirtualScan {
   double hausdorff = 0;                            // the larger of both directions' largest
 };
 
+// The rigid motion of one set of points to where it is nearest to the other (W. Kabsch, 1976).
+RigidMotion best_fit(const Points3& from, const Points3& to);
+
 // The front triangles, three vertices of their own a tile, after the rigid motion of each piece
 // that fits it best to where it was designed. centres: where the tiles' bodies have their origins.
 TriangleMesh fitted_surface(const TileMesh& tiles, const Points3& centres, const Poses& poses);

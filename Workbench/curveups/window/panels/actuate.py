@@ -8,12 +8,12 @@ from typing import Any, Optional
 import numpy as np
 
 from ...base.native import translated
-from ...features import actions
+from ...features import actions, live
 from ...features.live import stored
 from ...features.status import OUT_OF_DATE
 from ...project.worker import Status
-from ...stages import RISEN
-from ...stages.actuation import Actuation
+from ...stages import RISEN, START
+from ...stages.actuation import Actuation, ActuationStart
 from .. import runs
 from ..macro import call, named
 from ..notice import errors_shown, show_line, shown, words_of
@@ -47,6 +47,7 @@ class ActuatePanel(Panel):
         form.frame.sliderPressed.connect(lambda: self._play(False))
         form.play.clicked.connect(lambda *_: self._play(not self._clock.isActive()))
         form.select.clicked.connect(lambda *_: self._select())
+        form.press.clicked.connect(lambda *_: self._select_pressed())
         form.save.clicked.connect(lambda *_: self._save())
         self._take(None)
         self._follow()
@@ -66,6 +67,7 @@ class ActuatePanel(Panel):
         self._say("")
         self._play(False)
         with errors_shown(translate("CurveUps_Actuate", "Actuate")):
+            live.design_project_of(self.design).give(START, ActuationStart(hands=self.form.hands.isChecked()))
             # Later: the view is about to show the design with its results.
             runs.start("actuate", self.design, lambda: QtCore.QTimer.singleShot(0, self._arrived))
 
@@ -97,6 +99,8 @@ class ActuatePanel(Panel):
             enable(part, lacks)
         enable(form.select, lacks or ("" if found and found.open_tiles else translate(
             "CurveUps_Actuate", "All contacts close")))
+        enable(form.press, lacks or ("" if found and found.pressed_tiles else translate(
+            "CurveUps_Actuate", "No touches are known that bring the piece home")))
 
     def _draw(self) -> None:
         """The frame of the slider."""
@@ -109,8 +113,10 @@ class ActuatePanel(Panel):
             return
         self._overlay.show_scene(self._scene.posed(self._frames[number]))
         energy = text_of(float(found.energy[number]), "mJ", float(found.energy[0]))
-        self.form.at.setText(translate("CurveUps_Actuate", "Frame {number} of {count}: {energy} stored",
-                                       number=number + 1, count=len(self._frames), energy=energy))
+        words = (translate("CurveUps_Actuate", "Frame {number} of {count}: {energy} stored")
+                 if number < found.path_count else
+                 translate("CurveUps_Actuate", "Frame {number} of {count}, by hand: {energy} stored"))
+        self.form.at.setText(words.format(number=number + 1, count=len(self._frames), energy=energy))
 
     def _play(self, on: bool) -> None:
         frame = self.form.frame
@@ -132,6 +138,10 @@ class ActuatePanel(Panel):
     def _select(self) -> None:
         if self._found is not None:
             self._overlay.select_tiles(self._found.open_tiles)
+
+    def _select_pressed(self) -> None:
+        if self._found is not None:
+            self._overlay.select_tiles(self._found.pressed_tiles)
 
     def _save(self) -> None:
         """Asks for a file, and writes the frame that is shown on the worker."""

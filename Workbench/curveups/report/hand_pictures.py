@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What hands do to a jammed piece, on a page: a picture of the tiles that they press, and a table."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any, Mapping
+
+import numpy as np
+
+from ..base.errors import tile_name
+from ..base.motions import rigid_motion
+from ..stages.actuation import Actuation
+from . import pictures
+from .moving import front_corners
+from .pictures import WEAK, camera, in_view, two_sides
+from .tables import table
+
+ARROW = 0.08  # of the picture's width
+
+
+def hands_view(found: Actuation) -> bytes:
+    """The piece before hands press it, turned to where it was designed, from two sides; the tiles that they
+    press are red, with an arrow each."""
+    block = found.block
+    rows = found.frames[found.path_count + block["by_hand"]["shaken_frame"]]
+    corners = front_corners(found.design, rows).reshape(-1, 3)
+    actuated = np.asarray(found.design.V)[np.asarray(found.design.F)].reshape(-1, 3)
+    R, t = rigid_motion(corners, actuated)
+    piece = SimpleNamespace(V=corners @ R.T + t, F=np.arange(len(corners)).reshape(-1, 3))
+    colours = np.full((len(piece.F), 3), (0.92, 0.86, 0.74))
+    colours[found.pressed_tiles] = [int(WEAK[k:k + 2], 16) / 255 for k in (1, 3, 5)]
+    figure, _ = two_sides(piece.V, piece.F, colours)
+    seen_by = camera(piece.V, piece.F)
+    for axes, turned in zip(figure.axes, (False, True)):
+        low, high = axes.get_xlim()
+        for touch in block["hands"]:
+            tips = in_view(piece.V[piece.F[touch["tiles"]]].mean(1), piece.V, seen_by, turned)[:, :2]
+            way = in_view(np.array([touch["direction"]]), None, seen_by, turned)[0, :2]
+            for tip in tips:
+                axes.annotate("", xy=tip, xytext=tip - ARROW * (high - low) * way, annotation_clip=False,
+                              arrowprops={"arrowstyle": "-|>", "color": "#1c1c1c", "lw": 0.9})
+    return pictures._png(figure)
+
+
+def touches(block: Mapping[str, Any]) -> str:
+    """The touches as a table."""
+    return table([(", ".join(f"{one:.2f}" for one in touch["direction"]), touch["way"], touch["force_n"],
+                   ", ".join(map(tile_name, touch["tiles"]))) for touch in block["hands"]],
+                 ("Direction x, y, z", "Way", "Force a tile, N", "Tiles"))

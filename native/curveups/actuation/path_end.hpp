@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where a path ends: the shape that the piece has there, and the contacts that stay open.
+#pragma once
+
+#include "curveups/contact/tile_world.hpp"
+#include "curveups/contact/virtual_scan.hpp"
+
+namespace curveups {
+
+struct PathEnd {
+  double friction_coefficient = 0;
+  bool at_rest = false;
+  double energy = 0;  // N mm
+  VirtualScan scan;   // of its last frame, beside the design
+  // Mean distance, mm, of the last frame's front surface from that of the piece that was let go
+  // where it is actuated, with the design's friction.
+  double shortfall = 0;
+  std::vector<std::array<int, 2>> open_contacts;  // pairs of tiles whose contact carries nothing
+  // Pairs of tiles that press on one another and are no contact, the hardest first: most share a
+  // corner.
+  std::vector<std::array<int, 2>> wedged;
+  double push = 0;  // mean normal force of the contacts, N
+  int steps = 0, iterations = 0, factorizations = 0;
+};
+
+// Of the world as it is, energy, scan and pairs. surface: fitted_surface of its poses; designed:
+// the design's actuated surface.
+PathEnd describe_end(const ContactWorld& world, const TileMesh& tiles, const TriangleMesh& surface,
+                     const TriangleMesh& designed);
+
+}  // namespace curveups
