@@ -161,9 +161,13 @@ def test_frames_lead_from_the_layout_along_falling_energy(risen):
     assert corners[:, :, :2] == pytest.approx(np.asarray(risen.design.T), abs=1e-6)
     assert corners[:, :, 2] == pytest.approx(0, abs=1e-6)
     assert first["stretch"] == pytest.approx(risen.design.parameters.get("tau"))
-    for name, sign in (("energy", -1), ("friction", 1), ("time", 1)):
+    block = risen.answer["actuation"]
+    # Energy does not rise in a step; contact points that are found anew between steps change it.
+    assert block["largest_rise_n_mm"] <= 1e-9 * first["energy"]
+    assert block["found_anew_n_mm"] < 0.05 * first["energy"]
+    for name, sign, less in (("energy", -1, block["found_anew_n_mm"]), ("friction", 1, 0), ("time", 1, 0)):
         steps = sign * np.diff([frame[name] for frame in risen.frames])
-        assert (steps >= -1e-6 * last["energy"]).all()
+        assert (steps >= -less).all()
     assert last["energy"] == pytest.approx(risen.answer["actuation"]["energy_n_mm"])
 
 
