@@ -4548,6 +4548,10 @@
       <translation>Rändern, Löchern und Schnitten folgen. Wo die Zeichnung kleine Kreise hat, diese zuerst ausstanzen: sie verhindern, dass ein Schnitt weiterreißt.</translation>
     </message>
     <message>
+      <source>For PrusaSlicer there is the same as -prusa.3mf, with an extruder for each material.</source>
+      <translation>Für PrusaSlicer gibt es dasselbe als -prusa.3mf, mit einem Extruder für jedes Material.</translation>
+    </message>
+    <message>
       <source>For {paper} paper: print at 100 % (“actual size”), not fitted to the page; measure the ruler.</source>
       <translation>Für Papier {paper}: mit 100 % („tatsächliche Größe“) drucken, nicht an die Seite angepasst; das Lineal nachmessen.</translation>
     </message>
@@ -4624,8 +4628,8 @@
       <translation>Den Druck mit seiner {first} nach oben hinlegen: dort stehen nur Zapfen und Anker vor ({first_mm2:.0f} mm²). {behind} {first_cm3:.2f} cm³ Kleber auf die Enden dieser Zapfen und Anker rollen, {layer:g} mm dick, mit einer Rolle, die darunter nichts berührt: einen elastischen Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst. Wände, Spalte und alles, was die Kacheln zusammenhält, bleiben trocken. {lay} Folie und Druck zwischen zwei Brettern, die durch das Fenster passen, mit gleichmäßig verteilten Gewichten so lange zusammenpressen, wie es der Hersteller des Klebers sagt. Lüften: die Dämpfe des Klebers sind schädlich.</translation>
     </message>
     <message>
-      <source>Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3 mm thick, by their numbers, and press them together. A part without a label fits its pocket with its {first} up alone. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first membrane is glued over all of them at once.</source>
-      <translation>Die {parts} Teile, ihre {first} oben, nach ihren Nummern in den Rahmen {name}-frame.dxf legen, der aus einer 3 mm dicken Platte geschnitten ist, und zusammenschieben. Ein Teil ohne Schild passt nur mit seiner {first} oben in seine Tasche. Teile, die schief liegen, lassen mehr als {opening:g} mm Spalt: ihre Kanten feilen. Die erste Membran wird auf einmal über alle geklebt.</translation>
+      <source>Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3 mm thick, by their numbers ({which}), and press them together. A part without a label fits its pocket with its {first} up alone. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first membrane is glued over all of them at once.</source>
+      <translation>Die {parts} Teile, ihre {first} oben, nach ihren Nummern ({which}) in den Rahmen {name}-frame.dxf legen, der aus einer 3 mm dicken Platte geschnitten ist, und zusammenschieben. Ein Teil ohne Schild passt nur mit seiner {first} oben in seine Tasche. Teile, die schief liegen, lassen mehr als {opening:g} mm Spalt: ihre Kanten feilen. Die erste Membran wird auf einmal über alle geklebt.</translation>
     </message>
     <message>
       <source>Layer, tolerance</source>
@@ -4724,8 +4728,8 @@
       <translation>Die Prüfkörper drucken, bevor der Entwurf bestellt wird, und so, wie er gedruckt wird: auf demselben Drucker, aus denselben Materialien, mit derselben Seite nach oben. STEP und 3MF haben alle Körper an ihrem Platz, STL hat Kacheln und Stützen getrennt.</translation>
     </message>
     <message>
-      <source>Print the drawing {name}-frame.pdf at 100 %, and tape the {parts} parts onto it, their {first} up, tile on tile: the numbers of the parts stand on it. A part without a label matches the drawing with its {first} up alone. Gaps between parts are {opening:g} mm wider than those inside of them, and no tile may be more than {error:g} mm off its place. The first membrane is glued over all of them at once.</source>
-      <translation>Die Zeichnung {name}-frame.pdf mit 100 % drucken und die {parts} Teile, ihre {first} oben, mit Klebeband darauf befestigen, Kachel auf Kachel: die Nummern der Teile stehen darauf. Ein Teil ohne Schild stimmt nur mit seiner {first} oben mit der Zeichnung überein. Spalte zwischen Teilen sind {opening:g} mm breiter als die in ihnen, und keine Kachel darf mehr als {error:g} mm neben ihrem Platz liegen. Die erste Membran wird auf einmal über alle geklebt.</translation>
+      <source>Print the drawing {name}-frame.pdf at 100 %, and hold the {parts} parts on it by thin double-sided tape below them, their {first} up, tile on tile, by their numbers ({which}). A part without a label matches the drawing with its {first} up alone. Gaps between parts are {opening:g} mm wider than those inside of them, and no tile may be more than {error:g} mm off its place. The first membrane is glued over all of them at once.</source>
+      <translation>Die Zeichnung {name}-frame.pdf mit 100 % drucken und die {parts} Teile mit dünnem doppelseitigem Klebeband unter ihnen darauf befestigen, ihre {first} oben, Kachel auf Kachel, nach ihren Nummern ({which}). Ein Teil ohne Schild stimmt nur mit seiner {first} oben mit der Zeichnung überein. Spalte zwischen Teilen sind {opening:g} mm breiter als die in ihnen, und keine Kachel darf mehr als {error:g} mm neben ihrem Platz liegen. Die erste Membran wird auf einmal über alle geklebt.</translation>
     </message>
     <message>
       <source>Printer compared with</source>
@@ -4844,8 +4848,8 @@
       <translation>Für das Bett bestehen sie aus {front} und {back} Teilen: im Slicer trennen und auf einem ebenen Tisch an ihren Schwalbenschwänzen verkleben.</translation>
     </message>
     <message>
-      <source>Tilt the whole of it by 30° to 45° on supports of the slicer's, which touch the side on the bed alone. Wash, take these supports off, and cure with the bridges on.</source>
-      <translation>Das Ganze um 30° bis 45° neigen, auf Stützen des Slicers, die nur die Seite am Bett berühren. Waschen, diese Stützen abnehmen und mit den Brücken aushärten.</translation>
+      <source>Tilt the whole of it by 30° to 45°, so that no layer is peeled off the vat by its whole area, on supports of the slicer's, which touch the side on the bed alone. Wash, take these supports off, and cure with the bridges on.</source>
+      <translation>Das Ganze um 30° bis 45° neigen, damit keine Schicht mit ihrer ganzen Fläche von der Wanne abgezogen wird, auf Stützen des Slicers, die nur die Seite am Bett berühren. Waschen, diese Stützen abnehmen und mit den Brücken aushärten.</translation>
     </message>
     <message>
       <source>Time and cost of the print</source>
@@ -4874,6 +4878,10 @@
     <message>
       <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat, from the middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not in shape yet.</source>
       <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen. Sie mit der Rückseite auf den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form.</translation>
+    </message>
+    <message>
+      <source>Where bodies must not overlap, there is the same as one closed shell a piece: -fused.stl and -fused.3mf.</source>
+      <translation>Wo Körper einander nicht überschneiden dürfen, gibt es dasselbe als eine geschlossene Schale je Stück: -fused.stl und -fused.3mf.</translation>
     </message>
     <message>
       <source>You need a calliper, feeler gauges of 0.05 to 0.6 mm, a board, an inclinometer, thread, eight bolts of M4 with nuts, a spring scale up to {scale} N, and latex of the same sheet for the strips ({name}-strips.pdf) and the glue's coupon.</source>
@@ -4930,6 +4938,10 @@
     <message>
       <source>en</source>
       <translation>de</translation>
+    </message>
+    <message>
+      <source>from bed {bed}: {parts}</source>
+      <translation>von Bett {bed}: {parts}</translation>
     </message>
     <message>
       <source>front</source>

@@ -11,6 +11,7 @@ import ezdxf
 import numpy as np
 import pytest
 
+from curveups.base import freecad_session
 from curveups.base.language import ENGLISH
 from curveups.base.native import native
 from curveups.kit import bed_files, beds, costs, drawing, files
@@ -167,14 +168,22 @@ def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
     found = json.loads((tmp_path / "kit.json").read_text("utf-8"))
     count = len(found["beds"]["beds"])
     assert count > 1 and found["beds"]["position_error_mm"] > 0 and len(found["costs"]) == count
-    endings = (".3mf", ".step", "-prusa.3mf")
+    endings = (".3mf", ".step", "-prusa.3mf", "-fused.stl", "-fused.3mf")
     assert {path.name for path in tmp_path.glob("*-bed-*")} == {
         f"small-cap-bed-{k:02}{ending}" for k in range(1, count + 1) for ending in endings}
-    assert not (tmp_path / "small-cap-prusa.3mf").exists()  # nothing that fits no bed
+    for ending in ("prusa.3mf", "print-fused.stl", "print-fused.3mf"):  # nothing that fits no bed
+        assert not (tmp_path / f"small-cap-{ending}").exists()
+    _, mesh = freecad_session.load("Mesh")
+    for number, bed in enumerate(found["beds"]["beds"], 1):
+        shell = mesh.Mesh(str(tmp_path / f"small-cap-bed-{number:02}-fused.stl"))
+        assert shell.isSolid() and shell.countComponents() == len(bed["parts"])
+        box = shell.BoundBox
+        assert [box.XLength, box.YLength, box.ZLength] == pytest.approx(bed["bbox_mm"], abs=0.04)  # chords
     assert (tmp_path / "small-cap-frame.dxf").exists()
     # The order is of beds, and says what each holds.
     printed = read_text(tmp_path / "small-cap-shop.pdf")
     assert f"small-cap-bed-01.3mf to -{count:02}.3mf" in printed and f"{count} builds" in printed
+    assert "with an extruder for each material" in printed and "-fused.stl and -fused.3mf" in printed
     assert f"divided among {count} beds" in printed and "the print does not fit" not in printed
     for number, bed in enumerate(found["beds"]["beds"], 1):
         assert found["files"][f"small-cap-bed-{number:02}.3mf"]["sha256"] in printed
@@ -183,7 +192,9 @@ def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
     assert f"of {bodies} bodies each" in printed
     assert any(f"There are {bodies} bodies" in step["text"] for step in found["steps"])
     assert "ring over" in " ".join(step["text"] for step in found["steps"])
-    assert any(step["title"] == "Lay the parts side by side" for step in found["steps"])
+    lay, = (step["text"] for step in found["steps"] if step["title"] == "Lay the parts side by side")
+    for number, bed in enumerate(found["beds"]["beds"], 1):
+        assert f"from bed {number}: {', '.join(map(str, bed['parts']))}" in lay
     said = read_text(tmp_path / "small-cap-assembly.pdf")
     assert "Lay the parts side by side" in said and f"bed {count}:" in said
     for one in found["costs"]:

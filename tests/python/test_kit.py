@@ -90,7 +90,8 @@ def test_the_shop_sheet_is_one_page_with_rules_before_figures(kit):
     (("support=breakaway", "printer=fdm"), ("do not break them", "PLA or PETG", "Do not scale, turn"),
      ("wash it off", "two materials", "Tilt")),
     (("support=breakaway", "printer=resin"),
-     ("Tilt the whole", "take these supports off, and cure with the bridges on", "tilted as a whole"),
+     ("Tilt the whole", "peeled off the vat by its whole area",
+      "take these supports off, and cure with the bridges on", "tilted as a whole"),
      ("turn or", "as the files stand")),
     (("support=none",), ("Nothing joins the tiles",), ("Leave the",))])
 def test_the_shop_sheet_fits_support_and_printer(curveups, printed, tmp_path, settings, said, unsaid):

@@ -12,7 +12,7 @@ from ..base.language import Text
 from .beds import FIT
 from .drawing import Drawing, dxf, tiled_pdf
 from .kit import Kit
-from .print_shop import project
+from .print_shop import fused, project
 
 _NOTE = Text("""Parts of the print with their numbers, seen from above, the side that lies up on the
 beds.""")
@@ -28,6 +28,8 @@ def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
         for ending in ("3mf", "step"):
             found[f"{kit.name}-bed-{number + 1:02}.{ending}"] = partial(_bed, kit, number, ending)
         found[f"{kit.name}-bed-{number + 1:02}-prusa.3mf"] = partial(_project, kit, number)
+        for ending in ("stl", "3mf") if kit.has_bridges else ():
+            found[f"{kit.name}-bed-{number + 1:02}-fused.{ending}"] = partial(_fused, kit, number, ending)
     if kit.beds.seams:
         found[f"{kit.name}-frame.dxf"] = lambda: dxf(frame(kit))
         found[f"{kit.name}-frame.pdf"] = lambda: tiled_pdf(frame(kit), [kit.say(_NOTE)], kit.go_on, kit.say)
@@ -42,6 +44,11 @@ def _bed(kit: Kit, number: int, ending: str) -> bytes:
 def _project(kit: Kit, number: int) -> bytes:
     assert kit.beds is not None
     return project(kit, kit.beds.bed(number))
+
+
+def _fused(kit: Kit, number: int, ending: str) -> bytes:
+    assert kit.beds is not None
+    return fused(kit, ending, kit.beds.bed(number))
 
 
 def frame(kit: Kit) -> Drawing:

@@ -8,7 +8,7 @@ All places are those of the print: x and y in mm.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Callable, Iterator, Mapping, Optional, Sequence
 
 import numpy as np
@@ -37,6 +37,7 @@ class Beds:
     opening: float = 0.0
     left_out: int = 0
     seams: int = 0
+    _made: dict[int, Any] = field(default_factory=dict, compare=False)
 
     @property
     def position_error(self) -> float:
@@ -45,7 +46,10 @@ class Beds:
 
     def bed(self, number: int) -> Any:
         """The native PrintModel of a bed, from 0."""
-        return self.model.only_pieces({part: list(place) for part, place in self.places[number].items()})
+        if number not in self._made:
+            self._made[number] = self.model.only_pieces({part: list(place) for part, place
+                                                         in self.places[number].items()})
+        return self._made[number]
 
     def figures(self, printer: Mapping[str, Any]) -> dict[str, Any]:
         """For kit.json."""

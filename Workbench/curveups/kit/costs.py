@@ -58,7 +58,7 @@ def _sliced(kit: Kit, model: Any) -> Optional[tuple[float, float]]:
     bed, layer = kit.printer["bed_mm"], kit.printer["layer_mm"]
     with tempfile.TemporaryDirectory() as folder:
         code = Path(folder) / "a.gcode"
-        (Path(folder) / "a.stl").write_bytes(kit.written(model, "stl", "fused"))
+        (Path(folder) / "a.stl").write_bytes(kit.shell(model))
         try:
             running = subprocess.Popen(
                 [SLICER, "--datadir", folder, "--export-gcode", "--layer-height", str(layer),

@@ -32,10 +32,11 @@ KIT = "kit.json"
 COUPONS = "coupons"  # the folder of theirs
 MEASURED = "MEASURED.json"
 
-_OF_BEDS = ("bed-[0-9][0-9].3mf", "bed-[0-9][0-9].step", "bed-[0-9][0-9]-prusa.3mf", "frame.dxf", "frame.pdf")
+_OF_BEDS = ("bed-[0-9][0-9].*", "bed-[0-9][0-9]-prusa.3mf", "bed-[0-9][0-9]-fused.*", "frame.dxf",
+            "frame.pdf")
 _OF_COUPONS = (".step", ".3mf", ".stl", ".pdf", ".svg", ".dxf")
-_OF_ONE_BED = "prusa.3mf"
 _OF_BRIDGES = ("print-fused.stl", "print-fused.3mf")
+_OF_ONE_BED = ("prusa.3mf", *_OF_BRIDGES)
 
 # What follows NAME- in files, with the module, its function and what that is given. matplotlib is loaded
 # with the first of them.
@@ -137,7 +138,7 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) ->
             for name, made in bed_files.items():  # the order lists them
                 write(folder, name, lambda place: place.write_bytes(made()))
             for ending, (module, function, *given) in _SHEETS.items():
-                if ending in _OF_BRIDGES and not _has_bridges(kit) or ending == _OF_ONE_BED and kit.beds:
+                if ending in _OF_BRIDGES and not kit.has_bridges or ending in _OF_ONE_BED and kit.beds:
                     continue
                 make = getattr(import_module(f".{module}", __package__), function)
                 write(folder, f"{results.name}-{ending}",
@@ -168,12 +169,6 @@ def _listed(folder: Path) -> dict[str, str]:
         return {name: about["sha256"] for name, about in files.items()}
     except (OSError, ValueError, LookupError, TypeError, AttributeError):
         return {}
-
-
-def _has_bridges(kit: Kit) -> bool:
-    """Whether breakaway bridges join the tiles of the print."""
-    support = native.support_kind(kit.results.parameters)
-    return bool(support.bodies) and not support.soluble
 
 
 def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, Any]:

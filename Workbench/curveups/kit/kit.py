@@ -34,6 +34,7 @@ class Kit:
     go_on: Callable[[], object] = lambda: None
     say: Language = ENGLISH
     coupons: dict[str, Any] = field(default_factory=dict)  # native PrintModels that were made, by name
+    _shell: Optional[tuple[Any, bytes]] = None  # the last that was made, of its model
 
     @property
     def name(self) -> str:
@@ -50,13 +51,15 @@ class Kit:
         return plain(self.results)
 
     @property
+    def has_bridges(self) -> bool:
+        """Whether breakaway bridges join the tiles of the print."""
+        support = native.support_kind(self.results.parameters)
+        return bool(support.bodies) and not support.soluble
+
+    @property
     def model(self) -> Any:
         """The native PrintModel."""
         return self.results["solids"].model
-
-    def stl(self, kind: str) -> bytes:
-        """The STL of a kind of bodies, or of the "fused" print. Raises Stopped, native.Cancelled."""
-        return self.written(self.model, "stl", kind)
 
     def written(self, model: Any, ending: str, kind: str) -> bytes:
         """A file of a native PrintModel. Raises Stopped, native.Cancelled."""
@@ -94,10 +97,11 @@ class Kit:
         """What ribs and former of each piece are made from."""
         return Underside.of(self.results.design, self.results.parameters, self.report["area"])
 
-    @cached_property
-    def fused_stl(self) -> bytes:
-        """All that is printed, each piece as one closed shell."""
-        return self.stl("fused")
+    def shell(self, model: Any) -> bytes:
+        """The STL of a native PrintModel, each piece as one closed shell."""
+        if self._shell is None or self._shell[0] is not model:
+            self._shell = model, self.written(model, "stl", "fused")
+        return self._shell[1]
 
     @cached_property
     def shapes(self) -> Any:

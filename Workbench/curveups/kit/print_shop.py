@@ -57,15 +57,18 @@ _PART = """<volume firstid="{first}" lastid="{last}"><metadata type="volume" key
 """
 
 
-def fused(kit: Kit, ending: str) -> bytes:
-    """Each piece as one closed shell; on bridges alone."""
-    return kit.fused_stl if ending == "stl" else _threemf(kit, kit.model, [("print", kit.fused_stl, 1)])
+def fused(kit: Kit, ending: str, model: Any = None) -> bytes:
+    """Each piece as one closed shell; on bridges alone. model: the native PrintModel of a bed, where it
+    is not that of the kit."""
+    model = model or kit.model
+    shell = kit.shell(model)
+    return shell if ending == "stl" else _threemf(kit, model, [("print", shell, 1)])
 
 
 def project(kit: Kit, model: Any = None) -> bytes:
-    """The kinds of bodies as parts with their extruders: a soluble slab is of extruder 2. model: the native
-    PrintModel of a bed, where it is not that of the kit."""
-    model = kit.model if model is None else model
+    """The kinds of bodies as parts with their extruders: a soluble slab is of extruder 2. model: as of
+    fused."""
+    model = model or kit.model
     soluble = native.support_kind(kit.results.parameters).soluble
     parts = [(kind, kit.written(model, "stl", kind), 2 if kind == "support" and soluble else 1)
              for kind in KINDS if model.volumes[kind] > 0]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from ..base.language import Text
 from ..report.print_pictures import draw_print
 from ..report.shop import quote, rules
 from .drawing import BORDER, PAPERS, saved, sheet, write
@@ -24,13 +25,20 @@ def make(kit: Kit) -> bytes:
         page.plot([BORDER, width - BORDER], [top - 0.4] * 2, color="#cccccc", linewidth=0.4)
         top = min(write(page, BORDER, top, [label], 8, LABELS - 2),
                   write(page, BORDER + LABELS, top, [value], 8))
-    top = write(page, BORDER, top - 1, [say("Files, in mm, with bytes and SHA-256:")], 8)
+    notes = [say(text) for ending, text in _FILES.items() if any(name.endswith(ending) for name in kit.files)]
+    top = write(page, BORDER, top - 1, [*notes, say("Files, in mm, with bytes and SHA-256:")], 8)
     for name, about in kit.files.items():
         top = write(page, BORDER, top, [f"{name}   {about['bytes']}   {about['sha256']}"], 5.5)
     room = top - BORDER
     axes = figure.add_axes([BORDER / width, BORDER / height, 1 - 2 * BORDER / width, room / height])
     draw_print(axes, kit.model, kit.printer["bed_mm"], say)
     return saved(figure, "pdf")
+
+
+_FILES = {
+    "prusa.3mf": Text("For PrusaSlicer there is the same as -prusa.3mf, with an extruder for each material."),
+    "-fused.stl": Text("""Where bodies must not overlap, there is the same as one closed shell a piece:
+-fused.stl and -fused.3mf.""")}
 
 
 def _doubts(kit: Kit) -> list[str]:

@@ -39,13 +39,14 @@ number of each tile. What is missing or broken is printed anew by its number, an
 before gluing: the program CurveUps writes tile 12 by “curveups export design.json --tiles T00012 -o
 spares”. {weak}""")
 _LAY = Text("""Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3
-mm thick, by their numbers, and press them together. A part without a label fits its pocket with its
+mm thick, by their numbers ({which}), and press them together. A part without a label fits its pocket with its
 {first} up alone. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first
 membrane is glued over all of them at once.""")
-_LAY_BARE = Text("""Print the drawing {name}-frame.pdf at 100 %, and tape the {parts} parts onto it, their
-{first} up, tile on tile: the numbers of the parts stand on it. A part without a label matches the drawing
-with its {first} up alone. Gaps between parts are {opening:g} mm wider than those inside of them, and no
-tile may be more than {error:g} mm off its place. The first membrane is glued over all of them at once.""")
+_LAY_BARE = Text("""Print the drawing {name}-frame.pdf at 100 %, and hold the {parts} parts on it by thin
+double-sided tape below them, their {first} up, tile on tile, by their numbers ({which}). A part without a
+label matches the drawing with its {first} up alone. Gaps between parts are {opening:g} mm wider than those
+inside of them, and no tile may be more than {error:g} mm off its place. The first membrane is glued over all
+of them at once.""")
 _PEEL = Text("""On the {on_bed} {level}. Bridges alone hold the tiles meanwhile, and break easily.""")
 _FIRST = Text("""Lay the print down with its {first} up: pins and anchors alone stand out there
 ({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto the tops of these, {layer:g} mm
@@ -147,7 +148,9 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
     stays = say("Take the bath that the shop names for its support, if latex and glue of the coupon have "
                 "stood it, and a tub that holds the ring. The membrane stays on its ring while it is washed "
                 "and dries") if support.soluble else say("The membrane stays on its ring")
-    return {"name": report["name"], "slab": support.soluble, "parts": beds.get("parts", 1),
+    which = "; ".join(say("from bed {bed}: {parts}", bed=number, parts=", ".join(map(str, one["parts"])))
+                      for number, one in enumerate(beds.get("beds", ()), 1))
+    return {"name": report["name"], "which": which, "slab": support.soluble, "parts": beds.get("parts", 1),
             "opening": beds.get("opening_mm", 0.0), "error": beds.get("position_error_mm", 0.0),
             "half": sheets["tooth_pitch_mm"] / 2, "stop": say(_STOP) if report["cuts"] else "",
             "latex": latex(report, parameters, say),

@@ -40,8 +40,9 @@ def rules(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
         say("Do not scale, turn or arrange: bodies stand in their places, and {tiles} of them are meant to "
             "be apart.", tiles=report["tiles"])
     return [kept, say("Ship flat, between two stiff boards."), one, fixed,
-            *([say("Tilt the whole of it by 30° to 45° on supports of the slicer's, which touch the side on "
-                   "the bed alone. Wash, take these supports off, and cure with the bridges on.")]
+            *([say("Tilt the whole of it by 30° to 45°, so that no layer is peeled off the vat by its whole "
+                   "area, on supports of the slicer's, which touch the side on the bed alone. Wash, take "
+                   "these supports off, and cure with the bridges on.")]
               if tilted else [])]
 
 
