@@ -38,13 +38,15 @@ LONGEST = 120.0  # seconds of processor time
 
 
 def judge(target: str, cuts: int, setting: Mapping[str, Any]) -> dict[str, Any]:
-    """Verdicts of check and design: yes, no, or None where it took too long; and why not."""
+    """Verdicts of check and design: yes, no, or None where it took too long; why not, and of which kinds the
+    design's reasons are."""
     parameters = native.Parameters()
     for name, value in {**BASE, **setting}.items():
         parameters.set(name, value)
     begun = time.process_time()
     job = Job(lambda what, fraction: time.process_time() - begun < LONGEST)
-    said: dict[str, Any] = {"check": False, "design": False, "tiles": None, "obstacles": [], "why": ""}
+    said: dict[str, Any] = {"check": False, "design": False, "tiles": None, "obstacles": [], "why": "",
+                            "reasons": [], "check_seconds": None}
     try:
         request = CutRequest(suggested=cuts)
         given = {"source": find_source(target, will_be_cut=cuts > 0), "cut request": request}
@@ -53,11 +55,13 @@ def judge(target: str, cuts: int, setting: Mapping[str, Any]) -> dict[str, Any]:
             project.give("cut request", request.accept(project.run(("cut search",), job)["cut search"]))
         found = project.run(("feasibility",), job)["feasibility"]
         said.update(check=found.feasible, tiles=len(found.F),
-                    obstacles=sorted({one.obstacle for one in found.blocked}))
-        results = project.run(("verification", "recheck", "clearances"), job)
-        said.update(design=results.verdict.valid, why="; ".join(map(str, results.verdict.reasons[:1])))
+                    obstacles=sorted({one.obstacle for one in found.blocked}),
+                    check_seconds=round(time.process_time() - begun, 1))
+        results = project.run(("figures", "verification", "recheck", "clearances"), job)
+        said.update(design=results.verdict.valid, why="; ".join(map(str, results.verdict.reasons[:1])),
+                    reasons=sorted({one.kind for one in results.verdict.reasons}))
     except CurveUpsError as error:  # refused, by both where check is
-        said["why"] = error.what
+        said.update(why=error.what, reasons=["refused"])
     if job.stopped:
         said["design"] = None
     return {**said, "seconds": round(time.process_time() - begun, 1)}
