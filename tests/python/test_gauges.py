@@ -6,7 +6,7 @@ shell."""
 import numpy as np
 import pytest
 
-from curveups.kit.gauges import former_stl
+from curveups.kit.former import former_stl
 from curveups.kit.underside import FOOT, LEAST_RIB, SHEET, Underside, figures, named
 from running import by_admesh
 

@@ -122,6 +122,16 @@ def test_the_pages_pictures_need_no_sound_surroundings(tmp_path, name):
     assert "<img" in (tmp_path / "out" / "report.html").read_text("utf-8")
 
 
+def test_commands_load_what_draws_when_they_draw():
+    """It takes half a second and 100 MB, and what it says of folders is no news of a target."""
+    done = subprocess.run([sys.executable, "-c", "import sys\nfrom curveups.cli import commands\n"
+                                                 "print(*sys.modules)"],
+                          env=environment(), capture_output=True, text=True)
+    loaded = set(done.stdout.split())
+    assert "curveups.cli.commands" in loaded, done.stderr
+    assert not loaded & {"matplotlib", "ezdxf", "scipy"}
+
+
 def test_a_page_without_pictures_is_better_than_none(tmp_path):
     (tmp_path / "matplotlib").mkdir()
     (tmp_path / "matplotlib" / "__init__.py").write_text(

@@ -167,6 +167,7 @@ VALUES = {
     "tooth_radius": (2.5, [None, "x", np.nan, np.inf, 0.0, -1.0, 1e300], [1e-300]),
     "tooth_height": (4.5, [None, "x", np.nan, np.inf, 0.0, -1.0, 1e300], [2.5 + 1e-15]),
     "direct": (False, ["x"], [True]),
+    "hands": (False, ["x"], [True]),
     "arg0": (PARAMETERS, OBJECTS, []),
 }
 # What methods are called on. Results without methods of their own need no row.

@@ -18,7 +18,7 @@ from ..base.progress import Interrupt, Reporter
 from ..base.reading import read_text
 from ..features.document_file import write_document
 from ..kit import calibration, files as kit_files, scan
-from ..kit.gauges import former_stl
+from ..kit.former import former_stl
 from ..kit.underside import Underside
 from ..project.compensation import compensate
 from ..project.project import Project, Results

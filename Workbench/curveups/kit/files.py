@@ -52,7 +52,7 @@ _SHEETS: Mapping[str, tuple[str, ...]] = {
     "tiles.svg": ("tile_map", "make"),
     **{f"trim.{kind}": ("trim", "make", kind) for kind in ("pdf", "dxf", "svg")},
     **{f"gauges.{kind}": ("gauges", "make", kind) for kind in ("dxf", "svg")},
-    "former.stl": ("gauges", "former"),
+    "former.stl": ("former", "make"),
 }
 
 

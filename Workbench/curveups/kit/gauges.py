@@ -1,37 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Ribs at full size, to be cut of a sheet, and the former as a body; of each piece one beside the other."""
+"""Ribs at full size, to be cut of a sheet; those of each piece above the other's."""
 
 from __future__ import annotations
 
-from typing import Sequence
-
-import numpy as np
-
 from .drawing import Drawing, dxf, svg
 from .kit import Kit
-from .underside import SHEET, Underside, named
+from .underside import SHEET, named
 
-GAP = 6.0  # mm between ribs, and between formers
+GAP = 6.0  # mm between ribs
 
 
 def make(kit: Kit, kind: str) -> bytes:
     """The ribs as dxf or svg."""
     return (svg if kind == "svg" else dxf)(ribs(kit))
-
-
-def former(kit: Kit) -> bytes:
-    """A closed body a piece as binary STL."""
-    return former_stl(kit.undersides)
-
-
-def former_stl(undersides: Sequence[Underside]) -> bytes:
-    """Bodies side by side."""
-    sizes = [under.size[0] + GAP for under in undersides]
-    corners = np.concatenate([under.facets() + (float(sum(sizes[:number])), 0, 0)
-                              for number, under in enumerate(undersides)])
-    rows = np.zeros(len(corners), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
-    rows["corners"] = corners
-    return b"CurveUps former".ljust(80) + np.uint32(len(rows)).tobytes() + rows.tobytes()
 
 
 def ribs(kit: Kit) -> Drawing:

@@ -7,12 +7,12 @@ from __future__ import annotations
 import json
 from html import escape
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any, Mapping, Optional
 
 import numpy as np
 
 from .. import __version__
-from ..base.errors import CurveUpsError, Stopped, tile_list
+from ..base.errors import CurveUpsError, Stopped, tile_list, tile_name
 from ..base.native import native
 from ..base.output import Folder
 from ..base.reading import read_text
@@ -23,7 +23,6 @@ from ..stages.actuation import Actuation, ActuationStart
 from ..stages.stage import Job
 from . import html, tables
 from .data import to_text
-from .hand_pictures import hands_view, touches
 from .moving import answers, front_corners, moving_view
 
 FORMAT, VERSION = "curveups-actuation", 1
@@ -144,7 +143,8 @@ def _page(found: Actuation, name: str) -> str:
              *(f"<p>{escape(text)}</p>" for text in (*map(str, others), remedy) if text),
              html.picture(moving_view(found), "Drag to turn. Fronts are yellow, backs are blue.")]
     if found.pressed_tiles:
-        parts += ["<h2>By hand</h2>", html.picture(hands_view(found), HANDS), touches(block)]
+        drawn, note = html.pictures_or_note(lambda: [html.view("hands", found=found)])
+        parts += ["<h2>By hand</h2>", *(html.picture(one, HANDS) for one in drawn), *note, _touches(block)]
     if said.tiles:
         parts.append(f'<p class="note">Tiles of open contacts: {escape(tile_list(said.tiles))}</p>')
     parts += ["<h2>Answers</h2>", answers(block)]
@@ -158,6 +158,14 @@ def _page(found: Actuation, name: str) -> str:
         "Begins", "Friction", "Arrives", "Short by, mm", "Open contacts", "Scan mean / largest, mm",
         "Energy, N mm"))]
     return html.page(name, parts)
+
+
+def _touches(block: Mapping[str, Any]) -> str:
+    """The touches as a table."""
+    return tables.table(
+        [(", ".join(f"{one:.2f}" for one in touch["direction"]), touch["way"], touch["force_n"],
+          ", ".join(map(tile_name, touch["tiles"]))) for touch in block["hands"]],
+        ("Direction x, y, z", "Way", "Force a tile, N", "Tiles"))
 
 
 def _end(begins: str, end: dict[str, Any]) -> tuple[Any, ...]:

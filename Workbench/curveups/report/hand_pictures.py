@@ -1,20 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What hands do to a jammed piece, on a page: a picture of the tiles that they press, and a table."""
+"""A picture of the tiles that hands press of a jammed piece."""
 
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import Any, Mapping
-
 import numpy as np
 
-from ..base.errors import tile_name
 from ..base.motions import rigid_motion
 from ..stages.actuation import Actuation
 from . import pictures
 from .moving import front_corners
 from .pictures import WEAK, camera, in_view, two_sides
-from .tables import table
 
 ARROW = 0.08  # of the picture's width
 
@@ -41,10 +37,3 @@ def hands_view(found: Actuation) -> bytes:
                 axes.annotate("", xy=tip, xytext=tip - ARROW * (high - low) * way, annotation_clip=False,
                               arrowprops={"arrowstyle": "-|>", "color": "#1c1c1c", "lw": 0.9})
     return pictures._png(figure)
-
-
-def touches(block: Mapping[str, Any]) -> str:
-    """The touches as a table."""
-    return table([(", ".join(f"{one:.2f}" for one in touch["direction"]), touch["way"], touch["force_n"],
-                   ", ".join(map(tile_name, touch["tiles"]))) for touch in block["hands"]],
-                 ("Direction x, y, z", "Way", "Force a tile, N", "Tiles"))
