@@ -10,7 +10,7 @@ from curveups.targets.cad_files import Read
 from curveups.base.errors import CurveUpsError
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.stages import sizes
+from curveups.stages import feasibility, pin_smoothing, sizes
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.feasibility import examine
 from curveups.stages.stage import Job
@@ -197,6 +197,26 @@ def test_recommended_sizes_do_and_those_beyond_do_not(height):
     assert not pins[lower] and lower > 0.9 * found.H_pin
     assert project(V, F, H_pin=found.H_pin).run(("feasibility",))["feasibility"].feasible
     assert not project(V, F, H_pin=lower).run(("feasibility",))["feasibility"].feasible
+
+
+@pytest.mark.parametrize("rise, parts", [(0.75, 40), (1.3, 20)])
+def test_sizes_out_of_reach_are_known_without_moving_vertices(monkeypatch, rise, parts):
+    """The sizes are those of a search that moves vertices for each, with fewer moves."""
+    counts = []
+
+    def tried():
+        counts.append(0)
+        return project(*sheet(lambda x, y: -rise * abs(x), 20, parts)).run(("sizes",))["sizes"].tried
+
+    def smooth(*given):
+        counts[-1] += 1
+        return pin_smoothing.smooth_for_pins(*given)
+
+    monkeypatch.setattr(feasibility, "smooth_for_pins", smooth)
+    found = tried()
+    monkeypatch.setattr(feasibility, "MOST_SMALL", 1.0)
+    monkeypatch.setattr(feasibility, "MOST_CLEARED", np.inf)
+    assert tried() == found and counts[0] < counts[1]
 
 
 def test_errors_of_design_say_which_size_would_do():
