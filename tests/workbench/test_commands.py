@@ -15,7 +15,7 @@ from curveups.base.errors import CurveUpsError
 from curveups.base.findings import Finding
 from curveups.features import document as designs
 from curveups.project.worker import WORKER
-from curveups.window import qt
+from curveups.window import qt, runs
 from curveups.window.commands import new_design
 from curveups.window.commands.new_design import make_design
 from curveups.window.notice import show_error
@@ -115,6 +115,27 @@ def test_cancel_stop_and_closing_in_mid_run(pictures):
     assert not LIVE.busy
     assert WORKER.wait(20)
     assert "Traceback" not in report() and "unexpected" not in report(), report()
+
+
+def test_between_results_and_their_picture_nothing_begins_and_the_document_may_go(monkeypatch):
+    made, design = example(L=14)
+    show, seen = LIVE._show, []
+
+    def between(task, reveal):
+        seen.append((design.TileCount > 0, LIVE.busy, runs.reason("verify", design)))
+        with pytest.raises(CurveUpsError, match="at work"):
+            LIVE.start(design, task)
+        FreeCAD.closeDocument(made.Name)
+        show(task, reveal)
+
+    monkeypatch.setattr(LIVE, "_show", between)
+    FreeCADGui.runCommand("CurveUps_Solve")
+    until(lambda: seen, 120, "the end of the run")
+    until(lambda: not LIVE.busy, 5, "the end of its picture")
+    (solved, busy, why), = seen
+    assert solved and busy and "at work" in why, seen
+    settle(200)
+    assert panel() is None and "Traceback" not in report(), report()
 
 
 def quit_in_mid_run():

@@ -337,7 +337,8 @@ def transaction(document: Any, text: str) -> Iterator[None]:
     import FreeCAD
 
     active = FreeCAD.ActiveDocument
-    FreeCAD.setActiveDocument(document.Name)
+    if active is None or active.Name != document.Name:
+        FreeCAD.setActiveDocument(document.Name)
     document.openTransaction(text)
     try:
         yield
@@ -347,5 +348,5 @@ def transaction(document: Any, text: str) -> Iterator[None]:
     else:
         document.commitTransaction()
     finally:
-        if active is not None:
+        if active is not None and active.Name != document.Name:
             FreeCAD.setActiveDocument(active.Name)

@@ -11,6 +11,7 @@ from typing import Any, Callable, Optional
 import FreeCAD
 import FreeCADGui
 
+from ..base.errors import CurveUpsError
 from ..features.document import set_running
 from ..project.project import Project
 from ..project.worker import WORKER, Outcome, Status
@@ -30,14 +31,16 @@ QUIT_SECONDS = 20.0  # that FreeCAD waits for a native call to see that it is st
 @dataclass(frozen=True)
 class Task:
     """title: of the command. work: for the worker's thread; it touches no document. finish: gets what
-    work made, in the window's thread. project: that it is done on, for pictures of it. told: called once
-    what finish has done is drawn and the observers know of the end."""
+    work made, in the window's thread. follow: what follows from that in the document, before it is drawn.
+    project: that it is done on, for pictures of it. told: called once what finish has done is drawn and the
+    observers know of the end."""
 
     title: str
     work: Callable[[Job], Any]
     finish: Callable[[Any, Any], None]  # design, value
     project: Optional[Project] = None
     told: Optional[Callable[[], None]] = None
+    follow: Optional[Callable[[Any], None]] = None  # design
 
 
 Observer = Callable[[Status, bool], None]  # where the run is; whether it goes on
@@ -53,10 +56,11 @@ class Live:
         self._place = ("", "")  # document and object that the run is for
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
         self._reveal: Any = None
+        self._drawing = False  # the document has the results; the picture follows
 
     @property
     def busy(self) -> bool:
-        return WORKER.busy
+        return WORKER.busy or self._drawing
 
     def obstacle(self) -> str:
         """Why nothing else can begin now; empty where it can."""
@@ -75,6 +79,8 @@ class Live:
 
     def start(self, design: Any, task: Task) -> None:
         """Raises CurveUpsError where something runs already."""
+        if self.busy:
+            raise CurveUpsError(self.obstacle())
         self._install()
         WORKER.start_work(task.work, self._ended)
         self._task, self._place = task, (design.Document.Name, design.Name)
@@ -120,7 +126,7 @@ class Live:
         WORKER.poll()
         if WORKER.settled:
             self._timer.stop()
-        if not self.busy:
+        if not WORKER.busy:
             return
         self._tell(True)
         self._draw(WORKER.status())
@@ -128,17 +134,17 @@ class Live:
     def _draw(self, status: Status) -> None:
         """The newest iterate; pictures that take long come more seldom."""
         design = self._design()
-        if (design is None or status.iterate is None or status.count == self._drawn or not draws_live()
-                or time.perf_counter() < self._rest_until):
+        if (design is None or status.iterate is None or status.count == self._drawn or status.stopping
+                or not draws_live() or time.perf_counter() < self._rest_until):
             return
         start = time.perf_counter()
         self._drawn = status.count
         _, T, q, _ = status.iterate
         with errors_shown(""):
-            overlay = overlay_of(design)
+            scene = None
             if not self._scene_drawn and self._task is not None and self._task.project is not None:
-                overlay.show_scene(scene_of(self._task.project))
-            overlay.set_iterate(T, q)
+                scene = scene_of(self._task.project)
+            overlay_of(design).set_iterate(T, q, scene)
         first, self._scene_drawn = not self._scene_drawn, True
         self._rest_until = time.perf_counter() + 2 * (time.perf_counter() - start)
         if first:
@@ -153,25 +159,40 @@ class Live:
         reveal.end()
         with errors_shown(task.title):
             self._settle(design, task, outcome)
-        if outcome.value is None:
-            follow_undo(design.Document)
-        self._tell(False)
-        if task.told is not None and outcome.value is not None:
-            with errors_shown(task.title):
-                task.told()
         if outcome.value is not None:
-            reveal.fit(design)
+            self._drawing = True  # in a turn of the event loop of its own: each holds the window for a while
+            QtCore.QTimer.singleShot(0, lambda: self._show(task, reveal))
+            return
+        follow_undo(design.Document)
+        self._tell(False)
 
     def _settle(self, design: Any, task: Task, outcome: Outcome) -> None:
         set_running(design, False)
         if outcome.value is not None:
             task.finish(design, outcome.value)
-        elif outcome.error is not None:
+            return
+        if outcome.error is not None:
             show_error(outcome.error, task.title)
         else:
             show_line(translate("CurveUps", "{task} was cancelled: the design is as it was",
                                 task=task.title))
         overlay_of(design).show_design()
+
+    def _show(self, task: Task, reveal: Reveal) -> None:
+        """Draws what a run has made, tells of its end, and brings it into view."""
+        self._drawing, design = False, self._design()
+        if design is not None:
+            with errors_shown(task.title):
+                if task.follow is not None:
+                    task.follow(design)
+                overlay_of(design).show_design()
+        self._tell(False)
+        if design is None:  # it went away meanwhile
+            return
+        if task.told is not None:
+            with errors_shown(task.title):
+                task.told()
+        reveal.fit(design)
 
     def _design(self) -> Any:
         document, name = self._place

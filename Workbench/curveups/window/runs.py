@@ -4,13 +4,16 @@ tiles that Cuts needs."""
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any, Callable, Optional
 
 from ..base.errors import CurveUpsError
-from ..base.native import problem
+from ..base.native import native, problem
 from ..features import actions
 from ..features.document import has_layout
+from ..stages.stage import Job
 from .macro import call, named
+from .overlay.fields import measured
 from .qt import translate
 from .run import LIVE, Task
 
@@ -36,18 +39,33 @@ def start(which: str, design: Any, told: Optional[Callable[[], None]] = None) ->
         raise CurveUpsError(wrong)
     title = translate("CurveUps_" + _camel(which), actions.RUNS[which].title)
     project, work = actions.prepare(which, design)
-    LIVE.start(design, Task(title, work, _finisher(which), project, told))
+    LIVE.start(design, Task(title, _measuring(work), _finisher(which), project, told, _recompute))
+
+
+def _measuring(work: actions.Work) -> actions.Work:
+    """Work that measures the design it has made, for its picture."""
+    def run(job: Job) -> actions.Ran:
+        ran = work(job)
+        if "design" in ran.results:
+            with suppress(native.Error):  # whoever draws it says so
+                measured(ran.results.design.with_parameters(ran.results.parameters))
+        return ran
+
+    return run
 
 
 def _finisher(which: str) -> Any:
     def finish(design: Any, results: Any) -> None:
         actions.hand_over(which, design, results)
         call(f"actions.{which}", named(design))
-        with design.Proxy.many_changes():
-            design.Document.recompute()
-        design.Proxy.refresh(design)
 
     return finish
+
+
+def _recompute(design: Any) -> None:
+    with design.Proxy.many_changes():
+        design.Document.recompute()
+    design.Proxy.refresh(design)
 
 
 def _camel(which: str) -> str:

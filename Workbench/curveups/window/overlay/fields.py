@@ -14,9 +14,11 @@ from typing import Any, Callable, Mapping
 import numpy as np
 
 from ...base.native import native
+from ...stages.design import design_digest
 from ...stages.feasibility import SAG
 
 TILE, SIDE, CONTACT, MEMBRANE = "tile", "side", "contact", "membrane"
+_MEASURED: dict[tuple[str, str], Mapping[str, Any]] = {}  # of the latest design
 
 
 @dataclass(frozen=True)
@@ -131,9 +133,20 @@ def check_fields(found: Any, parameters: Any, contacts: np.ndarray) -> list[Fiel
               problem="tiles that can't be made or are likely to fail", shape=(count,))]
 
 
+def measured(design: Any) -> Mapping[str, Any]:
+    """Gaps and pins of a native Design, for any thread: a run's own measures what the window then draws."""
+    key = design_digest(design), repr(design.parameters.to_dict())
+    found = _MEASURED.get(key)
+    if found is None:
+        found = native.design_fields(design)
+        _MEASURED.clear()
+        _MEASURED[key] = found
+    return found
+
+
 def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
     """Of a layout without its membranes."""
-    found = cache(lambda: native.design_fields(design))
+    found = cache(lambda: measured(design))
     get = design.parameters.get
     return [
         Field("Gap", "mm", CONTACT, lambda: aligned(found(), "gap", contacts), "low", get("d_gap_min"),

@@ -114,13 +114,14 @@ class Overlay:
         self.shows_target = shown
         self.refresh()
 
-    def set_iterate(self, T: np.ndarray, q: np.ndarray) -> None:
-        """Draws a layout that a solver has at hand (M x 3 x 2 and M x 2 x 3, mm) until `show_design`.
-        One of other tiles than those shown is left out."""
-        if self.scene is None or len(T) != len(self.scene.F):
+    def set_iterate(self, T: np.ndarray, q: np.ndarray, scene: Optional[Scene] = None) -> None:
+        """Draws a layout that a solver has at hand (M x 3 x 2 and M x 2 x 3, mm) until `show_design`. One of
+        other tiles than those of the scene, by default the one that is shown, is left out."""
+        scene = scene or self.scene
+        if scene is None or len(T) != len(scene.F):
             return
         with translated(self.object.Label):
-            scene = self.scene.moved(np.asarray(T, float), np.asarray(q, float))
+            scene = scene.moved(np.asarray(T, float), np.asarray(q, float))
         self._shown, self._iterating = None, True
         self._take(scene)
 
