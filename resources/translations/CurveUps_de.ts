@@ -2428,6 +2428,10 @@
       <translation>lib3mf hat kein Archiv geschrieben</translation>
     </message>
     <message>
+      <source>libpng could not draw a thumbnail ({0})</source>
+      <translation>libpng konnte kein Vorschaubild zeichnen ({0})</translation>
+    </message>
+    <message>
       <source>list them with 'curveups parameters'</source>
       <translation>„curveups parameters“ führt sie auf</translation>
     </message>
@@ -4966,6 +4970,14 @@
     <message>
       <source>on a bed of {x:g} × {y:g} mm</source>
       <translation>auf einem Bett von {x:g} × {y:g} mm</translation>
+    </message>
+    <message>
+      <source>on the shape, from two sides</source>
+      <translation>auf der Form, von zwei Seiten</translation>
+    </message>
+    <message>
+      <source>on the stretched sheet</source>
+      <translation>auf der gedehnten Folie</translation>
     </message>
     <message>
       <source>one material: {material}</source>

@@ -16,7 +16,6 @@ from ..project.project import Results
 from . import document as documents
 from .bodies import KINDS
 from .gui_document import MESH_FLAT_LINES, SHADED, Box, View, finish_document
-from .thumbnail import thumbnail
 
 # Showing the solids of more tiles takes OpenCASCADE's meshing several seconds: the target is shown
 # instead of them until they are asked for.
@@ -53,7 +52,7 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
     V, F = results.design.V, results.design.F
     finish_document(path, results.title, views,
                     _print_box(results["solids"].model) if shown["Tiles"] else _box(V),
-                    thumbnail(V, F, native.COLOURS["tiles"]))
+                    native.draw_thumbnail(V, F))
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
 
 

@@ -26,7 +26,7 @@ from .bed_files import frame
 from .kit import Kit
 from .ring_sheet import section
 from .tile_map import tile_map
-from .trim import marks
+from .trim import trim_view
 from .underside import figures
 
 
@@ -112,7 +112,7 @@ def _pictures(kit: Kit) -> dict[str, Callable[[], bytes]]:
             "front": partial(pictures.flat_layout, design),
             "back": lambda: pictures.flat_layout(_from_back(kit)),
             "actuated": partial(pictures.actuated_view, design),
-            "trim": lambda: _drawn(marks(kit)),
+            "trim": partial(trim_view, kit),
             "map": lambda: _drawn(tile_map(kit))}
 
 

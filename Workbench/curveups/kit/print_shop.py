@@ -12,11 +12,8 @@ from typing import Any, Sequence
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from ..base.native import native
-from ..report.pictures import _png
-from ..report.print_pictures import draw_print
 from ..stages.solids import KINDS
 from .kit import Kit
 
@@ -89,14 +86,12 @@ def _threemf(kit: Kit, model: Any, parts: Sequence[tuple[str, bytes, int]]) -> b
         triangles += ['<triangle v1="%d" v2="%d" v3="%d"/>' % tuple(row) for row in corners.tolist()]
         vertices += ['<vertex x="%.9g" y="%.9g" z="%.9g"/>' % tuple(row) for row in points.tolist()]
         volumes += _PART.format(first=first, last=len(triangles) - 1, name=name, extruder=extruder)
-    figure = Figure(figsize=(4, 4))
-    draw_print(figure.add_axes([0, 0, 1, 1]), model)
     mesh = _MODEL.format(vertices="\n".join(vertices), triangles="\n".join(triangles))
     members = {"[Content_Types].xml": _TYPES.encode(), "_rels/.rels": _RELATIONS.encode(),
                "3D/3dmodel.model": mesh.encode(),
                "Metadata/Slic3r_PE_model.config":
                    _CONFIG.format(title=quoteattr(kit.title), parts=volumes).encode("utf-8"),
-               "Metadata/thumbnail.png": _png(figure)}
+               "Metadata/thumbnail.png": model.thumbnail()}
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as zipped:
         for name, content in members.items():

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the surplus membrane is cut off: along rims, holes and cuts, on the stretched sheet seen from the
-front, at full size."""
+front, at full size; and a picture of where that is on the shape."""
 
 from __future__ import annotations
 
 from typing import Any, Iterator
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from ..base.language import Text
+from ..report import pictures
 from ..report.assembly import TRIM
 from .bed_files import outlines_of
-from .drawing import Drawing, dxf, svg, tiled_pdf
+from .drawing import INCH, LAYERS, Drawing, draw, dxf, svg, tiled_pdf
 from .kit import Kit
 
 STOP = 1.0  # mm, radius of a hole that keeps a slit in the membrane from tearing on
@@ -120,3 +122,23 @@ def _ends_of_cuts(design: Any) -> np.ndarray:
     rim = np.unique(edges[sides == 1])
     found = [T[F == vertex].mean(0) for vertex in ends[times == 1] if vertex not in rim]
     return np.array(found).reshape(-1, 2)
+
+
+def trim_view(kit: Kit, width: float = 160.0) -> bytes:
+    """The marks, and where they are on the shape, from two sides; as PNG so wide, mm."""
+    drawing, design, colour = marks(kit), kit.results.design, LAYERS["cut"][0]
+    scale = 0.5 * width / max(drawing.size)
+    figure = Figure(figsize=(width / INCH, 0.55 * width / INCH))
+    flat = figure.add_axes([0, 0.02, 0.5, 0.9])
+    flat.set_title(kit.say("on the stretched sheet"))
+    flat.set_xlim(0, drawing.size[0])
+    flat.set_ylim(0, drawing.size[1])
+    flat.set_aspect("equal")
+    flat.axis("off")
+    draw(flat, drawing, scale)
+    rims = [(*edge, colour) for loop in boundary(kit.shapes, len(design.F)) for edge in loop]
+    for bottom, turned, title in ((0.49, False, kit.say("on the shape, from two sides")), (0.02, True, "")):
+        axes = figure.add_axes([0.52, bottom, 0.47, 0.43])
+        axes.set_title(title)
+        pictures._draw_actuated(axes, design, turned, lines=rims)
+    return pictures._png(figure, 160)

@@ -25,9 +25,8 @@ def cut_view(design: Any, cuts: Sequence[dict], width: float = 10.0) -> bytes:
     layout.axis("off")
     front = figure.add_axes([0.53, 0.51, 0.46, 0.47])
     behind = figure.add_axes([0.53, 0.02, 0.46, 0.47])
-    for axes, turned in ((front, False), (behind, True)):
-        pictures._draw_actuated(axes, design, turned)
     sides = _sides(np.asarray(design.F))
+    on_shape = []
     for number, cut in enumerate(cuts, 1):
         colour = MADE if cut["applied"] else PROPOSED
         edges = [(min(edge), max(edge)) for edge in cut["edges"]]
@@ -35,11 +34,9 @@ def cut_view(design: Any, cuts: Sequence[dict], width: float = 10.0) -> bytes:
         layout.add_collection(LineCollection(lips, colors=colour, linewidths=2))
         layout.annotate(str(number), np.mean(lips[len(lips) // 2], axis=0), color=colour,
                         fontsize=12, fontweight="bold")
-        for axes, turned in ((front, False), (behind, True)):
-            corners, normal = pictures._seen(design, turned)
-            lines = [corners[tile][[t, (t + 1) % 3], :2] for edge in edges
-                     for tile, t in sides[edge] if normal[tile, 2] > 0]
-            axes.add_collection(LineCollection(lines, colors=colour, linewidths=2))
+        on_shape += [(*side, colour) for edge in edges for side in sides[edge]]
+    for axes, turned in ((front, False), (behind, True)):
+        pictures._draw_actuated(axes, design, turned, lines=on_shape)
     return pictures._png(figure)
 
 

@@ -127,8 +127,9 @@ def _draw_flat(axes: Any, design: Any, values: np.ndarray | None) -> PolyCollect
     return tiles
 
 
-def _draw_actuated(axes: Any, design: Any, turned: bool = False,
-                   colours: np.ndarray | None = None) -> None:
+def _draw_actuated(axes: Any, design: Any, turned: bool = False, colours: np.ndarray | None = None,
+                   lines: Sequence[tuple[int, int, str]] = ()) -> None:
+    """lines: tile, edge and colour of edges to be drawn where no tile hides them."""
     corners, normal = _seen(design, turned)
     light = np.array([-0.35, 0.5, 0.8])
     light /= np.linalg.norm(light)
@@ -137,9 +138,17 @@ def _draw_actuated(axes: Any, design: Any, turned: bool = False,
         colours = np.where(normal[:, 2:] > 0, matplotlib.colors.to_rgb("#f0b24a"),
                            matplotlib.colors.to_rgb("#8fa7bf"))
     colour = colours * shade[:, None]
-    order = np.argsort(corners[:, :, 2].mean(1), kind="stable")  # painter: far ones first
-    axes.add_collection(PolyCollection(corners[order][:, :, :2], facecolors=colour[order].clip(0, 1),
-                                       edgecolors="#5b4420", linewidths=0.25))
+    rims = np.array([edge for *edge, _ in lines], int).reshape(-1, 2)
+    ends = np.stack([corners[rims[:, 0], rims[:, 1]], corners[rims[:, 0], (rims[:, 1] + 1) % 3]], axis=1)
+    drawn = [*corners[:, :, :2], *ends[:, :, :2]]
+    faces = [*map(tuple, colour.clip(0, 1)), *("none" for _ in lines)]
+    edges = [*("#5b4420" for _ in corners), *(paint for *_, paint in lines)]
+    depth = corners[:, :, 2].mean(1)
+    depth = np.concatenate([depth, np.maximum(depth[rims[:, 0]], ends[:, :, 2].mean(1))])
+    order = np.argsort(depth, kind="stable")  # painter: far ones first
+    axes.add_collection(PolyCollection(
+        [drawn[k] for k in order], facecolors=[faces[k] for k in order], edgecolors=[edges[k] for k in order],
+        linewidths=np.where(order < len(corners), 0.25, 2.0), closed=False))
     _frame(axes, *_bounds(corners))
     axes.axis("off")
 

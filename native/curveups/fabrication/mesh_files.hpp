@@ -22,8 +22,8 @@ struct PrintMaterials {
 
 // 3MF in mm (lib3mf): each piece is one build item, an assembly whose components are one named
 // object with its material per body. Slicers place every build item anew; components keep their
-// places. The same meshes give the same bytes. Throws IoError, SolverFailure where lib3mf refuses a
-// mesh, Cancelled.
+// places. A thumbnail shows all. The same meshes give the same bytes. Throws IoError, SolverFailure
+// where lib3mf refuses a mesh, Cancelled.
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
                const PrintMaterials& materials, const std::string& path, const Progress& progress);
 

@@ -14,6 +14,7 @@
 #include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/mesh_files.hpp"
 #include "curveups/fabrication/palette.hpp"
+#include "curveups/fabrication/thumbnail.hpp"
 
 namespace curveups {
 namespace {
@@ -200,6 +201,17 @@ void place_piece(NMR::PLib3MFModel* model, const std::vector<Body>& bodies,
           "place " + name);
 }
 
+void add_thumbnail(NMR::PLib3MFModel* model, std::string png) {
+  Held<NMR::PLib3MFModelAttachment> picture;
+  require(NMR::lib3mf_model_getpackagethumbnailattachment(model, true, picture.out()),
+          "add a thumbnail");
+  require(NMR::lib3mf_attachment_setpathutf8(picture.get(), "/Metadata/thumbnail.png"),
+          "name the thumbnail");
+  require(NMR::lib3mf_attachment_readfrombuffer(picture.get(), reinterpret_cast<BYTE*>(png.data()),
+                                                png.size()),
+          "take the thumbnail");
+}
+
 }  // namespace
 
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
@@ -265,6 +277,9 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
   }
   for (int piece = 0; piece < piece_count; ++piece) {
     place_piece(model.get(), bodies[piece], title, piece, piece_count);
+  }
+  if (std::string png = draw_thumbnail(meshes); !png.empty()) {
+    add_thumbnail(model.get(), std::move(png));
   }
   Held<NMR::PLib3MFModelWriter> writer;
   require(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), "make a writer");
