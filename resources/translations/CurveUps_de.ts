@@ -4628,8 +4628,8 @@
       <translation>Die Teile nebeneinanderlegen</translation>
     </message>
     <message>
-      <source>Lay the print down with its {first} up: pins and anchors alone stand out there ({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto the tops of these, {layer:g} mm thick, with a roller that touches nothing below: a flexible glue for rubber on hard plastic that water does not loosen. Walls, gaps and all that holds the tiles together stay dry. {lay} Press sheet and print together between two boards that fit through the window, with weights spread evenly, for as long as the glue's maker says. Air the room: the glue's vapour harms you.</source>
-      <translation>Den Druck mit seiner {first} nach oben hinlegen: dort stehen nur Zapfen und Anker vor ({first_mm2:.0f} mm²). {behind} {first_cm3:.2f} cm³ Kleber auf die Enden dieser Zapfen und Anker rollen, {layer:g} mm dick, mit einer Rolle, die darunter nichts berührt: einen elastischen Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst. Wände, Spalte und alles, was die Kacheln zusammenhält, bleiben trocken. {lay} Folie und Druck zwischen zwei Brettern, die durch das Fenster passen, mit gleichmäßig verteilten Gewichten so lange zusammenpressen, wie es der Hersteller des Klebers sagt. Lüften: die Dämpfe des Klebers sind schädlich.</translation>
+      <source>Lay the print down with its {first} up</source>
+      <translation>Den Druck mit seiner {first} nach oben hinlegen</translation>
     </message>
     <message>
       <source>Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3 mm thick, by their numbers ({which}), and press them together. A part without a label fits its pocket with its {first} up alone. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first membrane is glued over all of them at once.</source>
@@ -4844,6 +4844,10 @@
       <translation>Die Membran bleibt auf ihrem Ring</translation>
     </message>
     <message>
+      <source>The parts lie with their {first} up</source>
+      <translation>Die Teile liegen mit ihrer {first} nach oben</translation>
+    </message>
+    <message>
       <source>The sheet pulls with {load[0]:.0f} N at the left and right sides and {load[1]:.0f} N at the others. The print comes into the middle of the window; some millimetres beside it do no harm.</source>
       <translation>Die Folie zieht mit {load[0]:.0f} N an der linken und rechten Seite und mit {load[1]:.0f} N an den anderen. Der Druck kommt in die Mitte des Fensters; einige Millimeter daneben schaden nicht.</translation>
     </message>
@@ -4868,6 +4872,10 @@
       <translation>Werkzeug</translation>
     </message>
     <message>
+      <source>Turn each of the {pieces} pieces over by itself and lay it, glue down, onto the stretched {first} sheet, all of them around the middle of the window and as far apart as they were printed.</source>
+      <translation>Jedes der {pieces} Stücke für sich wenden und mit dem Kleber nach unten auf die gedehnte Folie der {first} legen, alle um die Mitte des Fensters herum und so weit voneinander, wie sie gedruckt wurden.</translation>
+    </message>
+    <message>
       <source>Turn the print over and lay it, glue down, onto the stretched {first} sheet, in the middle of the window.</source>
       <translation>Den Druck wenden und mit dem Kleber nach unten in der Mitte des Fensters auf die gedehnte Folie der {first} legen.</translation>
     </message>
@@ -4880,12 +4888,16 @@
       <translation>Das Latex waschen und anzeichnen</translation>
     </message>
     <message>
-      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat, from the middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not in shape yet.</source>
-      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen. Sie mit der Rückseite auf den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form.</translation>
+      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat, from the middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not in shape yet.</source>
+      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. {each} Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen. Sie mit der Rückseite auf den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form.</translation>
     </message>
     <message>
       <source>Where bodies must not overlap, there is the same as one closed shell a piece: -fused.stl and -fused.3mf.</source>
       <translation>Wo Körper einander nicht überschneiden dürfen, gibt es dasselbe als eine geschlossene Schale je Stück: -fused.stl und -fused.3mf.</translation>
+    </message>
+    <message>
+      <source>Where the pieces did not come to lie as far apart as they were printed, cut the paper between them, and lay each part of it on its own piece.</source>
+      <translation>Liegen die Stücke nicht so weit voneinander, wie sie gedruckt wurden, das Papier zwischen ihnen durchschneiden und jeden Teil auf sein eigenes Stück legen.</translation>
     </message>
     <message>
       <source>You need a calliper, feeler gauges of 0.05 to 0.6 mm, a board, an inclinometer, thread, eight bolts of M4 with nuts, a spring scale up to {scale} N, and latex of the same sheet for the strips ({name}-strips.pdf) and the glue's coupon.</source>
@@ -5090,6 +5102,10 @@
     <message>
       <source>{count} tiles</source>
       <translation>{count} Kacheln</translation>
+    </message>
+    <message>
+      <source>{down}: pins and anchors alone stand out there ({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto the tops of these, {layer:g} mm thick, with a roller that touches nothing below: a flexible glue for rubber on hard plastic that water does not loosen. Walls, gaps and all that holds the tiles together stay dry. {lay} Press sheet and print together between two boards that fit through the window, with weights spread evenly, for as long as the glue's maker says. Air the room: the glue's vapour harms you.</source>
+      <translation>{down}: dort stehen nur Zapfen und Anker vor ({first_mm2:.0f} mm²). {behind} {first_cm3:.2f} cm³ Kleber auf die Enden dieser Zapfen und Anker rollen, {layer:g} mm dick, mit einer Rolle, die darunter nichts berührt: einen elastischen Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst. Wände, Spalte und alles, was die Kacheln zusammenhält, bleiben trocken. {lay} Folie und Druck zwischen zwei Brettern, die durch das Fenster passen, mit gleichmäßig verteilten Gewichten so lange zusammenpressen, wie es der Hersteller des Klebers sagt. Lüften: die Dämpfe des Klebers sind schädlich.</translation>
     </message>
     <message>
       <source>{feature:.3g} mm; the printer makes {least:g} mm</source>

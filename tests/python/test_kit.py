@@ -445,6 +445,14 @@ def test_freecad_reads_each_drawing_at_its_size(kit):
             freecad.closeDocument(document.Name)
 
 
+def test_assimp_reads_every_3mf(kit):
+    """Whatever their thumbnails: it takes pictures for textures."""
+    found = [path for path in kit.folder.rglob("*.3mf") if "coupons" not in path.parts]
+    assert len(found) >= 2
+    for path in found:
+        assert subprocess.run(["assimp", "info", path], stdout=subprocess.DEVNULL).returncode == 0, path
+
+
 def test_assimp_reads_every_body_of_the_print(kit):
     said = subprocess.run(["assimp", "info", kit.folder / "small-cap-print.3mf"], check=True,
                           capture_output=True, encoding="utf-8").stdout

@@ -62,7 +62,7 @@ def test_a_3mf_shows_what_it_prints(printed):
                    for one in ElementTree.fromstring(archive.read("_rels/.rels"))}
         png = archive.read(related[KIND].lstrip("/"))
         types = ElementTree.fromstring(archive.read("[Content_Types].xml"))
-        assert ("png", "image/png") in {(one.get("Extension"), one.get("ContentType")) for one in types}
+        assert ("thumbnail", "image/png") in {(one.get("Extension"), one.get("ContentType")) for one in types}
     seen = colours(png)
     assert len(seen) > 20
     for kind in ("tiles", "support", "anchors"):

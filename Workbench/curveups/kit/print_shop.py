@@ -21,14 +21,14 @@ _TYPES = """<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
 <Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
 <Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
-<Default Extension="png" ContentType="image/png"/>
+<Default Extension="thumbnail" ContentType="image/png"/>
 </Types>
 """
 _RELATIONS = """<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
 <Relationship Target="/3D/3dmodel.model" Id="rel-1"
  Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
-<Relationship Target="/Metadata/thumbnail.png" Id="rel-2"
+<Relationship Target="/Metadata/print.thumbnail" Id="rel-2"
  Type="http://schemas.openxmlformats.org/package/2006/relationships/metadata/thumbnail"/>
 </Relationships>
 """
@@ -91,7 +91,7 @@ def _threemf(kit: Kit, model: Any, parts: Sequence[tuple[str, bytes, int]]) -> b
                "3D/3dmodel.model": mesh.encode(),
                "Metadata/Slic3r_PE_model.config":
                    _CONFIG.format(title=quoteattr(kit.title), parts=volumes).encode("utf-8"),
-               "Metadata/thumbnail.png": model.thumbnail()}
+               "Metadata/print.thumbnail": model.thumbnail()}
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as zipped:
         for name, content in members.items():

@@ -48,14 +48,17 @@ label matches the drawing with its {first} up alone. Gaps between parts are {ope
 inside of them, and no tile may be more than {error:g} mm off its place. The first membrane is glued over all
 of them at once.""")
 _PEEL = Text("""On the {on_bed} {level}. Bridges alone hold the tiles meanwhile, and break easily.""")
-_FIRST = Text("""Lay the print down with its {first} up: pins and anchors alone stand out there
-({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto the tops of these, {layer:g} mm
-thick, with a roller that touches nothing below: a flexible glue for rubber on hard plastic that water does
-not loosen. Walls, gaps and all that holds the tiles together stay dry. {lay} Press sheet and print together
-between two boards that fit through the window, with weights spread evenly, for as long as the glue's maker
-says. Air the room: the glue's vapour harms you.""")
+_FIRST = Text("""{down}: pins and anchors alone stand out there ({first_mm2:.0f} mm²). {behind} Roll
+{first_cm3:.2f} cm³ of glue onto the tops of these, {layer:g} mm thick, with a roller that touches nothing
+below: a flexible glue for rubber on hard plastic that water does not loosen. Walls, gaps and all that holds
+the tiles together stay dry. {lay} Press sheet and print together between two boards that fit through the
+window, with weights spread evenly, for as long as the glue's maker says. Air the room: the glue's vapour
+harms you.""")
 _TURN = Text("""Turn the print over and lay it, glue down, onto the stretched {first} sheet, in the middle
 of the window.""")
+_TURN_PIECES = Text("""Turn each of the {pieces} pieces over by itself and lay it, glue down, onto the
+stretched {first} sheet, all of them around the middle of the window and as far apart as they were
+printed.""")
 _LOWER = Text("""Leave all where it lies, and lower the stretched {first} sheet onto it, with its teeth
 down and the print in the middle of the window.""")
 _AWAY = Text("""Once the glue holds, {away}. {stays}: it alone keeps the tiles in their places now.""")
@@ -66,14 +69,16 @@ the other. Rods in the holes at the corners align them: punch the rims of the sh
 pulls. Press through both windows, as long as before.""")
 _RELEASE = Text("""When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf
 at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer
-pins, which you feel through it, and copy its lines onto the sheet. Then cut both sheets at once with strong
-scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so
-they let go together. The shell pulls itself into shape. Help with your hands where it stays flat, from the
-middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not
-in shape yet.""")
+pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with
+strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in
+turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat,
+from the middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch,
+it is not in shape yet.""")
 _TRIM = Text("""Cut the front membrane along its lines, which were {trim:g} mm outside of the outer pins while
 it was stretched, and the back one as far outside of its own pins. {stop} Anchors go with the surplus.
 {apart}""")
+_EACH = Text("""Where the pieces did not come to lie as far apart as they were printed, cut the paper between
+them, and lay each part of it on its own piece.""")
 _STOP = Text("""Follow rims, holes and cuts. Where the drawing has small circles, punch these first: they keep
 a cut from tearing on.""")
 _APART = Text("So the {pieces} pieces come apart: each holds its shape by itself.")
@@ -125,7 +130,9 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
     level = say("the slicer's supports lie level with the pins") if reach_out else \
         say("the slab lies level with the pins ({area:.0f} mm²)", area=slab)
     taped = bool(beds.get("position_error_mm"))
-    lay = _TURN if others and not taped else _LOWER
+    lay = _LOWER if taped or not others else _TURN_PIECES if block["pieces"] > 1 else _TURN
+    down = Text("The parts lie with their {first} up") if taped else \
+        Text("Lay the print down with its {first} up")
     removals = [say(text, second=words[second], on_bed=words[on_bed]) for text in (
         *([Text("turn the ring over, so that you can reach the {second}")] if lay == _LOWER else []),
         *([Text("take the drawing and its tape off")] if taped and not support.soluble else []),
@@ -160,11 +167,13 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
             "label": label, "bodies": bodies, "counts": ", ".join(counts),
             "punch": HOLE * sheets["grid_mm"], "stays": stays, "level": level, "layer": GLUE_LAYER,
             "away": away, "trim": TRIM, "weak": weak,
-            "lay": say(lay, first=words[first]),
+            "lay": say(lay, first=words[first], pieces=block["pieces"]),
+            "down": say(down, first=words[first]),
             "first": words[first], "first_mm2": _area(glue, first), "first_cm3": glue_volumes(glue)[first],
             "second": words[second], "second_mm2": _area(glue, second),
             "second_cm3": glue_volumes(glue)[second], "behind": behind, "on_bed": words[on_bed],
             "sides": (first, second), "peel_first": reach_out and on_bed == first,
+            "each": say(_EACH) if block["pieces"] > 1 else "",
             "apart": say(_APART, pieces=block["pieces"]) if block["pieces"] > 1 else "",
             "height": block["bbox_mm"][2],
             "pieces": block["pieces"], "hole": joints.get("hole_mm", 0), "holes": joints.get("holes", 0)}

@@ -201,11 +201,15 @@ void place_piece(NMR::PLib3MFModel* model, const std::vector<Body>& bodies,
           "place " + name);
 }
 
+// Its relationship says what it is, and no ending: assimp 5.2 takes every .png and .jpg of a
+// package for a texture, and ends the program of whoever reads that.
 void add_thumbnail(NMR::PLib3MFModel* model, std::string png) {
   Held<NMR::PLib3MFModelAttachment> picture;
   require(NMR::lib3mf_model_getpackagethumbnailattachment(model, true, picture.out()),
           "add a thumbnail");
-  require(NMR::lib3mf_attachment_setpathutf8(picture.get(), "/Metadata/thumbnail.png"),
+  require(NMR::lib3mf_model_addcustomcontenttypeutf8(model, "thumbnail", "image/png"),
+          "add the kind of a thumbnail");
+  require(NMR::lib3mf_attachment_setpathutf8(picture.get(), "/Metadata/print.thumbnail"),
           "name the thumbnail");
   require(NMR::lib3mf_attachment_readfrombuffer(picture.get(), reinterpret_cast<BYTE*>(png.data()),
                                                 png.size()),
