@@ -2404,6 +2404,10 @@
       <translation>fit auf 0 lassen</translation>
     </message>
     <message>
+      <source>leave out the cut there, or cut elsewhere</source>
+      <translation>den Schnitt dort weglassen oder anderswo schneiden</translation>
+    </message>
+    <message>
       <source>let it be cut open (--auto-cuts 1) or divided (pieces=auto), give --cuts, or remove a part of it</source>
       <translation>sie aufschneiden (--auto-cuts 1) oder teilen lassen (pieces=auto), --cuts angeben oder einen Teil entfernen</translation>
     </message>
@@ -3630,6 +3634,10 @@
     <message>
       <source>the shape does not hold: the contacts {contacts:8} open as the tiles settle</source>
       <translation>Die Form hält nicht: die Kontakte {contacts:8} öffnen sich, wenn die Kacheln sich setzen</translation>
+    </message>
+    <message>
+      <source>the sheet would lie on itself in the flat layout, slit as the cuts ask, between {contacts:8}</source>
+      <translation>die Folie läge im flachen Layout, geschlitzt wie die Schnitte es verlangen, auf sich selbst, zwischen {contacts:8}</translation>
     </message>
     <message>
       <source>the slab is level with the {side} pins, which are glued first: glue takes it, too</source>

@@ -2,6 +2,7 @@
 """`curveups design --auto-cuts`: closed, deep and handled targets, and what reports suggest."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -161,3 +162,19 @@ def test_a_number_of_cuts_that_is_none(curveups, tmp_path, text):
     ran = curveups("design", tmp_path / "t.obj", "-o", tmp_path / "out", f"--auto-cuts={text}")
     assert ran.status == 2 and len(ran.error_lines) == 1 and "--auto-cuts" in ran.error_lines[0]
     assert not (tmp_path / "out").exists()
+
+
+def test_a_cut_whose_sides_lie_on_one_another_is_no_cut(curveups, tmp_path):
+    """A saddle has more than the full angle around each point: along such a cut its layout interlocks, and no
+    single sheet can be slit so, whatever the forces say. It is not suggested either."""
+    cut = [[[12.4, 43.5, 4.3], [24.1, 37.9, 0.2], [34.3, 29.1, -0.6], [41.3, 17.9, -1.5],
+            [44.7, 5.2, -2.2]]]
+    (tmp_path / "cut.json").write_text(json.dumps({"polylines": cut}))
+    given = ("hyperboloid", "--no-solids", "--set", "L=12", "settle=off")
+    ran = curveups("design", *given, "-o", tmp_path / "cut", "--cuts", tmp_path / "cut.json")
+    assert ran.status == 1, ran.err
+    report = json.loads((tmp_path / "cut" / "report.json").read_text("utf-8"))
+    reason, = (reason for reason in report["reasons"] if "lie on itself" in reason)
+    assert len(re.findall("T[0-9]{5}", reason)) >= 2 and report["cuts"] == 4
+    ran = curveups("design", *given, "-o", tmp_path / "asked", "--auto-cuts", "2")
+    assert ran.status == 0, ran.err

@@ -9,6 +9,7 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/design/flat_rim.hpp"
 #include "curveups/geometry/cut_graph.hpp"
 #include "curveups/layout/layout.hpp"
 
@@ -73,7 +74,7 @@ class Suggester {
                       static_cast<double>(out_.cuts.size()) / std::max(1, options_.most));
   }
 
-  // None where the solver breaks down. Throws Cancelled.
+  // None where the solver breaks down, or the sheet would lie on itself. Throws Cancelled.
   std::optional<LayoutFigures> draft(const Edges& more) const {
     const Progress progress = [this](const std::string&, double) { return go_on(); };
     try {
@@ -81,6 +82,12 @@ class Suggester {
       const LayoutResult result =
           solve_layout(geometry, parameters_, progress, LayoutEffort::draft);
       if (result.solve.stopped()) throw Cancelled();
+      const TileMesh& tiles = geometry.tiles;
+      const FlatCorners corners = flat_corners(tiles, result.poses);
+      if (!crossing_rims(tiles, Eigen::Map<const Points2>(corners.data(), 3 * corners.rows(), 2))
+               .empty()) {
+        return {};
+      }
       return layout_figures(geometry, parameters_, result.poses, result.q);
     } catch (const SolverFailure&) {
       return {};

@@ -19,7 +19,8 @@ struct CutSuggestion {
   double length = 0;  // mm
   std::vector<Finding> reasons;
   bool opens = false;  // without it there is no layout worth speaking of
-  // Of draft layouts; none where there is none, or where the solver broke down.
+  // Of draft layouts; none where there is none, where the solver broke down, or where the sheet
+  // would lie on itself (crossing_rims).
   std::optional<LayoutFigures> before, after;
 };
 

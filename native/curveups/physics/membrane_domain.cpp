@@ -5,26 +5,10 @@
 #include <cstdio>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/design/flat_rim.hpp"
 #include "curveups/design/pins.hpp"
 
 namespace curveups {
-namespace {
-
-// Vertices with a boundary or cut edge: their polygon stays open. Unused vertices count as open.
-std::vector<char> open_vertices(const TileMesh& tiles) {
-  std::vector<char> open(tiles.mesh.V.rows(), 1);
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    for (int t = 0; t < 3; ++t) open[tiles.mesh.F(i, t)] = 0;
-  }
-  for (std::size_t e = 0; e < tiles.topology.edges.size(); ++e) {
-    const MeshEdge& edge = tiles.topology.edges[e];
-    if (edge.boundary() || tiles.cut[e]) open[edge.v[0]] = open[edge.v[1]] = 1;
-  }
-  return open;
-}
-
-}  // namespace
-
 MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side,
                                     const std::vector<int>& loose) {
   MembraneDomain domain;

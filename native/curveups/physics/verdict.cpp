@@ -119,6 +119,10 @@ void judge_materials(const VerdictInput& in, VerificationReport& report) {
 }
 
 void judge_membranes(const VerdictInput& in, VerificationReport& report) {
+  if (!in.crossing.empty()) {
+    report.reasons.push_back(
+        {"membrane.covers", tiles_of(in.crossing), {{"contacts", in.crossing}}});
+  }
   if (!report.physics.converged) {
     report.reasons.push_back({"no_equilibrium", {}, {{"residual", report.physics.residual}}});
   }

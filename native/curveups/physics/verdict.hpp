@@ -33,6 +33,7 @@ struct VerdictInput {
   const BalanceSystem* tips_system;
   std::array<MembraneClearance, 2> clearance;
   std::array<std::vector<int>, 2> slack_tiles;  // front, back: beside slack membrane
+  std::vector<std::array<int, 2>> crossing;     // tiles where a sheet would lie on itself
   bool floor_from_mesh;                         // f_min is the mesh's error, not f_min_ratio
   const Parameters& parameters;
   const Carried& carried;

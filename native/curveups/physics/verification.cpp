@@ -8,6 +8,7 @@
 #include "curveups/bodies/bumps.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/design/flat_rim.hpp"
 #include "curveups/physics/membrane_figures.hpp"
 #include "curveups/physics/touch_points.hpp"
 #include "curveups/physics/verdict.hpp"
@@ -152,6 +153,19 @@ UnilateralFigures describe_programs(const UnilateralResult& coulomb, const Unila
   return u;
 }
 
+// Pairs of tiles between which the front or the back sheet would lie on itself.
+std::vector<std::array<int, 2>> crossing_sheets(const TileMesh& tiles, const Design& design) {
+  const FlatPoses poses = fit_poses(tiles, design.T);
+  std::vector<std::array<int, 2>> out;
+  for (const Side side : {Side::front, Side::back}) {
+    const auto found = crossing_rims(tiles, flat_pin_corners(tiles, poses, design.q, side));
+    out.insert(out.end(), found.begin(), found.end());
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
 }  // namespace
 
 VerificationReport verify_design(const Design& design, SolutionStore* store,
@@ -209,10 +223,11 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
                                         force_scale(solved));
   if (parameters.bumps == "dimples") report.unilateral.sliding_play = sliding_play(plan, tiles);
   report.loosening = loosen_pins(geometry, solved, overloaded, tips, progress);
-  give_verdict({system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
-                slack_tiles, solved.f_min_ratio > parameters.f_min_ratio, parameters,
-                solved.carried, report.loosening},
-               report);
+  give_verdict(
+      {system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
+       slack_tiles, crossing_sheets(tiles, design), solved.f_min_ratio > parameters.f_min_ratio,
+       parameters, solved.carried, report.loosening},
+      report);
   if (store) store->put(std::move(solved));
   return report;
 }
