@@ -2,6 +2,7 @@
 """Some seconds of fuzzing (tools/test --fuzz does it for long), and that it notices what it is for."""
 
 import re
+from types import SimpleNamespace
 
 import pytest
 import fuzz_kinds
@@ -9,6 +10,7 @@ from curveups.base.errors import CurveUpsError
 from curveups.targets import cad_files
 from fuzz import LEAST, fuzz, fuzz_kind
 from fuzz_kinds import KINDS
+from shapes import obj_text
 
 SEED = 20240607
 
@@ -36,6 +38,17 @@ def test_the_fuzzer_moves_all_coordinates_together(tmp_path):
     _, failures = fuzz_kind("together", 0.0, SEED, tmp_path / "together", least=600)
     assert any("a size of 0" in what for _, what in failures), failures
     assert any("e+" in what for _, what in failures), failures
+
+
+@pytest.mark.parametrize("by", [0.0, 1e30])
+def test_the_fuzzer_notices_what_can_be_no_target(tmp_path, monkeypatch, by):
+    """In one point, or far away: that was cleaned, some of it for ever."""
+    monkeypatch.setattr(fuzz_kinds, "native", SimpleNamespace(
+        clean_mesh=lambda V, F: SimpleNamespace(V=V, F=F)))
+    path = tmp_path / "input.obj"
+    path.write_text(obj_text(by * fuzz_kinds.V, fuzz_kinds.F))
+    with pytest.raises(AssertionError, match="are taken for clean"):
+        fuzz_kinds.check_mesh(path, 1, lossy=False)
 
 
 def test_the_fuzzer_notices_readers_that_often_do_not_end(tmp_path):
