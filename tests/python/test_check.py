@@ -305,6 +305,26 @@ def test_a_design_that_is_not_valid_names_the_sizes_that_check_does(curveups, tm
     assert curveups("check", path, "--set", f"H_body={value}").status == 0
 
 
+def test_a_design_whose_parts_meet_names_the_sizes_that_check_does(curveups, tmp_path):
+    """Two sheets of a dome above one another: all contacts push, and pins between the sheets meet."""
+    V, F = sheet(lambda x, y: math.sqrt(3600 - x * x - y * y), 25, 20)
+    path = tmp_path / "domes.obj"
+    path.write_text(obj(np.vstack([V, V + [0, 0, 4.6]]), np.vstack([F, F + len(V)])))
+    ran = curveups("design", path, "-o", tmp_path, "--no-solids", "--set", "L=9", "settle=off")
+    assert ran.status == 1, ran.err
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
+    assert report["unilateral"]["feasible"] and report["contact_forces"]["points_below_f_min"] == 0
+    first, advised = report["reasons"]
+    assert "overlap" in first and "finds nothing in the way" in advised, report["reasons"]
+    size, _, _ = advised.removeprefix("suggested: ").partition(" or ")
+    name, _, value = size.partition("=")
+    assert name == "H_body" and 1 < float(value) < 3, advised
+    assert size in (tmp_path / "report.html").read_text(encoding="utf-8")
+    ran = curveups("design", path, "-o", tmp_path / "advised", "--no-solids", "--set", "L=9", "settle=off",
+                   size)
+    assert ran.status == 0, ran.err
+
+
 def test_errors_of_design_with_mending_say_which_size_would_do_without():
     V, F = sheet(lambda x, y: -3.5 * abs(x), 8, 8)
     with pytest.raises(CurveUpsError) as told:

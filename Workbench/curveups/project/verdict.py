@@ -38,7 +38,7 @@ def judge(results: Mapping[str, Any], note: Optional[Finding] = None) -> Verdict
 def _judge(results: Mapping[str, Any], note: Optional[Finding]) -> tuple[Optional[bool], tuple[Finding, ...]]:
     reasons = [reason for result in results.values() for reason in result.reasons()]
     verification = results.get(VERDICT)
-    if verification is not None and verification.reasons() and not verification.failure:
+    if verification is not None and reasons and not verification.failure:
         reasons += [advice for result in results.values() for advice in result.advice()]
     if reasons:
         return False, unique(reasons)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parameter search for a design that is not valid. Where its sizes are in the way of its target already,
-others are looked for as check does. Where membranes cut into tiles, the design is made anew with other pins
-and thicknesses: how far a membrane passes from a tile only the layout and its equilibrium tell."""
+"""Parameter search for a design that is not valid. Where its sizes are in the way of its target already
+(pins that meet those of another part, say), others are looked for as check does. Where membranes cut into
+tiles, the design is made anew with other pins and thicknesses: how far a membrane passes from a tile only the
+layout and its equilibrium tell."""
 
 from __future__ import annotations
 
@@ -49,7 +50,9 @@ class OtherSizes(Result):
 
 def _run(inputs: Inputs, job: Job) -> OtherSizes:
     verification = inputs["verification"]
-    if verification.valid or not verification.judged or verification.failure:
+    if not verification.judged or verification.failure:
+        return OtherSizes()
+    if verification.valid and not inputs["clearances"].broken:
         return OtherSizes()
     unmended = native.Parameters(inputs.parameters)
     unmended.set("mend", "off")
@@ -100,7 +103,7 @@ def _valid(inputs: Inputs, sizes: Sizes, job: Job, steps: list[int]) -> bool:
     return bool(not candidate.stopped and found["layout"].converged and found["verification"].valid)
 
 
-STAGE = Stage("trials", ("target", "fairing", "cut request", "cuts", "verification"),
+STAGE = Stage("trials", ("target", "fairing", "cut request", "cuts", "verification", "clearances"),
               frozenset({"target", "tiles", "layout", "bodies", "physics", "repair"}), _run,
               lambda error, inputs: OtherSizes(), lambda stage, inputs: OtherSizes(was_stopped=True),
               label="Other sizes", asked_by=("solve",))
