@@ -31,8 +31,8 @@ SAG = 0.3
 # the rest where it is a small share of all tiles.
 TOO_SLACK, TOO_NARROW, SHARE = 1.2, 0.7, 0.05
 # No size is tried with moved vertices where more sides than this share miss A_pin_min (tiles are too small
-# then, not folds too sharp), or a membrane lacks more than this part of L. With 110 sizes of 17 targets no
-# such size became feasible; membranes gained 0.014 L at most.
+# then, not folds too sharp), or a membrane lacks more than this part of L. With 106 sizes of 17 targets no
+# such size became feasible; the lowest membrane gained 0.008 L at most.
 MOST_SMALL, MOST_CLEARED = 1 / 3, 1 / 40
 
 
