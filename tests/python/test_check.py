@@ -283,7 +283,7 @@ def test_errors_of_design_say_which_size_would_do():
 def test_a_design_that_is_not_valid_names_the_sizes_that_check_does(curveups, tmp_path):
     """A trough that is bent so narrowly that pins inside of it have too little room."""
     def point(u, v):
-        straight, radius = 20.0, 5.6
+        straight, radius = 20.0, 9.0
         s = u * (2 * straight + math.pi * radius) - straight
         angle = min(max(s / radius, 0.0), math.pi)
         along = min(s, 0.0) + max(s - math.pi * radius, 0.0)
@@ -294,14 +294,15 @@ def test_a_design_that_is_not_valid_names_the_sizes_that_check_does(curveups, tm
     F += [(a, a + 18, a + 1) for a in range(80 * 17) if a % 17 < 16]
     path = tmp_path / "trough.obj"
     path.write_text(obj_text(V, F))
-    assert curveups("check", path, "-o", tmp_path / "check").status == 1
+    assert curveups("check", path, "-o", tmp_path / "check", "--set", "H_body=5.5").status == 1
     most = json.loads((tmp_path / "check" / "check.json").read_text("utf-8"))["recommended"]["H_body"]
-    assert 0.5 < most < 3
-    assert curveups("design", path, "-o", tmp_path, "--no-solids", "--set", "run_repair=off").status == 1
+    assert 3 < most < 5.5
+    ran = curveups("design", path, "-o", tmp_path, "--no-solids", "--set", "run_repair=off", "H_body=5.5")
+    assert ran.status == 1, ran.err
     reasons = json.loads((tmp_path / "report.json").read_text("utf-8"))["reasons"]
     said, = (one for one in reasons if "'curveups check' finds nothing in the way" in one)
     name, _, value = said.removeprefix("suggested: ").split(",")[0].split(" or ")[0].partition("=")
-    assert name == "H_body" and 0.5 < float(value) <= most
+    assert name == "H_body" and 3 < float(value) < 5.5
     assert curveups("check", path, "--set", f"H_body={value}").status == 0
 
 

@@ -153,7 +153,7 @@ class ParameterSearch:
                     there, _ = smooth_for_pins(V, F, edges, values, self._job)
                 elif there is V:
                     least = SAG * H_pin
-                made = None if there is None else lay_out(there, F, edges, values, self._job, _REPAIRED)
+                made = None if there is None else lay_out(there, F, edges, values, self._job, _REPAIRED, True)
         except CurveUpsError:
             return False
         return there is not None and (made is None or made.clears(least))

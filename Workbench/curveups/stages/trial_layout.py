@@ -36,9 +36,10 @@ class TrialLayout:
 
 
 def lay_out(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job,
-            tiles_of_steps: int = TILES_OF_STEPS) -> Optional[TrialLayout]:
+            tiles_of_steps: int = TILES_OF_STEPS, of_membranes: bool = False) -> Optional[TrialLayout]:
     """Of a mesh on which pins have made room for themselves, repaired where the design would be, by so many
-    steps times tiles. None where there are more than MOST_TILES, or no flat map. Raises Stopped, and what
+    steps times tiles. `of_membranes`: only while no contact is weak, since a step of that takes seconds on
+    some targets. None where there are more than MOST_TILES, or no flat map. Raises Stopped, and what
     the module raises but for the reasons of a TrialLayout."""
     maps = native.target_fields(V, F, edges, parameters)
     if len(F) > MOST_TILES or np.isnan(maps["conformal_stretch"]).any():
@@ -46,14 +47,14 @@ def lay_out(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, jo
     repairs = parameters.get("run_verification") and parameters.get("run_repair")
     steps = min(_STEPS, tiles_of_steps // len(F)) if repairs else 0
     try:
-        return _lay_out(V, F, edges, parameters, job, steps)
+        return _lay_out(V, F, edges, parameters, job, steps, of_membranes)
     except (native.InfeasibleDesign, native.SolverFailure) as error:
         return TrialLayout(np.full((len(F), 2), np.nan),
                            (Finding.about("not_laid_out", error.tiles, said=str(error)),))
 
 
 def _lay_out(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job,
-             steps: int) -> TrialLayout:
+             steps: int, of_membranes: bool) -> TrialLayout:
     found = native.solve_layout(V, F, edges, parameters, job)
     if found.stopped:
         raise Stopped
@@ -61,7 +62,7 @@ def _lay_out(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, j
     clearance, broken = _measure(design, store, job)
     ended = True
     if steps and (broken or clearance.min(initial=0) < 0):
-        design, ended = _repair(design, store, steps, job)
+        design, ended = _repair(design, store, steps, of_membranes, job)
         clearance, broken = _measure(design, store, job)
     return TrialLayout(clearance, broken, ended)
 
@@ -71,15 +72,15 @@ def _measure(design: Any, store: Any, job: Job) -> tuple[np.ndarray, tuple[Findi
     return clearance, all_of(native.evaluate_design(design).reasons)
 
 
-def _repair(design: Any, store: Any, steps: int, job: Job) -> tuple[Any, bool]:
+def _repair(design: Any, store: Any, steps: int, of_membranes: bool, job: Job) -> tuple[Any, bool]:
     """What repair makes of it, and whether it came to an end: itself where it can't begin, as a design ends
     then."""
     left = steps
 
-    def go_on(*_: object) -> bool:
+    def go_on(T: object, q: object, weak: float, violation: float = 0) -> bool:
         nonlocal left
         left -= 1
-        return left >= 0
+        return left >= 0 and not (of_membranes and weak)
 
     try:
         found = native.repair_design(design, store, job, go_on)
