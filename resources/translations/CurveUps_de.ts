@@ -2392,10 +2392,6 @@
       <translation>diese Kacheln ohne Überlappung auslegen</translation>
     </message>
     <message>
-      <source>laying out {0}</source>
-      <translation>{0} zur Probe abwickeln</translation>
-    </message>
-    <message>
       <source>layout</source>
       <translation>Abwicklung</translation>
     </message>

@@ -6,7 +6,7 @@
 A seed gives one target and the sizes of its tiles, so that a range of seeds is a set. Sets are kept apart by
 this rule: whoever works on the check may look at the seeds below 1000, and at no other. A range from 1000
 on serves for one figure and is spent then, whatever came of it: the next figure takes seeds that no run had
-before. Spent are 1000 to 1099, 3000 to 3022, and 2000 to 2119: for the figure of docs/feasibility.md.
+before. Spent are 1000 to 1099, and 2000 to 2119 for the figure of resources/docs/feasibility.md.
 
 Check promises two things. "Feasible": the design ends without a reason of a kind that check covers
 (COVERED). "Not feasible": the design fails. FOLDER gets the targets, and verdicts.jsonl with a line a seed:

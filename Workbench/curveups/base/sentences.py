@@ -25,7 +25,6 @@ PROGRESS = (
     "checking the target", "registering the scan", "smoothing the target", "dividing into pieces",
     "dividing into {0} pieces",
     "dividing into 1 piece", "looking for cuts", "making room for pins", "checking tiles", "trying {0}",
-    "laying out {0}",
     "layout", "restoring the layout", "measuring deviation", "membrane", "front membrane", "back membrane",
     "meshing membranes", "friction and unilateral contacts", "repair: fresh membranes",
     "repair: {0} weak points", "settle", "actuate", "shaking",

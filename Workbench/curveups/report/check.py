@@ -26,7 +26,6 @@ def build_check(results: Results) -> dict[str, Any]:
     get = results.parameters.get
     return {
         "format": FORMAT, "version": VERSION, "name": results.name, "feasible": found.feasible,
-        "laid_out": found.laid_out,
         "L": get("L"), "H_body": get("H_body"), "H_pin": get("H_pin"),
         "tiles": [{"tile": i, "fold_margin": float(found.least_dihedral_margin[i]),
                    "back_scale": float(found.back_scale[i]),
@@ -71,12 +70,11 @@ def rows(results: Results) -> list[Row]:
     with np.errstate(divide="ignore", invalid="ignore"):  # where not even the smallest pins hold a membrane
         low, high = (found.stretch[:, None] / found.stretch_range).T
     sides = list(enumerate(("front", "back")))
-    clear = "0" if found.laid_out else f"{SAG * height:g} *"
     table = [_row(found.least_dihedral_margin, "0", short["fold"]),
              _row(found.back_scale, "0", short["fold"]),
              *(_row(found.pin_area_margin[:, side] + least, f"{floor:g}",
                     sum(one.is_at("pin", name) for one in found.blocked)) for side, name in sides),
-             *(_row(found.membrane_clearance[:, side], clear,
+             *(_row(found.membrane_clearance[:, side], f"{SAG * height:g} *",
                     sum(one.is_at("membrane", name) for one in found.blocked)) for side, name in sides),
              _row(low, f"{TOO_NARROW:g} *", short["stretch"]),
              _row(high, f"{TOO_SLACK:g} *", short["stretch"], True),

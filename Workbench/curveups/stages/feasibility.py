@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Finds which parts of a target can become tiles, before it is designed: margins of every tile and contact.
+"""Finds which parts of a target can become tiles, before any layout: margins of every tile and contact.
 
 Folds, back faces, pins and overlaps of bodies are closed forms of the mesh, the same that a design is
 refused by: what they block is certain. Where pins run into parts that face them, and where membranes cut
 into tiles or are slack, depends on the layout: that is estimated from pins that stand as near to corners
 as they may, and from the conformal map with which layouts begin. The limits of these estimates are those
-at which designs began to fail. Where only membranes can be in the way, the target is laid out
-(trial_layout.py), and they are measured.
+at which designs began to fail.
 """
 
 from __future__ import annotations
@@ -22,7 +21,6 @@ from ..base.value import Value
 from .pin_smoothing import mostly_short, smooth_for_pins
 from .target_smoothing import smooth_target
 from .stage import Inputs, Job, Result, Stage, digest
-from .trial_layout import lay_out
 
 _SIDES = ("front", "back")
 # Estimates. A membrane sags: it passes this part of H_pin below the tops of the pins around a corner.
@@ -49,8 +47,7 @@ class Obstacle(Value):
 
     @property
     def obstacle(self) -> str:
-        """"fold", "pin", "overlap", "closed", "membrane", "stretch"; of a trial layout also "not_laid_out"
-        and the constraints that it breaks."""
+        """"fold", "pin", "overlap", "closed", "membrane", "stretch"."""
         return self.why.group
 
     def is_at(self, obstacle: str, side: str) -> bool:
@@ -73,8 +70,7 @@ class Feasibility(Result):
     back_scale: np.ndarray        # M: back face's length over the front's
     interface_share: np.ndarray   # N: interface's back edge over its front edge; NaN: no back faces
     pin_area_margin: np.ndarray   # M x 2, mm2: largest pin's area less A_pin_min; NaN: no back faces
-    membrane_clearance: np.ndarray  # M x 2, mm: of membranes where it was laid out (NaN: that failed), else
-    #                                 of pins' tops over corners (NaN: no back faces)
+    membrane_clearance: np.ndarray  # M x 2, mm: of pins' tops over corners; NaN: no back faces
     stretch: np.ndarray           # M, of the conformal map; NaN: there is none
     stretch_range: np.ndarray     # M x 2: below the first the tile has no gaps, above the other its
     #                               membranes are slack
@@ -82,7 +78,6 @@ class Feasibility(Result):
     overlapping: np.ndarray       # pairs that no plane parts
     meeting: np.ndarray           # other pairs without a common vertex of which pins run into one another
     reached: int                  # pin sides for which vertices were moved
-    laid_out: bool = False  # whether a layout decided on membranes
     mending: Optional[float] = None  # mm, by how much mend=on would move vertices so that sizes do; None: it
     #                                  is on, it would not help, or there is nothing to mend
 
@@ -136,19 +131,12 @@ def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, jo
 
 
 def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
-    return with_room(V, F, edges, parameters, job) is not None
-
-
-def with_room(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job
-              ) -> Optional[np.ndarray]:
-    """Vertices with which nothing that depends on sizes is in the way: as given where these do, else as pins
-    make room for themselves. None where they do not do either."""
     def obstacles(V: np.ndarray) -> tuple[Feasibility, list[Obstacle]]:
         found = _margins(V, F, edges, parameters, 0)
         return found, [one for one in found.blocked if one.obstacle != "closed"]
 
     if mostly_short(V, F, edges, parameters):
-        return None
+        return False
     found, blocked = obstacles(V)
     if blocked and not {one.obstacle for one in blocked} & {"fold", "overlap"}:
         # Vertices of tiles that touch one with a small pin move: an obstacle that has none of them stays.
@@ -157,10 +145,10 @@ def with_room(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, 
         clearance = found.membrane_clearance.min(initial=np.inf)
         if (not all(moving[one.tile] for one in blocked) or (found.pin_area_margin < 0).mean() > MOST_SMALL
                 or clearance < SAG * parameters.get("H_pin") - MOST_CLEARED * found.L):
-            return None
+            return False
         there, moved = smooth_for_pins(V, F, edges, parameters, job)
-        return there if moved and not obstacles(there)[1] else None
-    return None if blocked else V
+        return bool(moved) and not obstacles(there)[1]
+    return not blocked
 
 
 def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, reached: int) -> Feasibility:
@@ -195,7 +183,7 @@ def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, r
         reached)
 
 
-def _obstacle(kind: str, tile: int, /, certain: bool = True, **figures: Any) -> Obstacle:
+def _obstacle(kind: str, tile: int, certain: bool = True, **figures: Any) -> Obstacle:
     return Obstacle(Finding.about(kind, [tile], **figures), certain)
 
 
@@ -250,33 +238,15 @@ def too_stretched(stretch: np.ndarray, ranges: np.ndarray) -> np.ndarray:
     return (slack | narrow) & (slack.mean() > SHARE) & (narrow.mean() > SHARE)
 
 
-def _decided(found: Feasibility, edges: np.ndarray, parameters: Any, job: Job) -> Feasibility:
-    """With the membranes of a layout instead of estimates; as it is where other things are in the way."""
-    if {one.obstacle for one in found.blocked} - {"membrane"}:
-        return found
-    made = lay_out(found.V, found.F, edges, parameters, job)
-    if made is None:
-        return found
-    with np.errstate(invalid="ignore"):
-        cut = np.argwhere(made.clearance < 0)
-    blocked = [_obstacle("membrane.cuts", tile, made.ended, side=_SIDES[side], tile=(int(tile),),
-                         depth=-float(made.clearance[tile, side])) for tile, side in cut]
-    blocked += [Obstacle(Finding(why.kind, (tile,), why.figures), made.ended)
-                for why in made.broken for tile in why.tiles or range(len(found.F))]
-    return replace(found, blocked=tuple(sorted(blocked, key=lambda one: one.tile)),
-                   membrane_clearance=made.clearance, laid_out=True)
-
-
 def _run(inputs: Inputs, job: Job) -> Feasibility:
     V, edges, F = inputs["fairing"].V, inputs["division"].edges, inputs["target"].F
     job("checking tiles")
     found = examine(V, F, edges, inputs.parameters, job)
-    found = _decided(found, edges, inputs.parameters, job)
     if not {one.obstacle for one in found.blocked} - {"closed"}:
         return found
     return replace(found, mending=mending(V, F, edges, inputs.parameters, job))
 
 
 STAGE = Stage("feasibility", ("target", "fairing", "division"),
-              frozenset({"target", "tiles", "layout", "bodies", "physics", "repair"}), _run,
+              frozenset({"target", "tiles", "layout", "repair"}), _run,
               label="Feasibility", asked_by=("check",), shown=True)

@@ -65,12 +65,6 @@ def mostly_short(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: An
                 and (np.asarray(margins.pin_area) < parameters.get("A_pin_floor")).mean() > MOST_SHORT)
 
 
-def short_sides(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) -> int:
-    """How many pins have less room than A_pin_min."""
-    margins = native.tile_margins(V, F, edges, parameters)
-    return int((np.asarray(margins.pin_area) < parameters.get("A_pin_min")).sum()) if margins.shaped else 0
-
-
 def _asked(parameters: Any) -> bool:
     return bool(parameters.get("run_repair") and parameters.get("move_vertices"))
 

@@ -1,23 +1,265 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sizes of tiles that work for a target: those that check names, those that errors name, and those that are
-chosen where parameters are auto. They are found by trying them (size_search.py)."""
+"""Searches for sizes of tiles that work for a target, by trying them: the surface is remeshed at other L and
+given other thicknesses and pins, and examined as a design would be (feasibility.py)."""
 
 from __future__ import annotations
 
+import math
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any, Collection, Iterator, Optional
+from functools import lru_cache
+from typing import Any, Callable, Collection, Iterator, Optional, Sequence, TypeVar
 
-from ..base.errors import CurveUpsError
+import numpy as np
+
+from ..base.parameters import parameter
+from ..base.errors import CurveUpsError, Stopped
 from ..base.native import native, translated
 from .advice import Sizes, other_sizes
 from .cut_request import CutRequest
 from .division import all_cuts
-from .feasibility import mending
-from .size_search import THICKEST, Candidate, ParameterSearch
+from .feasibility import mending, sizes_do
 from .stage import Inputs, Job, Result, Stage, digest
+from .target import remesh
 
-_THINNEST, _STOUTEST = 1 / 7, 3 / 7  # of chosen thicknesses, in lengths (the paper's tiles have 3/7)
+# Lengths and heights of pins are tried up to this factor from the one that is set, lengths as long as that
+# makes no more tiles than these or than there are, and thicknesses up to so many lengths.
+FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1000, 12, 2.0
+# As long as there are no more tiles than these a length is chosen; thicknesses between these lengths (the
+# paper's tiles have 3/7).
+MOST_CHOSEN, _THINNEST, _STOUTEST = 5000, 1 / 7, 3 / 7
+_Value = TypeVar("_Value")
+_STRIDE = 6  # values of the series from one trial to the next, before the ends are narrowed down
+
+
+def series(low: float, high: float) -> list[float]:
+    """Round lengths from low to high, mm, each at least some 3 % more than the one before."""
+    values: list[float] = []
+    for exact in np.geomspace(low, high, 2 + int(math.log(max(high / low, 1.0)) / 0.035)):
+        digits = max(0, 1 - math.floor(math.log10(exact)))
+        value = round(float(exact), digits)
+        if low <= value <= high and (not values or value > values[-1]):
+            values.append(value)
+    return values
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """What came of one size."""
+
+    L: float
+    H_body: float
+    H_pin: float
+    tiles: int
+    feasible: bool
+
+
+class ParameterSearch:
+    """Sizes on one surface (V, F, creases: what is remeshed). What can't be remeshed or has no tiles is not
+    feasible; only stopping ends the search."""
+
+    def __init__(self, V: np.ndarray, F: np.ndarray, cuts: CutRequest, parameters: Any, job: Job,
+                 creases: Optional[np.ndarray] = None):
+        self._surface, self._creases, self._cuts = (V, F), creases, cuts
+        self._outer, self._job, self._trying = job, Job(self._tell), ""
+        self._parameters = parameters
+        self.thinnest = max(value_range("H_body")[0], parameters.get("p_floor"))  # that a printer makes
+        self.made: dict[tuple[float, float, float], Candidate] = {}
+        self._chord_errors: dict[float, float] = {}
+        corners = V[F]
+        self._area = float(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0],
+                                                   corners[:, 2] - corners[:, 0]), axis=1).sum() / 2)
+        self._mesh = lru_cache(maxsize=1)(self._remesh)  # thicknesses are tried on one mesh
+
+    def tiles(self, L: float) -> float:
+        """About how many tiles of this length there would be."""
+        return self._area / (math.sqrt(3) / 4 * L * L)
+
+    def start_from(self, L: float, made: Any) -> None:
+        """What there is already at this length: V, F, chord error."""
+        self._mesh = lru_cache(maxsize=1)(
+            lambda asked: (made.V, made.F, made.chord_error) if asked == L else self._remesh(asked))
+
+    def __call__(self, L: float, H_body: float, H_pin: Optional[float] = None) -> Candidate:
+        """H_pin: else as it is set."""
+        pin = float(self._parameters.get("H_pin") if H_pin is None else H_pin)
+        known = self.made.get((L, H_body, pin))
+        if known is None:
+            self._say(f"trying L = {L:g} mm, H_body = {H_body:g} mm, H_pin = {pin:g} mm")
+            known = self.made[L, H_body, pin] = self._try(L, H_body, pin)
+        return known
+
+    def chord_error(self, L: float) -> float:
+        """Largest distance of the surface from its facets, mm; NaN where it can't be remeshed."""
+        if L not in self._chord_errors:
+            self._say(f"trying L = {L:g} mm")
+            try:
+                with translated():
+                    self._chord_errors[L] = self._mesh(L)[2]
+            except CurveUpsError:
+                self._chord_errors[L] = math.nan
+        return self._chord_errors[L]
+
+    def _say(self, trying: str) -> None:
+        self._trying = trying
+        if not self._tell():
+            raise Stopped
+
+    def _tell(self, *_: Any) -> bool:
+        """Of a trial's own work nothing is told: its fraction is none of the search, whose end is unknown."""
+        return self._outer(self._trying)
+
+    def _try(self, L: float, H_body: float, H_pin: float) -> Candidate:
+        values = native.Parameters(self._parameters)
+        for name, value in (("L", L), ("H_body", H_body), ("H_pin", H_pin)):
+            values.set(name, value)
+        tiles = 0
+        try:
+            with translated():
+                V, F, _ = self._mesh(L)
+                tiles = len(F)
+                edges = all_cuts(self._cuts, V, F, values, self._job)
+                feasible = sizes_do(V, F, edges, values, self._job)
+        except CurveUpsError:
+            feasible = False
+        return Candidate(L, H_body, H_pin, tiles, feasible)
+
+    def _remesh(self, L: float) -> tuple[np.ndarray, np.ndarray, float]:
+        made = remesh(*self._surface, L, self._parameters, self._job, self._creases)
+        return made.V, made.F, float(made.chord_error)
+
+    def largest_thickness(self, L: float, most: float) -> Optional[float]:
+        """The largest feasible thickness of a series from `thinnest` to `most`, found by bisection; None
+        where the least has no tiles either."""
+        values = series(self.thinnest, most)
+        found = _last(values, lambda H_body: self(L, H_body).feasible)
+        return None if found < 0 else values[found]
+
+    def largest_length(self, L: float, thickness: Callable[[float], float], maximum_deviation: float,
+                       where: str) -> float:
+        """The largest feasible length that was tried at which the surface stays within `maximum_deviation`
+        (mm) of its facets; L: one that was tried. Raises CurveUpsError where there is none."""
+        low, high = value_range("L")
+        values = [value for value in series(low, high) if LEAST_TILES <= self.tiles(value) <= MOST_CHOSEN]
+        if not values:
+            raise CurveUpsError("the surface is too large or too small for tiles", where,
+                                "check its unit (scale, fit)")
+
+        def near(value: float) -> bool:
+            return self.chord_error(value) <= maximum_deviation
+
+        # It grows with the square of the length, as long as that is small against the curvature's radius.
+        chord_error = self.chord_error(L)
+        guess = L * math.sqrt(maximum_deviation / chord_error) if chord_error > 0 else values[-1]
+        place = int(np.argmin(np.abs(np.log(np.array(values) / guess))))
+        while place > 0 and not near(values[place]):
+            place = max(0, place - _STRIDE // 2)
+        last = place + _reach(values[place:], near) if near(values[place]) else -1
+        for place in range(last, -1, -1):
+            if near(values[place]) and self(values[place], thickness(values[place])).feasible:
+                return values[place]
+        raise CurveUpsError(f"no L does that keeps tiles within {maximum_deviation:g} mm of the surface",
+                            where, "raise maximum_deviation, or see 'curveups check'")
+
+    def lengths(self, L: float) -> list[float]:
+        """The series of lengths about L, with L itself in it."""
+        most = max(MOST_TILES, self.tiles(L))
+        return [value for value in _about("L", L) if value == L or LEAST_TILES <= self.tiles(value) <= most]
+
+    def nearest_length(self, L: float, H_body: float) -> Optional[float]:
+        """The feasible length nearest to L of those tried, with every _STRIDE-th of the series."""
+        # Fewer tiles first: that is quicker.
+        return _nearest(self.lengths(L), L, lambda value: self(value, H_body).feasible)
+
+    def range_of_lengths(self, L: float, H_body: float) -> Optional[tuple[float, float]]:
+        """Ends of the range of feasible lengths that holds L, or of the nearest one; both were tried."""
+        start, values = self.nearest_length(L, H_body), self.lengths(L)
+        if start is None:
+            return None
+        first = values.index(start)
+
+        def feasible(value: float) -> bool:
+            return self(value, H_body).feasible
+
+        low = values[first - _reach(values[first::-1], feasible)]
+        high = values[first + _reach(values[first:], feasible)]
+        return low, high
+
+    def least_pin(self, L: float, H_body: float) -> Optional[float]:
+        """The lower end of the range of feasible heights of pins that holds the one that is set, or of the
+        nearest one; it was tried. Membranes clear tiles under high pins; beside sharp folds high pins run
+        into one another."""
+        H_pin = self._parameters.get("H_pin")
+        values = _about("H_pin", H_pin)
+
+        def feasible(value: float) -> bool:
+            return self(L, H_body, value).feasible
+
+        start = _nearest(values, H_pin, feasible)
+        if start is None:
+            return None
+        first = values.index(start)
+        return values[first - _reach(values[first::-1], feasible)]
+
+    def thinner_with_pins(self, L: float, H_body: float, alone: Optional[float]
+                          ) -> Optional[tuple[float, float]]:
+        """The largest feasible thickness between `alone`, which does by itself (None: none does), and the
+        one that is set, with pins lower in proportion, mm: between parts that face one another both are in
+        the way. None where there is none."""
+        least, H_pin = value_range("H_pin")[0], self._parameters.get("H_pin")
+        low = self.thinnest if alone is None else alone
+        sizes = [(thickness, max(least, math.floor(100 * H_pin * thickness / H_body) / 100))
+                 for thickness in series(low, H_body) if low < thickness < H_body]
+        found = _last(sizes, lambda size: self(L, *size).feasible)
+        return None if found < 0 else sizes[found]
+
+
+def _about(name: str, value: float) -> list[float]:
+    """The series about a parameter's value, with the value itself in it."""
+    low, high = value_range(name)
+    values = series(max(low, value / FARTHEST), min(high, value * FARTHEST))
+    return sorted([*(one for one in values if abs(one - value) > 0.01 * value), value])
+
+
+def _nearest(values: Sequence[float], value: float, good: Callable[[float], bool]) -> Optional[float]:
+    """The good one nearest to `value`, which is one of them, of every _STRIDE-th; larger ones first."""
+    here = values.index(value)
+    for away in range(0, len(values), _STRIDE):
+        for place in (here + away, here - away):
+            if 0 <= place < len(values) and good(values[place]):
+                return values[place]
+    return None
+
+
+def _reach(values: Sequence[float], good: Callable[[float], bool]) -> int:
+    """How far values, of which the first is good, stay so: the place of the last one before a stride that
+    ends in a bad one, and of that stride the part that bisection finds."""
+    place = 0
+    while place + 1 < len(values):
+        ahead = min(place + _STRIDE, len(values) - 1)
+        if not good(values[ahead]):
+            return place + 1 + _last(values[place + 1:ahead], good)
+        place = ahead
+    return place
+
+
+def _last(values: Sequence[_Value], good: Callable[[_Value], bool]) -> int:
+    """The place of the last good value, where good ones come first; -1 where there is none."""
+    low, high = -1, len(values)
+    while high - low > 1:
+        middle = (low + high) // 2
+        if good(values[middle]):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def value_range(name: str) -> tuple[float, float]:
+    row = parameter(name)
+    return float(row.minimum), float(row.maximum)
+
+
 AUTOMATIC = ("L", "H_body")  # parameters that may be "auto"
 
 
@@ -70,7 +312,7 @@ def sizes_that_do(inputs: Inputs, cuts: CutRequest, job: Job) -> tuple[list[Size
     how many were tried."""
     target, L, H_body = inputs["target"], inputs.parameters.get("L"), inputs.parameters.get("H_body")
     search = _unmended_search(target, cuts, inputs.parameters, job)
-    found = {"H_body": search.thickness_that_holds(L, H_body)}
+    found = {"H_body": search.largest_thickness(L, H_body)}
     if _can_remesh(target, cuts):
         found["L"] = search.nearest_length(L, H_body)
     found["H_pin"] = search.least_pin(L, H_body)
@@ -101,7 +343,7 @@ def _can_remesh(target: Any, cuts: CutRequest) -> bool:
 
 @dataclass(frozen=True)
 class Recommendation(Result):
-    """Values that would do without mending, each of which was laid out; those that are set may do with it.
+    """Values that would do without mending, each of which was tried; those that are set may do with it.
     `L`: the ends of a range of lengths with the thickness that is set; it holds the length that is set, or is
     the nearest to it, and every value tried between its ends did. `H_body`: the largest thickness with the
     length that is set. `H_pin`: the least height of pins with both that are set, where the set one does;
@@ -128,9 +370,10 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     as_set = not {one.obstacle for one in inputs["feasibility"].blocked} - {"closed"}
     as_it_is = Candidate(L, H_body, inputs.parameters.get("H_pin"), len(target.F), as_set)
     search.made[L, H_body, as_it_is.H_pin] = as_it_is
-    search.decided.add((L, H_body, as_it_is.H_pin))  # as far as it can be
     most = max(THICKEST * L, H_body)
-    thickness = search.thickness_that_holds(L, most, H_body if as_set else 0.0)
+    thickness = search.largest_thickness(L, most)
+    if as_set:
+        thickness = max(thickness or 0.0, H_body)
     lengths = search.range_of_lengths(L, H_body) if _can_remesh(target, cuts) else None
     pin = search.least_pin(L, H_body)
     together = search.thinner_with_pins(L, H_body, thickness) if pin is None and lengths is None else None

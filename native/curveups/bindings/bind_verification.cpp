@@ -170,16 +170,6 @@ void bind_verification(py::module_& module) {
       "Membranes, contact forces and verdict. store: a SolutionStore that is asked for what is "
       "solved of the design already, and left with it. weak_is_enough: without a verdict where "
       "points push too weakly or glue is overloaded (complete is False).");
-  module.def(
-      "membrane_clearances",
-      [](const Design& design, SolutionStore* store, py::object progress) {
-        return without_gil(std::move(progress), [&](const Progress& sink) {
-          return membrane_clearances(design, store, sink);
-        });
-      },
-      py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
-      "M x 2, mm: how far the front and the back membrane stay from each tile, H_pin at most; "
-      "negative: the depth to which they would cut into it. store: as in verify_design.");
 
   py::class_<RepairStep>(module, "RepairStep", "One step of a repair and what it left.")
       .def_readonly("weak_points", &RepairStep::weak_points)

@@ -89,104 +89,60 @@ double triangle_distance(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>
   return least;
 }
 
-namespace {
-// A membrane's patches over the faces of the tiles that they join.
-class PatchesOverBodies {
- public:
-  PatchesOverBodies(const DesignGeometry& geometry, const MembraneSolution& membrane)
-      : tiles_(geometry.tiles),
-        membrane_(membrane),
-        tag_(membrane.domain.side == Side::front ? body_tag::front : body_tag::back),
-        bodies_(tiles_.tile_count()) {
-    // Triangles are stored patch by patch.
-    const std::vector<int>& patch_of = membrane.mesh.patch;
-    first_.assign(patch_count() + 1, patch_of.size());
-    for (std::size_t t = patch_of.size(); t-- > 0;) first_[patch_of[t]] = t;
-    for (std::size_t p = patch_count(); p-- > 0;) {
-      if (first_[p] == patch_of.size()) first_[p] = first_[p + 1];
-    }
-    parallel_ranges(tiles_.tile_count(), [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) bodies_[i] = tile_body(tiles_, geometry.truncation, i);
-    });
-  }
-
-  int patch_count() const { return static_cast<int>(membrane_.domain.patches.size()); }
-  auto tiles(int patch) const { return tiles_of(membrane_.domain.patches[patch]); }
-
-  // Lowers `best` where a triangle of the patch is nearer to the tile.
-  void measure(int patch, int tile, MembraneClearance& best) const {
-    const ConvexBody& body = bodies_[tile];
-    const BodyFace* face = nullptr;
-    for (const BodyFace& f : body.faces) {
-      if (f.tag == tag_) face = &f;
-    }
-    if (!face) return;
-    for (std::size_t t = first_[patch]; t < first_[patch + 1]; ++t) {
-      std::array<Vec3, 3> local;
-      double lowest = 1e300;
-      for (int c = 0; c < 3; ++c) {
-        local[c] = tiles_.frame[tile].to_local(
-            membrane_.state.x.row(membrane_.mesh.triangles[t][c]).transpose());
-        lowest = std::min(lowest, face->plane.distance(local[c]));
-      }
-      // The body lies behind its face: nothing nearer than this.
-      if (lowest >= best.distance + as_near) continue;
-      double distance = 1e300;
-      for (std::size_t k = 1; k + 1 < face->loop.size(); ++k) {
-        distance = std::min(distance, triangle_distance(local, {body.points[face->loop[0]],
-                                                                body.points[face->loop[k]],
-                                                                body.points[face->loop[k + 1]]}));
-      }
-      const double depth = lowest < 0 ? depth_in_body(local, body, tag_) : 0;
-      if (depth > 0) distance = -depth;
-      take_nearer(distance, tile, patch, best);
-    }
-  }
-
- private:
-  const TileMesh& tiles_;
-  const MembraneSolution& membrane_;
-  int tag_;
-  std::vector<std::size_t> first_;  // of the triangles of each patch
-  std::vector<ConvexBody> bodies_;
-};
-
-}  // namespace
-
 std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
                                                 const MembraneSolution& membrane, double H_pin) {
-  const PatchesOverBodies over(geometry, membrane);
-  std::vector<MembraneClearance> of_patch(over.patch_count());
-  parallel_ranges(over.patch_count(), [&](int begin, int end) {
+  const TileMesh& tiles = geometry.tiles;
+  const bool front = membrane.domain.side == Side::front;
+  const int tag = front ? body_tag::front : body_tag::back;
+  const std::vector<MembranePatch>& patches = membrane.domain.patches;
+  // Triangles are stored patch by patch.
+  const std::vector<int>& patch_of = membrane.mesh.patch;
+  std::vector<std::size_t> first(patches.size() + 1, patch_of.size());
+  for (std::size_t t = patch_of.size(); t-- > 0;) first[patch_of[t]] = t;
+  for (std::size_t p = patches.size(); p-- > 0;) {
+    if (first[p] == patch_of.size()) first[p] = first[p + 1];
+  }
+  std::vector<ConvexBody> bodies(tiles.tile_count());
+  parallel_ranges(tiles.tile_count(), [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) bodies[i] = tile_body(tiles, geometry.truncation, i);
+  });
+  std::vector<MembraneClearance> of_patch(patches.size());
+  parallel_ranges(static_cast<int>(patches.size()), [&](int begin, int end) {
     for (int p = begin; p < end; ++p) {
-      of_patch[p] = {H_pin, -1, p};
-      for (int tile : over.tiles(p)) over.measure(p, tile, of_patch[p]);
+      MembraneClearance& best = of_patch[p];
+      best = {H_pin, -1, p};
+      for (int tile : tiles_of(patches[p])) {
+        const ConvexBody& body = bodies[tile];
+        const BodyFace* face = nullptr;
+        for (const BodyFace& f : body.faces) {
+          if (f.tag == tag) face = &f;
+        }
+        if (!face) continue;
+        for (std::size_t t = first[p]; t < first[p + 1]; ++t) {
+          std::array<Vec3, 3> local;
+          double lowest = 1e300;
+          for (int c = 0; c < 3; ++c) {
+            local[c] = tiles.frame[tile].to_local(
+                membrane.state.x.row(membrane.mesh.triangles[t][c]).transpose());
+            lowest = std::min(lowest, face->plane.distance(local[c]));
+          }
+          // The body lies behind its face: nothing nearer than this.
+          if (lowest >= best.distance + as_near) continue;
+          double distance = 1e300;
+          for (std::size_t k = 1; k + 1 < face->loop.size(); ++k) {
+            distance = std::min(
+                distance,
+                triangle_distance(local, {body.points[face->loop[0]], body.points[face->loop[k]],
+                                          body.points[face->loop[k + 1]]}));
+          }
+          const double depth = lowest < 0 ? depth_in_body(local, body, tag) : 0;
+          if (depth > 0) distance = -depth;
+          take_nearer(distance, tile, p, best);
+        }
+      }
     }
   });
   return of_patch;
-}
-
-Eigen::VectorXd tile_clearances(const DesignGeometry& geometry, const MembraneSolution& membrane,
-                                double H_pin) {
-  const PatchesOverBodies over(geometry, membrane);
-  std::vector<std::vector<double>> of_patch(over.patch_count());
-  parallel_ranges(over.patch_count(), [&](int begin, int end) {
-    for (int p = begin; p < end; ++p) {
-      for (int tile : over.tiles(p)) {
-        MembraneClearance here{H_pin, -1, p};
-        over.measure(p, tile, here);
-        of_patch[p].push_back(here.distance);
-      }
-    }
-  });
-  Eigen::VectorXd of_tile = Eigen::VectorXd::Constant(geometry.tiles.tile_count(), H_pin);
-  for (int p = 0; p < over.patch_count(); ++p) {
-    std::size_t k = 0;
-    for (int tile : over.tiles(p)) {
-      of_tile(tile) = std::min(of_tile(tile), of_patch[p][k++]);
-    }
-  }
-  return of_tile;
 }
 
 MembraneClearance least_clearance(const std::vector<MembraneClearance>& of_patches, double H_pin) {

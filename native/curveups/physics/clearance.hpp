@@ -17,11 +17,6 @@ struct MembraneClearance {
 std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
                                                 const MembraneSolution& membrane, double H_pin);
 
-// Per tile (M), from all patches that join it: as patch_clearances has them, which tells of each
-// patch the nearest tile alone. H_pin where it has no membrane.
-Eigen::VectorXd tile_clearances(const DesignGeometry& geometry, const MembraneSolution& membrane,
-                                double H_pin);
-
 // The least of them; H_pin where a side has no membrane.
 MembraneClearance least_clearance(const std::vector<MembraneClearance>& of_patches, double H_pin);
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "curveups/core/errors.hpp"
-
 namespace curveups {
 namespace {
 
@@ -140,28 +138,6 @@ SolvedDesign take_or_solve(SolutionStore* store, const DesignGeometry& geometry,
   std::optional<SolvedDesign> solved;
   if (store) solved = store->take(design);
   return solved ? std::move(*solved) : solve_design(geometry, design, progress);
-}
-
-TwoSides membrane_clearances(const Design& design, SolutionStore* store, const Progress& progress) {
-  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
-  check_arrays(design, geometry.tiles);
-  SolvedDesign solved = take_or_solve(store, geometry, design, progress);
-  TwoSides out(geometry.tiles.tile_count(), 2);
-  for (int s = 0; s < 2; ++s) {
-    out.col(s) = tile_clearances(geometry, solved.membranes[s], design.parameters.H_pin);
-  }
-  if (store) store->put(std::move(solved));
-  return out;
-}
-
-void check_arrays(const Design& design, const TileMesh& tiles) {
-  if (design.T.rows() != tiles.tile_count() || design.q.rows() != tiles.tile_count()) {
-    throw InvalidInput("the design's layout and pins do not have one row per tile",
-                       "give T and q for every row of F");
-  }
-  if (!design.T.allFinite() || !design.q.allFinite()) {
-    throw InvalidInput("the design holds a number that is not finite", "give finite numbers");
-  }
 }
 
 }  // namespace curveups

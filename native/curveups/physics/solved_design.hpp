@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "curveups/design/tile_margins.hpp"
 #include "curveups/physics/clearance.hpp"
 #include "curveups/physics/contact_forces.hpp"
 #include "curveups/physics/loads.hpp"
@@ -87,13 +86,5 @@ class SolutionStore {
 // What the store (which may be null) has for the design, or solved now.
 SolvedDesign take_or_solve(SolutionStore* store, const DesignGeometry& geometry,
                            const Design& design, const Progress& progress);
-
-// How far both membranes stay from each tile's body (tile_clearances): M x 2, mm, front and back.
-// store: as in verify_design. Throws what it throws.
-TwoSides membrane_clearances(const Design& design, SolutionStore* store, const Progress& progress);
-
-// Throws InvalidInput where a design's layout and pins do not belong to its tiles or are not
-// finite.
-void check_arrays(const Design& design, const TileMesh& tiles);
 
 }  // namespace curveups

@@ -350,39 +350,6 @@ TEST(Verify, AMembraneThatCutsIntoABodyIsNotValid) {
   EXPECT_GT(verify_design(dome(), {}, {}).physics.clearance_mm, 0.3);
 }
 
-TEST(Verify, ClearancesOfTilesHaveTheLeastThatTheVerdictNames) {
-  // One flat sheet: every membrane lies in the plane of the pins' tops.
-  const TriangleMesh flat = hexagon(2, [](double, double) { return 0.0; });
-  const Design level = spread_design(flat, 1.5, 1.2);
-  EXPECT_TRUE(
-      membrane_clearances(level, nullptr, {}).isApproxToConstant(level.parameters.H_pin, 1e-9));
-  const TriangleMesh ridge = hexagon(2, [](double x, double) { return -0.8 * std::abs(x); });
-  const Design design = spread_design(ridge, 1.5, 1.6);
-  SolutionStore store;
-  const TwoSides found = membrane_clearances(design, &store, {});
-  ASSERT_EQ(found.rows(), design.mesh.F.rows());
-  const VerificationReport r = verify_design(design, &store, {});
-  EXPECT_EQ(found.minCoeff(), r.physics.clearance_mm);
-  EXPECT_EQ(found, membrane_clearances(design, nullptr, {}));  // whether solved before or not
-  // A roof: the front membrane hangs over its ridge, of which tiles on either side are as near.
-  const Finding* cuts = find_kind(r.reasons, "membrane.cuts");
-  ASSERT_NE(cuts, nullptr);
-  const int tile = cuts->tiles.at(0);
-  EXPECT_NEAR(found.row(tile).minCoeff(), r.physics.clearance_mm, 1e-9);
-  for (int i = 0; i < found.rows(); ++i) {
-    bool at_ridge = false;
-    for (int c = 0; c < 3; ++c) {
-      at_ridge = at_ridge || std::abs(design.mesh.V(design.mesh.F(i, c), 0)) < 1e-9;
-    }
-    if (!at_ridge) {
-      EXPECT_GT(found.row(i).minCoeff(), 0.1) << i;
-    }
-  }
-  Design broken = design;
-  broken.q.conservativeResize(3, 6);
-  EXPECT_THROW(membrane_clearances(broken, nullptr, {}), InvalidInput);
-}
-
 TEST(Verify, OfPlacesAsNearTheLastIsNamed) {
   const std::vector<MembraneClearance> by_digits = {
       {0.5, 3, 0}, {0.2 - 1e-12, 8, 1}, {0.2, 7, 2}, {1.2, -1, 3}};

@@ -128,7 +128,7 @@ def check_fields(found: Any, parameters: Any, contacts: np.ndarray) -> list[Fiel
               0.0, shape=(len(contacts),)),
         Field("Pin area margin", "mm^2", SIDE, lambda: found.pin_area_margin, "low", floor, shape=(count, 2)),
         Field("Membrane clearance", "mm", SIDE, lambda: found.membrane_clearance, "low",
-              0.0 if found.laid_out else SAG * parameters.get("H_pin"), shape=(count, 2)),
+              SAG * parameters.get("H_pin"), shape=(count, 2)),
         Field("Obstacles", "", TILE, lambda: np.bincount(tiles, minlength=count), "high", 0.5, "cross",
               problem="tiles that can't be made or are likely to fail", shape=(count,))]
 
