@@ -54,6 +54,13 @@ def test_what_fits_stays_as_it_is(design):
     assert divided(design, model.bbox[:2])[1] is None
 
 
+def test_tiles_that_nothing_holds_anyway_stop_no_division(design):
+    """A loose tile of the whole print is one of its parts, too."""
+    model, found, printer = divided(design, (52, 30), support="breakaway", bridge_width=3.0)
+    assert model.loose_tiles and found.seams
+    require_whole(model, found, printer)
+
+
 def test_a_print_is_turned_where_that_does(design):
     """A strip that lies askew."""
     turn = np.array([[np.cos(0.6), -np.sin(0.6)], [np.sin(0.6), np.cos(0.6)]])

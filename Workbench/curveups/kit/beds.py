@@ -145,9 +145,10 @@ def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any, a
 def _cut(design: Any, model: Any, printer: Mapping[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:
     """The fewest parts that fit, each on a bed of its own or with others."""
     bed, opening = printer["bed_mm"], 2 * printer["growth_mm"]
+    loose = set(model.loose_tiles)  # without a seam, too
     for parts, seams in _divisions(design, bed, shapes, asked):
         made = _made(asked, design, part_of_tile=parts.tolist(), opening=opening)
-        found = made and not made.loose_tiles and _packed(made, bed)
+        found = made and loose.issuperset(made.loose_tiles) and _packed(made, bed)
         if found:
             return Beds(made, found, opening, seams=seams)
     return None
