@@ -3636,10 +3636,6 @@
       <translation>Die Form hält nicht: die Kontakte {contacts:8} öffnen sich, wenn die Kacheln sich setzen</translation>
     </message>
     <message>
-      <source>the sheet would lie on itself in the flat layout, slit as the cuts ask, between {contacts:8}</source>
-      <translation>die Folie läge im flachen Layout, geschlitzt wie die Schnitte es verlangen, auf sich selbst, zwischen {contacts:8}</translation>
-    </message>
-    <message>
       <source>the slab is level with the {side} pins, which are glued first: glue takes it, too</source>
       <translation>Die Platte liegt auf der Höhe der Zapfen ({side}), die zuerst geklebt werden: auch sie nimmt Kleber an</translation>
     </message>
@@ -3950,6 +3946,10 @@
     <message>
       <source>two files would be called {0}</source>
       <translation>zwei Dateien hießen {0}</translation>
+    </message>
+    <message>
+      <source>two sides of a cut need the same place in the flat layout, where the sheet would lie on itself between {contacts:8}</source>
+      <translation>zwei Seiten eines Schnitts brauchen im flachen Layout denselben Platz, wo die Folie zwischen {contacts:8} auf sich selbst läge</translation>
     </message>
     <message>
       <source>unexpected failure: {0}</source>

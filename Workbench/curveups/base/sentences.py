@@ -73,8 +73,8 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "dimples_stop": "; dimples stop what slides after {play:.3g} mm at most",
     "hold_more": "; hold more tiles, or others (held_tiles)",
     "no_equilibrium": "the membranes' equilibrium was not reached (residual {residual:.3g})",
-    "membrane.covers": ("the sheet would lie on itself in the flat layout, slit as the cuts ask, between "
-                        "{contacts:8}", "leave out the cut there, or cut elsewhere"),
+    "membrane.covers": ("two sides of a cut need the same place in the flat layout, where the sheet would "
+                        "lie on itself between {contacts:8}", "leave out the cut there, or cut elsewhere"),
     "membrane.cuts": "the {side} membrane would cut {depth:.3g} mm into the body of {tile}: raise H_pin or "
                      "lower insets there",
     "membrane.touches": "the {side} membrane touches the body of {tile} (clearance {clearance:.3g} mm)",

@@ -145,7 +145,7 @@ def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any, a
 def _cut(design: Any, model: Any, printer: Mapping[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:
     """The fewest parts that fit, each on a bed of its own or with others."""
     bed, opening = printer["bed_mm"], 2 * printer["growth_mm"]
-    loose = set(model.loose_tiles)  # without a seam, too
+    loose = set(model.loose_tiles)  # of the whole print as well
     for parts, seams in _divisions(design, bed, shapes, asked):
         made = _made(asked, design, part_of_tile=parts.tolist(), opening=opening)
         found = made and loose.issuperset(made.loose_tiles) and _packed(made, bed)
