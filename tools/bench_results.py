@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tables of resources/docs/results.md that `tools/bench --results` renews.
+"""The tables of resources/docs that `tools/bench` renews, row by row.
 
 A table stands between <!-- bench NAME --> and <!-- end -->, one line a model. Models that were measured
 replace their line or come last; all others keep theirs."""
@@ -10,8 +10,10 @@ import re
 from pathlib import Path
 from typing import Any, Callable
 
-RESULTS = Path(__file__).resolve().parents[1] / "resources" / "docs" / "results.md"
+DOCS = Path(__file__).resolve().parents[1] / "resources" / "docs"
+RESULTS = DOCS / "results.md"
 Row = dict[str, Any]
+Tables = dict[str, Callable[[Row], list[str]]]
 
 
 def _number(value: float | None, digits: int = 2) -> str:
@@ -44,7 +46,7 @@ def _forces(row: Row) -> list[str]:
             _number(unilateral["largest_floor"] / mean)]
 
 
-TABLES: dict[str, Callable[[Row], list[str]]] = {
+TABLES: Tables = {
     "seconds": lambda row: [
         str(row["tiles"]), _seconds(row, "remesh"), _seconds(row, "flatten", "layout"),
         _seconds(row, "verify"), _seconds(row, "refine"),
@@ -57,10 +59,10 @@ TABLES: dict[str, Callable[[Row], list[str]]] = {
 }
 
 
-def renew(rows: list[Row], page: Path = RESULTS) -> None:
+def renew(rows: list[Row], page: Path = RESULTS, tables: Tables = TABLES) -> None:
     """Puts the measured models into the page's tables."""
     text = page.read_text(encoding="utf-8")
-    for name, cells in TABLES.items():
+    for name, cells in tables.items():
         found = re.search(rf"<!-- bench {name} -->\n(.*?)<!-- end -->", text, re.S)
         if not found:
             raise ValueError(f"{page} has no table {name}")

@@ -20,8 +20,8 @@
       <translation>Weg berechnen</translation>
     </message>
     <message>
-      <source>End now and keep the path so far</source>
-      <translation>Jetzt aufhören und den bisherigen Weg behalten</translation>
+      <source>End now and keep what there is so far</source>
+      <translation>Jetzt beenden und behalten, was es bis dahin gibt</translation>
     </message>
     <message>
       <source>End now and leave the design unchanged</source>
@@ -46,6 +46,10 @@
     <message>
       <source>Look for Touches</source>
       <translation>Griffe suchen</translation>
+    </message>
+    <message>
+      <source>Make the design with other friction, bumps, gaps and thickness, and with a cut, and find out which brings it nearer to its shape. Each takes a path of its own</source>
+      <translation>Den Entwurf mit anderer Reibung, anderen Noppen, Spalten und Dicken und mit einem Schnitt machen und feststellen, was ihn seiner Form näher bringt. Jedes davon braucht einen eigenen Weg</translation>
     </message>
     <message>
       <source>Move the tiles along the path</source>
@@ -82,6 +86,10 @@
     <message>
       <source>Tiles to Press</source>
       <translation>Zu drückende Kacheln</translation>
+    </message>
+    <message>
+      <source>Try Changes</source>
+      <translation>Änderungen probieren</translation>
     </message>
     <message>
       <source>Write the tiles as they are shown to a STEP file</source>
@@ -841,6 +849,10 @@
       <translation>Prüfung auf feinerem Netz</translation>
     </message>
     <message>
+      <source>What would help</source>
+      <translation>Was helfen würde</translation>
+    </message>
+    <message>
       <source>does not hold</source>
       <translation>hält nicht</translation>
     </message>
@@ -926,6 +938,10 @@
     <message>
       <source>Play</source>
       <translation>Abspielen</translation>
+    </message>
+    <message>
+      <source>There is no path that jams</source>
+      <translation>Es gibt keinen Weg, der klemmt</translation>
     </message>
     <message>
       <source>There is no path yet</source>
@@ -1340,6 +1356,10 @@
       <translation>ein Schnitt nahe den genannten Kacheln gibt Spalten Platz</translation>
     </message>
     <message>
+      <source>a cut of {length:.0f} mm</source>
+      <translation>ein Schnitt von {length:.0f} mm</translation>
+    </message>
+    <message>
       <source>a cut of {length:.0f} mm {why:; }</source>
       <translation>ein Schnitt von {length:.0f} mm: {why:; }</translation>
     </message>
@@ -1634,6 +1654,10 @@
     <message>
       <source>can't write {0}: {1}</source>
       <translation>{0} lässt sich nicht schreiben: {1}</translation>
+    </message>
+    <message>
+      <source>changes are tried from flat alone</source>
+      <translation>Änderungen werden nur von flach aus probiert</translation>
     </message>
     <message>
       <source>check contact points and forces for numbers that are not finite</source>
@@ -2400,6 +2424,10 @@
       <translation>lassen Sie --compensate weg, oder ändern Sie den Entwurf</translation>
     </message>
     <message>
+      <source>leave --from out</source>
+      <translation>--from weglassen</translation>
+    </message>
+    <message>
       <source>leave fit at 0</source>
       <translation>fit auf 0 lassen</translation>
     </message>
@@ -2706,6 +2734,10 @@
     <message>
       <source>no volume</source>
       <translation>kein Volumen</translation>
+    </message>
+    <message>
+      <source>none of {tried} changes that were tried gives a valid design that comes nearer to its shape</source>
+      <translation>keine von {tried} probierten Änderungen gibt einen gültigen Entwurf, der seiner Form näher kommt</translation>
     </message>
     <message>
       <source>none of {tried} other sizes that were tried does</source>
@@ -4178,6 +4210,34 @@
     <message>
       <source>{0}; or {1}</source>
       <translation>{0}; oder {1}</translation>
+    </message>
+    <message>
+      <source>{changes:, }: it arrives by itself, {shortfall:.3g} mm from the shape that it keeps</source>
+      <translation>{changes:, }: das Stück kommt von selbst in seine Form, {shortfall:.3g} mm von der, die es behält</translation>
+    </message>
+    <message>
+      <source>{changes:, }: it arrives by itself, {shortfall:.3g} mm from the shape that it keeps, but the design is not valid</source>
+      <translation>{changes:, }: das Stück kommt von selbst in seine Form, {shortfall:.3g} mm von der, die es behält, aber der Entwurf ist nicht gültig</translation>
+    </message>
+    <message>
+      <source>{changes:, }: it comes to rest {shortfall:.3g} mm short of its shape with {open} of {count} contacts open</source>
+      <translation>{changes:, }: es bleibt {shortfall:.3g} mm vor seiner Form stehen, {open} von {count} Kontakten bleiben offen</translation>
+    </message>
+    <message>
+      <source>{changes:, }: it comes to rest {shortfall:.3g} mm short of its shape with {open} of {count} contacts open, and the design is not valid</source>
+      <translation>{changes:, }: es bleibt {shortfall:.3g} mm vor seiner Form stehen, {open} von {count} Kontakten bleiben offen, und der Entwurf ist nicht gültig</translation>
+    </message>
+    <message>
+      <source>{changes:, }: there is no such design: {error}</source>
+      <translation>{changes:, }: so einen Entwurf gibt es nicht: {error}</translation>
+    </message>
+    <message>
+      <source>{changes:, }: whether it arrives is not known: the tiles do not come to rest</source>
+      <translation>{changes:, }: ob das Stück von selbst in seine Form kommt, ist nicht bekannt: die Kacheln kommen nicht zur Ruhe</translation>
+    </message>
+    <message>
+      <source>{changes:, }: whether it arrives is not known: the tiles do not come to rest, and the design is not valid</source>
+      <translation>{changes:, }: ob das Stück von selbst in seine Form kommt, ist nicht bekannt: die Kacheln kommen nicht zur Ruhe, und der Entwurf ist nicht gültig</translation>
     </message>
     <message>
       <source>{closed} of {edges} edges between pieces have no room for stitching holes: {pairs}</source>

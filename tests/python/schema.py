@@ -55,7 +55,7 @@ OPTIONAL = {
 STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}
 STAGES = ("remesh", "fairing", "pieces", "cuts", "relief", "flatten", "layout", "verify", "refine", "recheck",
-          "settle", "actuate", "solids", "check", "trials", "export")
+          "settle", "actuate", "actuation trials", "solids", "check", "trials", "export")
 
 
 def check(value, expected, where):

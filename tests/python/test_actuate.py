@@ -4,6 +4,8 @@
 import json
 import os
 import re
+import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -20,9 +22,13 @@ from curveups.project.project import Project
 from curveups.report import actuation
 from curveups.report.exports import report
 from curveups.report.moving import front_corners
-from curveups.stages import RISEN, START, asked_by
+from curveups.stages import HELP, RISEN, START, actuation_help, asked_by
 from curveups.stages.actuation import ActuationStart, findings
+from curveups.stages.actuation_help import ActuationHelp, Change, Trial
 from curveups.stages.stage import Job
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
+import actuated  # noqa: E402
 
 FILES = {"frames.json", "frames.fold", "actuation.html", "small-cap-settled.step", "small-cap-former.stl"}
 
@@ -326,8 +332,9 @@ def test_a_path_is_out_of_date_once_its_design_is_another(project):
         parameters.set(name, before)
         twin.parameters = parameters
         assert twin.out_of_date(RISEN) == ()
-    twin.give(START, actuation.read_start("target", 24))
-    assert twin.out_of_date(RISEN) == (START,)
+    for other in (actuation.read_start("target", 24), ActuationStart(hands=False)):
+        twin.give(START, other)
+        assert twin.out_of_date(RISEN) == (START,)
 
 
 def test_the_report_plays_the_path_where_there_is_one(project, tmp_path):
@@ -345,6 +352,21 @@ def test_the_report_plays_the_path_where_there_is_one(project, tmp_path):
     other.parameters = parameters
     assert "<canvas" not in report(other, tmp_path, (), Job()).read_text("utf-8")
     assert "actuation" not in json.loads((tmp_path / "report.json").read_text("utf-8"))
+
+
+def test_a_row_of_the_benchmark_fits_the_table_of_the_page(project, tmp_path):
+    block, page = project.latest(RISEN).block, tmp_path / "actuation.md"
+    page.write_text((actuated.DOCS / "actuation.md").read_text("utf-8"), "utf-8")
+    ends = {**block, "name": "small, no bumps", "tiles": 24, "processor": 1.25}
+    restless = {**ends, "name": "small, bumps", "arrives": None, "converged": False, "trap": None}
+    actuated.renew([ends, restless], page, {"actuation": actuated.cells})
+    lines = page.read_text("utf-8").splitlines()
+    head = next(line for line in lines if line.startswith("| design | tiles | arrives |"))
+    rows = {line.split("|")[1].strip(): line.split("|") for line in lines if line.startswith("| small, ")}
+    assert rows.keys() == {"small, no bumps", "small, bumps"}
+    assert all(len(row) == len(head.split("|")) for row in rows.values())
+    assert rows["small, no bumps"][3].strip() == "no" and rows["small, bumps"][3].strip() == "no answer"
+    assert f"{block['shortfall_mm']:.1f}, {len(block['open_contacts'])} of" in rows["small, no bumps"][4]
 
 
 def stopped_after(count):
@@ -368,3 +390,143 @@ def test_a_stop_keeps_the_path_so_far(risen):
     with pytest.raises(Stopped):
         project.run(asked_by("actuate"), stopped_after(0))
     assert project.latest(RISEN) is None
+
+
+@pytest.fixture(scope="module")
+def helped(risen, curveups, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("helped")
+    ran = curveups("actuate", risen.source, "-o", folder, "--no-hands", "--try-changes",
+                   "--set", "bumps=none", "friction_coefficient=0.2")
+    answer = json.loads((folder / "actuation.json").read_text("utf-8"))
+    return SimpleNamespace(folder=folder, ran=ran, help=answer["actuation"].pop("help"), answer=answer)
+
+
+def test_changes_are_tried_beside_the_same_path(risen, helped):
+    same = dict(risen.answer["actuation"])
+    assert same.pop("by_hand") and same.pop("hands") is not None and helped.answer["actuation"] == same
+    changed = [one["change"] for one in helped.help]
+    for name in ("friction_coefficient", "d_gap_min", "H_body", "bumps"):
+        assert [change for change in changed if list(change) == [name]], name
+    before = {name: risen.design.parameters.get(name) for name in ("d_gap_min", "H_body")}
+    for name, value in (("friction_coefficient", 0.2), ("bumps", "none"), *before.items()):
+        assert all(change.get(name) != value for change in changed)
+    assert len({json.dumps(change, sort_keys=True) for change in changed}) == len(changed)
+    nearer = [one["what"] for one in helped.help
+              if one["valid"] and one.get("shortfall_mm", np.inf) < same["shortfall_mm"]]
+    assert nearer and [line for line in helped.ran.err.splitlines() if any(one in line for one in nearer)]
+
+
+def test_a_change_is_judged_as_the_design_made_with_it_is(risen, helped):
+    for name in ("friction_coefficient", "H_body"):
+        said = next(one for one in helped.help if list(one["change"]) == [name])
+        values = native.Parameters(risen.design.parameters)
+        for key, value in {"bumps": "none", "friction_coefficient": 0.2, **said["change"]}.items():
+            values.set(key, value)
+        design = risen.design.with_parameters(values)
+        if name == "H_body":
+            laid = native.solve_layout(design.V, design.F, design.cuts, values)
+            design = native.Design("again", values, design.V, design.F, laid.T, laid.q, design.cuts)
+            repaired = native.repair_design(design)
+            design, valid = repaired.design, repaired.status == "valid"
+        else:
+            valid = native.verify_design(design).valid
+        block = native.actuate_design(design, answers=False).block
+        assert said["valid"] == valid and said["arrives"] == block["arrives"]
+        if block["arrives"] is not None:
+            assert said["shortfall_mm"] == block["shortfall_mm"]
+            assert list(map(tuple, said["open_contacts"])) == block["open_contacts"]
+
+
+def test_the_page_has_a_row_for_each_change(helped):
+    page = (helped.folder / "actuation.html").read_text("utf-8")
+    assert "What would help" in page and "<td>as it is</td>" in page
+    for one in helped.help:
+        assert f"<td>{one['what'].partition(': ')[0]}</td>" in page
+
+
+def trial(value, **known):
+    return Trial(Change({"L": value}), **known)
+
+
+def test_the_best_change_comes_first():
+    arrived = trial(1.0, valid=True, arrives=True, shortfall=0.1)
+    near, far = (trial(far, valid=True, arrives=False, shortfall=far, open_contacts=((0, 1),), contacts=9)
+                 for far in (2.0, 5.0))
+    restless, invalid = trial(6.0, valid=True), trial(7.0, arrives=True, shortfall=0.1)
+    refused = trial(8.0, error="no room for pins")
+    order = [arrived, near, far, restless, invalid, refused]
+    assert sorted(reversed(order), key=lambda one: one.rank) == order
+    for one, words in ((arrived, "L=1: it arrives"), (near, "2 mm short of its shape with 1 of 9"),
+                       (restless, "not known"), (invalid, "not valid"), (refused, "no room for pins")):
+        assert words in str(one.finding) and "{" not in str(one.finding)
+        json.dumps(one.entry(), allow_nan=False)
+    found = ActuationHelp(tuple(order), 4.0)
+    assert found.nearer == [arrived, near] and found.findings() == [arrived.finding, near.finding]
+    assert [one.kind for one in ActuationHelp((far, refused), 4.0).findings()] == ["help_none"]
+    assert ActuationHelp().findings() == [] and ActuationHelp().report() == {}
+
+
+def test_a_cut_and_what_helps_together_are_tried():
+    parameters = native.Parameters()
+    parameters.set("L", 14)
+    target, no_cuts = native.remesh(*native.builtin_target("half-sphere"), 14), np.zeros((0, 2), np.int32)
+    layout = native.solve_layout(target.V, target.F, no_cuts, parameters)
+    design = native.Design("dome", parameters, target.V, target.F, layout.T, layout.q, no_cuts)
+    (cut,) = actuation_help._cuts(design, Job())
+    along = np.linalg.norm(target.V[cut.edges[:, 0]] - target.V[cut.edges[:, 1]], axis=1)
+    assert len(along) > 1 and cut.length == pytest.approx(along.sum())
+    changed, valid = actuation_help._made(design, cut, Job())
+    made = {frozenset(edge) for edge in changed.cuts.tolist()}
+    assert made == {frozenset(edge) for edge in cut.edges.tolist()}
+    assert valid == native.verify_design(changed).valid
+
+    def short(change, distance, valid=True):
+        return Trial(change, valid, False, distance)
+
+    half, quarter = (Change({"friction_coefficient": value}) for value in (0.2, 0.1))
+    thin = Change({"H_body": 2.0})
+    tried = [short(half, 2.0), short(quarter, 3.0), short(cut, 3.5), short(thin, 1.0, valid=False),
+             short(Change({"d_gap_min": 0.4}), 6.0)]
+    together = actuation_help._together(tried, 5.0)
+    assert together.values == {"friction_coefficient": 0.2} and together.edges is cut.edges
+    assert actuation_help._together(tried[:2], 5.0) is None
+    assert actuation_help._together([*tried, Trial(thin, True, True, 0.1)], 5.0) is None
+
+
+def test_changes_need_a_path_from_flat(risen, curveups, tmp_path):
+    ran = curveups("actuate", risen.source, "-o", tmp_path / "out", "--try-changes", "--from", "target")
+    assert ran.status == 2 and "from flat alone" in ran.err and not (tmp_path / "out").exists()
+
+
+def test_a_stop_keeps_the_changes_that_were_tried(risen, project):
+    tried = []
+
+    def progress(what, fraction):
+        if what.startswith("trying ") and what not in tried:
+            tried.append(what)
+        return len(tried) < 3
+
+    twin = project.copy()
+    found = twin.run(asked_by("try changes"), Job(progress))
+    assert found.stopped and found[HELP].stopped and len(found[HELP].trials) == 2
+    assert {f"trying {one.change.findings()[0]}" for one in found[HELP].trials} == set(tried[:2])
+    twin.forget_stopped()
+    assert twin.latest(HELP) is None and twin.latest(RISEN) is project.latest(RISEN)
+
+
+def test_nothing_is_tried_for_a_piece_that_arrives(risen):
+    arriving = Project.of_design(risen.design)
+    arriving.give(START, actuation.read_start("target", 24))
+    found = arriving.run(asked_by("actuate", "try changes"))
+    assert found[RISEN].block["arrives"] and found[HELP].trials == ()
+
+
+def test_the_report_has_the_changes_that_were_tried(project, tmp_path):
+    twin = project.copy()
+    twin.run(asked_by("try changes"))
+    page = report(twin, tmp_path, (), Job()).read_text("utf-8")
+    tried = json.loads((tmp_path / "report.json").read_text("utf-8"))["actuation"]["help"]
+    assert [one["what"] for one in tried] == [str(one.finding) for one in twin.latest(HELP).trials]
+    assert all(f"<td>{one['what'].partition(': ')[0]}</td>" in page for one in tried)
+    again = saved_results.from_text(saved_results.to_text(twin.made()))[HELP].result
+    assert again.report() == twin.latest(HELP).report() and again.findings() == twin.latest(HELP).findings()

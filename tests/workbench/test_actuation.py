@@ -5,7 +5,9 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
+from curveups.features.live import stored
 from curveups.project.worker import WORKER
+from curveups.stages import HELP, RISEN
 from curveups.window.overlays import overlay_of
 from robot import (at_rest, choose_file, click, close_panel, cut_off, display, in_dialog, picture, press,
                    QtCore, settle, until)
@@ -138,3 +140,43 @@ def test_a_run_that_is_cancelled_or_undone_leaves_nothing(pictures):
     document.undo()
     until(lambda: not form.play.isEnabled(), 10, "no path")
     assert design.Actuation == "empty"
+
+
+def test_touches_and_changes_are_looked_for_by_the_mouse(dome_document, pictures):
+    document, design = opened(dome_document)
+    design.Bumps, design.FrictionCoefficient = "none", 0.2
+    document.recompute()
+    at_rest()
+    press("CurveUps_Actuate")
+    at_rest(300)
+    form = panel().form
+    until(lambda: ends(form), 60, "the path to be played")
+    frames, words = form.frame.maximum(), form.verdict.text()
+    assert not form.hands.isChecked() and not form.press.isEnabled() and form.changes.isEnabled()
+
+    # With the box ticked the frames go on with what hands do, and the tiles that they press can be selected.
+    click(form.hands)
+    click(form.run)
+    at_rest(300)
+    until(lambda: form.frame.maximum() > frames and ends(form), 60, "hands to be played")
+    found = stored(design).latest(RISEN)
+    assert found.path_count == frames + 1 and "by hand" in form.at.text()
+    assert form.verdict.text().startswith(words) and len(form.verdict.text()) > len(words)
+    click(form.press)
+    assert overlay_of(design).selected == found.pressed_tiles != []
+    assert picture("tiles-to-press") > 12
+
+    # What would help is said below the path, which stays as it is.
+    before, words = corners(design), form.verdict.text()
+    click(form.changes)
+    at_rest(300)
+    until(lambda: form.verdict.text() != words, 60, "what would help")
+    helped = stored(design).latest(HELP)
+    assert document.UndoNames[0] == "Try Changes" and stored(design).latest(RISEN).block == found.block
+    assert len(helped.trials) > 5 and form.verdict.text().count("<br>") >= words.count("<br>") + 1
+    picture("what-would-help")
+    assert "mm" in form.verdict.text()[len(words):]
+    until(lambda: cut_off(form) == [], 10, "the panel to grow")
+    until(lambda: np.allclose(corners(design), before), 10, "the path in the view")
+    document.undo()
+    until(lambda: form.verdict.text() == words, 10, "the path alone")

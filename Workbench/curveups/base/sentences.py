@@ -143,6 +143,21 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "hands_touch.inwards": "{which:8} inwards",
     "hands_touch.outwards": "{which:8} outwards",
     "hands_touch.sideways": "{which:8} sideways",
+    "help_arrives": "{changes:, }: it arrives by itself, {shortfall:.3g} mm from the shape that it keeps",
+    "help_arrives.invalid": "{changes:, }: it arrives by itself, {shortfall:.3g} mm from the shape that it "
+                            "keeps, but the design is not valid",
+    "help_short": "{changes:, }: it comes to rest {shortfall:.3g} mm short of its shape with {open} of "
+                  "{count} contacts open",
+    "help_short.invalid": "{changes:, }: it comes to rest {shortfall:.3g} mm short of its shape with {open} "
+                          "of {count} contacts open, and the design is not valid",
+    "help_restless": "{changes:, }: whether it arrives is not known: the tiles do not come to rest",
+    "help_restless.invalid": "{changes:, }: whether it arrives is not known: the tiles do not come to rest, "
+                             "and the design is not valid",
+    "help_refused": "{changes:, }: there is no such design: {error}",
+    "help_none": "none of {tried} changes that were tried gives a valid design that comes nearer to its "
+                 "shape",
+    "help_change": "{name}={value}",
+    "help_change.cut": "a cut of {length:.0f} mm",
     "hands_stopped": "what brings it home by hand is not known: it was stopped",
     "unsettled_design": "the margin is required, and the tiles did not settle: set settle and verify on",
     "glue_carries": "the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear",

@@ -104,6 +104,9 @@ def make_parser() -> argparse.ArgumentParser:
                               "frame, or FRAMES.json:NUMBER (default: flat)")
     actuate.add_argument("--no-hands", dest="hands", action="store_false",
                          help="don't look for what brings a piece home by hand that jams")
+    actuate.add_argument("--try-changes", action="store_true",
+                         help="where it does not arrive, try other friction, bumps, gaps and thickness, and "
+                              "a cut, each with a path of its own")
     actuate.add_argument("--compensate", type=_rounds, default=0, metavar="N",
                          help="first move the surface against the shape in which it settles and solve again, "
                               "N times, and write the best as design.json")

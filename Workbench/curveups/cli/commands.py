@@ -26,7 +26,7 @@ from ..report import actuation
 from ..report import check as check_report
 from ..report.exports import write_spares
 from ..report.files import Writing, write_check, write_obj, write_verification
-from ..stages import RISEN, START, asked_by, sizes
+from ..stages import HELP, RISEN, START, asked_by, sizes
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.solids import read_printer
 from ..stages.stage import Job
@@ -201,6 +201,8 @@ def actuate(options: Any, session: Session) -> int:
     project, _ = _design_project(options, session, ("rebuild", "files", "verify"))
     start = actuation.read_start(options.begin, len(project.latest("design").design.F))
     job = session.job
+    if options.try_changes and options.begin != "flat":
+        raise CurveUpsError("changes are tried from flat alone", "--try-changes", "leave --from out")
     compensation = None
     if options.compensate:
         if (written := options.output / "design.json").exists() and written.samefile(options.design):
@@ -211,7 +213,8 @@ def actuate(options: Any, session: Session) -> int:
             compensation = compensate(given, options.compensate, job)
         project = Project.of_design(compensation.design, str(options.design))
     project.give(START, replace(start, hands=options.hands))
-    results = project.run(("bodies", "figures", *asked_by("actuate")), job, strict=True)
+    goals = asked_by("actuate", *(("try changes",) if options.try_changes else ()))
+    results = project.run(("bodies", "figures", *goals), job, strict=True)
     former = None
     if results[RISEN].block["arrives"] is False:
         area = results["figures"].report()["area"]
@@ -220,7 +223,7 @@ def actuate(options: Any, session: Session) -> int:
         stopped = actuation.write_actuation(results, options.output, job, compensation, former)
     if compensation:
         session.reporter.say(f"{project.name}: {compensation.said}")
-    for one in results[RISEN].findings():
+    for one in (*results[RISEN].findings(), *(results[HELP].findings() if HELP in results else ())):
         session.reporter.say(f"{project.name}: {one}")
     if stopped:
         session.reporter.say("stopped: what there is, is written")

@@ -74,6 +74,7 @@ RUNS = {
     "verify": Run("Verify", asked_by("verify"), live.design_project_of),
     "repair": Run("Repair", ("design", *asked_by("verify")), _repaired),
     "actuate": Run("Actuate", asked_by("actuate"), live.design_project_of, anew=True),
+    "try_changes": Run("Try Changes", asked_by("actuate", "try changes"), live.design_project_of, anew=True),
     "build_solids": Run("Build Solids", rebuild.GOALS, live.design_project_of, strict=True),
 }
 _made: dict[tuple[str, str, str], Any] = {}  # by a thread, for the function that is called next
@@ -186,6 +187,11 @@ def repair(design: Any) -> Results:
 def actuate(design: Any) -> Results:
     """The path of the layout as it stands from flat to shape: "actuation" of the results."""
     return _run("actuate", design)
+
+
+def try_changes(design: Any) -> Results:
+    """What would help the path from flat, where it does not arrive: "actuation help" of the results."""
+    return _run("try_changes", design)
 
 
 def write_frame(design: Any, path: str, number: int = -1) -> None:

@@ -13,6 +13,7 @@ import numpy as np
 from ..base.errors import CurveUpsError, Stopped
 from ..base.motions import rigid_motion
 from ..base.native import native
+from ..stages.actuation_help import relaid
 from ..stages.stage import Job
 
 
@@ -52,7 +53,8 @@ def compensate(design: Any, rounds: int, job: Job) -> Compensation:
     largest: list[float] = []
     for number in range(rounds + 1):
         if number:
-            design = _solved(aim, wanted, design, job)
+            made, valid = relaid(design, aim, design.parameters, design.cuts, job)
+            design = made if valid else None
         settled = native.settle_design(design, progress=job) if design is not None else None
         if job.stopped:
             raise Stopped
@@ -73,12 +75,3 @@ def compensate(design: Any, rounds: int, job: Job) -> Compensation:
         raise CurveUpsError("where its tiles settle could not be found", design.name,
                             "leave --compensate out, or change the design")
     return Compensation(best, tuple(mean), tuple(largest), kept)
-
-
-def _solved(aim: np.ndarray, wanted: np.ndarray, design: Any, job: Job) -> Any:
-    """The design on the surface that is aimed at; None where it is not valid."""
-    found = native.solve_layout(aim, design.F, design.cuts, design.parameters, job)
-    laid = native.Design(design.name, design.parameters, aim, design.F, found.T, found.q, design.cuts,
-                         (wanted, design.F))
-    repaired = native.repair_design(laid, progress=job)
-    return repaired.design if repaired.status == "valid" else None

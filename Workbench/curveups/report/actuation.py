@@ -18,12 +18,12 @@ from ..base.output import Folder
 from ..base.reading import read_text
 from ..project.compensation import Compensation
 from ..project.project import Results
-from ..stages import RISEN, START
+from ..stages import HELP, RISEN, START
 from ..stages.actuation import Actuation, ActuationStart
 from ..stages.stage import Job
 from . import html, tables
 from .data import to_text
-from .moving import answers, front_corners, moving_view
+from .moving import answers, changes_tried, front_corners, moving_view
 
 FORMAT, VERSION = "curveups-actuation", 1
 FRAMES_FORMAT, FRAMES_VERSION = "curveups-frames", 1
@@ -64,12 +64,13 @@ def write_actuation(results: Results, path: Path, job: Job,
     stopped. actuation.json goes first and comes last. compensation: what the design comes from, where it goes
     into a design.json as well. former: a body (STL) over which to press a piece that jams."""
     found, step, dome = results[RISEN], f"{results.name}-settled.step", f"{results.name}-former.stl"
-    stopped = job.stopped
+    helped, stopped = results.get(HELP), job.stopped
+    block = {**found.block, **(helped.report().get("actuation", {}) if helped else {})}
     with Folder(path) as folder:
         folder.remove(ANSWER, FRAMES, FOLD, PAGE, step, dome)
         folder.write_text(FRAMES, _compact(_frames(found)))
         folder.write_text(FOLD, _compact(_fold(found, results.name)))
-        folder.write_text(PAGE, _page(found, results.name))
+        folder.write_text(PAGE, _page(found, results.name, block))
         if former is not None:
             body = former
             folder.write(dome, lambda place: place.write_bytes(body))
@@ -81,7 +82,7 @@ def write_actuation(results: Results, path: Path, job: Job,
             stopped = True
         folder.write_text(ANSWER, to_text({
             "format": FORMAT, "version": VERSION, "name": results.name, "status": _status(stopped),
-            "tiles": len(found.design.F), "from": results[START].begin, "actuation": found.block,
+            "tiles": len(found.design.F), "from": results[START].begin, "actuation": block,
             "findings": [one.entry() for one in found.findings()],
             **({"compensation": compensation.report()} if compensation else {}),
             "software": {"curveups": __version__}, "files": dict(folder.files)}))
@@ -132,9 +133,8 @@ def _coordinates(corners: np.ndarray) -> list[list[float]]:
     return np.round(corners.reshape(-1, 3), 6).tolist()
 
 
-def _page(found: Actuation, name: str) -> str:
+def _page(found: Actuation, name: str, block: Mapping[str, Any]) -> str:
     """actuation.html: the moving picture, then the answers."""
-    block = found.block
     kind = {True: "valid", False: "invalid", None: "open"}[block["arrives"]]
     said, *others = found.findings()
     remedy = said.remedy()
@@ -147,6 +147,8 @@ def _page(found: Actuation, name: str) -> str:
         parts += ["<h2>By hand</h2>", *(html.picture(one, HANDS) for one in drawn), *note, _touches(block)]
     if said.tiles:
         parts.append(f'<p class="note">Tiles of open contacts: {escape(tile_list(said.tiles))}</p>')
+    tried = changes_tried(block)
+    parts += ["<h2>What would help</h2>", *tried] if tried else []
     parts += ["<h2>Answers</h2>", answers(block)]
     ends = [("from the target", block["from_target"])]
     if "sampled" in block:

@@ -140,7 +140,7 @@ def other_report(folder: Path, name: str) -> str:
 
 def report(project: Project, folder: Path, doubts: Iterable[Finding], job: Job) -> Path:
     """Writes report.html and report.json of all that is current; the page."""
-    current = _current(project, asked_by("solve", "settle", "actuate"))
+    current = _current(project, asked_by("solve", "settle", "actuate", "try changes"))
     results = project.run(current, job, note=Finding("unverified"))
     place = Folder(folder)
     write_reports(_with(results, tuple(doubts)), place)

@@ -15,7 +15,7 @@ from ..project.verdict import HOLDS
 from ..stages.stage import Picture
 from .assembly import steps
 from .changes import changes, worst_contacts
-from .moving import answers
+from .moving import answers, changes_tried
 from .shop import latex, print_picture, quote, rules
 from .tables import show, table
 
@@ -211,7 +211,8 @@ def _figures(report: dict) -> str:
         if rows:
             parts += [f"<h3>{escape(_words(block).capitalize())}</h3>", table(rows)]
     if "actuation" in report:
-        parts += ["<h3>From flat to shape</h3>", answers(report["actuation"])]
+        parts += ["<h3>From flat to shape</h3>", answers(report["actuation"]),
+                  *changes_tried(report["actuation"])]
     return "".join(parts)
 
 

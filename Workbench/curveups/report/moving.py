@@ -52,3 +52,15 @@ def answers(block: Mapping[str, Any]) -> str:
                  ("Trap: without friction, flat and target end differently", block["trap"]),
                  ("Distance of these ends, mm", block["trap_distance_mm"])]
     return table(rows)
+
+
+def changes_tried(block: Mapping[str, Any]) -> list[str]:
+    """What would help, with the present design first; nothing where that was not asked."""
+    tried = block.get("help", ())
+    if not tried:
+        return []
+    rows = [("as it is", block["arrives"], block["shortfall_mm"], len(block["open_contacts"]), ""),
+            *((one["what"].partition(": ")[0], "no answer" if one["arrives"] is None else one["arrives"],
+               one.get("shortfall_mm"), len(one["open_contacts"]) if "open_contacts" in one else None,
+               "no such design" if one["valid"] is None else one["valid"]) for one in tried)]
+    return [table(rows, ("Change", "Arrives", "Short by, mm", "Open contacts", "Valid"))]

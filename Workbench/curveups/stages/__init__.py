@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Lists the stages of the work, one file each, in the order in which reports show their results."""
 
-from . import (actuation, anchoring, clearances, cuts, design, deviation, division, feasibility, layout,
-               parameter_search, pieces, pin_smoothing, repair, settle, sheets, sizes, solids, suggestions,
-               surface, target, target_smoothing, verification)
+from . import (actuation, actuation_help, anchoring, clearances, cuts, design, deviation, division,
+               feasibility, layout, parameter_search, pieces, pin_smoothing, repair, settle, sheets, sizes,
+               solids, suggestions, surface, target, target_smoothing, verification)
 
 STAGES = (surface.STAGE, target.STAGE, target_smoothing.STAGE, division.STAGE, feasibility.STAGE, sizes.STAGE,
           cuts.STAGE, suggestions.SEARCH, pin_smoothing.STAGE, layout.STAGE, verification.OF_LAYOUT,
           repair.STAGE, design.STAGE, design.FIGURES, deviation.STAGE, clearances.STAGE, verification.STAGE,
           verification.RECHECK, pieces.STAGE, anchoring.STAGE, solids.BODIES, sheets.STAGE, solids.STAGE,
-          settle.STAGE, actuation.START, actuation.STAGE, solids.CHECK, parameter_search.STAGE,
-          suggestions.STAGE)
+          settle.STAGE, actuation.START, actuation.STAGE, actuation_help.STAGE, solids.CHECK,
+          parameter_search.STAGE, suggestions.STAGE)
 
 BY_NAME = {stage.name: stage for stage in STAGES}
 VERDICT = verification.STAGE.name  # there is no verdict without it
 SETTLED = settle.STAGE.name
-RISEN, START = actuation.STAGE.name, actuation.START.name
+RISEN, START, HELP = actuation.STAGE.name, actuation.START.name, actuation_help.STAGE.name
 
 
 def asked_by(*commands: str) -> tuple[str, ...]:

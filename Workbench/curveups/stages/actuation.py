@@ -30,7 +30,7 @@ class ActuationStart(Result):
 
     @property
     def content(self) -> str:
-        return digest(self.begin, self.poses)
+        return digest(self.begin, self.poses, *(["hands"] if self.hands else []))
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from ...features import actions, live
 from ...features.live import stored
 from ...features.status import OUT_OF_DATE
 from ...project.worker import Status
-from ...stages import RISEN, START
+from ...stages import HELP, RISEN, START
 from ...stages.actuation import Actuation, ActuationStart
 from .. import runs
 from ..macro import call, named
@@ -26,6 +26,7 @@ from ..units import text_of
 from .panel import Panel, enable, idle
 
 _FRAME = 80  # ms between two pictures
+_MOST_CHANGES = 3  # that are named: the report has all
 
 
 class ActuatePanel(Panel):
@@ -41,6 +42,7 @@ class ActuatePanel(Panel):
         self._clock = QtCore.QTimer(form)
         self._clock.timeout.connect(lambda: self._advance())
         form.run.clicked.connect(lambda *_: self.run())
+        form.changes.clicked.connect(lambda *_: self._try_changes())
         form.stop.clicked.connect(lambda *_: LIVE.stop())
         form.cancel.clicked.connect(lambda *_: LIVE.cancel())
         form.frame.valueChanged.connect(lambda *_: self._draw())
@@ -71,16 +73,30 @@ class ActuatePanel(Panel):
             # Later: the view is about to show the design with its results.
             runs.start("actuate", self.design, lambda: QtCore.QTimer.singleShot(0, self._arrived))
 
+    def _try_changes(self) -> None:
+        self._say("")
+        self._play(False)
+        with errors_shown(translate("CurveUps_Actuate", "Actuate")):
+            runs.start("try_changes", self.design, lambda: QtCore.QTimer.singleShot(0, self._draw))
+
     def show(self) -> None:
-        """The path that the document holds, and whether it is of the design as it is."""
+        """The path that the document holds, what would help it, and whether it is of the design as it is."""
         form = self.form
-        found = stored(self.design).latest(RISEN)
+        found, helped = (stored(self.design).latest(name) for name in (RISEN, HELP))
         if (found and found.block) != (self._found and self._found.block):
             self._take(found)
-        said = found.findings() if found else ()
+        said = found.findings() if found else []
+        if found and helped and helped.before == found.block["shortfall_mm"]:  # of this very path
+            said = [*said, *helped.findings()[:_MOST_CHANGES]]
         form.verdict.setText("<br>".join(text for one in said for text in (
             shown(self.design, one), words_of(one.remedy())) if text))
         form.note.setVisible(self.design.Actuation.startswith(OUT_OF_DATE))
+        self._enable_changes()
+
+    def _enable_changes(self) -> None:
+        jammed = self._found is not None and self._found.block["arrives"] is False
+        enable(self.form.changes, runs.reason("try_changes", self.design) or ("" if jammed else translate(
+            "CurveUps_Actuate", "There is no path that jams")))
 
     def _take(self, found: Optional[Actuation]) -> None:
         form = self.form
@@ -178,6 +194,7 @@ class ActuatePanel(Panel):
     def _show_running(self, running: bool) -> None:
         form = self.form
         enable(form.run, runs.reason("actuate", self.design))
+        self._enable_changes()
         for button in (form.stop, form.cancel):
             enable(button, idle(running))
 
