@@ -82,7 +82,7 @@ class Trial(Value):
     def entry(self) -> dict[str, Any]:
         """As in actuation.json."""
         known = {} if self.arrives is None else {"shortfall_mm": self.shortfall,
-                                                 "open_contacts": list(map(list, self.open_contacts)),
+                                                 "open_contacts": [list(pair) for pair in self.open_contacts],
                                                  "contacts": self.contacts}
         return {"change": self.change.entry(), "what": str(self.finding), "arrives": self.arrives, **known,
                 "valid": None if self.error is not None else self.valid}
@@ -178,7 +178,11 @@ def _together(trials: Sequence[Trial], before: float) -> Optional[Change]:
 def _try(design: Any, change: Change, fraction: float, where: str, job: Job) -> Trial:
     """Raises Stopped where it is stopped before it has an answer."""
     said = "trying " + ", ".join(map(str, change.findings()))
-    told = Job(lambda what, part=-1.0: job(said, fraction))
+
+    def tell(what: str, part: float = -1.0) -> bool:
+        return job(said, fraction)
+
+    told = Job(tell)
     if not told(said):
         raise Stopped
     try:
