@@ -1884,6 +1884,10 @@
       <translation>in {0} Stücke teilen</translation>
     </message>
     <message>
+      <source>dividing the print among beds</source>
+      <translation>Druck auf Druckbetten aufteilen</translation>
+    </message>
+    <message>
       <source>dividing the support's lid</source>
       <translation>Deckel des Stützkörpers teilen</translation>
     </message>
@@ -1902,6 +1906,10 @@
     <message>
       <source>engrave_depth ({0} mm) pierces the label</source>
       <translation>engrave_depth ({0} mm) durchstößt das Schild</translation>
+    </message>
+    <message>
+      <source>estimating hours and price</source>
+      <translation>Stunden und Preis schätzen</translation>
     </message>
     <message>
       <source>export in millimetres</source>
@@ -4572,8 +4580,8 @@
       <translation>Beide Streifen entlang der äußeren Linien schneiden. Leisten klemmen sie von den inneren Linien nach außen.</translation>
     </message>
     <message>
-      <source>Cut both strips along the template, of the sheets for the membranes. Measure the thickness over ten layers. Stretch each twice to {tau:g} times its length beforehand. Clamp its ends between two bars with two bolts of M4 in their holes, from line to line of the template. Pull the narrow strip to each stretch: {lengths} mm from bar to bar, and enter the force after a minute; some {narrow:.0f} N at the last. So with the wide one: {wide_lengths} mm, some {wide:.0f} N; its width can't shrink, so latex is stretched in both directions there. Then leave the narrow strip at {tau:g} times its length and read the force at the minutes that are listed: latex creeps. Wear goggles: a strip that tears snaps back.</source>
-      <translation>Beide Streifen nach der Schablone aus den Folien für die Membranen schneiden. Die Dicke über zehn Lagen messen. Jeden vorher zweimal auf das {tau:g}-Fache seiner Länge dehnen. Die Enden zwischen je zwei Leisten mit zwei Schrauben M4 in deren Löchern klemmen, von Linie zu Linie der Schablone. Den schmalen Streifen auf jede Dehnung ziehen: {lengths} mm von Leiste zu Leiste, und nach einer Minute die Kraft eintragen; zuletzt etwa {narrow:.0f} N. Ebenso den breiten: {wide_lengths} mm, etwa {wide:.0f} N; seine Breite kann nicht schrumpfen, so ist das Latex dort in beiden Richtungen gedehnt. Dann den schmalen Streifen beim {tau:g}-Fachen seiner Länge lassen und die Kraft zu den angegebenen Minuten ablesen: Latex kriecht. Schutzbrille tragen: ein Streifen, der reißt, schnellt zurück.</translation>
+      <source>Cut both strips along the template, of the sheets for the membranes. Measure the thickness over ten layers. Stretch each twice to {tau:g} times its length beforehand. Clamp its ends between two bars with two bolts of M4 in their holes, from line to line of the template. Pull the narrow strip to each stretch: {lengths} mm from bar to bar, and enter the force after a minute; some {narrow:.0f} N at the last. So with the wide one: {wide_lengths} mm, some {wide:.0f} N; its width can't shrink, so latex is stretched in both directions there. Then leave the narrow strip at {tau:g} times its length and read the force at the minutes that are listed: latex creeps. What a day leaves goes into no design by itself: both sheets lose alike, so stretch both at the same time. Wear goggles: a strip that tears snaps back.</source>
+      <translation>Beide Streifen nach der Schablone aus den Folien für die Membranen schneiden. Die Dicke über zehn Lagen messen. Jeden vorher zweimal auf das {tau:g}-Fache seiner Länge dehnen. Die Enden zwischen je zwei Leisten mit zwei Schrauben M4 in deren Löchern klemmen, von Linie zu Linie der Schablone. Den schmalen Streifen auf jede Dehnung ziehen: {lengths} mm von Leiste zu Leiste, und nach einer Minute die Kraft eintragen; zuletzt etwa {narrow:.0f} N. Ebenso den breiten: {wide_lengths} mm, etwa {wide:.0f} N; seine Breite kann nicht schrumpfen, so ist das Latex dort in beiden Richtungen gedehnt. Dann den schmalen Streifen beim {tau:g}-Fachen seiner Länge lassen und die Kraft zu den angegebenen Minuten ablesen: Latex kriecht. Was nach einem Tag übrig ist, geht von selbst in keinen Entwurf ein: beide Folien verlieren gleich viel, also beide zur selben Zeit dehnen. Schutzbrille tragen: ein Streifen, der reißt, schnellt zurück.</translation>
     </message>
     <message>
       <source>Cut the front membrane along its lines, which were {trim:g} mm outside of the outer pins while it was stretched, and the back one as far outside of its own pins. {stop} Anchors go with the surplus. {apart}</source>
@@ -4602,6 +4610,14 @@
     <message>
       <source>Each page says how one coupon is measured, and has a table for what you read. Then put the readings into {name}-MEASURED.json, in place of null, in the units of the names. What stays null is left out. Give three readings of a list or more, or none.</source>
       <translation>Jede Seite sagt, wie ein Prüfkörper gemessen wird, und hat eine Tabelle für die Ablesungen. Diese dann in {name}-MEASURED.json anstelle von null eintragen, in den Einheiten der Namen. Was null bleibt, wird ausgelassen. Von einer Liste drei Ablesungen oder mehr angeben, oder keine.</translation>
+    </message>
+    <message>
+      <source>Each piece has a label beside an anchor, on the side that it names: {side}.</source>
+      <translation>Jedes Stück hat neben einem Anker ein Schild, auf der Seite, die es nennt: {side}.</translation>
+    </message>
+    <message>
+      <source>Each piece has its own former, from the left to the right, and its own ribs: P1 is of the piece whose label says P1.</source>
+      <translation>Jedes Stück hat seinen eigenen Formkörper, von links nach rechts, und seine eigenen Rippen: P1 gehört zum Stück, auf dessen Schild P1 steht.</translation>
     </message>
     <message>
       <source>FDM printer, 0.4 mm nozzle</source>
@@ -4676,8 +4692,8 @@
       <translation>Wachsen der Wände in XY, das nicht schadet</translation>
     </message>
     <message>
-      <source>Hold one tile of the row after the other in the fingers or a vice, and pull its neighbour up with a thread around it, at right angles to the row, until the bridges between them break. Enter the largest force of each.</source>
-      <translation>Eine Kachel der Reihe nach der anderen mit den Fingern oder in einem Schraubstock halten und ihre Nachbarin mit einem Faden senkrecht zur Reihe hochziehen, bis die Brücken dazwischen brechen. Jeweils die größte Kraft eintragen.</translation>
+      <source>Hold one tile of the row after the other in the fingers or a vice, and pull its neighbour up with a thread around it, at right angles to the row, until the bridges between them break. Enter the largest force of each. It compares shops and printers: no design computes with it.</source>
+      <translation>Eine Kachel der Reihe nach der anderen mit den Fingern oder in einem Schraubstock halten und ihre Nachbarin mit einem Faden senkrecht zur Reihe hochziehen, bis die Brücken dazwischen brechen. Jeweils die größte Kraft eintragen. Damit vergleicht man Druckdienste und Drucker: kein Entwurf rechnet damit.</translation>
     </message>
     <message>
       <source>Join the pieces</source>
@@ -4724,6 +4740,10 @@
       <translation>Das Stützmaterial nicht auswaschen: nur es hält die Kacheln an ihrem Platz. Das Bad nennen, das es löst.</translation>
     </message>
     <message>
+      <source>Let the slicer put supports below tiles that reach out, on the bed alone, and leave these in, too: whoever puts the print together takes them off.</source>
+      <translation>Den Slicer unter Kacheln, die überstehen, Stützen setzen lassen, nur auf dem Druckbett, und auch diese darin lassen: wer den Druck zusammenbaut, nimmt sie ab.</translation>
+    </message>
+    <message>
       <source>Look at the print</source>
       <translation>Den Druck ansehen</translation>
     </message>
@@ -4742,10 +4762,6 @@
     <message>
       <source>Nothing joins the tiles: keep each in its place, on the bed's plate or on adhesive film.</source>
       <translation>Nichts verbindet die Kacheln: jede an ihrem Platz lassen, auf der Bettplatte oder auf Klebefolie.</translation>
-    </message>
-    <message>
-      <source>Nothing joins them: tape or glue them along their borders.</source>
-      <translation>Nichts verbindet sie: an ihren Rändern mit Klebeband oder Kleber verbinden.</translation>
     </message>
     <message>
       <source>Numbers of tiles from the front, and mirrored from the back: 12 is T00012. Red: tiles of the weakest contacts. {name}-tiles.svg has it large enough to read.</source>
@@ -4824,12 +4840,8 @@
       <translation>{second_cm3:.2f} cm³ Kleber wie zuvor auf Zapfen und Anker der {second} ({second_mm2:.0f} mm²) rollen. Die zweite Membran auflegen, gedehnt auf ihrem Ring, mit den Zähnen nach unten: die Ringe schließen sich Fläche an Fläche, {height:g} mm voneinander, und die Zähne des einen stehen mitten zwischen denen des anderen. Stäbe in den Löchern an den Ecken richten sie aus: dort die Ränder der Folien lochen, an denen nichts zieht. Durch beide Fenster pressen, so lange wie zuvor.</translation>
     </message>
     <message>
-      <source>Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors. Copy the thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off its rings. Punch small circles on them first.</source>
-      <translation>Von vorne gesehen, in der Größe der gedehnten Folie. Auf die Folie der Vorderseite legen, bevor sie vom Ring kommt: die dünnen Dreiecke sind die äußeren Zapfen, was um sie herum steht, sind Anker. Die dicken roten Linien, {trim:g} mm außerhalb der Zapfen, übertragen und daran entlang schneiden, sobald die Schale von den Ringen ist. Kleine Kreise auf ihnen zuerst ausstanzen.</translation>
-    </message>
-    <message>
-      <source>Sew with a strong thread through the membrane into a stitching hole ({hole:g} mm), out at its other side, and back through the hole that faces it in the other piece; {holes} holes in all. A drop of glue around a hole keeps the membrane from tearing on. Pull the thread tight when all stitches are in.</source>
-      <translation>Mit starkem Faden durch die Membran in ein Nähloch ({hole:g} mm) nähen, an der anderen Seite hinaus und durch das gegenüberliegende Loch des anderen Stücks zurück; insgesamt {holes} Löcher. Ein Tropfen Kleber um ein Loch verhindert, dass die Membran weiterreißt. Den Faden festziehen, wenn alle Stiche sitzen.</translation>
+      <source>Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors and labels. Copy the thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off its rings. Where small circles lie on them, punch these first.</source>
+      <translation>Von vorne gesehen, in der Größe der gedehnten Folie. Auf die Folie der Vorderseite legen, bevor sie vom Ring kommt: die dünnen Dreiecke sind die äußeren Zapfen, was um sie herum steht, sind Anker und Schilder. Die dicken roten Linien, {trim:g} mm außerhalb der Zapfen, übertragen und daran entlang schneiden, sobald die Schale von den Ringen ist. Wo kleine Kreise auf ihnen liegen, diese zuerst ausstanzen.</translation>
     </message>
     <message>
       <source>Ship flat, between two stiff boards.</source>
@@ -4884,8 +4896,8 @@
       <translation>Die Stützen entfernen wie beim Entwurf. Die größere Kachel mit Klebeband auf ein Brett kleben, auf ihrer Wand, die {angle:g}° gegen die Wand zwischen den Kacheln geneigt ist. Die kleinere Kachel so auf diese Wand legen, wie beide gedruckt wurden. Das Brett langsam heben, bis die Kachel rutscht, und die Neigung der Wand eintragen: die des Bretts und {angle:g}°. Jedes Mal neu auflegen. {own}</translation>
     </message>
     <message>
-      <source>Take the support away. Push feeler gauges through each gap, on the side that lay on the bed, where the first layers swell. Enter the thickest that passes all along, and 0 where none does. The gaps get wider from the left to the right. Do not order a design whose least clearance (its shop sheet has it) is below the first gap that is open.</source>
-      <translation>Die Stützen entfernen. Fühlerlehren durch jeden Spalt schieben, auf der Seite, die auf dem Bett lag, wo die ersten Schichten quellen. Die dickste eintragen, die überall hindurchgeht, und 0, wo keine es tut. Die Spalte werden von links nach rechts breiter. Keinen Entwurf bestellen, dessen kleinster Abstand (er steht auf dem Bestellblatt) unter dem ersten offenen Spalt liegt.</translation>
+      <source>Take the support away. Push feeler gauges through each gap, on the side that lay on the bed, where the first layers swell. Enter the thickest that passes all along, and 0 where none does. The gaps get wider from the left to the right. Do not order a design whose least clearance (its shop sheet has it) is below the first gap that is open: its d_gap_min has to be larger.</source>
+      <translation>Die Stützen entfernen. Fühlerlehren durch jeden Spalt schieben, auf der Seite, die auf dem Bett lag, wo die ersten Schichten quellen. Die dickste eintragen, die überall hindurchgeht, und 0, wo keine es tut. Die Spalte werden von links nach rechts breiter. Keinen Entwurf bestellen, dessen kleinster Abstand (er steht auf dem Bestellblatt) unter dem ersten offenen Spalt liegt: sein d_gap_min muss größer sein.</translation>
     </message>
     <message>
       <source>Take {latex}. Wash powder and grease off with lukewarm water and a drop of dish soap, rinse the sheets and let them dry. Pull each by hand to some {tau:g} times its size and let it go, twice: latex softens the first time. Then copy the template of each onto it: lay thin latex on the paper and trace what shows through, or use carbon paper. Draw the grid, the circles, the control squares and the cutting line with a pen whose ink stays on latex, and write FRONT or BACK on the rim. Cut along the outer line. Punch a hole of {punch:g} mm in every circle, with a sharp punch: latex tears on from a nick. Wear gloves. Keep the sheets away from oil, from sun and from whoever is allergic to latex.</source>
@@ -4896,16 +4908,12 @@
       <translation>Schablonen</translation>
     </message>
     <message>
-      <source>The anchors of the design ask for {shear:.2f} MPa.</source>
-      <translation>Die Anker des Entwurfs brauchen {shear:.2f} MPa.</translation>
+      <source>The design asks for {shear:.2f} MPa where its pins or anchors carry most: a glue that holds less is not for it.</source>
+      <translation>Der Entwurf braucht {shear:.2f} MPa, wo seine Zapfen oder Anker am meisten tragen: ein Kleber, der weniger hält, taugt nicht für ihn.</translation>
     </message>
     <message>
       <source>The design has other walls: leave these slopes out of MEASURED.json.</source>
       <translation>Der Entwurf hat andere Wände: diese Neigungen nicht in MEASURED.json eintragen.</translation>
-    </message>
-    <message>
-      <source>The label beside an anchor of each piece says {side} on that side.</source>
-      <translation>Das Schild neben einem Anker jedes Stücks trägt auf dieser Seite das Wort {side}.</translation>
     </message>
     <message>
       <source>The membrane stays on its ring</source>
@@ -4920,6 +4928,10 @@
       <translation>Die Folie zieht mit {load[0]:.0f} N an der linken und rechten Seite und mit {load[1]:.0f} N an den anderen. Der Druck kommt in die Mitte des Fensters; einige Millimeter daneben schaden nicht.</translation>
     </message>
     <message>
+      <source>These tiles lie side by side then, each in a piece of its own: {pairs}.</source>
+      <translation>Diese Kacheln liegen dann Seite an Seite, jede in einem eigenen Stück: {pairs}.</translation>
+    </message>
+    <message>
       <source>They come in {front} and {back} parts for the bed: split them in the slicer, and glue them at their dovetails on a flat table.</source>
       <translation>Für das Bett bestehen sie aus {front} und {back} Teilen: im Slicer trennen und auf einem ebenen Tisch an ihren Schwalbenschwänzen verkleben.</translation>
     </message>
@@ -4928,8 +4940,8 @@
       <translation>Das Ganze um 30° bis 45° neigen, damit keine Schicht mit ihrer ganzen Fläche von der Wanne abgezogen wird, auf Stützen des Slicers, die nur die Seite am Bett berühren. Waschen, diese Stützen abnehmen und mit den Brücken aushärten.</translation>
     </message>
     <message>
-      <source>Time and cost of the print</source>
-      <translation>Dauer und Kosten des Drucks</translation>
+      <source>Time and cost of one print</source>
+      <translation>Dauer und Kosten eines Drucks</translation>
     </message>
     <message>
       <source>To be printed</source>
@@ -4938,6 +4950,10 @@
     <message>
       <source>Tools</source>
       <translation>Werkzeug</translation>
+    </message>
+    <message>
+      <source>Turn all bodies together by a right angle: so they fit the bed. Do not scale or arrange them, and do not turn single ones: they stand in their places, and {tiles} of them are meant to be apart.</source>
+      <translation>Alle Körper gemeinsam um einen rechten Winkel drehen: so passen sie auf das Druckbett. Sie weder skalieren noch anordnen noch einzeln drehen: sie stehen an ihren Plätzen, und {tiles} davon sollen getrennt sein.</translation>
     </message>
     <message>
       <source>Turn each of the {pieces} pieces over by itself and lay it, glue down, onto the stretched {first} sheet, all of them around the middle of the window and as far apart as they were printed.</source>
@@ -4956,8 +4972,8 @@
       <translation>Das Latex waschen und anzeichnen</translation>
     </message>
     <message>
-      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat, from the middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not in shape yet.</source>
-      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. {each} Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen. Sie mit der Rückseite auf den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form.</translation>
+      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat, from the middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not in shape yet. {own}</source>
+      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. {each} Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen. Sie mit der Rückseite auf den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form. {own}</translation>
     </message>
     <message>
       <source>Where bodies must not overlap, there is the same as one closed shell a piece: -fused.stl and -fused.3mf.</source>
@@ -4978,6 +4994,10 @@
     <message>
       <source>anchors</source>
       <translation>Anker</translation>
+    </message>
+    <message>
+      <source>and that holds {shear:.2f} MPa in shear (its coupon shows that)</source>
+      <translation>und der auf Scherung {shear:.2f} MPa hält (seine Probe zeigt das)</translation>
     </message>
     <message>
       <source>as printed, not smoothed</source>
@@ -5112,6 +5132,10 @@
       <translation>der Druck passt</translation>
     </message>
     <message>
+      <source>the print fits, turned by a right angle</source>
+      <translation>der Druck passt, um einen rechten Winkel gedreht</translation>
+    </message>
+    <message>
       <source>the print is divided among {beds} beds</source>
       <translation>der Druck ist auf {beds} Betten verteilt</translation>
     </message>
@@ -5176,12 +5200,20 @@
       <translation>{down}: dort stehen nur Zapfen und Anker vor ({first_mm2:.0f} mm²). {behind} {first_cm3:.2f} cm³ Kleber auf die Enden dieser Zapfen und Anker rollen, {layer:g} mm dick, mit einer Rolle, die darunter nichts berührt: einen elastischen Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst. Wände, Spalte und alles, was die Kacheln zusammenhält, bleiben trocken. {lay} Folie und Druck zwischen zwei Brettern, die durch das Fenster passen, mit gleichmäßig verteilten Gewichten so lange zusammenpressen, wie es der Hersteller des Klebers sagt. Lüften: die Dämpfe des Klebers sind schädlich.</translation>
     </message>
     <message>
+      <source>{facing} Nothing joins them: tape or glue them along their borders.</source>
+      <translation>{facing} Nichts verbindet sie: an ihren Rändern mit Klebeband oder Kleber verbinden.</translation>
+    </message>
+    <message>
+      <source>{facing} Sew with a strong thread through the membrane into a stitching hole ({hole:g} mm), out at its other side, and back through the hole that faces it in the other piece; {holes} holes in all. A drop of glue around a hole keeps the membrane from tearing on. Pull the thread tight when all stitches are in.</source>
+      <translation>{facing} Mit starkem Faden durch die Membran in ein Nähloch ({hole:g} mm) nähen, an der anderen Seite hinaus und durch das gegenüberliegende Loch des anderen Stücks zurück; insgesamt {holes} Löcher. Ein Tropfen Kleber um ein Loch verhindert, dass die Membran weiterreißt. Den Faden festziehen, wenn alle Stiche sitzen.</translation>
+    </message>
+    <message>
       <source>{feature:.3g} mm; the printer makes {least:g} mm</source>
       <translation>{feature:.3g} mm; der Drucker schafft {least:g} mm</translation>
     </message>
     <message>
-      <source>{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as much again for the roller; a flexible glue for rubber on hard plastic, that water does not loosen; for rings in parts or with dowels also a rigid one</source>
-      <translation>{front:.2f} cm³ für die Vorderseite und {back:.2f} cm³ für die Rückseite, und noch halb so viel für die Rolle; ein elastischer Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst; für Ringe in Teilen oder mit Dübeln auch ein fester</translation>
+      <source>{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as much again for the roller; a flexible glue for rubber on hard plastic, that water does not loosen{asked}; for rings in parts or with dowels also a rigid one</source>
+      <translation>{front:.2f} cm³ für die Vorderseite und {back:.2f} cm³ für die Rückseite, und noch halb so viel für die Rolle; ein elastischer Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst{asked}; für Ringe in Teilen oder mit Dübeln auch ein fester</translation>
     </message>
     <message>
       <source>{front:g} (front) and {back:g} (back)</source>
@@ -5224,10 +5256,6 @@
       <translation>{name}-latex-front.pdf und {name}-latex-back.pdf, mit 100 % gedruckt, die Seiten eines Papierformats: A4, A3 oder Letter</translation>
     </message>
     <message>
-      <source>{name}-print.3mf or {name}-print.step: every body with its name, in place; or the files of tiles, anchors and support, with one origin</source>
-      <translation>{name}-print.3mf oder {name}-print.step: jeder Körper mit Namen, an seinem Platz; oder die Dateien von Kacheln, Ankern und Stützen, mit einem Ursprung</translation>
-    </message>
-    <message>
       <source>{printer}: bed {bed} mm, {fits}</source>
       <translation>{printer}: Bett {bed} mm, {fits}</translation>
     </message>
@@ -5254,6 +5282,10 @@
     <message>
       <source>{some} and {last}</source>
       <translation>{some} und {last}</translation>
+    </message>
+    <message>
+      <source>{threemf} or {step}: every body with its name, in place; or the files of tiles, anchors and support, with one origin</source>
+      <translation>{threemf} oder {step}: jeder Körper mit Namen, an seinem Platz; oder die Dateien von Kacheln, Ankern und Stützen, mit einem Ursprung</translation>
     </message>
     <message>
       <source>{tiles} tiles and what holds them: {name}-shop.pdf is the order</source>
@@ -5328,8 +5360,8 @@
       <translation>{volume}; dazu kommen die Stützen des Slicers unter Kacheln, die überstehen</translation>
     </message>
     <message>
-      <source>“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes: with them make the design and its kit anew.</source>
-      <translation>„curveups calibrate {name}-MEASURED.json -o DIR“ passt Modul, Reibung, Kleber und Zugabe mit ihrer Unsicherheit an. Es schreibt material.json und printer.json, die „curveups design --config“ nimmt: damit den Entwurf und seinen Bausatz neu machen.</translation>
+      <source>“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes: with them make the design and its kit anew. It prints other values, too, for you to read: no parameter of a design takes the constants of Mooney-Rivlin, what creep leaves of the force, what gaps lose or what breaks bridges.</source>
+      <translation>„curveups calibrate {name}-MEASURED.json -o DIR“ passt Modul, Reibung, Kleber und Zugabe mit ihrer Unsicherheit an. Es schreibt material.json und printer.json, die „curveups design --config“ nimmt: damit den Entwurf und seinen Bausatz neu machen. Es gibt auch andere Werte zum Lesen aus: kein Parameter eines Entwurfs nimmt die Konstanten von Mooney-Rivlin, was das Kriechen von der Kraft übrig lässt, was Spalte verlieren oder was Brücken bricht.</translation>
     </message>
   </context>
   <context>

@@ -253,6 +253,8 @@ def test_hours_are_read_from_what_the_slicer_writes():
     text = "; filament used [cm3] = 22.50\n; estimated printing time (normal mode) = 1d 2h 30m 36s\n"
     assert costs.read_gcode(text) == (pytest.approx(26.51), 22.5)
     assert costs.read_gcode("; estimated printing time (normal mode) = 36s") is None
+    said = "[trace] 99 =>\n10 => Processing triangulated mesh\n70 => Infilling\n30 => Preparing infill\n"
+    assert costs.progress_of(said) == 0.7 and costs.progress_of("") == 0
     assert costs.by_rates(5.0, 10.0, {"hours": 0.5, "hours_per_mm": 0.1, "hours_per_cm3": 0.02}) == \
         pytest.approx(1.2)
     assert costs.price(2.0, 10.0, 5.0, {"order": 50, "hour": 20, "rigid_cm3": 0.4, "support_cm3": 0.1}) == \

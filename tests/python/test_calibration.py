@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from curveups.base.errors import CurveUpsError
 from curveups.base.native import native
-from curveups.kit.calibration import _ROWS, _SHEET, calibrate, parameters, read_measured
+from curveups.kit.calibration import _ROWS, _SHEET, calibrate, parameters, read_measured, use
+from running import ROOT
 
 G, C1, C2, LEFT, FRICTION, GLUE, GROWTH = 0.31, 0.12, 0.05, 0.8, 0.52, 0.9, 0.06
 LOSS, BRIDGE = 0.25, 12.0
@@ -90,7 +91,7 @@ def test_files_are_what_config_takes(curveups, cap, tmp_path):
     assert ran.status == 0, ran.err
     found = json.loads((tmp_path / "out" / "calibration.json").read_text("utf-8"))["fitted"]
     assert found["shear_modulus"]["low"] < G < found["shear_modulus"]["high"]
-    assert all(f"{name} " in ran.out for name in found)
+    assert all(f"{name} " in ran.out and one["use"] in ran.out for name, one in found.items())
     values = native.Parameters()
     for name in ("material.json", "printer.json"):
         for key, value in json.loads((tmp_path / "out" / name).read_text("utf-8")).items():
@@ -101,6 +102,24 @@ def test_files_are_what_config_takes(curveups, cap, tmp_path):
                    tmp_path / "out" / "material.json", "--config", tmp_path / "out" / "printer.json",
                    "--set", "verify=off")
     assert ran.status == 0, ran.err
+
+
+def test_each_value_says_what_takes_it_or_that_nothing_does():
+    """And the page marks the same ones."""
+    found = calibrate(read_measured({**mooney_rivlin(1), **others(1)}, "made"))
+    page = (ROOT / "resources" / "docs" / "kit.md").read_text("utf-8")
+    unused = {"mooney_rivlin_c1", "mooney_rivlin_c2", "left_after_a_day", "gap_loss", "bridge_strength"}
+    for name in found:
+        taken = {file: list(values) for file, values in parameters({name: found[name]}).items() if values}
+        assert (name in unused) == (not taken), name
+        if taken:
+            (file, names), = taken.items()
+            assert use(name) == f"{file}: {', '.join(names)}"
+        else:
+            assert use(name).startswith("no parameter takes it")
+        assert f"`{name}` *" not in page or not taken, name
+    assert all(f"{said} * |" in page for said in ("Mooney-Rivlin", "after a day", "narrower",
+                                                  "`bridge_strength`"))
 
 
 def test_what_was_not_measured_stays_out(curveups, tmp_path):

@@ -146,12 +146,14 @@ def test_an_empty_file_is_refused_and_so_is_a_list_of_two(curveups, folder, tmp_
     assert refused.status == 2 and "friction is no list of three" in refused.err
 
 
-def test_the_sheet_of_glue_asks_for_what_anchors_need_where_there_are_some():
+def test_the_sheet_of_glue_asks_for_what_pins_and_anchors_need_where_that_is_known():
     def said(report):
         kit = SimpleNamespace(report=report, results=SimpleNamespace(parameters=parameters()), say=ENGLISH)
         return coupon_sheet.said(kit, coupon("glue", parameters()))
 
-    assert "ask for 0.43 MPa" in said({"anchors": {"glue_shear_mpa": [0.31, 0.43]}})
+    anchors = {"anchors": {"glue_shear_mpa": [0.31, 0.43]}}
+    assert "asks for 0.43 MPa" in said(anchors)
+    assert "asks for 0.66 MPa" in said({**anchors, "glue": {"shear_max_mpa": 0.6514}})
     assert "MPa" not in said({})
 
 
@@ -161,6 +163,8 @@ def test_the_sheet_names_files_and_numbers_of_this_design(folder):
     text = " ".join(said.split())
     assert all(f"small-cap-{name}.step" in text for name in NAMES)
     assert text.count("leave these slopes out") == 2 and "112.5, 150, 187.5, 225 mm" in text
+    assert "no parameter of a design takes the constants of Mooney-Rivlin" in text
+    assert "What a day leaves goes into no design by itself" in text
     data = json.loads((folder / "small-cap-MEASURED.json").read_text("utf-8"))
     fields = {field for rows in data.values() if isinstance(rows, list) for field in rows[0]}
     assert all(field in text for field in fields)

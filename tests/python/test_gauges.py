@@ -46,6 +46,9 @@ def test_ribs_and_former_fill_a_hemisphere_and_can_be_put_together():
         for place, height in rib.slots:
             others = [one for one in under.ribs if one.axis != rib.axis and abs(one.place - place) < 1e-9]
             assert any((rib.place, height) in one.slots for one in others)
+        left, right = rib.foot()  # where its name stands
+        assert right - left > 10 and rib.x[0] <= left < right <= rib.x[-1]
+        assert rib.axis == 0 or not any(left - 1.5 < place < right + 1.5 for place, _ in rib.slots)
         outline = rib.outline()
         x, y = outline[:-1].T
         area = 0.5 * np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))

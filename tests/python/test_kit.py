@@ -7,24 +7,30 @@ import json
 import re
 import subprocess
 import zipfile
+from types import SimpleNamespace
 
 import ezdxf
 import numpy as np
 import pytest
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.image import imread
 
 from curveups.base import freecad_session
 from curveups.base.errors import Stopped
 from curveups.base.language import Language
 from curveups.base.native import native
-from curveups.kit import drawing, files, latex, tile_map
+from curveups.kit import coupons, drawing, files, latex, ring_sheet, tile_map
 from curveups.kit.kit import Kit
 from curveups.project.project import Project
+from curveups.report import shop
 from curveups.report.assembly import steps
 from curveups.report.data import build_report
 from curveups.report.exports import Choice, file_names
+from curveups.report.print_pictures import draw_print
 from curveups.report.shop import rules
 from curveups.stages.sheets import sheets
+from curveups.stages.solids import read_printer
 from curveups.stages.stage import Job
 from running import by_admesh
 
@@ -86,14 +92,75 @@ def test_the_shop_sheet_is_one_page_with_rules_before_figures(kit):
     assert f"{x:.1f} mm" in text and f"{y:.1f} mm" in text
 
 
+@pytest.mark.parametrize("bed, asked, fits", [
+    ((250, 210, 210), "Do not scale, turn or arrange", "the print fits"),
+    ((60, 200, 210), "Do not scale, turn or arrange", "the print does not fit"),
+    ((1000, 70, 210), "Turn all bodies together by a right angle",
+     "the print fits, turned by a right angle")])
+def test_the_order_says_how_the_print_fits_the_bed(results, monkeypatch, bed, asked, fits):
+    """As it stands, or turned, which is forbidden otherwise."""
+    report = build_report(results, [], False, {}, {})
+    report["print"] = {**report["print"], "bbox_mm": [68.0, 72.0, 5.0]}
+    monkeypatch.setattr(shop, "read_printer", lambda name: {**read_printer(name), "bed_mm": list(bed)})
+    assert any(rule.startswith(asked) for rule in rules(report, results.parameters))
+    assert dict(shop.quote(report, results.parameters))["Printer compared with"].endswith(f"mm, {fits}")
+
+
+@pytest.mark.parametrize("size, said", [((60, 200), "490 × 390"), ((60, 450), "390 × 490"),
+                                        ((480, 60), "490 × 390"), ((600, 600), "490 × 390")])
+def test_words_around_the_picture_of_a_print_keep_apart(size, said):
+    """And the bed lies as the printer has it, unless the print has to be turned."""
+    model = coupons.plates("plate", [size], 5.0)
+    figure, _ = drawing.sheet(150, 150)
+    draw_print(figure.add_axes([0.1, 0.1, 0.8, 0.8]), model, (490, 390, 200))
+    figure.canvas = FigureCanvasAgg(figure)
+    figure.canvas.draw()
+    texts = [text for axes in figure.findobj(Axes) for text in (*axes.texts, axes.title, axes._left_title)
+             if text.get_text()]
+    assert sum(said in text.get_text() for text in texts) == 1 and len(texts) > 3
+    boxes = [text.get_window_extent(figure.canvas.get_renderer()) for text in texts]
+    for k, box in enumerate(boxes):
+        assert not any(box.overlaps(other) for other in boxes[:k])
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_words_of_the_section_stay_in_their_parts(results, language):
+    """Of rings within the rings, of sheets within the window."""
+    kit = Kit(results, build_report(results, [], False, {}, {}), say=Language(language))
+    found, width = ring_sheet.section(kit), kit.rings["width_mm"]
+    for x, _, height, text in found.texts:
+        end = x + drawing._width(text, height * drawing.POINT / drawing.CAPITALS)
+        assert (end <= width) if x < width else (end <= found.size[0] - 1 - width), text
+
+
+def test_two_pieces_say_which_of_their_tiles_lie_side_by_side():
+    """All pairs across the border, and some that lie far apart, in the step that joins the pieces."""
+    V = 40.0 * np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 0, 0], [0, -1, 0], [0, 0, -1]])
+    F = [[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]]
+    ball = native.remesh(V, np.array(F, np.int32), 10, crease_angle=30)
+    halves = native.divide_surface(ball.V, ball.F, np.zeros((0, 2), np.int32), 2)
+    design = SimpleNamespace(V=ball.V, F=ball.F, cuts=np.array(halves.borders))
+    found = Kit(SimpleNamespace(design=design), {}).borders
+    assert len(found["pairs"]) == len(halves.borders) > 8
+    for a, b in found["pairs"]:
+        assert halves.piece[a] != halves.piece[b] and len(set(ball.F[a]) & set(ball.F[b])) == 2
+    assert len(found["named"]) == 4 and all(pair in found["pairs"] for pair in found["named"])
+    middles = np.array([ball.V[ball.F[pair]].mean((0, 1)) for pair in found["named"]])
+    apart = np.linalg.norm(middles[:, None] - middles, axis=2)[np.triu_indices(4, 1)]
+    assert apart.min() > 30  # of a ball of some 80 mm
+    whole = SimpleNamespace(V=ball.V, F=ball.F, cuts=np.zeros((0, 2), np.int32))
+    assert Kit(SimpleNamespace(design=whole), {}).borders == {"pairs": [], "named": []}
+
+
 @pytest.mark.parametrize("settings, said, unsaid", [
-    (("support=breakaway", "printer=fdm"), ("do not break them", "PLA or PETG", "Do not scale, turn"),
+    (("support=breakaway", "printer=fdm"),
+     ("do not break them", "PLA or PETG", "Do not scale, turn", "on the bed alone, and leave these in, too"),
      ("wash it off", "two materials", "Tilt")),
     (("support=breakaway", "printer=resin"),
      ("Tilt the whole", "peeled off the vat by its whole area",
       "take these supports off, and cure with the bridges on", "tilted as a whole"),
-     ("turn or", "as the files stand")),
-    (("support=none",), ("Nothing joins the tiles",), ("Leave the",))])
+     ("turn or", "as the files stand", "leave these in")),
+    (("support=none",), ("Nothing joins the tiles",), ("Leave the", "leave these in"))])
 def test_the_shop_sheet_fits_support_and_printer(curveups, printed, tmp_path, settings, said, unsaid):
     ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path,
                    *(word for one in settings for word in ("--set", one)))
@@ -115,7 +182,10 @@ def test_names_of_print_files_have_what_shops_ask_for(curveups, printed, tmp_pat
     assert ran.status == 0, ran.err
     assert (tmp_path / "3x-small-cap-tiles-rigid-5mm.stl").exists()
     assert (tmp_path / "3x-small-cap-support-soluble-5mm.stl").exists()
-    assert "3, of 35 bodies each (24 tiles)" in pdf_text(tmp_path / "small-cap-shop.pdf")
+    said = " ".join(pdf_text(tmp_path / "small-cap-shop.pdf").split())
+    assert "3, of 35 bodies each (24 tiles)" in said
+    assert "3x-small-cap-print-rigid-5mm.3mf or 3x-small-cap-print-rigid-5mm.step: every body" in said
+    assert "small-cap-print.3mf or" not in said
     # A kit under other names takes the place of the last, but for files that somebody has changed.
     (tmp_path / "3x-small-cap-tiles-rigid-5mm.stl").write_text("scaled")
     assert curveups("kit", printed.folder / "design.json", "-o", tmp_path).status == 0
@@ -184,6 +254,20 @@ def test_a_stop_between_files_is_said_and_leaves_none_half_written(results, tmp_
     assert not files.is_current(tmp_path, (tmp_path / "design.json").read_text("utf-8"))
 
 
+def test_progress_of_a_kit_names_each_file_and_moves_to_its_end(results, tmp_path):
+    said = []
+    assert not files.write_kit(results, tmp_path, Job(lambda *step: said.append(step) or True))
+    listed = list(json.loads((tmp_path / "kit.json").read_text("utf-8"))["files"])
+    writing = [(what, fraction) for what, fraction in said if what.startswith("writing ")]
+    assert list(dict.fromkeys(what for what, _ in writing)) == [f"writing {name}" for name in listed]
+    fractions = [fraction for _, fraction in writing]
+    assert fractions == sorted(fractions) and fractions[0] == 0 and fractions[-1] > 0.95
+    for number, name in enumerate(listed):
+        own = [fraction for what, fraction in writing if what == f"writing {name}"]
+        assert number / len(listed) <= min(own) and max(own) <= (number + 1) / len(listed)
+    assert {"dividing the print among beds", "estimating hours and price"} < {what for what, _ in said}
+
+
 def test_another_kit_leaves_what_somebody_put_into_the_folder_of_coupons(results, tmp_path):
     coupons, said = tmp_path / "coupons", []
     coupons.mkdir()
@@ -194,7 +278,7 @@ def test_another_kit_leaves_what_somebody_put_into_the_folder_of_coupons(results
         path.write_text("{}")
     assert files.write_kit(results, tmp_path, job)
     assert readings.exists() and picture.exists() and not blank.exists()
-    assert "writing kit.json" in said and "writing " not in said
+    assert said[0] == "dividing the print among beds" and "writing " not in said
     (tmp_path / "kit.json").write_text(json.dumps({"files": {"coupons/small-cap-MEASURED.json": stale}}))
     readings.write_text('{"glue": []}')
     assert files.write_kit(results, tmp_path, job)
@@ -233,6 +317,10 @@ def test_the_assembly_sheet_has_a_page_a_step_with_its_picture(kit):
     block = kit.json["print"]["glue"]
     volume = kit.json["glue"]["volume_cm3"]["front"]
     assert volume == pytest.approx(1e-4 * (block["front_pins_mm2"] + block["front_anchors_mm2"]))
+    # What the pins carry is more than the anchors do, and less than what the verdict allows.
+    asked = kit.json["glue"]["asked_mpa"]
+    assert max(kit.json["anchors"]["glue_shear_mpa"]) < asked <= native.Parameters().get("glue_strength")
+    assert f"holds {asked:.2f} MPa in shear" in page
     assert "small-cap-former.stl" in page and "small-cap-coupons.pdf" in page and "-frame.dxf" not in page
     assert f"{len(kit.json['gauges']['ribs'])} ribs of a sheet 3 mm thick" in page
     assert f"{volume:.2f} cm³" in page and "stays on its ring while it is washed and dries" in page
@@ -528,7 +616,7 @@ def test_a_stop_between_pages_ends_the_pdf():
 def test_ribs_and_former_are_read_by_other_programs(kit):
     found = by_admesh(kit.folder / "small-cap-former.stl")
     assert found["Total disconnected facets"] == found["Backwards edges"] == 0
-    assert found["Number of parts"] == 1
+    assert found["Number of parts"] == 1 and found["Normals fixed"] == 0
     assert found["Volume"] == pytest.approx(1000 * kit.json["gauges"]["former_cm3"], rel=0.02)
     space = ezdxf.readfile(kit.folder / "small-cap-gauges.dxf").modelspace()
     outlines, names = list(space.query("LWPOLYLINE")), [text.dxf.text for text in space.query("TEXT")]

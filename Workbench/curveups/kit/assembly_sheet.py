@@ -16,7 +16,7 @@ from matplotlib.image import imread
 
 from ..base.language import Language, Text
 from ..report import pictures
-from ..report.assembly import HOLE, glue_volumes, steps
+from ..report.assembly import HOLE, glue_asked, glue_volumes, steps
 from ..report.html import page, picture
 from ..report.print_pictures import print_view
 from ..report.shop import latex
@@ -44,6 +44,9 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
     joined = say("They come in {front} and {back} parts for the bed: split them in the slicer, and glue them "
                  "at their dovetails on a flat table.", front=counts[0], back=counts[1]) \
         if max(counts) > 1 else ""
+    shear = glue_asked(kit.report)
+    asked = " " + say("and that holds {shear:.2f} MPa in shear (its coupon shows that)", shear=shear) \
+        if shear else ""
     return [(say("Print"), say("{tiles} tiles and what holds them: {name}-shop.pdf is the order",
                                tiles=kit.report["tiles"], name=kit.name)),
             (say("Latex"), latex(kit.report, parameters, say)),
@@ -56,12 +59,12 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
                  rod=2 * ring["thickness_mm"] + ring["apart_mm"])),
             (say("Glue"), say("{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as "
                               "much again for the roller; a flexible glue for rubber on hard plastic, that "
-                              "water does not loosen; for rings in parts or with dowels also a rigid one",
-                              **glue)),
+                              "water does not loosen{asked}; for rings in parts or with dowels also a rigid "
+                              "one", asked=asked, **glue)),
             *_shaping(kit),
             (say("Coupons"), say("{name}-coupons.pdf in the folder coupons says what to print and to measure "
                                  "before the order, and what latex that takes besides", name=kit.name)),
-            (say("Time and cost of the print"), "; ".join(_cost(say, number, one) for number, one in
+            (say("Time and cost of one print"), "; ".join(_cost(say, number, one) for number, one in
                                                           enumerate(kit.report["costs"], 1))),
             (say("Tools"), say("strong scissors, a sharp punch of {punch:g} mm, a pen whose ink stays on "
                                "latex, carbon paper, tape, dish soap, a roller, a ruler, two boards thicker "

@@ -37,6 +37,14 @@ _ROWS: Mapping[str, Mapping[str, tuple[float, float]]] = {
     "gaps": {"nominal_mm": (0.01, 10.0), "measured_mm": (0.0, 10.0)},
     "bridges": {"force_n": _FORCE},
     "growth": {"nominal_mm": (1e-3, 1e4), "measured_mm": (1e-3, 1e4)}}
+# Why no file takes the others.
+_UNUSED: Mapping[str, str] = {
+    **{f"mooney_rivlin_{one}": "no parameter takes it: membrane_model=mooney-rivlin has C1 = C2 = G / 4, "
+                               "G the shear modulus" for one in ("c1", "c2")},
+    "left_after_a_day": "no parameter takes it: set shear_modulus_front and _back to this share of the shear "
+                        "modulus to see the piece a day after its sheets were stretched",
+    "gap_loss": "no parameter takes it: choose a d_gap_min that is larger",
+    "bridge_strength": "no parameter takes it: a shop's prints are compared by it"}
 _SHEET = {"width_mm": (0.1, 1e4), "wide_width_mm": (0.1, 1e4), "thickness_mm": (0.01, 10.0)}
 
 
@@ -129,6 +137,15 @@ def parameters(found: Mapping[str, Fitted]) -> dict[str, dict[str, float]]:
     return {"material.json": material, "printer.json": printer}
 
 
+def use(name: str) -> str:
+    """What a design does with a value: where it goes, or that nothing takes it."""
+    if name in _UNUSED:
+        return _UNUSED[name]
+    one = Fitted(1.0, 1.0, 1.0, 3, "", 0.0)
+    file, taken = next((file, taken) for file, taken in parameters({name: one}).items() if taken)
+    return f"{file}: {', '.join(taken)}"
+
+
 def write_calibration(found: Mapping[str, Fitted], path: Path) -> None:
     """calibration.json, and the files with something in them."""
     with Folder(path) as folder:
@@ -137,13 +154,15 @@ def write_calibration(found: Mapping[str, Fitted], path: Path) -> None:
             if values:
                 folder.write_text(name, to_text(values))
         folder.write_text(FILES[0], to_text({"format": FORMAT, "version": VERSION,
-                                             "fitted": {name: asdict(one) for name, one in found.items()}}))
+                                             "fitted": {name: {**asdict(one), "use": use(name)}
+                                                        for name, one in found.items()}}))
 
 
 def said(found: Mapping[str, Fitted]) -> list[str]:
-    """A line for each, for the command line."""
-    return [f"{name:<22}{one.value:.4g} {one.unit}".rstrip() + f" ({one.low:.4g} to {one.high:.4g}; "
-            f"{one.points} measurements, misfit {100 * one.misfit:.1f} %)" for name, one in found.items()]
+    """Two lines for each, for the command line: the value, and what a design does with it."""
+    return [line for name, one in found.items() for line in (
+        f"{name:<22}{one.value:.4g} {one.unit}".rstrip() + f" ({one.low:.4g} to {one.high:.4g}; "
+        f"{one.points} measurements, misfit {100 * one.misfit:.1f} %)", f"  {use(name)}")]
 
 
 def _stresses(measured: Mapping[str, Any]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import tempfile
 from pathlib import Path
-from typing import Any, Mapping, Optional
+from typing import Any, Callable, Mapping, Optional
 
 from ..base.language import Text
 from ..base.native import native
@@ -19,6 +19,7 @@ from .kit import Kit
 SLICER, RATES = "prusa-slicer", Text("rates of the printer's file")
 MOST_SECONDS, POLL = 300.0, 0.2
 _TIME = re.compile(r"; estimated printing time \(normal mode\) = (?:(\d+)d )?(?:(\d+)h )?(?:(\d+)m )?(\d+)s")
+_PERCENT = re.compile(r"^(\d{1,2}|100) => ", re.MULTILINE)
 _FILAMENT = re.compile(r"; filament used \[cm3\] = ([0-9.]+)")
 
 
@@ -27,12 +28,13 @@ def costs(kit: Kit) -> list[dict[str, Any]]:
     printer, soluble = kit.printer, native.support_kind(kit.results.parameters).soluble
     models = [kit.model] if kit.beds is None else [kit.beds.bed(k) for k in range(len(kit.beds.places))]
     found = []
-    for model in models:
-        kit.go_on()
+    for number, model in enumerate(models):
+        kit.go_on(number / len(models))
         volumes = {kind: volume / 1000 for kind, volume in model.volumes.items()}
         soft = volumes["support"] if soluble else 0.0
         rigid = sum(volumes[kind] for kind in ("tiles", "support", "anchors")) - soft
-        sliced = None if soluble or printer["slicer"] != SLICER else _sliced(kit, model)
+        sliced = None if soluble or printer["slicer"] != SLICER else _sliced(
+            kit, model, lambda part: kit.go_on((number + part) / len(models)))
         high = tilted_height(model.bbox) if is_tilted(kit.results.parameters) else float(model.bbox[2])
         hours, rigid = sliced or (by_rates(high, rigid + soft, printer["rates"]), rigid)
         found.append({"hours": hours, "hours_by": SLICER if sliced else RATES,
@@ -51,23 +53,25 @@ def price(hours: float, rigid: float, soft: float, prices: Mapping[str, Any]) ->
                  + soft * prices["support_cm3"])
 
 
-def _sliced(kit: Kit, model: Any) -> Optional[tuple[float, float]]:
-    """Hours and cm3 of filament; None without the slicer, or where it fails."""
+def _sliced(kit: Kit, model: Any, go_on: Callable[[float], object]) -> Optional[tuple[float, float]]:
+    """Hours and cm3 of filament; None without the slicer, or where it fails. go_on: called with how much is
+    done; raises Stopped."""
     if not shutil.which(SLICER):
         return None
     bed, layer = kit.printer["bed_mm"], kit.printer["layer_mm"]
     with tempfile.TemporaryDirectory() as folder:
-        code = Path(folder) / "a.gcode"
+        code, said = Path(folder) / "a.gcode", Path(folder) / "said"
         (Path(folder) / "a.stl").write_bytes(kit.shell(model))
         try:
-            running = subprocess.Popen(
-                [SLICER, "--datadir", folder, "--export-gcode", "--layer-height", str(layer),
-                 "--first-layer-height", str(layer),
-                 "--bed-shape", f"0x0,{bed[0]}x0,{bed[0]}x{bed[1]},0x{bed[1]}",
-                 "--support-material", "--support-material-buildplate-only", "--output", str(code), "a.stl"],
-                cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            with said.open("wb") as output:
+                running = subprocess.Popen(
+                    [SLICER, "--datadir", folder, "--export-gcode", "--layer-height", str(layer),
+                     "--first-layer-height", str(layer),
+                     "--bed-shape", f"0x0,{bed[0]}x0,{bed[0]}x{bed[1]},0x{bed[1]}",
+                     "--support-material", "--support-material-buildplate-only", "--output", str(code),
+                     "a.stl"], cwd=folder, stdout=output, stderr=subprocess.DEVNULL)
             try:
-                _await(kit, running)
+                _await(running, said, go_on)
             finally:
                 running.kill()
                 running.wait()
@@ -76,15 +80,20 @@ def _sliced(kit: Kit, model: Any) -> Optional[tuple[float, float]]:
             return None
 
 
-def _await(kit: Kit, running: subprocess.Popen[bytes]) -> None:
-    """Until the slicer ends, at most a while. Raises Stopped."""
+def _await(running: subprocess.Popen[bytes], said: Path, go_on: Callable[[float], object]) -> None:
+    """Until the slicer ends, at most a while. said: what it prints. Raises Stopped."""
     for _ in range(int(MOST_SECONDS / POLL)):
-        kit.go_on()
+        go_on(progress_of(said.read_text("utf-8", errors="replace")))
         try:
             running.wait(POLL)
             return
         except subprocess.TimeoutExpired:
             continue
+
+
+def progress_of(text: str) -> float:
+    """How much PrusaSlicer has done, 0 to 1, by the lines that it prints: 20 => Generating perimeters."""
+    return max((int(percent) / 100 for percent in _PERCENT.findall(text)), default=0.0)
 
 
 def read_gcode(text: str) -> Optional[tuple[float, float]]:

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 from ..base.language import Text
 from ..base.native import native
+from ..report.assembly import glue_asked
 from ..report.data import to_text
 from ..report.print_pictures import draw_print
 from . import drawing
@@ -74,8 +75,9 @@ def said(kit: Kit, coupon: Coupon) -> str:
     parameters, say = kit.results.parameters, kit.say
     own = "" if coupon.own(parameters) else \
         say("The design has other walls: leave these slopes out of MEASURED.json.")
-    shears = kit.report.get("anchors", {}).get("glue_shear_mpa", ())
-    asked = say("The anchors of the design ask for {shear:.2f} MPa.", shear=max(shears)) if shears else ""
+    shear = glue_asked(kit.report)
+    asked = say("The design asks for {shear:.2f} MPa where its pins or anchors carry most: a glue that holds "
+                "less is not for it.", shear=shear) if shear else ""
     reach = stretches(parameters)
     lengths = {name: ", ".join(f"{stretch * size:g}" for stretch in reach)
                for name, size in (("lengths", NARROW[1]), ("wide_lengths", WIDE[1]))}
@@ -94,7 +96,8 @@ readings into {name}-MEASURED.json, in place of null, in the units of the names.
 out. Give three readings of a list or more, or none."""),
     Text("""“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with
 their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes: with them
-make the design and its kit anew."""))
+make the design and its kit anew. It prints other values, too, for you to read: no parameter of a design takes
+the constants of Mooney-Rivlin, what creep leaves of the force, what gaps lose or what breaks bridges."""))
 
 
 def sheet(kit: Kit) -> bytes:

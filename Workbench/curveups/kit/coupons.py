@@ -160,14 +160,14 @@ largest force of each; each pin has {pin:.1f} mm². {asked}"""),
            Text("""Take the support away. Push feeler gauges through each gap, on the side that lay on the
 bed, where the first layers swell. Enter the thickest that passes all along, and 0 where none does. The
 gaps get wider from the left to the right. Do not order a design whose least clearance (its shop sheet has
-it) is below the first gap that is open."""),
+it) is below the first gap that is open: its d_gap_min has to be larger."""),
            lambda parameters: {"gaps": [{"nominal_mm": gap, "measured_mm": None} for gap in GAPS]},
            lambda parameters: strip("gaps", _changed(parameters, bumps="none", xy_compensation=0.0),
                                     GAPS)),
     Coupon("bridges", Text("Bridges that break"),
            Text("""Hold one tile of the row after the other in the fingers or a vice, and pull its
 neighbour up with a thread around it, at right angles to the row, until the bridges between them break.
-Enter the largest force of each."""),
+Enter the largest force of each. It compares shops and printers: no design computes with it."""),
            lambda parameters: {"bridges": [{"force_n": None}] * len(GAPS)},
            lambda parameters: strip("bridges", _changed(parameters), _gaps(parameters)), _bridges),
     Coupon("growth", Text("Growth of the printer"),
@@ -185,7 +185,8 @@ between two bars with two bolts of M4 in their holes, from line to line of the t
 strip to each stretch: {lengths} mm from bar to bar, and enter the force after a minute; some {narrow:.0f}
 N at the last. So with the wide one: {wide_lengths} mm, some {wide:.0f} N; its width can't shrink, so latex
 is stretched in both directions there. Then leave the narrow strip at {tau:g} times its length and read the
-force at the minutes that are listed: latex creeps. Wear goggles: a strip that tears snaps back."""),
+force at the minutes that are listed: latex creeps. What a day leaves goes into no design by itself: both
+sheets lose alike, so stretch both at the same time. Wear goggles: a strip that tears snaps back."""),
            lambda parameters: {
                "width_mm": NARROW[0], "wide_width_mm": WIDE[0], "thickness_mm": None,
                **{rows: [{"stretch": stretch, "force_n": None} for stretch in stretches(parameters)]

@@ -60,6 +60,11 @@ class Drawing:
         """Words that begin at a point."""
         self.texts.append((x, y, height, text))
 
+    def fitted(self, x: float, y: float, height: float, text: str, room: float) -> None:
+        """Words that begin at a point, smaller where they would be wider than `room`."""
+        wide = _width(text, height * POINT / CAPITALS)
+        self.text(x, y, height * min(1.0, room / max(wide, 1e-9)), text)
+
     def centred(self, x: float, y: float, height: float, text: str) -> None:
         """Words around a point."""
         self.text(x - _width(text, height * POINT / CAPITALS) / 2, y - height / 2, height, text)

@@ -7,16 +7,17 @@ import glob
 import hashlib
 import json
 from dataclasses import dataclass
+from functools import partial
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Callable, Mapping, Sequence
+from typing import Any, Callable, Iterator, Mapping, Sequence
 
 from ..base.errors import CurveUpsError, Stopped
 from ..base.language import Language
 from ..base.native import native
 from ..base.output import Folder
 from ..project.project import Project, Results
-from ..report.assembly import GLUE_LAYER, glue_volumes, steps
+from ..report.assembly import GLUE_LAYER, glue_asked, glue_volumes, steps
 from ..report.data import build_report, to_text
 from ..report.exports import Choice, File, doubtful, file_names, plain, run_under
 from ..report.files import keep_design
@@ -101,7 +102,7 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) ->
     design = native.write_design(results.design.with_name(plain(results)))
     names = print_names(results.name, results.parameters, results["solids"].kinds, order)
     report = build_report(results, results.rows(), False, {}, {})
-    kit = Kit(results, report, order.quantity, say=Language(order.language))
+    kit = Kit(results, report, order.quantity, names, say=Language(order.language))
     stopped = results.stopped
     readings = f"{results.name}-{MEASURED}"
     filled_in = _is_changed(path, f"{COUPONS}/{readings}")
@@ -114,42 +115,74 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) ->
                          if place.suffix in _OF_COUPONS), *(() if filled_in else (readings,)))
         keep_design(folder, results, design)
 
-        doing = KIT
+        doing, done, count, reached = "", 0, 1, -1.0
 
-        def go_on() -> None:
-            if not job(f"writing {doing}"):
+        def go_on(part: float = -1.0) -> None:
+            """part: of what is being done. Files count alike, and the whole never goes back."""
+            nonlocal reached
+            if part >= 0 or count > 1:
+                reached = max(reached, (done + min(max(part, 0.0), 1.0)) / count)
+            if not job(doing, reached):
                 raise Stopped
 
-        def write(into: Folder, name: str, writer: Callable[[Path], object]) -> None:
-            nonlocal doing
-            doing = name if into is folder else f"{COUPONS}/{name}"
+        def begin(what: str, number: int = 0, of: int = 1) -> None:
+            nonlocal doing, done, count, reached
+            reached = reached if number else -1.0
+            doing, done, count = what, number, of
             go_on()
-            into.write(name, writer)
-            kit.files[doing] = {"bytes": into.files[name], "sha256": _sum((into.path / name).read_bytes())}
 
         kit.go_on = go_on
         try:
+            if (borders := kit.borders)["pairs"]:
+                report["borders"] = borders
+            begin("dividing the print among beds")
             if kit.beds:
                 report["beds"] = kit.beds.figures(kit.printer)
+            begin("estimating hours and price")
             report["costs"] = costs(kit)
-            for (kind, ending), name in names.items():
-                write(folder, name, lambda place: kit.model.write(ending, kind, str(place), job))
-            bed_files = import_module(".bed_files", __package__).files(kit)
-            for name, made in bed_files.items():  # the order lists them
-                write(folder, name, lambda place: place.write_bytes(made()))
-            for ending, (module, function, *given) in _SHEETS.items():
-                if ending in _OF_BRIDGES and not kit.has_bridges or ending in _OF_ONE_BED and kit.beds:
-                    continue
-                make = getattr(import_module(f".{module}", __package__), function)
-                write(folder, f"{results.name}-{ending}",
-                      lambda place: place.write_bytes(make(kit, *given)))
-            for name, made in import_module(".coupon_sheet", __package__).files(kit).items():
-                if name != readings or not filled_in:
-                    write(coupons, name, lambda place: place.write_bytes(made()))
+            todo = [*_print_files(kit, names), *_drawn_files(kit)]
+            todo += [(f"{COUPONS}/{name}", _holding(made))
+                     for name, made in import_module(".coupon_sheet", __package__).files(kit).items()
+                     if name != readings or not filled_in]
+            for number, (name, writer) in enumerate(todo):
+                begin(f"writing {name}", number, len(todo))
+                into = coupons if name.startswith(f"{COUPONS}/") else folder
+                into.write(Path(name).name, writer)
+                data = (path / name).read_bytes()
+                kit.files[name] = {"bytes": len(data), "sha256": _sum(data)}
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(KIT, to_text(_contents(kit, design, stopped, order)))
     return stopped
+
+
+Writer = Callable[[Path], object]
+
+
+def _print_files(kit: Kit, names: Mapping[File, str]) -> Iterator[tuple[str, Writer]]:
+    """What the shop prints, by the names of files: the whole, then beds, where there are several."""
+    for (kind, ending), name in names.items():
+        yield name, _body(kit, kind, ending)
+    for name, made in import_module(".bed_files", __package__).files(kit).items():
+        yield name, _holding(made)
+
+
+def _drawn_files(kit: Kit) -> Iterator[tuple[str, Writer]]:
+    """What follows the print: the order first, which lists what comes before it."""
+    for ending, (module, function, *given) in _SHEETS.items():
+        if ending in _OF_BRIDGES and not kit.has_bridges or ending in _OF_ONE_BED and kit.beds:
+            continue
+        made = getattr(import_module(f".{module}", __package__), function)
+        yield f"{kit.name}-{ending}", _holding(partial(made, kit, *given))
+
+
+def _body(kit: Kit, kind: str, ending: str) -> Writer:
+    return lambda place: kit.model.write(ending, kind, str(place),
+                                         lambda what, part: kit.asked(part=part))
+
+
+def _holding(made: Callable[[], bytes]) -> Writer:
+    return lambda place: place.write_bytes(made())
 
 
 def _is_changed(folder: Path, name: str) -> bool:
@@ -176,7 +209,7 @@ def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, A
     report, parameters = kit.report, kit.results.parameters
     printed = {name: value for name, value in report["print"].items() if name != "files"}
     blocks = ("beds", "costs", "area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts",
-              "joints")
+              "joints", "borders")
     return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.plain_title,
             "status": "stopped" if stopped else "complete", "design_sha256": _sum(design.encode("utf-8")),
             "valid": report["valid"], "holds": report["holds"], "reasons": report["reasons"],
@@ -184,9 +217,10 @@ def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, A
             "cuts": report["cuts"], "print": printed,
             **{name: report[name] for name in blocks if name in report},
             "rings": kit.rings, "gauges": figures(kit.undersides),
-            "glue": {"layer_mm": GLUE_LAYER, "volume_cm3": glue_volumes(printed["glue"])},
+            "glue": {"layer_mm": GLUE_LAYER, "volume_cm3": glue_volumes(printed["glue"]),
+                     "asked_mpa": glue_asked(report)},
             "shop": {"rules": rules(report, parameters),
-                     "quote": {**dict(quote(report, parameters, kit.quantity)),
+                     "quote": {**dict(quote(report, parameters, kit.quantity, whole=kit.whole)),
                                "Membranes": latex(report, parameters)}},
             "steps": [{"title": step.title, "text": step.text} for step in steps(report, parameters)],
             "files": kit.files}

@@ -25,4 +25,6 @@ def former_stl(undersides: Sequence[Underside]) -> bytes:
                               for number, under in enumerate(undersides)])
     rows = np.zeros(len(corners), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
     rows["corners"] = corners
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    rows["normal"] = normals / np.linalg.norm(normals, axis=1)[:, None]
     return b"CurveUps former".ljust(80) + np.uint32(len(rows)).tobytes() + rows.tobytes()

@@ -24,7 +24,8 @@ def ribs(kit: Kit) -> Drawing:
     for name, rib in found:
         outline = rib.outline() - [rib.x[0] - GAP, -height]
         drawing.line("cut", *outline)
-        drawing.text(GAP + 1, height + 1, 3.0, name)
+        left, right = rib.foot()
+        drawing.fitted(left - rib.x[0] + GAP + 1, height + 1, 3.0, name, right - left - 2)
         height += float(rib.top.max()) + GAP
     drawing.size = (width, height)
     return drawing

@@ -7,7 +7,7 @@ import tempfile
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
 
@@ -15,23 +15,27 @@ from ..base.errors import Stopped
 from ..base.language import ENGLISH, Language
 from ..base.native import native
 from ..project.project import Results
-from ..report.exports import doubtful, plain
+from ..report.exports import File, doubtful, plain
 from ..stages.solids import read_printer
 from .beds import Beds, beds
 from .ring import rings
 from .underside import Underside
 
+MOST_NAMED = 12  # pairs of tiles that a step names
+
 
 @dataclass
 class Kit:
-    """files: what is there so far, with bytes and SHA-256. go_on: called between pages; raises Stopped. say:
-    the language of sheets."""
+    """names: of the print's files. files: what is there so far, with bytes and SHA-256. go_on: called between
+    pages, with how much of the work at hand is done (0 to 1) where that is known; raises Stopped. say: the
+    language of sheets."""
 
     results: Results
     report: dict[str, Any]
     quantity: int = 1
+    names: Mapping[File, str] = field(default_factory=dict)
     files: dict[str, dict[str, Any]] = field(default_factory=dict)
-    go_on: Callable[[], object] = lambda: None
+    go_on: Callable[..., object] = lambda part=-1.0: None
     say: Language = ENGLISH
     coupons: dict[str, Any] = field(default_factory=dict)  # native PrintModels that were made, by name
     _shell: Optional[tuple[Any, bytes]] = None  # the last that was made, of its model
@@ -51,6 +55,33 @@ class Kit:
         return plain(self.results)
 
     @property
+    def whole(self) -> list[str]:
+        """The names of the 3MF and the STEP of all that is printed, where files have names."""
+        return [self.names[key] for ending in ("3mf", "step") if (key := ("print", ending)) in self.names]
+
+    @cached_property
+    def borders(self) -> dict[str, Any]:
+        """How pieces lie to one another, for report and kit.json: pairs of tiles (rows of F) of two pieces
+        that lie side by side in shape, and of each two pieces some that lie far apart."""
+        design = self.results.design
+        V, F = np.asarray(design.V), np.asarray(design.F)
+        piece = np.asarray(native.pieces_of_faces(V, F, design.cuts))
+        beside: dict[tuple[int, ...], list[int]] = {tuple(sorted(map(int, e))): [] for e in design.cuts}
+        for tile, corners in enumerate(F.tolist()):
+            for a, b in zip(corners, corners[1:] + corners[:1]):
+                if (edge := tuple(sorted((a, b)))) in beside:
+                    beside[edge].append(tile)
+        middles: dict[tuple[int, ...], dict[tuple[int, ...], np.ndarray]] = {}  # by pieces and tiles
+        for edge, pair in beside.items():
+            between = tuple(sorted({int(piece[tile]) for tile in pair}))
+            if len(between) == 2:
+                middles.setdefault(between, {})[tuple(sorted(pair))] = V[list(edge)].mean(0)
+        most = max(1, min(4, MOST_NAMED // max(1, len(middles))))
+        named = [pair for _, found in sorted(middles.items()) for pair in _far_apart(found, most)]
+        return {"pairs": sorted(list(pair) for found in middles.values() for pair in found),
+                "named": [list(pair) for pair in named]}
+
+    @property
     def has_bridges(self) -> bool:
         """Whether breakaway bridges join the tiles of the print."""
         support = native.support_kind(self.results.parameters)
@@ -65,13 +96,13 @@ class Kit:
         """A file of a native PrintModel. Raises Stopped, native.Cancelled."""
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / f"print.{ending}"
-            model.write(ending, kind, str(path), self._asked)
+            model.write(ending, kind, str(path), self.asked)
             return path.read_bytes()
 
-    def _asked(self, *_: Any) -> bool:
-        """For native work: whether it goes on."""
+    def asked(self, *_: Any, part: float = -1.0) -> bool:
+        """For native work: whether it goes on. part: as of go_on, negative where unknown."""
         try:
-            self.go_on()
+            self.go_on(part)
         except Stopped:
             return False
         return True
@@ -90,7 +121,7 @@ class Kit:
     def beds(self) -> Optional[Beds]:
         """What goes on which bed, where one has no room for all. Raises native.Cancelled."""
         design = self.results.design.with_parameters(self.results.parameters)
-        return beds(design, self.model, self.printer, self.shapes, self._asked)
+        return beds(design, self.model, self.printer, self.shapes, self.asked)
 
     @cached_property
     def undersides(self) -> list[Underside]:
@@ -113,3 +144,14 @@ class Kit:
         """Rows of F of the weakest contacts, ascending."""
         found = {tile for one in self.report.get("worst_contacts", ()) for tile in one["tiles"]}
         return np.array(sorted(found), int)
+
+
+def _far_apart(places: Mapping[tuple[int, ...], np.ndarray], count: int) -> list[tuple[int, ...]]:
+    """So many of the keys, or all: the first, then always the one that is farthest from those before."""
+    keys = sorted(places)
+    points = np.array([places[key] for key in keys])
+    found = [0]
+    while len(found) < min(count, len(keys)):
+        away = np.linalg.norm(points[:, None] - points[found], axis=2).min(1)
+        found.append(int(away.argmax()))
+    return [keys[k] for k in found]

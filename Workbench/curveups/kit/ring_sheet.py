@@ -114,10 +114,10 @@ def section(kit: Kit) -> Drawing:
             for x in (width - (row - shift) * pitch, whole - width + (row - shift) * pitch):
                 drawing.box("grid", x - DOWEL / 2, face if up > 0 else face - tooth, DOWEL, tooth)
         drawing.line("cut", (0, face), (whole, face))
-        drawing.text(2, face - up * (thickness / 2) - words / 2, words,
-                     say("{side} ring", side=say(side)))
-        drawing.text(width + pitch, face - up * 1.8 * words - words / 2, words,
-                     say("{side} sheet, its lines on this side", side=say(side)))
+        drawing.fitted(2, face - up * (thickness / 2) - words / 2, words,
+                       say("{side} ring", side=say(side)), width - 4)
+        drawing.fitted(width + pitch, face - up * 1.8 * words - words / 2, words,
+                       say("{side} sheet, its lines on this side", side=say(side)), print_width)
     for x in (RIM / 2, whole - RIM / 2):
         drawing.box("grid", x - DOWEL / 2, low, DOWEL, 2 * thickness + high)
     drawing.box("control", width + pitch, low + thickness, print_width, high)

@@ -21,7 +21,7 @@ def make(kit: Kit) -> bytes:
     top = write(page, BORDER, height - BORDER, [say("{title}: order for a 3D print", title=kit.title)], 15)
     said = (*_doubts(kit), *rules(kit.report, parameters, say))
     top = write(page, BORDER, top - 1, [f"•  {rule}" for rule in said], 9.5) - 1
-    for label, value in quote(kit.report, parameters, kit.quantity, say):
+    for label, value in quote(kit.report, parameters, kit.quantity, say, kit.whole):
         page.plot([BORDER, width - BORDER], [top - 0.4] * 2, color="#cccccc", linewidth=0.4)
         top = min(write(page, BORDER, top, [label], 8, LABELS - 2),
                   write(page, BORDER + LABELS, top, [value], 8))

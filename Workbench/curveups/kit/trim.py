@@ -30,9 +30,9 @@ def make(kit: Kit, kind: str) -> bytes:
 
 
 _NOTE = Text("""Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before
-that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors. Copy the
-thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off its rings. Punch
-small circles on them first.""")
+that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors and
+labels. Copy the thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off
+its rings. Where small circles lie on them, punch these first.""")
 
 
 def marks(kit: Kit) -> Drawing:

@@ -199,6 +199,15 @@ class Rib:
     def _height(self, place: float) -> float:
         return float(np.interp(place, self.x, self.top))
 
+    def foot(self) -> tuple[float, float]:
+        """The widest part of the lower edge without a slot, mm along the rib."""
+        places = [place for place, _ in self.slots] if self.axis == 1 else []
+        half = (SHEET + CLEARANCE) / 2
+        ends = [self.x[0], *(end for place in sorted(places) for end in (place - half, place + half)),
+                self.x[-1]]
+        return max(((float(a), float(b)) for a, b in zip(ends[::2], ends[1::2])),
+                   key=lambda part: part[1] - part[0])
+
     def outline(self) -> np.ndarray:
         """A closed line, counter-clockwise from its lower left corner: N x 2, mm."""
         upper, lower = [*zip(self.x, self.top)], [(self.x[0], 0.0), (self.x[-1], 0.0)]

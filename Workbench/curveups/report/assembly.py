@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import Any, Iterator, Mapping
+from typing import Any, Iterable, Iterator, Mapping, Sequence
 
 from ..base.errors import tile_name
 from ..base.language import ENGLISH, Language, Text
@@ -73,18 +74,21 @@ pins, which you feel through it, and copy its lines onto the sheet. {each} Then 
 strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in
 turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat,
 from the middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch,
-it is not in shape yet.""")
+it is not in shape yet. {own}""")
 _TRIM = Text("""Cut the front membrane along its lines, which were {trim:g} mm outside of the outer pins while
 it was stretched, and the back one as far outside of its own pins. {stop} Anchors go with the surplus.
 {apart}""")
 _EACH = Text("""Where the pieces did not come to lie as far apart as they were printed, cut the paper between
 them, and lay each part of it on its own piece.""")
+_OWN = Text("""Each piece has its own former, from the left to the right, and its own ribs: P1 is of the
+piece whose label says P1.""")
 _STOP = Text("""Follow rims, holes and cuts. Where the drawing has small circles, punch these first: they keep
 a cut from tearing on.""")
 _APART = Text("So the {pieces} pieces come apart: each holds its shape by itself.")
-_TAPE = Text("Nothing joins them: tape or glue them along their borders.")
-_SEW = Text("""Sew with a strong thread through the membrane into a stitching hole ({hole:g} mm), out at
-its other side, and back through the hole that faces it in the other piece; {holes} holes in all. A drop of
+_FACING = Text("""These tiles lie side by side then, each in a piece of its own: {pairs}.""")
+_TAPE = Text("{facing} Nothing joins them: tape or glue them along their borders.")
+_SEW = Text("""{facing} Sew with a strong thread through the membrane into a stitching hole ({hole:g} mm), out
+at its other side, and back through the hole that faces it in the other piece; {holes} holes in all. A drop of
 glue around a hole keeps the membrane from tearing on. Pull the thread tight when all stitches are in.""")
 
 
@@ -103,6 +107,14 @@ class Step:
 def glue_volumes(block: Mapping[str, Any]) -> dict[str, float]:
     """cm3 of glue on pins and anchors of each side. block: "glue" of report.json's print."""
     return {side: GLUE_LAYER * _area(block, side) / 1000 for side in ("front", "back")}
+
+
+def glue_asked(report: Mapping[str, Any]) -> float:
+    """MPa that glue has to hold in shear: of the pin or anchor that carries most, rounded up to a hundredth;
+    0 where nothing is known of either."""
+    found = [report["glue"]["shear_max_mpa"]] if "glue" in report else []
+    found += report.get("anchors", {}).get("glue_shear_mpa", ())
+    return math.ceil(100 * max(found, default=0.0)) / 100
 
 
 def steps(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> list[Step]:
@@ -141,11 +153,12 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
     away = say("{some} and {last}", some=", ".join(removals[:-1]), last=removals[-1]) if removals[1:] else \
         "".join(removals)
     along = slab or (reach_out and on_bed == second)
-    label = say("The label beside an anchor of each piece says {side} on that side.",
+    label = say("Each piece has a label beside an anchor, on the side that it names: {side}.",
                 side="FRONT" if on_bed == "back" else "BACK") if get("anchors") and get("engrave") else \
         say("As it was printed, the {side} is up.", side=words["front" if on_bed == "back" else "back"])
     stretched, joints = sheets["control_square_stretched_mm"], report.get("joints", {})
-    worst = ", ".join("–".join(map(tile_name, one["tiles"])) for one in report.get("worst_contacts", ()))
+    worst = _pairs(one["tiles"] for one in report.get("worst_contacts", ()))
+    facing = _pairs(report.get("borders", {}).get("named", ()))
     weak = say("Take care with the tiles of the weakest contacts: {worst}.", worst=worst) if worst else ""
     behind = say("On the {second} {level} and would be glued along.", second=words[second],
                  level=level) if along else ""
@@ -174,6 +187,8 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
             "second_cm3": glue_volumes(glue)[second], "behind": behind, "on_bed": words[on_bed],
             "sides": (first, second), "peel_first": reach_out and on_bed == first,
             "each": say(_EACH) if block["pieces"] > 1 else "",
+            "own": say(_OWN) if block["pieces"] > 1 else "",
+            "facing": say(_FACING, pairs=facing) if facing else "",
             "apart": say(_APART, pieces=block["pieces"]) if block["pieces"] > 1 else "",
             "height": block["bbox_mm"][2],
             "pieces": block["pieces"], "hole": joints.get("hole_mm", 0), "holes": joints.get("holes", 0)}
@@ -200,6 +215,11 @@ def _steps(report: Mapping[str, Any], parameters: Any, values: Mapping[str, Any]
             yield Text("Bring pieces together in shape and sew them along their borders"), _SEW, "actuated"
         else:
             yield Text("Join the pieces"), _TAPE, "actuated"
+
+
+def _pairs(pairs: Iterable[Sequence[int]]) -> str:
+    """Of tiles, by their names."""
+    return ", ".join("–".join(map(tile_name, pair)) for pair in pairs)
 
 
 def _area(block: Mapping[str, Any], side: str) -> float:

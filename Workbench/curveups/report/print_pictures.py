@@ -12,6 +12,7 @@ from matplotlib.patches import Rectangle
 
 from ..base.language import ENGLISH, Language
 from ..base.native import native
+from ..stages.solids import fits
 from . import pictures
 
 KINDS = ("support", "anchors", "tiles")
@@ -39,11 +40,12 @@ def draw_print(axes: Any, model: Any, bed: Sequence[float] = (), say: Language =
     _dimension(axes, (x / 2 + gap, -y / 2), (x / 2 + gap, y / 2), f"{y:.1f} mm", 90)
     high = say("{height:g} mm high", height=z)
     axes.text(x / 2, -y / 2 - 2.2 * gap, high, va="top", ha="right", color=LINE)
-    below = 6 * gap if len(bed) else 2 * gap
+    below = 7 * gap if len(bed) else 2 * gap
     if len(bed):
-        inner = axes.inset_axes([-x / 2, -y / 2 - 2 * gap - below, 0.5 * x, below - gap],
+        inner = axes.inset_axes([-x / 2, -y / 2 - 2 * gap - below, 0.5 * x, below - 2 * gap],
                                 transform=axes.transData)
-        _draw_bed(inner, (x, y), sorted(map(float, bed[:2]), reverse=x >= y), say)
+        turned = not fits((x, y), bed) and fits((y, x), bed)
+        _draw_bed(inner, (x, y), [float(side) for side in (bed[1::-1] if turned else bed[:2])], say)
     axes.set_xlim(-x / 2 - 1.5 * gap, x / 2 + 3 * gap)
     axes.set_ylim(-y / 2 - 2 * gap - below, y / 2 + 1.5 * gap)
     axes.set_aspect("equal")
@@ -55,10 +57,12 @@ def _draw_bed(axes: Any, size: tuple[float, float], bed: Sequence[float], say: L
     for (w, h), style in (((bed[0], bed[1]), {"fill": False, "linestyle": "--"}),
                           (size, {"facecolor": "#d9cfb8"})):
         axes.add_patch(Rectangle((-w / 2, -h / 2), w, h, edgecolor=LINE, linewidth=0.8, **style))
-    axes.set_title(say("on a bed of {x:g} × {y:g} mm", x=bed[0], y=bed[1]), size=7, color=LINE, pad=2)
+    axes.set_title(say("on a bed of {x:g} × {y:g} mm", x=bed[0], y=bed[1]), size=7, color=LINE, pad=2,
+                   loc="left")
     axes.set_xlim(*(side * 0.51 * max(bed[0], size[0]) for side in (-1, 1)))
     axes.set_ylim(*(side * 0.51 * max(bed[1], size[1]) for side in (-1, 1)))
     axes.set_aspect("equal")
+    axes.set_anchor("NW")
     axes.axis("off")
 
 

@@ -9,7 +9,7 @@ from typing import Any, Mapping, Optional, Sequence
 from ..base.language import ENGLISH, Language, Text
 from ..base.native import native
 from ..project.project import Results
-from ..stages.solids import fits_bed, overhangs, read_printer
+from ..stages.solids import fits_bed, fits_turned, overhangs, read_printer
 from ..stages.stage import Picture
 from .data import has_solids
 from .tables import show
@@ -35,11 +35,19 @@ def rules(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
         if pieces > 1 else say("One build: all bodies belong together.")
     if beds > 1:
         one = say("{beds} builds, one a bed: the bodies of a bed belong together.", beds=beds)
+    printer = read_printer(parameters.get("printer"))
     fixed = say("Do not scale or arrange: bodies stand in their places, and {tiles} of them are meant to be "
                 "apart.", tiles=report["tiles"]) if tilted else \
         say("Do not scale, turn or arrange: bodies stand in their places, and {tiles} of them are meant to "
             "be apart.", tiles=report["tiles"])
-    return [kept, say("Ship flat, between two stiff boards."), one, fixed,
+    if not beds and not tilted and fits_turned(report["print"]["bbox_mm"], printer):
+        fixed = say("Turn all bodies together by a right angle: so they fit the bed. Do not scale or arrange "
+                    "them, and do not turn single ones: they stand in their places, and {tiles} of them are "
+                    "meant to be apart.", tiles=report["tiles"])
+    reach_out = not tilted and overhangs(report["print"]["overhang_mm"], parameters, printer)
+    added = say("Let the slicer put supports below tiles that reach out, on the bed alone, and leave these "
+                "in, too: whoever puts the print together takes them off.")
+    return [kept, *([added] if reach_out else []), say("Ship flat, between two stiff boards."), one, fixed,
             *([say("Tilt the whole of it by 30° to 45°, so that no layer is peeled off the vat by its whole "
                    "area, on supports of the slicer's, which touch the side on the bed alone. Wash, take "
                    "these supports off, and cure with the bridges on.")]
@@ -57,9 +65,10 @@ def tilted_height(bbox: Sequence[float]) -> float:
     return float(min(bbox[:2]) * math.sin(math.radians(30)) + bbox[2] * math.cos(math.radians(30)))
 
 
-def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: Language = ENGLISH
-          ) -> list[tuple[str, str]]:
-    """What a shop quotes by, and what to buy besides."""
+def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: Language = ENGLISH,
+          whole: Sequence[str] = ()) -> list[tuple[str, str]]:
+    """What a shop quotes by, and what to buy besides. whole: the names of the 3MF and of the STEP of all;
+    the usual ones where none are given."""
     block, get, name = report["print"], parameters.get, report["name"]
     support = native.support_kind(parameters)
     own = 0.0 if support.soluble else block["support_volume_cm3"]  # of the tiles' own material
@@ -70,10 +79,11 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
     beds = report.get("beds", {}).get("beds", ())
     bodies = sum(one["bodies"] for one in beds) if beds else block["bodies"]
     pieces = say("in {pieces} separate pieces", pieces=block["pieces"]) if block["pieces"] > 1 else ""
+    threemf, step = whole or (f"{name}-print.3mf", f"{name}-print.step")
     files = say("{name}-bed-01.3mf to -{last:02}.3mf, or .step: a job a bed, every body with its name, in "
                 "place. The print as a whole does not fit the bed", name=name, last=len(beds)) if beds else \
-        say("{name}-print.3mf or {name}-print.step: every body with its name, in place; or the files of "
-            "tiles, anchors and support, with one origin", name=name)
+        say("{threemf} or {step}: every body with its name, in place; or the files of tiles, anchors and "
+            "support, with one origin", threemf=threemf, step=step)
     sizes = [one["bbox_mm"] for one in beds] or [block["bbox_mm"]]
     material = say("two materials: {material}, and support that a bath dissolves",
                    material=say(printer["material_class"])) if bath else \
@@ -86,6 +96,7 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
     reach_out = is_tilted(parameters) or overhangs(block["overhang_mm"], parameters, printer)
     side = say(_SIDES[get("orientation")])
     fits = say("the print is divided among {beds} beds", beds=len(beds)) if beds else \
+        say("the print fits, turned by a right angle") if fits_turned(block["bbox_mm"], printer) else \
         say("the print fits") if fits_bed(block["bbox_mm"], printer) else say("the print does not fit")
     bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
     return [

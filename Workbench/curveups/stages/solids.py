@@ -243,5 +243,14 @@ def read_printer(name: str) -> dict:
 
 def fits_bed(box: Sequence[float], printer: dict) -> bool:
     """Whether a print of this size fits, turned by a right angle where that helps."""
-    bed = printer["bed_mm"]
-    return (box[2] <= bed[2] and min(box[:2]) <= min(bed[:2]) and max(box[:2]) <= max(bed[:2]))
+    return fits(box, printer["bed_mm"]) or fits_turned(box, printer)
+
+
+def fits_turned(box: Sequence[float], printer: dict) -> bool:
+    """Whether it fits turned by a right angle alone."""
+    return not fits(box, printer["bed_mm"]) and fits((box[1], box[0], box[2]), printer["bed_mm"])
+
+
+def fits(box: Sequence[float], bed: Sequence[float]) -> bool:
+    """Whether a box fits as it stands. Both: x and y, or x, y and z, mm."""
+    return all(side <= room for side, room in zip(box, bed))
