@@ -4704,8 +4704,8 @@
       <translation>Latex</translation>
     </message>
     <message>
-      <source>Latex {thickness:g} mm thick. Cut it {x:.0f} × {y:.0f} mm along the outer line; {grip:g} mm around are for the hands. Wash it, dry it, pull it to some {tau:g} times its size and let it go, twice, before you trace the lines, with a pen whose ink stays on latex. Punch a hole of {hole:g} mm in every circle.</source>
-      <translation>Latex, {thickness:g} mm dick. Auf {x:.0f} × {y:.0f} mm entlang der äußeren Linie schneiden; {grip:g} mm ringsum sind für die Hände. Waschen, trocknen, auf etwa das {tau:g}-Fache ziehen und loslassen, zweimal, bevor die Linien mit einem Stift nachgezogen werden, dessen Farbe auf Latex haftet. In jeden Kreis ein Loch von {hole:g} mm stanzen.</translation>
+      <source>Latex {thickness:g} mm thick. Wash it, dry it, pull it to some {tau:g} times its size and let it go, twice. Then trace the lines with a pen whose ink stays on latex, cut it {x:.0f} × {y:.0f} mm along the outer line ({grip:g} mm around are for the hands), and punch a hole of {hole:g} mm in every circle.</source>
+      <translation>Latex, {thickness:g} mm dick. Waschen, trocknen, auf etwa das {tau:g}-Fache ziehen und loslassen, zweimal. Dann die Linien mit einem Stift nachziehen, dessen Farbe auf Latex haftet, auf {x:.0f} × {y:.0f} mm entlang der äußeren Linie schneiden ({grip:g} mm ringsum sind für die Hände) und in jeden Kreis ein Loch von {hole:g} mm stanzen.</translation>
     </message>
     <message>
       <source>Lay the parts side by side</source>
@@ -4824,6 +4824,10 @@
       <translation>Verglichen mit dem Drucker</translation>
     </message>
     <message>
+      <source>Push feeler gauges through each gap of the comb, on the side that lay on the bed, where the first layers swell. Enter the thickest that passes all along, and 0 where none does. The gaps get wider from the left to the right. Do not order a design whose least clearance (its shop sheet has it) is below the first gap that is open: its d_gap_min has to be larger.</source>
+      <translation>Fühlerlehren durch jeden Spalt des Kamms schieben, auf der Seite, die auf dem Bett lag, wo die ersten Schichten quellen. Die dickste eintragen, die überall hindurchgeht, und 0, wo keine es tut. Die Spalte werden von links nach rechts breiter. Keinen Entwurf bestellen, dessen kleinster Abstand (er steht auf dem Bestellblatt) unter dem ersten offenen Spalt liegt: sein d_gap_min muss größer sein.</translation>
+    </message>
+    <message>
       <source>Quantity</source>
       <translation>Anzahl</translation>
     </message>
@@ -4894,10 +4898,6 @@
     <message>
       <source>Take the support away as from the design. Tape the larger tile to a board, on its wall that is {angle:g}° off the wall between the tiles. Lay the smaller tile on that wall as both were printed. Raise the board slowly until the tile slides, and enter the slope of the wall: that of the board and {angle:g}°. Lay it on again each time. {own}</source>
       <translation>Die Stützen entfernen wie beim Entwurf. Die größere Kachel mit Klebeband auf ein Brett kleben, auf ihrer Wand, die {angle:g}° gegen die Wand zwischen den Kacheln geneigt ist. Die kleinere Kachel so auf diese Wand legen, wie beide gedruckt wurden. Das Brett langsam heben, bis die Kachel rutscht, und die Neigung der Wand eintragen: die des Bretts und {angle:g}°. Jedes Mal neu auflegen. {own}</translation>
-    </message>
-    <message>
-      <source>Take the support away. Push feeler gauges through each gap, on the side that lay on the bed, where the first layers swell. Enter the thickest that passes all along, and 0 where none does. The gaps get wider from the left to the right. Do not order a design whose least clearance (its shop sheet has it) is below the first gap that is open: its d_gap_min has to be larger.</source>
-      <translation>Die Stützen entfernen. Fühlerlehren durch jeden Spalt schieben, auf der Seite, die auf dem Bett lag, wo die ersten Schichten quellen. Die dickste eintragen, die überall hindurchgeht, und 0, wo keine es tut. Die Spalte werden von links nach rechts breiter. Keinen Entwurf bestellen, dessen kleinster Abstand (er steht auf dem Bestellblatt) unter dem ersten offenen Spalt liegt: sein d_gap_min muss größer sein.</translation>
     </message>
     <message>
       <source>Take {latex}. Wash powder and grease off with lukewarm water and a drop of dish soap, rinse the sheets and let them dry. Pull each by hand to some {tau:g} times its size and let it go, twice: latex softens the first time. Then copy the template of each onto it: lay thin latex on the paper and trace what shows through, or use carbon paper. Draw the grid, the circles, the control squares and the cutting line with a pen whose ink stays on latex, and write FRONT or BACK on the rim. Cut along the outer line. Punch a hole of {punch:g} mm in every circle, with a sharp punch: latex tears on from a nick. Wear gloves. Keep the sheets away from oil, from sun and from whoever is allergic to latex.</source>

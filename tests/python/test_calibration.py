@@ -16,7 +16,8 @@ LOSS, BRIDGE = 0.25, 12.0
 STRIP, WIDE = np.linspace(1.2, 3.2, 11), np.linspace(1.2, 2.8, 7)
 MINUTES = np.array([1, 2, 5, 10, 30, 60, 120, 300.0])
 COMB = np.repeat([0.2, 0.3, 0.4, 0.5, 0.6], 2)  # whose narrowest gaps are closed
-SHEET = {"width_mm": 20, "wide_width_mm": 120, "thickness_mm": 0.5}
+THICK = 0.46
+SHEET = {"width_mm": 20, "wide_width_mm": 120, "thickness_mm": THICK}
 
 
 def rows(**columns):
@@ -25,10 +26,12 @@ def rows(**columns):
 
 def strips(narrow, wide, sigma, seed):
     """Forces of nominal stresses, which scatter by sigma (MPa)."""
-    noise = np.random.default_rng(seed)
+    noise, section = np.random.default_rng(seed), THICK * SHEET["width_mm"]
     return {**SHEET,
-            "strip": rows(stretch=STRIP, force_n=10 * (narrow(STRIP) + noise.normal(0, sigma, len(STRIP)))),
-            "wide": rows(stretch=WIDE, force_n=60 * (wide(WIDE) + noise.normal(0, sigma, len(WIDE))))}
+            "strip": rows(stretch=STRIP,
+                          force_n=section * (narrow(STRIP) + noise.normal(0, sigma, len(STRIP)))),
+            "wide": rows(stretch=WIDE,
+                         force_n=6 * section * (wide(WIDE) + noise.normal(0, sigma, len(WIDE))))}
 
 
 def neo_hooke(seed, sigma=0.02):
@@ -97,6 +100,7 @@ def test_files_are_what_config_takes(curveups, cap, tmp_path):
         for key, value in json.loads((tmp_path / "out" / name).read_text("utf-8")).items():
             values.set(key, value)
     assert values.get("shear_modulus_back") == found["shear_modulus"]["value"]
+    assert values.get("thickness_front") == values.get("thickness_back") == THICK
     assert values.get("glue_strength") == found["glue_strength"]["low"] < GLUE
     ran = curveups("design", cap, "-o", tmp_path / "design", "--no-remesh", "--no-solids", "--config",
                    tmp_path / "out" / "material.json", "--config", tmp_path / "out" / "printer.json",
@@ -110,7 +114,8 @@ def test_each_value_says_what_takes_it_or_that_nothing_does():
     page = (ROOT / "resources" / "docs" / "kit.md").read_text("utf-8")
     unused = {"mooney_rivlin_c1", "mooney_rivlin_c2", "left_after_a_day", "gap_loss", "bridge_strength"}
     for name in found:
-        taken = {file: list(values) for file, values in parameters({name: found[name]}).items() if values}
+        made = parameters({name: found[name]}, THICK)
+        taken = {file: list(values) for file, values in made.items() if values}
         assert (name in unused) == (not taken), name
         if taken:
             (file, names), = taken.items()

@@ -17,7 +17,7 @@ from curveups.kit import coupon_sheet, coupons
 from running import by_admesh
 
 NAMES = ("friction-bumps", "friction-dimples", "friction-bare", "glue", "gaps", "growth", "clamps")
-BODIES = {"friction-bumps": 2, "friction-dimples": 2, "friction-bare": 2, "glue": 6, "gaps": 6, "growth": 3,
+BODIES = {"friction-bumps": 2, "friction-dimples": 2, "friction-bare": 2, "glue": 6, "gaps": 1, "growth": 3,
           "clamps": 8}
 
 
@@ -44,7 +44,7 @@ def test_admesh_finds_every_body_closed_and_whole(folder, name):
     volume = coupon(name, parameters()).model(parameters()).volumes["tiles"]
     assert found["Volume"] == pytest.approx(volume, rel=1e-3)
     step = (folder / f"small-cap-{name}.step").read_text("utf-8")
-    support = name not in ("growth", "clamps")
+    support = name not in ("gaps", "growth", "clamps")
     assert step.count("MANIFOLD_SOLID_BREP(") == BODIES[name] + support
     assert (folder / f"small-cap-{name}-support.stl").exists() == support
 
@@ -64,13 +64,23 @@ def test_every_kind_of_print_has_sound_coupons(support, bumps):
         assert not model.judge_solids()[0], one.name
 
 
-def test_the_comb_has_the_gaps_that_it_names():
-    """One tile after the other is as far away as it is said, along the wall between them."""
-    for gap in coupons.GAPS:
-        own = parameters(bumps="none", xy_compensation=0.0, support="none", anchors=False)
-        assert coupons.strip("one", own, (gap,)).min_clearance_flat() == pytest.approx(gap, abs=1e-9)
-    whole = coupon("gaps", parameters()).model(parameters())
-    assert whole.min_clearance_flat() == pytest.approx(min(coupons.GAPS), abs=1e-9)
+def test_the_comb_has_the_gaps_that_it_names_and_holds_together():
+    """Half-way up its teeth, a line across meets them and the gaps in turn, wider from the left to the right;
+    in the bar it meets nothing but material."""
+    model = coupon("gaps", parameters()).model(parameters())
+    points, faces, body = model.mesh("tiles")
+    assert set(body) == {0} and model.volumes["support"] == 0
+
+    def widths(y):
+        a = points[faces].reshape(-1, 3)  # walls are upright: lines from above
+        b = points[np.roll(faces, -1, axis=1)].reshape(-1, 3)
+        there = (abs(a[:, 0] - b[:, 0]) < 1e-9) & (np.minimum(a, b)[:, 1] < y) & (y < np.maximum(a, b)[:, 1])
+        return np.diff(np.unique(a[there, 0].round(9)))
+
+    teeth = widths(-5.0)
+    assert teeth[1::2] == pytest.approx(coupons.GAPS) and (teeth[::2] == pytest.approx(coupons.TOOTH))
+    assert len(widths(points[:, 1].max() - 1.0)) == 1
+    assert model.bbox[2] == pytest.approx(2 * parameters().get("H_pin") + parameters().get("H_body"))
 
 
 def test_pins_of_the_glue_coupon_have_the_area_that_is_entered():

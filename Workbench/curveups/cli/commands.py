@@ -187,9 +187,9 @@ def compare(options: Any, session: Session) -> int:
 def calibrate(options: Any, session: Session) -> int:
     """curveups calibrate"""
     require_folder_name(options.output)
-    found = calibration.calibrate(calibration.read_measured(read_json_object(options.measured),
-                                                            str(options.measured)))
-    calibration.write_calibration(found, options.output)
+    measured = calibration.read_measured(read_json_object(options.measured), str(options.measured))
+    found = calibration.calibrate(measured)
+    calibration.write_calibration(found, options.output, measured.get("thickness_mm"))
     for line in calibration.said(found):
         session.answer(line)
     return VALID

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, Mapping, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -120,13 +120,15 @@ def calibrate(measured: Mapping[str, Any]) -> dict[str, Fitted]:
     return found
 
 
-def parameters(found: Mapping[str, Fitted]) -> dict[str, dict[str, float]]:
+def parameters(found: Mapping[str, Fitted], thickness: Optional[float] = None) -> dict[str, dict[str, float]]:
     """By file what --config takes. Glue counts with the low end of its interval, and what shrinks is no
-    growth."""
+    growth. thickness: of the sheet whose modulus was fitted, mm: forces go by their product."""
     material: dict[str, float] = {}
     if "shear_modulus" in found:
         for side in ("front", "back"):
             material[f"shear_modulus_{side}"] = found["shear_modulus"].value
+            if thickness is not None:
+                material[f"thickness_{side}"] = thickness
     if "friction_coefficient" in found:
         material["friction_coefficient"] = found["friction_coefficient"].value
     if "glue_strength" in found:
@@ -142,15 +144,15 @@ def use(name: str) -> str:
     if name in _UNUSED:
         return _UNUSED[name]
     one = Fitted(1.0, 1.0, 1.0, 3, "", 0.0)
-    file, taken = next((file, taken) for file, taken in parameters({name: one}).items() if taken)
+    file, taken = next((file, taken) for file, taken in parameters({name: one}, 1.0).items() if taken)
     return f"{file}: {', '.join(taken)}"
 
 
-def write_calibration(found: Mapping[str, Fitted], path: Path) -> None:
-    """calibration.json, and the files with something in them."""
+def write_calibration(found: Mapping[str, Fitted], path: Path, thickness: Optional[float] = None) -> None:
+    """calibration.json, and the files with something in them. thickness: as of parameters."""
     with Folder(path) as folder:
         folder.remove(*FILES)
-        for name, values in parameters(found).items():
+        for name, values in parameters(found, thickness).items():
             if values:
                 folder.write_text(name, to_text(values))
         folder.write_text(FILES[0], to_text({"format": FORMAT, "version": VERSION,

@@ -22,6 +22,7 @@ from .ring import DOWEL
 EDGE, INSET = 15.0, 2.0               # mm, of the tiles of a strip and their pins
 PIN = round(math.sqrt(3) / 4 * (EDGE - 2 * math.sqrt(3) * INSET) ** 2, 3)  # mm2
 GAPS = (0.2, 0.3, 0.4, 0.5, 0.6)      # mm, of the comb
+TOOTH, DEEP, BAR = 8.0, 15.0, 6.0     # mm: width of its teeth, their length, and what joins them
 WALL, WALL_HEIGHT = 30.0, 8.0         # mm, of tiles that slide on one another
 SLED = 7.0                            # mm, height of the one that slides
 FOOT_ANGLE = 20.0                     # degrees, between the foot of one and the wall on which it is slid
@@ -117,6 +118,22 @@ def plates(name: str, sizes: Sequence[tuple[float, float]], thickness: float, ho
     return native.make_ring(name, parts, thickness, DOWEL / 2, DOWEL)
 
 
+def comb(name: str, thickness: float) -> Any:
+    """Teeth with GAPS between them, in one with what joins them, as a native PrintModel: tiles would come
+    apart with their support, and nobody could measure between them."""
+    x = -(len(GAPS) * TOOTH + TOOTH + sum(GAPS)) / 2
+    top, bottom = (BAR + DEEP) / 2, -(BAR + DEEP) / 2
+    outline = [(x, bottom)]
+    for gap in (*GAPS, 0.0):
+        outline += [(x + TOOTH, bottom), (x + TOOTH, top - BAR), (x + TOOTH + gap, top - BAR),
+                    (x + TOOTH + gap, bottom)]
+        x += TOOTH + gap
+    outline = [*outline[:-3], (x, top), (outline[0][0], top)]  # the last tooth ends at the bar's end
+    nothing = np.zeros((0, 2))
+    parts: list[Any] = [(np.array(outline), nothing, nothing, nothing)]
+    return native.make_ring(name, parts, thickness, DOWEL / 2, DOWEL)
+
+
 def _bars(parameters: Any) -> Any:
     bars = tuple((width + 4 * DOWEL, 3 * DOWEL) for width, _ in (NARROW, WIDE) for _ in range(4))
     return plates("clamp bars", bars, 2 * DOWEL, 1.5 * DOWEL)
@@ -157,13 +174,12 @@ largest force of each; each pin has {pin:.1f} mm². {asked}"""),
            lambda parameters: {"glue": [{"force_n": None, "area_mm2": PIN}] * (len(GAPS) + 1)},
            lambda parameters: strip("glue", _changed(parameters), _gaps(parameters))),
     Coupon("gaps", Text("Gaps of 0.2 to 0.6 mm"),
-           Text("""Take the support away. Push feeler gauges through each gap, on the side that lay on the
-bed, where the first layers swell. Enter the thickest that passes all along, and 0 where none does. The
-gaps get wider from the left to the right. Do not order a design whose least clearance (its shop sheet has
+           Text("""Push feeler gauges through each gap of the comb, on the side that lay on the bed, where the
+first layers swell. Enter the thickest that passes all along, and 0 where none does. The gaps get wider from
+the left to the right. Do not order a design whose least clearance (its shop sheet has
 it) is below the first gap that is open: its d_gap_min has to be larger."""),
            lambda parameters: {"gaps": [{"nominal_mm": gap, "measured_mm": None} for gap in GAPS]},
-           lambda parameters: strip("gaps", _changed(parameters, bumps="none", xy_compensation=0.0),
-                                    GAPS)),
+           lambda parameters: comb("gaps", _height(parameters)), tiny=False),
     Coupon("bridges", Text("Bridges that break"),
            Text("""Hold one tile of the row after the other in the fingers or a vice, and pull its
 neighbour up with a thread around it, at right angles to the row, until the bridges between them break.

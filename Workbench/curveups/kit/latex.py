@@ -83,10 +83,9 @@ def _notes(say: Language, side: str, block: Mapping[str, Any]) -> list[str]:
 
 
 _NOTES = (
-    Text("""Latex {thickness:g} mm thick. Cut it {x:.0f} × {y:.0f} mm along the outer line; {grip:g} mm
-around are for the hands. Wash it, dry it, pull it to some {tau:g} times its size and let it go, twice,
-before you trace the lines, with a pen whose ink stays on latex. Punch a hole of {hole:g} mm in every
-circle."""),
+    Text("""Latex {thickness:g} mm thick. Wash it, dry it, pull it to some {tau:g} times its size and let it
+go, twice. Then trace the lines with a pen whose ink stays on latex, cut it {x:.0f} × {y:.0f} mm along the
+outer line ({grip:g} mm around are for the hands), and punch a hole of {hole:g} mm in every circle."""),
     Text("""Stretch it to {tau:g} times its length in both directions, until each hole is on a tooth of the
 ring, {pitch:g} mm from the next. The five squares of {square:g} mm must then read {stretched:g} mm in both
 directions. Latex creeps: measure them once more just before gluing."""),
