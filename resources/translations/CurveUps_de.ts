@@ -4997,7 +4997,7 @@
     </message>
     <message>
       <source>and that holds {shear:.2f} MPa in shear (its coupon shows that)</source>
-      <translation>und der auf Scherung {shear:.2f} MPa hält (seine Probe zeigt das)</translation>
+      <translation>und der auf Scherung {shear:.2f} MPa hält (sein Prüfkörper zeigt das)</translation>
     </message>
     <message>
       <source>as printed, not smoothed</source>
