@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """`curveups actuate`: the answers, the path and the files that others read."""
 
+import dataclasses
 import json
 import os
 import re
@@ -378,6 +379,50 @@ def stopped_after(count):
         return seen.count("actuate") <= count
 
     return Job(progress)
+
+
+def test_a_path_that_was_stopped_goes_on_as_it_would_have(risen, project, tmp_path):
+    first = Project.of_design(risen.design)
+    first.parameters = project.parameters
+    stopped = first.run(("bodies", *asked_by("actuate")), stopped_after(8))
+    actuation.write_actuation(stopped, tmp_path, Job())
+    start = actuation.read_start(str(tmp_path / "frames.json"), 24)
+    rest = Project.of_design(risen.design)
+    rest.parameters = project.parameters
+    rest.give(START, start)
+    found, whole = rest.run(asked_by("actuate"))[RISEN], project.latest(RISEN)
+    assert 0 < stopped[RISEN].block["steps"] < whole.block["steps"]
+    assert found.block["steps"] + stopped[RISEN].block["steps"] == whole.block["steps"]
+    for name in ("energy_n_mm", "open_contacts", "shortfall_mm", "arrives"):
+        assert found.block[name] == whole.block[name]
+    assert (found.memory == whole.memory).all()
+    # Of another design the same frame has no memory, and the path ends elsewhere.
+    other = dataclasses.replace(start, of="another")
+    assert other.content != start.content
+    rest.give(START, other)
+    assert rest.run(asked_by("actuate"))[RISEN].block["energy_n_mm"] != whole.block["energy_n_mm"]
+    # A frame before the last has none.
+    assert actuation.read_start(f"{tmp_path / 'frames.json'}:0", 24).memory is None
+
+
+def test_a_path_that_ended_goes_on_from_its_last_frame(risen, curveups, tmp_path):
+    curveups("actuate", risen.source, "-o", tmp_path, "--set", "bumps=none", "friction_coefficient=0.2",
+             "--from", risen.folder / "frames.json")
+    block = json.loads((tmp_path / "actuation.json").read_text("utf-8"))["actuation"]
+    assert block["steps"] == 0 and block["energy_n_mm"] == risen.answer["actuation"]["energy_n_mm"]
+    assert block["open_contacts"] == risen.answer["actuation"]["open_contacts"]
+
+
+@pytest.mark.parametrize("spoil", [lambda text: text[:-8], lambda text: "%" + text[1:], lambda text: 7,
+                                   lambda text: ""])
+def test_a_memory_that_is_damaged_is_refused(risen, curveups, tmp_path, spoil):
+    data = json.loads((risen.folder / "frames.json").read_text("utf-8"))
+    data["frames"][-1]["memory"] = spoil(data["frames"][-1]["memory"])
+    (tmp_path / "frames.json").write_text(json.dumps(data), "utf-8")
+    ran = curveups("actuate", risen.source, "-o", tmp_path / "out", "--from", tmp_path / "frames.json",
+                   "--set", "bumps=none", "friction_coefficient=0.2")
+    assert ran.status == 2 and ran.err.splitlines()[-1].startswith("curveups: error: "), ran.err
+    assert not (tmp_path / "out").exists()
 
 
 def test_a_stop_keeps_the_path_so_far(risen):

@@ -121,6 +121,7 @@ VALUES = {
         DESIGN.with_parameters(asked(H_pin=20.0))]),
     "start": (None, [7, "x", V], [DESIGN, other_design(q=FOUND.q + 1e5)]),
     "begin": (None, POSES, [STILL]),
+    "memory": (None, [np.zeros(0), np.ones(9), np.full(50, np.nan), np.full(50, 1e9)], []),
     "poses": (STILL, POSES, [STILL + [9, 0, 0, 0, 0, 0, 0]]),
     "answers": (False, ["x"], []),
     "kept": (NONE, EDGES, [np.array([[0, 0]]), np.array([[0, 1], [1, 0]])]),

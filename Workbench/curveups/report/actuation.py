@@ -4,7 +4,9 @@ NAME-settled.step; reads frames to begin from."""
 
 from __future__ import annotations
 
+import base64
 import json
+import zlib
 from html import escape
 from pathlib import Path
 from typing import Any, Mapping, Optional
@@ -19,7 +21,7 @@ from ..base.reading import read_text
 from ..project.compensation import Compensation
 from ..project.project import Results
 from ..stages import HELP, RISEN, START
-from ..stages.actuation import Actuation, ActuationStart
+from ..stages.actuation import Actuation, ActuationStart, path_digest
 from ..stages.stage import Job
 from . import html, tables
 from .data import to_text
@@ -28,6 +30,7 @@ from .moving import answers, changes_tried, front_corners, moving_view
 FORMAT, VERSION = "curveups-actuation", 1
 FRAMES_FORMAT, FRAMES_VERSION = "curveups-frames", 1
 HANDS = "Before hands press, from two sides. Press the tiles in red to their places, as the arrows show."
+_MOST_MEMORY = 2**30  # bytes: more is no path's
 ANSWER, FRAMES, FOLD, PAGE = "actuation.json", "frames.json", "frames.fold", "actuation.html"
 
 
@@ -45,17 +48,30 @@ def read_start(text: str, count: int) -> ActuationStart:
         if found["format"] != FRAMES_FORMAT:
             raise ValueError
         frames = found["frames"]
-        rows = np.array(frames[int(number) if number else -1]["poses"], float).reshape(-1, 7)
+        frame = frames[int(number) if number else -1]
+        rows = np.array(frame["poses"], float).reshape(-1, 7)
+        memory, of = _memory(frame)
     except OSError as error:
         raise CurveUpsError(f"the frames can't be read: {error.strerror}", path,
                             "give flat, target or a frames.json of 'curveups actuate'") from None
     except IndexError:
         raise CurveUpsError(f"there is no frame {number}", path,
                             f"give one of 0 to {len(frames) - 1}" if frames else "it has none") from None
-    except (ValueError, KeyError, TypeError, RecursionError):
+    except (ValueError, KeyError, TypeError, RecursionError, zlib.error):
         raise CurveUpsError("these are no frames", path,
                             "give a frames.json of 'curveups actuate'") from None
-    return ActuationStart(text, rows)
+    return ActuationStart(text, rows, memory=memory, of=of)
+
+
+def _memory(frame: Mapping[str, Any]) -> tuple[Optional[np.ndarray], str]:
+    """Of a frame, and of which design; none where it has none. Raises what damaged data raises."""
+    if "memory" not in frame:
+        return None, ""
+    unpack = zlib.decompressobj()
+    data = unpack.decompress(base64.b64decode(frame["memory"], validate=True), _MOST_MEMORY)
+    if not unpack.eof:  # it is cut off, or has no end
+        raise ValueError
+    return np.frombuffer(data, "<f8").astype(float), str(frame["memory_of"])
 
 
 def write_actuation(results: Results, path: Path, job: Job,
@@ -106,11 +122,16 @@ def _compact(value: Any) -> str:
 
 
 def _frames(found: Actuation) -> dict[str, Any]:
-    """Lengths to 1e-6 mm; energies in N mm."""
-    rows = [{"time": float(time), "energy": float(energy), "friction": float(friction),
-             "stretch": float(stretch), "poses": np.round(poses, 9).tolist()}
-            for time, energy, friction, stretch, poses in
-            zip(found.time, found.energy, found.friction, found.stretch, found.frames)]
+    """Lengths to 1e-6 mm; energies in N mm. The path's last frame has what contacts remember."""
+    rows: list[dict[str, Any]] = [
+        {"time": float(time), "energy": float(energy), "friction": float(friction), "stretch": float(stretch),
+         "poses": np.round(poses, 9).tolist()}
+        for time, energy, friction, stretch, poses in
+        zip(found.time, found.energy, found.friction, found.stretch, found.frames)]
+    if len(found.memory):
+        packed = zlib.compress(found.memory.astype("<f8").tobytes())
+        rows[found.path_count - 1] |= {"memory": base64.b64encode(packed).decode("ascii"),
+                                       "memory_of": path_digest(found.design)}
     hands = [{**row, "work": float(work)} for row, work in zip(rows, found.hand_work)][found.path_count:]
     return {"format": FRAMES_FORMAT, "version": FRAMES_VERSION, "frames": rows[:found.path_count],
             **({"hands": hands} if hands else {})}

@@ -22,22 +22,27 @@ MOST_TOUCHES = 6  # that are named; more are a matter of a former
 class ActuationStart(Result):
     """Where tiles begin, as the command line has it (flat, target, a file of frames), and for all but flat a
     row a tile, as frames have them. hands: whether to find out what brings a piece home that jams;
-    the path is the same."""
+    the path is the same. memory: of a path that ended there, of the design that `of` is a digest of: it goes
+    on as it would have."""
 
     begin: str = "flat"
     poses: Optional[np.ndarray] = None
     hands: bool = False
+    memory: Optional[np.ndarray] = None
+    of: str = ""
 
     @property
     def content(self) -> str:
-        return digest(self.begin, self.poses, *(["hands"] if self.hands else []))
+        remembered = [self.memory, self.of] if self.memory is not None else []
+        return digest(self.begin, self.poses, *(["hands"] if self.hands else []), *remembered)
 
 
 @dataclass(frozen=True)
 class Actuation(Result):
     """block: as report.json has it. design: native Design. Of the frames: s, N mm, N mm, the mean stretch
     ratio of the membranes, and poses (K x M x 7) as whole numbers of `steps` (7); the last `by_hand` of them
-    are of hands, from where the path ends. hand_work: N mm that hands have put in, of all frames."""
+    are of hands, from where the path ends. hand_work: N mm that hands have put in, of all frames. memory: of
+    the path's last frame, as native code has it; documents do without."""
 
     block: Mapping[str, Any]
     design: Any
@@ -49,6 +54,7 @@ class Actuation(Result):
     steps: np.ndarray
     by_hand: int = 0
     hand_work: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    memory: np.ndarray = field(default_factory=lambda: np.zeros(0), metadata={"transient": True})
 
     @property
     def path_count(self) -> int:
@@ -95,6 +101,11 @@ class Actuation(Result):
 
     def rows(self, seconds: float) -> Sequence[Row]:
         return (Row("actuate", seconds, self.block["steps"]),)
+
+
+def path_digest(design: Any) -> str:
+    """Of all that a path depends on but where it begins: a memory of other designs is of no use."""
+    return digest(native.write_design(design))
 
 
 def moved(points: np.ndarray, rows: np.ndarray) -> np.ndarray:
@@ -162,13 +173,15 @@ def _run(inputs: Inputs, job: Job) -> Actuation:
     design = inputs["design"].design.with_parameters(inputs.parameters)
     try:
         with translated(inputs.where if start.poses is None else start.begin):
-            found = native.actuate_design(design, inputs.store, job, start.poses, hands=start.hands)
+            memory = start.memory if start.of == path_digest(design) else None
+            found = native.actuate_design(design, inputs.store, job, start.poses, memory, hands=start.hands)
     finally:
         inputs.store.clear()
     frames = np.stack([*found.frames, *found.hand_frames])
     steps = np.maximum(np.abs(frames).max((0, 1)), 1e-9) / np.iinfo(np.int32).max
     return Actuation(found.block, design, found.time, found.energy, found.friction, found.stretch,
-                     np.round(frames / steps).astype("<i4"), steps, len(found.hand_frames), found.hand_work)
+                     np.round(frames / steps).astype("<i4"), steps, len(found.hand_frames), found.hand_work,
+                     np.asarray(found.memory))
 
 
 START = Stage("actuation start", (), frozenset(), lambda inputs, job: ActuationStart())

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "curveups/actuation/path_memory.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
@@ -14,6 +15,8 @@ namespace {
 
 // What two ends may differ by and be the same: of energy, relatively.
 constexpr double same_energy = 1e-3;
+// What files round poses by.
+constexpr double same_pose = 1e-5;
 
 // A path with what is known of its end.
 struct Followed {
@@ -35,6 +38,7 @@ class Actuation {
         tiles_(bodies.geometry.tiles),
         centres_(tile_centres(tiles_)),
         actuated_(make_world().world->poses()) {
+    if (options.memory) take_memory();
     start_ = piece_poses(bodies_,
                          options.start ? frame_poses(tiles_, *options.start) : flat_tiles(bodies_),
                          actuated_);
@@ -59,6 +63,7 @@ class Actuation {
     if (!ended) compare(paths, held.surface);
     out.path = std::move(rising.path);
     out.end = rising.end;
+    out.memory = packed(rising.world.world->path_state());
     out.from_target = held.end;
     describe(rising.surface, out);
     out.path.stopped = ended;
@@ -83,6 +88,17 @@ class Actuation {
   }
 
  private:
+  void take_memory() {
+    memory_ = unpacked(*options_.memory, *make_world().world);
+    const Poses& poses = memory_->state.poses;
+    const FrameRows rows = frame_rows(tiles_, {poses.begin(), poses.begin() + tiles_.tile_count()});
+    if (!options_.start || options_.start->rows() != rows.rows() ||
+        (*options_.start - rows).cwiseAbs().maxCoeff() > same_pose) {
+      throw InvalidInput("the frame's memory is of other poses",
+                         "give a frame of this design, or take its memory out");
+    }
+  }
+
   TileWorld make_world() const {
     TileWorld world = make_tile_world(bodies_, solved_, design_.parameters.tile_modulus);
     // What is known of the actuated design alone says nothing of the way there.
@@ -110,6 +126,7 @@ class Actuation {
       world.world->set_friction(friction);
       PathOptions path = options_.path;
       path.reports = k == 0;
+      if (begin == &start_ && memory_) path.from = &*memory_;
       out.path = follow_path(bodies_, world, path);
       const Finishing finishing;
       out.surface = fitted_surface(tiles_, centres_, world.world->poses());
@@ -190,6 +207,7 @@ class Actuation {
   const TileMesh& tiles_;
   Points3 centres_;
   Poses actuated_, start_;
+  std::optional<ContactWorld::PathState> memory_;
 };
 
 }  // namespace

@@ -12,6 +12,9 @@ namespace curveups {
 
 struct ActuationOptions {
   std::optional<FrameRows> start;  // where tiles begin; none: flat
+  // Of a path of the same design that ended at `start` (ActuatedDesign::memory): it goes on as it
+  // would have. None: contacts remember nothing, and nodes are amid their pins.
+  std::optional<Eigen::VectorXd> memory;
   bool answers = true;             // else the path alone
   bool hands = true;               // with the answers: what brings it home where it does not arrive
   PathOptions path;
@@ -39,6 +42,7 @@ struct ActuatedDesign {
   Points3 corners;
   Eigen::VectorXd deviation;
   std::vector<FrameRows> frames, hand_frames;  // of path and hands, as files have them
+  Eigen::VectorXd memory;                      // of the path's last frame (path_memory.hpp)
 
   bool has_arrived(const PathEnd& one) const {
     return one.open_contacts.empty() && one.shortfall <= tolerance;
@@ -47,8 +51,8 @@ struct ActuatedDesign {
 
 // store: as verify_design has it. Stopped while tiles move, it returns the path so far, without
 // answers; before that it throws Cancelled. Throws InvalidInput for gravity=held (a piece that
-// rises is held nowhere), and what frame_poses, make_tile_bodies, take_or_solve and make_tile_world
-// throw.
+// rises is held nowhere) and for a memory that is not of `start`, and what frame_poses, unpacked,
+// make_tile_bodies, take_or_solve and make_tile_world throw.
 ActuatedDesign actuate_design(const Design& design, SolutionStore* store,
                               const ActuationOptions& options, const Progress& progress);
 

@@ -56,6 +56,7 @@ PathFollower::PathFollower(const TileBodies& bodies, TileWorld& world, const Pat
                            const PointLoads* hands)
     : bodies_(bodies), world_(world), options_(options), hands_(hands) {
   world.world->begin_path(pace_of(bodies.parameters));
+  if (options.from) world.world->resume(*options.from);
   now_.energy = world.world->energy() - pushing();
   keep();
 }

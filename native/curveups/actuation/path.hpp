@@ -13,6 +13,7 @@ struct PathOptions {
   int max_steps = 1000;
   int most_frames = 60;  // kept, about, evenly by how far tiles move, with both ends
   bool reports = true;   // how far it is; else it can only be stopped
+  const ContactWorld::PathState* from = nullptr;  // where an earlier path stood; it outlives this
 };
 
 struct PathFrame {

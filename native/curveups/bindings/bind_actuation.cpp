@@ -124,6 +124,9 @@ void bind_actuation(py::module_& module) {
                              "What friction has taken until then, N mm.")
       .def_property_readonly("stretch", &of_frames<&PathFrame::stretch>,
                              "Mean stretch ratio of the membranes between pins.")
+      .def_readonly("memory", &ActuatedDesign::memory,
+                    "Of the path's last frame: what a path that begins there needs to go on as "
+                    "it would have.")
       .def_readonly("corners", &ActuatedDesign::corners,
                     "Front corners of the last frame, three rows a tile, fitted to the design, mm.")
       .def_readonly("deviation", &ActuatedDesign::deviation,
@@ -131,19 +134,21 @@ void bind_actuation(py::module_& module) {
   module.def(
       "actuate_design",
       [](const Design& design, SolutionStore* store, py::object progress,
-         std::optional<FrameRows> begin, bool answers, bool hands) {
+         std::optional<FrameRows> begin, std::optional<Eigen::VectorXd> memory, bool answers,
+         bool hands) {
         ActuationOptions options;
         options.hands = hands;
         options.start = std::move(begin);
+        options.memory = std::move(memory);
         options.answers = answers;
         return without_gil(std::move(progress), [&](const Progress& sink) {
           return actuate_design(design, store, options, sink);
         });
       },
       py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
-      py::arg("begin") = py::none(), py::arg("answers") = true, py::arg("hands") = true,
+      py::arg("begin") = py::none(), py::arg("memory") = py::none(), py::arg("answers") = true, py::arg("hands") = true,
       "Lets a piece rise from flat, or from a frame of an earlier path. store: as in "
-      "verify_design. answers: whether it is asked at which friction it arrives, and whether it "
+      "verify_design. memory: of the path that ended at `begin`. answers: whether it is asked at which friction it arrives, and whether it "
       "could come to rest elsewhere; a path from a frame has none of these. hands: with the "
       "answers, what brings it home by hand where it does not arrive.");
 }

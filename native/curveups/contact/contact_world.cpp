@@ -64,6 +64,29 @@ void ContactWorld::restore(State state) {
   weight_ = state.weight;
 }
 
+void ContactWorld::resume(PathState from) {
+  restore(std::move(from.state));
+  convex_ = from.convex;
+  contacts_.near = std::move(from.near);
+  places_ = std::move(from.places);
+  if (places_.rows() > 0) make_pattern();
+}
+
+void ContactWorld::make_pattern() {
+  std::vector<Coupling> couplings;
+  first_.clear();
+  for (const auto& energy : energies_) {
+    first_.push_back(static_cast<int>(couplings.size()));
+    energy->couple(couplings);
+  }
+  first_.push_back(static_cast<int>(couplings.size()));
+  contacts_.couple(couplings);
+  std::vector<char> free;
+  for (const RigidBody& body : bodies_) free.push_back(!body.fixed);
+  hessian_ = std::make_unique<BlockMatrix<6>>(
+      std::make_shared<const BlockPattern>(free, couplings, places_));
+}
+
 void ContactWorld::search() {
   std::vector<std::array<int, 2>> near;
   contacts_.pairs = find_touching(bodies_, poses_, options_.search, contacts_.pairs, near);
@@ -72,22 +95,9 @@ void ContactWorld::search() {
   std::vector<std::array<int, 2>>& known = contacts_.near;
   if (!hessian_ || !std::includes(known.begin(), known.end(), near.begin(), near.end())) {
     known = near;
-    std::vector<Coupling> couplings;
-    first_.clear();
-    for (const auto& energy : energies_) {
-      first_.push_back(static_cast<int>(couplings.size()));
-      energy->couple(couplings);
-    }
-    first_.push_back(static_cast<int>(couplings.size()));
-    contacts_.couple(couplings);
-    std::vector<char> free;
-    Places places(bodies_.size(), 3);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      free.push_back(!bodies_[i].fixed);
-      places.row(i) = poses_[i].t.transpose();
-    }
-    hessian_ = std::make_unique<BlockMatrix<6>>(
-        std::make_shared<const BlockPattern>(free, couplings, places));
+    places_.resize(bodies_.size(), 3);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) places_.row(i) = poses_[i].t.transpose();
+    make_pattern();
   }
   double stiffest = 0, furthest = 0;
   for (const TouchingPair& pair : contacts_.pairs) {
@@ -334,7 +344,8 @@ StepReport ContactWorld::advance() {
   const double unit = force_unit(g), lever = options_.lever;
   if (weight_ < 0) weight_ = unit / pace_.step_limit;
   report.before = report.energy = value(poses_);
-  set_convex(convex_);
+  const bool convex = convex_;
+  set_convex(convex);
   Poses x = poses_;
   int shortened = 0;
   for (int iteration = 0;; ++iteration) {
@@ -375,7 +386,12 @@ StepReport ContactWorld::advance() {
       next = moved(x, part * way, lever);
     }
     x = std::move(next);
-    checkpoint();
+    try {
+      checkpoint();
+    } catch (...) {  // it goes on as if this step had not begun
+      set_convex(convex);
+      throw;
+    }
   }
   report.motion = largest_row(between(poses_, x, lever));
   report.weight = weight_;

@@ -87,6 +87,18 @@ class ContactWorld {
   // limits follow the normal forces from iteration to iteration. No body moves past another
   // (meeting.hpp). at_rest: forces balance under Coulomb's law, and nothing moved.
   void begin_path(const Pace& pace);
+  // Where a path stands, bit by bit: bodies, contacts and what friction remembers, the step's
+  // weight, and where the pattern of the second derivatives comes from, on whose order of
+  // elimination their rounding depends.
+  struct PathState {
+    State state;
+    bool convex = true;
+    std::vector<std::array<int, 2>> near;
+    Places places;  // none before the first step
+  };
+  PathState path_state() const { return {state(), convex_, contacts_.near, places_}; }
+  // After begin_path: the path goes on as it would have.
+  void resume(PathState from);
   StepReport advance();
   // Until it is at rest, or a step was not converged, or `enough` says so.
   StepReport settle(int max_steps, const std::function<bool(const StepReport&)>& enough = {});
@@ -102,6 +114,7 @@ class ContactWorld {
 
  private:
   void search();
+  void make_pattern();
   double gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
   double value(const Poses& poses) const;
   double given_gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
@@ -121,6 +134,7 @@ class ContactWorld {
   ContactEnergy contacts_;
   std::vector<std::array<int, 2>> near_;
   std::vector<int> first_;  // couplings of the energies, then those of contacts
+  Places places_;  // of the bodies when the pattern was made
   std::unique_ptr<BlockMatrix<6>> hessian_;
   bool searched_ = false, fresh_ = true, convex_ = false;
   double weight_ = -1;

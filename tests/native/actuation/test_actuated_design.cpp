@@ -235,6 +235,92 @@ TEST(ActuatedDesign, StoppedItKeepsThePathSoFar) {
   EXPECT_TRUE(found.sampled.empty());
 }
 
+// Stopped when it has reported so often that tiles move.
+ActuatedDesign stopped_path(const Design& design, const ActuationOptions& options, int reports) {
+  return actuate_design(design, nullptr, options, [&](const std::string& what, double fraction) {
+    reports -= what == "actuate" && fraction > 0;
+    return reports > 0;
+  });
+}
+
+TEST(ActuatedDesign, APathGoesOnAsItWouldHave) {
+  for (double friction : {0.05, 0.3}) {
+    const Design design = dome(friction);
+    ActuationOptions whole;
+    whole.answers = false;
+    const ActuatedDesign expected = actuate_design(design, nullptr, whole, {});
+    ASSERT_TRUE(expected.end.at_rest);
+    for (int reports : {1, 5, 11}) {
+      const ActuatedDesign first = stopped_path(design, whole, reports);
+      ASSERT_TRUE(first.path.stopped);
+      ASSERT_LT(first.path.steps, expected.path.steps);
+      ActuationOptions rest = whole;
+      rest.start = first.frames.back();
+      rest.memory = first.memory;
+      const ActuatedDesign found = actuate_design(design, nullptr, rest, {});
+      EXPECT_EQ(found.frames.back(), expected.frames.back()) << reports;
+      EXPECT_EQ(found.end.energy, expected.end.energy);
+      EXPECT_EQ(found.end.open_contacts, expected.end.open_contacts);
+      EXPECT_EQ(found.path.steps + first.path.steps, expected.path.steps);
+    }
+  }
+}
+
+TEST(ActuatedDesign, WhatJammedStaysWhereItIsWithItsMemory) {
+  const Design design = dome(0.4);
+  ActuationOptions options;
+  options.answers = false;
+  const ActuatedDesign jammed = actuate_design(design, nullptr, options, {});
+  options.start = jammed.frames.back();
+  options.memory = jammed.memory;
+  const ActuatedDesign found = actuate_design(design, nullptr, options, {});
+  EXPECT_EQ(found.path.steps, 0);
+  EXPECT_EQ(found.end.energy, jammed.end.energy);
+  EXPECT_EQ(found.memory, jammed.memory);
+  options.memory.reset();
+  EXPECT_GT(actuate_design(design, nullptr, options, {}).path.steps, 0);
+}
+
+TEST(ActuatedDesign, RefusesAMemoryThatIsNotOfTheFrame) {
+  const Design design = dome(0.3);
+  ActuationOptions options;
+  options.answers = false;
+  options.path.max_steps = 20;
+  const ActuatedDesign first = actuate_design(design, nullptr, options, {});
+  options.path.max_steps = 1;
+  options.start = first.frames.back();
+  auto refuses = [&](const Eigen::VectorXd& memory) {
+    options.memory = memory;
+    EXPECT_THROW(actuate_design(design, nullptr, options, {}), InvalidInput);
+  };
+  refuses({});
+  refuses(first.memory.head(first.memory.size() - 1));
+  Eigen::VectorXd longer(first.memory.size() + 1);
+  longer << first.memory, 0;
+  refuses(longer);
+  // Counts, indices and places that are none: every number in turn is another, here and there.
+  int refused = 0, tried = 0;
+  for (Eigen::Index k = 0; k < first.memory.size(); k += first.memory.size() / 25) {
+    for (double other : {-1.0, 1e9, std::nan(""), 0.5, 1e300}) {
+      Eigen::VectorXd memory = first.memory;
+      memory(k) = other;
+      options.memory = memory;
+      ++tried;
+      try {
+        actuate_design(design, nullptr, options, {});
+      } catch (const InvalidInput&) {
+        ++refused;
+      } catch (const SolverFailure&) {
+      }
+    }
+  }
+  EXPECT_GT(refused, tried / 3);
+  options.start->col(0).array() += 0.01;
+  refuses(first.memory);
+  options.start.reset();
+  refuses(first.memory);
+}
+
 TEST(ActuatedDesign, WhatDidNotComeToRestHasNoAnswer) {
   ActuationOptions options;
   options.path.max_steps = 3;
