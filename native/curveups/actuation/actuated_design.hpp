@@ -15,8 +15,8 @@ struct ActuationOptions {
   // Of a path of the same design that ended at `start` (ActuatedDesign::memory): it goes on as it
   // would have. None: contacts remember nothing, and nodes are amid their pins.
   std::optional<Eigen::VectorXd> memory;
-  bool answers = true;             // else the path alone
-  bool hands = true;               // with the answers: what brings it home where it does not arrive
+  bool answers = true;  // else the path alone
+  bool hands = true;    // with the answers: what brings it home where it does not arrive
   PathOptions path;
 };
 

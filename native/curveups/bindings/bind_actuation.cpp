@@ -146,9 +146,11 @@ void bind_actuation(py::module_& module) {
         });
       },
       py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
-      py::arg("begin") = py::none(), py::arg("memory") = py::none(), py::arg("answers") = true, py::arg("hands") = true,
+      py::arg("begin") = py::none(), py::arg("memory") = py::none(), py::arg("answers") = true,
+      py::arg("hands") = true,
       "Lets a piece rise from flat, or from a frame of an earlier path. store: as in "
-      "verify_design. memory: of the path that ended at `begin`. answers: whether it is asked at which friction it arrives, and whether it "
+      "verify_design. memory: of the path that ended at `begin`. answers: whether it is asked at "
+      "which friction it arrives, and whether it "
       "could come to rest elsewhere; a path from a frame has none of these. hands: with the "
       "answers, what brings it home by hand where it does not arrive.");
 }

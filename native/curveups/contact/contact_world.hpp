@@ -134,7 +134,7 @@ class ContactWorld {
   ContactEnergy contacts_;
   std::vector<std::array<int, 2>> near_;
   std::vector<int> first_;  // couplings of the energies, then those of contacts
-  Places places_;  // of the bodies when the pattern was made
+  Places places_;           // of the bodies when the pattern was made
   std::unique_ptr<BlockMatrix<6>> hessian_;
   bool searched_ = false, fresh_ = true, convex_ = false;
   double weight_ = -1;
