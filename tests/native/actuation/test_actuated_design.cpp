@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "curveups/actuation/actuated_design.hpp"
 #include "curveups/bodies/convex_distance.hpp"
@@ -166,6 +167,43 @@ TEST(ActuatedDesign, FromTheTargetAtFrictionItStays) {
   EXPECT_NEAR(found.end.energy, found.from_target.energy, 1e-6 * found.end.energy);
   EXPECT_FALSE(found.trap);
   EXPECT_TRUE(found.sampled.empty());
+}
+
+// The lowest corner of all tiles in a frame, mm.
+double lowest(const TileBodies& bodies, const FrameRows& rows) {
+  const TileMesh& tiles = bodies.geometry.tiles;
+  const auto motions = frame_motions(rows, tiles.tile_count());
+  double out = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      for (Side side : {Side::front, Side::back}) {
+        const Vec2& p = tiles.corners(i, side)[c];
+        const Vec3 corner(p.x(), p.y(), side == Side::front ? 0 : -tiles.H_body);
+        out = std::min(out, motions[i](tiles.frame[i].to_world(corner)).z());
+      }
+    }
+  }
+  return out;
+}
+
+TEST(ActuatedDesign, ARestingPieceIsOnItsTableAllTheWay) {
+  Design design = dome(0.3);
+  design.parameters.gravity = "resting";
+  design.parameters.density = 8;
+  ActuationOptions options;
+  options.answers = false;
+  const ActuatedDesign found = actuate_design(design, nullptr, options, {});
+  ASSERT_TRUE(found.end.at_rest);
+  const TileBodies bodies = make_tile_bodies(design);
+  FrameRows still = FrameRows::Zero(design.T.rows(), 7);
+  still.col(3).setOnes();
+  const double table = lowest(bodies, still);
+  // Corners are cut off where tiles would meet: the piece stands a little higher than this.
+  for (const FrameRows& rows : found.frames) EXPECT_NEAR(lowest(bodies, rows), table, 0.3);
+  EXPECT_NEAR(lowest(bodies, found.frames.back()), table, 0.15);
+  design.parameters.gravity = "off";
+  const ActuatedDesign free = actuate_design(design, nullptr, options, {});
+  EXPECT_GT(std::abs(lowest(bodies, free.frames.back()) - table), 0.3);
 }
 
 TEST(ActuatedDesign, AnswersAreThoseOfThePathsThatTheyName) {
