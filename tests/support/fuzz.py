@@ -3,8 +3,8 @@
 
 A reader refuses an input with an error of ours, or what it gives holds what fuzz_kinds asks for. Crashes,
 other errors, warnings of libraries and inputs that take more than LIMIT seconds or MEMORY bytes are failures:
-they are kept in build/fuzz. So are more inputs without an end than SHARE of a CAD format's: FreeCAD works on
-some for minutes, until the time limit of the command ends it.
+they are kept in build/fuzz. So are CAD files without an end that have lost a part, and more than SHARE of all
+others: FreeCAD works on some for minutes, until the time limit of the command ends it.
 
 Input number i of a kind follows from seed, kind and i alone (but for the dates that FreeCAD writes into STEP
 and IGES files). Readers run in a process of their own, begun anew after a crash."""
@@ -61,7 +61,7 @@ def work(kind, seed, first):
             # `translated` gives a library's errors this word, for whoever meets one.
             said = "" if str(error) and "unexpected failure" not in str(error) else f" {error!r}"
         except Endless:
-            said = f" {ENDLESS}"
+            said = f" {ENDLESS}, of a file that lost a part" if lossy else f" {ENDLESS}"
         except UnicodeDecodeError:
             said = "" if ending == ".json" else " no text"  # whoever opens the file says so
         except ValueError as error:

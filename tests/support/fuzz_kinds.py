@@ -236,6 +236,11 @@ def _endless(path, number, lossy):
         raise Endless
 
 
+def _cut_off(path, number, lossy):
+    if lossy:
+        raise Endless
+
+
 def _crash(path, number, lossy):
     if number == 3:
         os.kill(os.getpid(), signal.SIGSEGV)
@@ -281,4 +286,4 @@ KINDS = {
 BROKEN = {"together": (".obj", lambda: [dome(2).encode()], _together, 1.0),
           **{name: (".txt", lambda: [b"1\n2\n"], check, 1.0)
              for name, check in (("crash", _crash), ("hang", _hang), ("break", _break), ("warn", _warn),
-                                 ("library", _library), ("endless", _endless))}}
+                                 ("library", _library), ("endless", _endless), ("cut off", _cut_off))}}

@@ -14,10 +14,13 @@ _NUMBER = re.compile(rb"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 
 
 def mutated(data: bytes, chance: random.Random) -> tuple[bytes, bool]:
-    """One to four changes; the contents of archives are changed, or their bytes. And whether something was
-    lost, and nothing changed: what is read then is all that there was, or less is noticed."""
+    """One to four changes, or a single loss; the contents of archives are changed, or their bytes. And
+    whether something was lost, and nothing changed: what is read then is all that there was, or less is
+    noticed."""
     if data[:2] == b"PK" and chance.random() < 0.8:
         return _mutated_archive(data, chance), False
+    if chance.random() < 0.25:
+        return chance.choice(_LOSSES)(data, chance), True
     changes = [chance.choice(_CHANGES) for _ in range(chance.choice((1, 1, 1, 2, 4)))]
     for change in changes:
         data = change(data, chance)
