@@ -211,6 +211,20 @@ def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
                                    else "rates of the printer's file")
 
 
+def test_beds_after_one_that_takes_the_slicer_too_long_go_by_rates(design, monkeypatch):
+    model = native.make_print_model(design)
+    monkeypatch.setattr(costs, "_sliced", lambda kit, model, go_on: answers.pop(0))
+    own = native.Parameters(design.parameters)
+    own.set("support", "breakaway")
+    kit = SimpleNamespace(printer=kit_module.read_printer("fdm"), model=model, go_on=lambda _: None,
+                          results=SimpleNamespace(parameters=own),
+                          beds=SimpleNamespace(places=[0, 1, 2], bed=lambda k: model))
+    answers = [(1.5, 20.0), None]
+    first, *others = costs.costs(kit)
+    assert (first["hours"], first["rigid_cm3"], first["hours_by"]) == (1.5, 20.0, "prusa-slicer")
+    assert {one["hours_by"] for one in others} == {"rates of the printer's file"} and not answers
+
+
 def read_text(path):
     """Of a PDF."""
     said = subprocess.run(["pdftotext", path, "-"], check=True, capture_output=True, encoding="utf-8").stdout

@@ -170,6 +170,16 @@ def test_scrambled_file(tmp_path, name):
     assert word in str(refused.value) and name in str(refused.value)
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("nan", [b"\x00\x00\xc0\x7f", b"\x01\x00\x80\x7f"])  # quiet, signalling
+def test_a_nan_of_a_binary_ply_is_refused_without_a_warning(tmp_path, nan):
+    data = bytearray(binary_ply("<"))
+    at = data.index(b"end_header\n") + len(b"end_header\n")
+    data[at:at + 4] = nan
+    with pytest.raises(CurveUpsError, match="a vertex is not finite"):
+        read(tmp_path, "nan.ply", bytes(data))
+
+
 def test_lists_of_several_lengths_and_other_data_of_a_binary_ply(tmp_path):
     data = ply_header("binary_little_endian", vertex_extra="property uchar red\n",
                       face_extra="property uchar flags\n", faces=2).encode()

@@ -24,8 +24,10 @@ _FILAMENT = re.compile(r"; filament used \[cm3\] = ([0-9.]+)")
 
 
 def costs(kit: Kit) -> list[dict[str, Any]]:
-    """Of each bed, for kit.json. Raises Stopped between beds."""
+    """Of each bed, for kit.json. Where the slicer fails on a bed, or takes too long for it, those after it go
+    by rates as well. Raises Stopped."""
     printer, soluble = kit.printer, native.support_kind(kit.results.parameters).soluble
+    slices = not soluble and printer["slicer"] == SLICER
     models = [kit.model] if kit.beds is None else [kit.beds.bed(k) for k in range(len(kit.beds.places))]
     found = []
     for number, model in enumerate(models):
@@ -33,8 +35,9 @@ def costs(kit: Kit) -> list[dict[str, Any]]:
         volumes = {kind: volume / 1000 for kind, volume in model.volumes.items()}
         soft = volumes["support"] if soluble else 0.0
         rigid = sum(volumes[kind] for kind in ("tiles", "support", "anchors")) - soft
-        sliced = None if soluble or printer["slicer"] != SLICER else _sliced(
-            kit, model, lambda part: kit.go_on((number + part) / len(models)))
+        sliced = (_sliced(kit, model, lambda part: kit.go_on((number + part) / len(models))) if slices
+                  else None)
+        slices = sliced is not None
         high = tilted_height(model.bbox) if is_tilted(kit.results.parameters) else float(model.bbox[2])
         hours, rigid = sliced or (by_rates(high, rigid + soft, printer["rates"]), rigid)
         found.append({"hours": hours, "hours_by": SLICER if sliced else RATES,

@@ -51,7 +51,8 @@ def read_ply(path: Path, go_on: GoOn) -> Mesh:
         for element in elements:
             columns = body.read(element)
             if element.name == "vertex":
-                V = np.stack([columns[axis] for axis in "xyz"], axis=1).astype(float)
+                with np.errstate(invalid="ignore"):  # of a signalling NaN
+                    V = np.stack([columns[axis] for axis in "xyz"], axis=1).astype(float)
                 V = V.reshape(element.count, 3)
             elif element.name == "face":
                 polygons = columns.get("vertex_indices", columns.get("vertex_index"))
