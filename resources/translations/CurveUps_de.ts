@@ -2080,6 +2080,10 @@
       <translation>ein Bild dieses Entwurfs angeben</translation>
     </message>
     <message>
+      <source>give a frame of this design, or take its memory out</source>
+      <translation>ein Bild dieses Entwurfs angeben, oder dessen Gedächtnis entfernen</translation>
+    </message>
+    <message>
       <source>give a frames.json of 'curveups actuate'</source>
       <translation>eine frames.json von „curveups actuate“ angeben</translation>
     </message>
@@ -3462,6 +3466,14 @@
     <message>
       <source>the frame has poses of {0} tiles, the design has {1}</source>
       <translation>das Bild hat Lagen von {0} Kacheln, der Entwurf hat {1}</translation>
+    </message>
+    <message>
+      <source>the frame's memory is not of this design</source>
+      <translation>das Gedächtnis des Bildes gehört nicht zu diesem Entwurf</translation>
+    </message>
+    <message>
+      <source>the frame's memory is of other poses</source>
+      <translation>das Gedächtnis des Bildes gehört zu anderen Lagen</translation>
     </message>
     <message>
       <source>the frame's pose of {0} is no rigid motion</source>
@@ -4996,8 +5008,8 @@
       <translation>Anker</translation>
     </message>
     <message>
-      <source>and that holds {shear:.2f} MPa in shear (its coupon shows that)</source>
-      <translation>und der auf Scherung {shear:.2f} MPa hält (sein Prüfkörper zeigt das)</translation>
+      <source>and that holds {shear:.2f} MPa in shear (its coupon shows that; of the program's materials: {does})</source>
+      <translation>und der auf Scherung {shear:.2f} MPa hält (sein Prüfkörper zeigt das; von den Materialien des Programms: {does})</translation>
     </message>
     <message>
       <source>as printed, not smoothed</source>
@@ -5066,6 +5078,10 @@
     <message>
       <source>in {pieces} separate pieces</source>
       <translation>in {pieces} getrennten Stücken</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translation>keiner</translation>
     </message>
     <message>
       <source>on a bed of {x:g} × {y:g} mm</source>
@@ -5196,8 +5212,8 @@
       <translation>{count} Kacheln</translation>
     </message>
     <message>
-      <source>{down}: pins and anchors alone stand out there ({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto the tops of these, {layer:g} mm thick, with a roller that touches nothing below: a flexible glue for rubber on hard plastic that water does not loosen. Walls, gaps and all that holds the tiles together stay dry. {lay} Press sheet and print together between two boards that fit through the window, with weights spread evenly, for as long as the glue's maker says. Air the room: the glue's vapour harms you.</source>
-      <translation>{down}: dort stehen nur Zapfen und Anker vor ({first_mm2:.0f} mm²). {behind} {first_cm3:.2f} cm³ Kleber auf die Enden dieser Zapfen und Anker rollen, {layer:g} mm dick, mit einer Rolle, die darunter nichts berührt: einen elastischen Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst. Wände, Spalte und alles, was die Kacheln zusammenhält, bleiben trocken. {lay} Folie und Druck zwischen zwei Brettern, die durch das Fenster passen, mit gleichmäßig verteilten Gewichten so lange zusammenpressen, wie es der Hersteller des Klebers sagt. Lüften: die Dämpfe des Klebers sind schädlich.</translation>
+      <source>{down}: pins and anchors alone stand out there ({first_mm2:.0f} mm²). {behind} Roll {first_cm3:.2f} cm³ of glue onto the tops of these, {layer:g} mm thick, with a roller that touches nothing below: a glue for rubber on hard plastic that water does not loosen. Walls, gaps and all that holds the tiles together stay dry. {lay} Press sheet and print together between two boards that fit through the window, with weights spread evenly, for as long as the glue's maker says. Air the room: the glue's vapour harms you.</source>
+      <translation>{down}: dort stehen nur Zapfen und Anker vor ({first_mm2:.0f} mm²). {behind} {first_cm3:.2f} cm³ Kleber auf die Enden dieser Zapfen und Anker rollen, {layer:g} mm dick, mit einer Rolle, die darunter nichts berührt: einen Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst. Wände, Spalte und alles, was die Kacheln zusammenhält, bleiben trocken. {lay} Folie und Druck zwischen zwei Brettern, die durch das Fenster passen, mit gleichmäßig verteilten Gewichten so lange zusammenpressen, wie es der Hersteller des Klebers sagt. Lüften: die Dämpfe des Klebers sind schädlich.</translation>
     </message>
     <message>
       <source>{facing} Nothing joins them: tape or glue them along their borders.</source>
@@ -5212,8 +5228,8 @@
       <translation>{feature:.3g} mm; der Drucker schafft {least:g} mm</translation>
     </message>
     <message>
-      <source>{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as much again for the roller; a flexible glue for rubber on hard plastic, that water does not loosen{asked}; for rings in parts or with dowels also a rigid one</source>
-      <translation>{front:.2f} cm³ für die Vorderseite und {back:.2f} cm³ für die Rückseite, und noch halb so viel für die Rolle; ein elastischer Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst{asked}; für Ringe in Teilen oder mit Dübeln auch ein fester</translation>
+      <source>{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as much again for the roller; a glue for rubber on hard plastic, that water does not loosen{asked}; for rings in parts or with dowels also a rigid one</source>
+      <translation>{front:.2f} cm³ für die Vorderseite und {back:.2f} cm³ für die Rückseite, und noch halb so viel für die Rolle; ein Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst{asked}; für Ringe in Teilen oder mit Dübeln auch ein fester</translation>
     </message>
     <message>
       <source>{front:g} (front) and {back:g} (back)</source>

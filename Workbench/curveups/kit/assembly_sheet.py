@@ -14,6 +14,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
+from ..base import profiles
 from ..base.language import Language, Text
 from ..report import pictures
 from ..report.assembly import HOLE, glue_asked, glue_volumes, steps
@@ -45,8 +46,10 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
                  "at their dovetails on a flat table.", front=counts[0], back=counts[1]) \
         if max(counts) > 1 else ""
     shear = glue_asked(kit.report)
-    asked = " " + say("and that holds {shear:.2f} MPa in shear (its coupon shows that)", shear=shear) \
-        if shear else ""
+    does = ", ".join(name for name in profiles.material_names("material_glue")
+                     if profiles.parameters(profiles.material_path(name))["glue_strength"] >= shear)
+    asked = " " + say("and that holds {shear:.2f} MPa in shear (its coupon shows that; of the program's "
+                      "materials: {does})", shear=shear, does=does or say("none")) if shear else ""
     return [(say("Print"), say("{tiles} tiles and what holds them: {name}-shop.pdf is the order",
                                tiles=kit.report["tiles"], name=kit.name)),
             (say("Latex"), latex(kit.report, parameters, say)),
@@ -58,7 +61,7 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
                  length=ring["dowel_length_mm"], tooth=ring["tooth_height_mm"],
                  rod=2 * ring["thickness_mm"] + ring["apart_mm"])),
             (say("Glue"), say("{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as "
-                              "much again for the roller; a flexible glue for rubber on hard plastic, that "
+                              "much again for the roller; a glue for rubber on hard plastic, that "
                               "water does not loosen{asked}; for rings in parts or with dowels also a rigid "
                               "one", asked=asked, **glue)),
             *_shaping(kit),

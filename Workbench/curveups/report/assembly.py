@@ -51,7 +51,7 @@ of them at once.""")
 _PEEL = Text("""On the {on_bed} {level}. Bridges alone hold the tiles meanwhile, and break easily.""")
 _FIRST = Text("""{down}: pins and anchors alone stand out there ({first_mm2:.0f} mm²). {behind} Roll
 {first_cm3:.2f} cm³ of glue onto the tops of these, {layer:g} mm thick, with a roller that touches nothing
-below: a flexible glue for rubber on hard plastic that water does not loosen. Walls, gaps and all that holds
+below: a glue for rubber on hard plastic that water does not loosen. Walls, gaps and all that holds
 the tiles together stay dry. {lay} Press sheet and print together between two boards that fit through the
 window, with weights spread evenly, for as long as the glue's maker says. Air the room: the glue's vapour
 harms you.""")
