@@ -76,12 +76,18 @@ TEST(Parallel, OfEachTheFirstExceptionComesOutAndNoMoreIsBegun) {
   for (int threads : {1, 4}) {
     set_thread_count(threads);
     std::atomic<int> begun{0};
+    std::atomic<bool> failed{false};
     try {
       parallel_each(10000, [&](int i) {
         ++begun;
-        // The second one fails before the first one does.
-        std::this_thread::sleep_for(std::chrono::milliseconds(i == 10 ? 20 : 0));
-        if (i == 10 || i == 11) throw std::runtime_error(std::to_string(i));
+        // The second one fails before the first one does, and later ones do not run on meanwhile.
+        if (i == 10) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        if (i == 10 || i == 11) {
+          failed = true;
+          throw std::runtime_error(std::to_string(i));
+        }
+        while (i > 11 && !failed) std::this_thread::yield();
+        if (i > 11) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       });
       ADD_FAILURE();
     } catch (const std::runtime_error& error) {
