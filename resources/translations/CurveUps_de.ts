@@ -5148,6 +5148,14 @@
       <translation>der Druck passt</translation>
     </message>
     <message>
+      <source>the print fits as {name}-bed-01 turns and moves it</source>
+      <translation>der Druck passt so, wie {name}-bed-01 ihn dreht und verschiebt</translation>
+    </message>
+    <message>
+      <source>the print fits without {anchors} of its anchors</source>
+      <translation>der Druck passt ohne {anchors} seiner Anker</translation>
+    </message>
+    <message>
       <source>the print fits, turned by a right angle</source>
       <translation>der Druck passt, um einen rechten Winkel gedreht</translation>
     </message>
@@ -5254,6 +5262,10 @@
     <message>
       <source>{low} to {high} mm; {taper_low} to {taper_high} mm more at the front than at the back, each alone</source>
       <translation>{low} bis {high} mm; {taper_low} bis {taper_high} mm mehr an der Vorderseite als an der Rückseite, jedes für sich</translation>
+    </message>
+    <message>
+      <source>{name}-bed-01.3mf or .step: every body with its name, in place. The print as it is does not fit the bed</source>
+      <translation>{name}-bed-01.3mf oder .step: jeder Körper mit seinem Namen an seinem Platz. Der Druck, wie er ist, passt nicht auf das Bett</translation>
     </message>
     <message>
       <source>{name}-bed-01.3mf to -{last:02}.3mf, or .step: a job a bed, every body with its name, in place. The print as a whole does not fit the bed</source>

@@ -106,13 +106,27 @@ def test_the_order_says_how_the_print_fits_the_bed(results, monkeypatch, bed, as
     assert dict(shop.quote(report, results.parameters))["Printer compared with"].endswith(f"mm, {fits}")
 
 
+@pytest.mark.parametrize("bboxes, left_out, files, fits", [
+    ([[100.0, 90.0, 5.0]], 3, "small-cap-bed-01.3mf or .step", "the print fits without 3 of its anchors"),
+    ([[100.0, 90.0, 5.0]], 0, "small-cap-bed-01.3mf or .step",
+     "the print fits as small-cap-bed-01 turns and moves it"),
+    ([[100.0, 90.0, 5.0]] * 2, 0, "small-cap-bed-01.3mf to -02.3mf", "the print is divided among 2 beds")])
+def test_the_order_says_what_goes_on_beds(results, bboxes, left_out, files, fits):
+    report = build_report(results, [], False, {}, {})
+    report["beds"] = {"anchors_left_out": left_out,
+                      "beds": [{"bbox_mm": bbox, "bodies": 30} for bbox in bboxes]}
+    said = dict(shop.quote(report, results.parameters))
+    assert said["To be printed"].startswith(files) and said["Printer compared with"].endswith(fits)
+
+
+@pytest.mark.parametrize("high", [0.8, 0.35])
 @pytest.mark.parametrize("size, said", [((60, 200), "490 × 390"), ((60, 450), "390 × 490"),
                                         ((480, 60), "490 × 390"), ((600, 600), "490 × 390")])
-def test_words_around_the_picture_of_a_print_keep_apart(size, said):
+def test_words_around_the_picture_of_a_print_keep_apart(size, said, high):
     """And the bed lies as the printer has it, unless the print has to be turned."""
     model = coupons.plates("plate", [size], 5.0)
     figure, _ = drawing.sheet(150, 150)
-    draw_print(figure.add_axes([0.1, 0.1, 0.8, 0.8]), model, (490, 390, 200))
+    draw_print(figure.add_axes([0.1, 0.1, 0.8, high]), model, (490, 390, 200))
     figure.canvas = FigureCanvasAgg(figure)
     figure.canvas.draw()
     texts = [text for axes in figure.findobj(Axes) for text in (*axes.texts, axes.title, axes._left_title)

@@ -126,6 +126,15 @@ def test_fdm_weighs_pla_where_nothing_else_is_said(curveups, tmp_path, arguments
     assert json.loads((tmp_path / "design.json").read_text("utf-8"))["parameters"]["density"] == density
 
 
+@pytest.mark.parametrize("settings, density", [((), 1.24), (("density=1.3",), 1.3)])
+def test_a_design_file_takes_the_weight_of_another_printer(curveups, tmp_path, settings, density):
+    ran = curveups("design", "disc", "-o", tmp_path, "--no-solids", "--set", "verify=off", "L=12", *settings)
+    assert ran.status == 0, ran.error_lines
+    curveups("export", tmp_path / "design.json", "-o", tmp_path / "fdm", "--set", "printer=fdm")
+    page = (tmp_path / "fdm" / "report.html").read_text(encoding="utf-8")
+    assert f"at {density:g} g/cm³" in page
+
+
 def test_a_slab_that_glue_would_take_is_warned_of(exported):
     _, report = exported("support_drop=0")
     warning, = (w for w in report["warnings"] if w.get("kind") == "glue")

@@ -242,6 +242,8 @@ def _design_project(options: Any, session: Session, effects: tuple[str, ...] = (
     geometry."""
     project = Project.of_design(_read_design(options.design), str(options.design))
     values, rebuilt = project.parameters, False
+    # Where it is the printer's and no verdict depends on it.
+    follows = values.get("density") == _weight(values.get("printer")) and values.get("gravity") == "off"
     given = [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
     for name, value, where in _with_materials(given):
         before = native.Parameters(values)
@@ -254,6 +256,8 @@ def _design_project(options: Any, session: Session, effects: tuple[str, ...] = (
             raise CurveUpsError(f"{typed} can't change on {options.command}", where,
                                 "run 'curveups design' with it")
         rebuilt |= row.effect == "rebuild" and values.get(name) != before.get(name)
+    for name, value, _ in _of_printer(given) if follows else ():
+        values.set(name, value)
     project.parameters = values
     return project, rebuilt
 
@@ -312,8 +316,12 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
 def _of_printer(given: Sequence[tuple[str, Any, str]]) -> Iterator[tuple[str, Any, str]]:
     """Parameters that the printer which is given sets where they are not: what its material weighs."""
     printer = next((value for name, value, _ in reversed(given) if name == "printer"), None)
-    if printer in parameter("printer").choices and "density" in (known := read_printer(printer)):
-        yield "density", known["density"], printer
+    if printer in parameter("printer").choices:
+        yield "density", _weight(printer), printer
+
+
+def _weight(printer: str) -> float:
+    return float(read_printer(printer).get("density", parameter("density").default))
 
 
 def _with_materials(given: Sequence[tuple[str, Any, str]]) -> list[tuple[str, Any, str]]:

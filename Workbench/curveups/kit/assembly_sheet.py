@@ -109,12 +109,11 @@ def _cost(say: Language, number: int, one: Mapping[str, Any]) -> str:
 def _pictures(kit: Kit) -> dict[str, Callable[[], bytes]]:
     """How the pictures of steps are drawn, by their names."""
     design, block = kit.results.design, kit.report["sheets"]
-    bed = kit.printer["bed_mm"]
     return {"template": lambda: _drawn(template.template(kit.title, block, say=kit.say)),
             "stretched": lambda: _drawn(template.template(kit.title, block, True, kit.say)),
             "section": lambda: _drawn(section(kit)),
             "frame": lambda: _drawn(frame(kit)),
-            "print": partial(print_view, kit.model, bed, say=kit.say),
+            "print": lambda: print_view(*kit.drawn, say=kit.say),
             "front": partial(pictures.flat_layout, design),
             "back": lambda: pictures.flat_layout(_from_back(kit)),
             "actuated": partial(pictures.actuated_view, design),

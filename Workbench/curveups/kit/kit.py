@@ -7,7 +7,7 @@ import tempfile
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Callable, Mapping, Optional
+from typing import Any, Callable, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -91,6 +91,14 @@ class Kit:
     def model(self) -> Any:
         """The native PrintModel."""
         return self.results["solids"].model
+
+    @property
+    def drawn(self) -> tuple[Any, Sequence[float]]:
+        """Of pictures of the print: its model, and the bed (x, y, z, mm) that holds all of it; () where there
+        are several."""
+        if self.beds is None:
+            return self.model, self.printer["bed_mm"]
+        return (self.beds.bed(0), self.printer["bed_mm"]) if len(self.beds.places) == 1 else (self.model, ())
 
     def written(self, model: Any, ending: str, kind: str) -> bytes:
         """A file of a native PrintModel. Raises Stopped, native.Cancelled."""

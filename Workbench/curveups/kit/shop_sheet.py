@@ -31,7 +31,7 @@ def make(kit: Kit) -> bytes:
         top = write(page, BORDER, top, [f"{name}   {about['bytes']}   {about['sha256']}"], 5.5)
     room = top - BORDER
     axes = figure.add_axes([BORDER / width, BORDER / height, 1 - 2 * BORDER / width, room / height])
-    draw_print(axes, kit.model, kit.printer["bed_mm"], say)
+    draw_print(axes, *kit.drawn, say)
     return saved(figure, "pdf")
 
 

@@ -36,28 +36,33 @@ def draw_print(axes: Any, model: Any, bed: Sequence[float] = (), say: Language =
                                        rasterized=True))
     x, y, z = (float(side) for side in model.bbox)
     gap = 0.04 * max(x, y)
-    _dimension(axes, (-x / 2, -y / 2 - gap), (x / 2, -y / 2 - gap), f"{x:.1f} mm")
-    _dimension(axes, (x / 2 + gap, -y / 2), (x / 2 + gap, y / 2), f"{y:.1f} mm", 90)
+    below = 8 * gap if len(bed) else 2 * gap
+    room = axes.get_window_extent().size / axes.figure.dpi  # inches
+    inches = max(x, y) * min(room / (x + 4.5 * gap, y + 3.5 * gap + below))
+    size = float(np.clip(2 * inches, 5, 10))
+    _dimension(axes, (-x / 2, -y / 2 - gap), (x / 2, -y / 2 - gap), f"{x:.1f} mm", size)
+    _dimension(axes, (x / 2 + gap, -y / 2), (x / 2 + gap, y / 2), f"{y:.1f} mm", size, 90)
     high = say("{height:g} mm high", height=z)
-    axes.text(x / 2, -y / 2 - 2.2 * gap, high, va="top", ha="right", color=LINE)
-    below = 7 * gap if len(bed) else 2 * gap
+    axes.text(x / 2, -y / 2 - 2.2 * gap, high, va="top", ha="right", color=LINE, size=size)
     if len(bed):
-        inner = axes.inset_axes([-x / 2, -y / 2 - 2 * gap - below, 0.5 * x, below - 2 * gap],
+        inner = axes.inset_axes([-x / 2, -y / 2 - 2 * gap - below, 0.5 * x, below - 3 * gap],
                                 transform=axes.transData)
         turned = not fits((x, y), bed) and fits((y, x), bed)
-        _draw_bed(inner, (x, y), [float(side) for side in (bed[1::-1] if turned else bed[:2])], say)
+        _draw_bed(inner, (x, y), [float(side) for side in (bed[1::-1] if turned else bed[:2])], 0.7 * size,
+                  say)
     axes.set_xlim(-x / 2 - 1.5 * gap, x / 2 + 3 * gap)
     axes.set_ylim(-y / 2 - 2 * gap - below, y / 2 + 1.5 * gap)
     axes.set_aspect("equal")
     axes.axis("off")
 
 
-def _draw_bed(axes: Any, size: tuple[float, float], bed: Sequence[float], say: Language) -> None:
-    """How much of the bed the print takes, as two rectangles."""
+def _draw_bed(axes: Any, size: tuple[float, float], bed: Sequence[float], letters: float, say: Language
+              ) -> None:
+    """How much of the bed the print takes, as two rectangles. letters: their size, points."""
     for (w, h), style in (((bed[0], bed[1]), {"fill": False, "linestyle": "--"}),
                           (size, {"facecolor": "#d9cfb8"})):
         axes.add_patch(Rectangle((-w / 2, -h / 2), w, h, edgecolor=LINE, linewidth=0.8, **style))
-    axes.set_title(say("on a bed of {x:g} × {y:g} mm", x=bed[0], y=bed[1]), size=7, color=LINE, pad=2,
+    axes.set_title(say("on a bed of {x:g} × {y:g} mm", x=bed[0], y=bed[1]), size=letters, color=LINE, pad=2,
                    loc="left")
     axes.set_xlim(*(side * 0.51 * max(bed[0], size[0]) for side in (-1, 1)))
     axes.set_ylim(*(side * 0.51 * max(bed[1], size[1]) for side in (-1, 1)))
@@ -85,8 +90,9 @@ def _seen(model: Any) -> tuple[np.ndarray, np.ndarray]:
     return found[order][:, :, :2], colour[order]
 
 
-def _dimension(axes: Any, start: tuple[float, float], end: tuple[float, float], text: str,
+def _dimension(axes: Any, start: tuple[float, float], end: tuple[float, float], text: str, size: float,
                turned: float = 0) -> None:
     axes.annotate("", start, end, arrowprops={"arrowstyle": "<->", "color": LINE, "linewidth": 0.8})
     axes.annotate(text, ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2), ha="center", va="center",
-                  rotation=turned, color=LINE, bbox={"facecolor": "white", "edgecolor": "none", "pad": 1})
+                  rotation=turned, color=LINE, size=size,
+                  bbox={"facecolor": "white", "edgecolor": "none", "pad": 1})

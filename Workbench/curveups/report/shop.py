@@ -76,12 +76,16 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
     printer = read_printer(get("printer"))
     soft = block["support_volume_cm3"] - own
     bath = support.soluble and soft > 0
-    beds = report.get("beds", {}).get("beds", ())
+    beds, left_out = (report.get("beds", {}).get(key, none) for key, none in (("beds", ()),
+                                                                              ("anchors_left_out", 0)))
     bodies = sum(one["bodies"] for one in beds) if beds else block["bodies"]
     pieces = say("in {pieces} separate pieces", pieces=block["pieces"]) if block["pieces"] > 1 else ""
     threemf, step = whole or (f"{name}-print.3mf", f"{name}-print.step")
     files = say("{name}-bed-01.3mf to -{last:02}.3mf, or .step: a job a bed, every body with its name, in "
-                "place. The print as a whole does not fit the bed", name=name, last=len(beds)) if beds else \
+                "place. The print as a whole does not fit the bed", name=name, last=len(beds)) \
+        if len(beds) > 1 else \
+        say("{name}-bed-01.3mf or .step: every body with its name, in place. The print as it is does not fit "
+            "the bed", name=name) if beds else \
         say("{threemf} or {step}: every body with its name, in place; or the files of tiles, anchors and "
             "support, with one origin", threemf=threemf, step=step)
     sizes = [one["bbox_mm"] for one in beds] or [block["bbox_mm"]]
@@ -95,7 +99,9 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
     soluble = say("{volume:.1f} cm³ (soluble)", volume=soft) if support.soluble else f"{soft:.1f} cm³"
     reach_out = is_tilted(parameters) or overhangs(block["overhang_mm"], parameters, printer)
     side = say(_SIDES[get("orientation")])
-    fits = say("the print is divided among {beds} beds", beds=len(beds)) if beds else \
+    fits = say("the print is divided among {beds} beds", beds=len(beds)) if len(beds) > 1 else \
+        say("the print fits without {anchors} of its anchors", anchors=left_out) if left_out else \
+        say("the print fits as {name}-bed-01 turns and moves it", name=name) if beds else \
         say("the print fits, turned by a right angle") if fits_turned(block["bbox_mm"], printer) else \
         say("the print fits") if fits_bed(block["bbox_mm"], printer) else say("the print does not fit")
     bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
