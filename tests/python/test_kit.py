@@ -337,7 +337,7 @@ def test_the_assembly_sheet_has_a_page_a_step_with_its_picture(kit):
     assert f"holds {asked:.2f} MPa in shear" in page
     # Contact cement holds 0.3 MPa.
     does = "cyanoacrylate" if asked > 0.3 else "contact-cement, cyanoacrylate"
-    assert f"of the program's materials: {does})" in page
+    assert f"materials: {does})" in page
     assert "small-cap-former.stl" in page and "small-cap-coupons.pdf" in page and "-frame.dxf" not in page
     assert f"{len(kit.json['gauges']['ribs'])} ribs of a sheet 3 mm thick" in page
     assert f"{volume:.2f} cm³" in page and "stays on its ring while it is washed and dries" in page
