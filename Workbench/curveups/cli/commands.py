@@ -28,7 +28,7 @@ from ..report.exports import write_spares
 from ..report.files import Writing, write_check, write_obj, write_verification
 from ..stages import HELP, RISEN, START, asked_by, sizes
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
-from ..stages.solids import read_printer
+from ..stages.solids import density_of
 from ..stages.stage import Job
 from ..stages.surface import find_source
 
@@ -243,7 +243,7 @@ def _design_project(options: Any, session: Session, effects: tuple[str, ...] = (
     project = Project.of_design(_read_design(options.design), str(options.design))
     values, rebuilt = project.parameters, False
     # Where it is the printer's and no verdict depends on it.
-    follows = values.get("density") == _weight(values.get("printer")) and values.get("gravity") == "off"
+    follows = values.get("density") == density_of(values.get("printer")) and values.get("gravity") == "off"
     given = [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
     for name, value, where in _with_materials(given):
         before = native.Parameters(values)
@@ -317,11 +317,7 @@ def _of_printer(given: Sequence[tuple[str, Any, str]]) -> Iterator[tuple[str, An
     """Parameters that the printer which is given sets where they are not: what its material weighs."""
     printer = next((value for name, value, _ in reversed(given) if name == "printer"), None)
     if printer in parameter("printer").choices:
-        yield "density", _weight(printer), printer
-
-
-def _weight(printer: str) -> float:
-    return float(read_printer(printer).get("density", parameter("density").default))
+        yield "density", density_of(printer), printer
 
 
 def _with_materials(given: Sequence[tuple[str, Any, str]]) -> list[tuple[str, Any, str]]:

@@ -10,7 +10,7 @@ from typing import Any, Iterator, Optional
 from ..base.errors import CurveUpsError
 from ..base.native import native, translated
 from ..base.parameters import Parameter, parameter, table
-from ..stages.solids import read_printer
+from ..stages.solids import density_of
 
 # Two names belong to objects below a Design; two are those that documents and scripts know.
 _NAMES = {"support": "SupportKind", "anchors": "WithAnchors", "maximum_deviation": "Fidelity",
@@ -147,7 +147,7 @@ def follow_printer(obj: Any) -> None:
     """Gives Density what the printer's material weighs, as the command line does, unless it was set to
     something else."""
     common = parameter("density").default
-    weights = {name: read_printer(name).get("density", common) for name in parameter("printer").choices}
+    weights = {name: density_of(name) for name in parameter("printer").choices}
     if any(same(value_of(obj, "Density"), known) for known in (common, *weights.values())):
         write_parameter(obj, "density", weights[obj.Printer])
 

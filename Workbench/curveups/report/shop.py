@@ -76,8 +76,8 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
     printer = read_printer(get("printer"))
     soft = block["support_volume_cm3"] - own
     bath = support.soluble and soft > 0
-    beds, left_out = (report.get("beds", {}).get(key, none) for key, none in (("beds", ()),
-                                                                              ("anchors_left_out", 0)))
+    division = report.get("beds", {})
+    beds, left_out = division.get("beds", ()), division.get("anchors_left_out", 0)
     bodies = sum(one["bodies"] for one in beds) if beds else block["bodies"]
     pieces = say("in {pieces} separate pieces", pieces=block["pieces"]) if block["pieces"] > 1 else ""
     threemf, step = whole or (f"{name}-print.3mf", f"{name}-print.step")

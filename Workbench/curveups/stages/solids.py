@@ -10,6 +10,7 @@ from typing import Any, ClassVar, Iterable, Mapping, Optional, Sequence
 
 from ..base.findings import Finding, all_of, failed
 from ..base.native import native
+from ..base.parameters import parameter
 from .joining import joints_of, not_joined
 from .stage import Inputs, Job, Result, Row, Stage
 
@@ -239,6 +240,11 @@ def read_printer(name: str) -> dict:
     materials it prints at once, how far it prints level without anything below (None: any), what its material
     weighs where that is not what is common, sources."""
     return json.loads((PRINTERS / f"{name}.json").read_text(encoding="utf-8"))
+
+
+def density_of(printer: str) -> float:
+    """g/cm3, of what a printer prints."""
+    return float(read_printer(printer).get("density", parameter("density").default))
 
 
 def fits_bed(box: Sequence[float], printer: dict) -> bool:
