@@ -607,6 +607,10 @@
       <translation>es gibt keinen Ordner</translation>
     </message>
     <message>
+      <source>{folder} holds files of these names and the report of {other}. Replace the files and remove the report?</source>
+      <translation>In {folder} liegen Dateien mit diesen Namen und der Bericht von {other}. Dateien ersetzen und Bericht entfernen?</translation>
+    </message>
+    <message>
       <source>{folder} holds the report of {other}. Replace it?</source>
       <translation>In {folder} liegt der Bericht von {other}. Ersetzen?</translation>
     </message>

@@ -3,11 +3,15 @@
 
 import json
 import struct
+import threading
+import time
 
 import FreeCAD
 import FreeCADGui
 import pytest
 from curveups.features import document as designs
+from curveups.project.worker import WORKER
+from curveups.report import exports
 from curveups.window import qt
 from robot import (QtCore, QtGui, choose, choose_file, click, click_at, close_panel, entry_of, fill,
                    in_dialog, keys, menu_bar, picture, press, report, settle, tree_entry, until, widget,
@@ -55,6 +59,80 @@ def test_the_report_of_another_design_is_not_replaced_without_asking(tmp_path, p
         keys("Return")
         settle(200)
     assert opened == [str(folder / name) for name in ("", "report.html", "half-sphere-print.3mf")], opened
+    close_panel()
+
+
+@pytest.mark.parametrize("end", ["cancel", "close"])
+def test_an_export_that_is_cut_off_leaves_what_was_there(dome_document, tmp_path, pictures, monkeypatch, end):
+    """By Cancel, or as its document is closed: no new file stands beside a report of others."""
+    document, design = opened(dome_document)
+    press("CurveUps_Export")
+    form = widget("ExportPanel")
+    form.findChild(QtGui.QLineEdit, "folder").setText(str(tmp_path / "prints"))
+    button, line = form.findChild(QtGui.QPushButton, "write"), form.findChild(QtGui.QLabel, "line")
+    click(button)
+    until(lambda: not LIVE.busy and "open the report" in line.text(), 120, "the files")
+
+    def held():
+        return {path.name: path.read_bytes() for path in (tmp_path / "prints").iterdir()}
+
+    before, late, writer = held(), threading.Event(), exports._writer
+
+    def slow(model, kind, ending, job):
+        def write(path):
+            writer(model, kind, ending, job)(path)
+            if ending == "stl":
+                late.set()
+                while not job.stopped:
+                    time.sleep(0.01)
+
+        return write
+
+    monkeypatch.setattr(exports, "_writer", slow)
+    fill(form.findChild(QtGui.QAbstractSpinBox, "deviation"), "0.02 mm")
+    click(button)
+    until(late.is_set, 120, "a file in the middle")
+    assert any(name.startswith(".") for name in held())
+    if end == "cancel":
+        click(form.findChild(QtGui.QPushButton, "cancel"))
+    else:
+        FreeCAD.closeDocument(document.Name)
+    until(lambda: WORKER.settled, 60, "the thread to end")
+    assert held() == before and json.loads(before["report.json"])["valid"] is True
+    if end == "cancel":
+        picture("cancelled")
+        close_panel()
+
+
+def test_files_under_the_names_of_another_design_are_not_replaced_without_asking(dome_document, tmp_path,
+                                                                                 pictures):
+    """Though no report is to be written: that of the other design would be of files that are gone."""
+    document, design = opened(dome_document)
+    (tmp_path / "report.json").write_text(theirs := json.dumps({"name": "someone-elses"}))
+    (tmp_path / "Design-print.3mf").write_text("theirs")
+    press("CurveUps_Export")
+    form = widget("ExportPanel")
+    form.findChild(QtGui.QLineEdit, "folder").setText(str(tmp_path))
+    click(form.findChild(QtGui.QCheckBox, "reports"))
+    button, line = form.findChild(QtGui.QPushButton, "write"), form.findChild(QtGui.QLabel, "line")
+
+    def answer(key):
+        picture("asked-for-files")
+        assert "files of these names" in QtGui.QApplication.activeModalWidget().text()
+        keys(key)
+
+    in_dialog(lambda: click(button), lambda: answer("Escape"))
+    assert not LIVE.busy and (tmp_path / "Design-print.3mf").read_text() == "theirs"
+    in_dialog(lambda: click(button), lambda: answer("alt+y"))
+    until(lambda: not LIVE.busy and "open the folder" in line.text(), 120, "the files")
+    assert (tmp_path / "Design-print.3mf").read_bytes()[:2] == b"PK" and not (tmp_path / "report.json").exists()
+    # Beside files of other names that report may stay, and nothing is asked.
+    (tmp_path / "report.json").write_text(theirs)
+    for path in tmp_path.glob("Design-*"):
+        path.unlink()
+    click(button)
+    until(lambda: not LIVE.busy and (tmp_path / "Design-print.3mf").exists(), 120, "the files beside")
+    assert (tmp_path / "report.json").read_text("utf-8") == theirs
     close_panel()
 
 

@@ -14,7 +14,7 @@ from ...base.native import native
 from ...features import actions
 from ...features.document import settings_of
 from ...project.worker import Status
-from ...report.exports import Choice, choices, file_names, other_report
+from ...report.exports import Choice, choices, file_names, replaced
 from ..guide import link
 from ..macro import call, named
 from ..notice import errors_shown, shown
@@ -68,8 +68,9 @@ class ExportPanel(Panel):
         self._say("")
         with errors_shown(translate("CurveUpsExport", "Export")):
             choice, folder = self.choice(), self._folder.path
-            file_names(self.design.Label, choice)
-            if choice.reports and not self._may_replace(Path(folder)):
+            names = file_names(self.design.Label, choice)
+            other = replaced(Path(folder), self.design.Label, names, choice)
+            if other and not self._may_replace(folder, other, choice.reports):
                 return
             work = actions.export_work(self.design, folder, choice)
             self._written_to = folder, choice
@@ -87,14 +88,13 @@ class ExportPanel(Panel):
         self._say(f"{said}<br>{' · '.join(_links(Path(folder), names))}")
         FreeCAD.Console.PrintMessage(f"CurveUps: {', '.join(names)} -> {folder}\n")
 
-    def _may_replace(self, folder: Path) -> bool:
-        """Asks where the reports in a folder are another design's."""
-        other = other_report(folder, self.design.Label)
-        if not other:
-            return True
+    def _may_replace(self, folder: str, other: str, reports: bool) -> bool:
+        """Asks whether what a folder holds of another design may go."""
         box = QtWidgets.QMessageBox
-        text = translate("CurveUpsExport", "{folder} holds the report of {other}. Replace it?",
-                         folder=folder, other=other)
+        text = (translate("CurveUpsExport", "{folder} holds the report of {other}. Replace it?",
+                          folder=folder, other=other) if reports else
+                translate("CurveUpsExport", "{folder} holds files of these names and the report of {other}. "
+                          "Replace the files and remove the report?", folder=folder, other=other))
         return box.question(self.form, self.form.windowTitle(), text, box.Yes | box.No, box.No) == box.Yes
 
     def _items(self) -> list[Any]:
