@@ -2,6 +2,7 @@
 """CAD as it is drawn: walls, rims, closed bodies, several bodies, gaps between faces."""
 
 import math
+from types import SimpleNamespace
 
 import cad
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 from curveups.targets.cad_files import read_cad
 from curveups.targets.cad_parts import Choice
+from curveups.targets.cad_walls import find_wall
 from curveups.base.errors import CurveUpsError
 from curveups.base.native import native
 
@@ -116,3 +118,18 @@ def test_gaps_between_faces_are_closed(parts):
     clean = native.clean_mesh(found.V, found.F)
     assert not [one for one in native.check_mesh(clean.V, clean.F, 7.0, False) if one.kind == "components"]
     assert area(found) == pytest.approx(2 * 40 * 30, rel=1e-3)
+
+
+@pytest.mark.filterwarnings("error")
+def test_faces_without_triangles_are_no_wall_and_no_warning():
+    """Of a damaged file: the share of such a face was 0 / 0."""
+    def solid(*faces):
+        return SimpleNamespace(BoundBox=SimpleNamespace(DiagonalLength=17.0), Faces=[
+            SimpleNamespace(tessellate=lambda _, face=face: face) for face in faces])
+
+    square = [(0, 0), (10, 0), (10, 10), (0, 10)]
+    lower = [(x, y, 0) for x, y in square], [(0, 2, 1), (0, 3, 2)]
+    upper = [(x, y, 10) for x, y in square], [(0, 1, 2), (0, 2, 3)]
+    lost, line = ([(0, 0, 0)], []), ([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 1, 2)])
+    assert find_wall(solid(lower, upper, lost, line)) is None  # as thick as it is wide
+    assert find_wall(solid(lost, lost)) is None and find_wall(solid(line, line)) is None

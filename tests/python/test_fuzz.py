@@ -4,6 +4,7 @@
 import re
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 import fuzz_kinds
 from curveups.base.errors import CurveUpsError
@@ -27,7 +28,7 @@ def test_readers_bear_mutations(tmp_path, capfd):
 @pytest.mark.parametrize("kind, word", [("crash", "crashed"), ("hang", "no end"), ("break", "KeyError"),
                                         ("warn", "RuntimeWarning"), ("library", "unexpected failure")])
 def test_the_fuzzer_notices(tmp_path, kind, word):
-    count, failures = fuzz_kind(kind, 1.0, SEED, tmp_path / kind, limit=5.0)
+    count, failures, _ = fuzz_kind(kind, 1.0, SEED, tmp_path / kind, limit=5.0)
     assert [number for number, _ in failures] == [3] and word in failures[0][1]
     assert (tmp_path / kind / f"failed-{SEED}-3.txt").exists()
     assert count >= LEAST
@@ -35,7 +36,7 @@ def test_the_fuzzer_notices(tmp_path, kind, word):
 
 def test_the_fuzzer_moves_all_coordinates_together(tmp_path):
     """Into one point, and far away: there a mesh was cleaned for ever."""
-    _, failures = fuzz_kind("together", 0.0, SEED, tmp_path / "together", least=600)
+    _, failures, _ = fuzz_kind("together", 0.0, SEED, tmp_path / "together", least=600)
     assert any("a size of 0" in what for _, what in failures), failures
     assert any("e+" in what for _, what in failures), failures
 
@@ -52,14 +53,39 @@ def test_the_fuzzer_notices_what_can_be_no_target(tmp_path, monkeypatch, by):
 
 
 def test_the_fuzzer_notices_readers_that_often_do_not_end(tmp_path):
-    count, failures = fuzz_kind("endless", 1.0, SEED, tmp_path / "endless")
+    count, failures, _ = fuzz_kind("endless", 1.0, SEED, tmp_path / "endless")
     assert len(failures) == (count + 2) // 3 and all(what.startswith("no end") for _, what in failures)
 
 
 def test_the_fuzzer_notices_each_file_that_lost_a_part_and_does_not_end(tmp_path):
-    count, failures = fuzz_kind("cut off", 0.0, SEED, tmp_path / "cut off", least=60)
+    count, failures, _ = fuzz_kind("cut off", 0.0, SEED, tmp_path / "cut off", least=60)
     assert 0 < len(failures) < count / 2, (count, failures)
     assert {what for _, what in failures} == {"no end in FreeCAD, of a file that lost a part"}
+
+
+def _ratio(*_):
+    return np.array([1.0]) / np.array([0.0])
+
+
+@pytest.mark.parametrize("place, breaks, word", [
+    ("creases", lambda *_: {}["a name"], "KeyError"), ("creases", _ratio, "RuntimeWarning: divide"),
+    ("choose", lambda *_: None, "AttributeError"),
+    ("_FAULTS", (("{}", lambda *_: [][0]),), "IndexError"), ("_FAULTS", (("{}", _ratio),), "RuntimeWarning")])
+def test_the_fuzzer_notices_errors_of_ours_in_readers_of_cad_files(tmp_path, monkeypatch, place, breaks, word):
+    """The process that reads is another, and what is wrong with it was the file's fault."""
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "input.brep"
+    path.write_bytes(fuzz_kinds.KINDS["brep"][1]()[0])
+    fuzz_kinds.check_cad(path, 1, lossy=False)
+    monkeypatch.setattr(cad_files, place, breaks)
+    with pytest.raises(fuzz_kinds.BrokeDown, match=word):
+        fuzz_kinds.check_cad(path, 1, lossy=False)
+
+
+def test_the_fuzzer_says_how_many_inputs_without_an_end_it_bears(tmp_path, monkeypatch, capfd):
+    monkeypatch.setattr("fuzz.fuzz_kind", lambda *_: (50, [], 3))
+    assert fuzz(1.0, SEED, ["brep"], tmp_path)
+    assert "brep: 50 inputs, 0 failures, 3 without an end in FreeCAD (borne: 10%)" in capfd.readouterr().out
 
 
 def test_the_fuzzer_notices_what_readers_of_cad_files_let_pass(tmp_path, monkeypatch):

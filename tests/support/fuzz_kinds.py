@@ -11,6 +11,8 @@ import os
 import signal
 import struct
 import time
+import traceback
+import warnings
 import zipfile
 from dataclasses import asdict
 from io import BytesIO
@@ -32,11 +34,18 @@ NONE = np.zeros((0, 2), np.int32)
 LARGEST = 1e8      # mm, of a coordinate
 CAD_SECONDS = 5.0  # sound ones take a tenth of one
 ENDLESS = "no end in FreeCAD"
+# What FreeCAD does not raise for a damaged file.
+OURS = (AssertionError, AttributeError, LookupError, NameError, Warning, ZeroDivisionError)
 _areas = {}  # of the good files, by ending
 
 
 class Endless(Exception):
     """FreeCAD's reader was ended."""
+
+
+class BrokeDown(Exception):
+    """An error of our own, or a warning, in the process that reads a CAD file: `read_cad` takes the file for
+    damaged then."""
 
 
 def _cap():
@@ -76,14 +85,18 @@ def check_mesh(path, number, lossy):
 
 def _forked(path, deflection, choice, answer, go_on, time_limit, where):
     """What cad_files begins a process for, in a fork of this one, which has FreeCAD already: a hundred
-    times as many inputs."""
+    times as many inputs. Raises BrokeDown for what no file is to blame for."""
+    wrong = answer.with_suffix(".wrong")
     child = os.fork()
     if child == 0:
         try:
             for stream in (1, 2):
                 os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
-            cad_files._main(str(path), repr(deflection), str(answer), json.dumps(asdict(choice)))
+            warnings.simplefilter("error")
+            with mock.patch.object(cad_files, "_read", _frank(cad_files._read)):
+                cad_files._main(str(path), repr(deflection), str(answer), json.dumps(asdict(choice)))
         except BaseException:
+            wrong.write_text(traceback.format_exc())
             os._exit(1)
         os._exit(0)
     end = time.monotonic() + time_limit
@@ -93,7 +106,23 @@ def _forked(path, deflection, choice, answer, go_on, time_limit, where):
             os.waitpid(child, 0)
             raise Endless
         time.sleep(0.001)
+    if wrong.exists():
+        trace = wrong.read_text()
+        raise BrokeDown(trace.strip().splitlines()[-1]) from RuntimeError(trace)
     return os.waitstatus_to_exitcode(ended[1])
+
+
+def _frank(read):
+    """A reader that shows errors of ours which it takes for FreeCAD's."""
+    def frankly(*arguments):
+        try:
+            return read(*arguments)
+        except CurveUpsError as error:
+            if isinstance(error.__cause__, OURS):
+                raise error.__cause__
+            raise
+
+    return frankly
 
 
 def check_cad(path, number, lossy):

@@ -38,6 +38,8 @@ def find_wall(solid: Any) -> Optional[Wall]:
     if len(faces) < 2:
         return None
     samples = _Samples(faces, solid.BoundBox.DiagonalLength)
+    if not len(samples.points):
+        return None
     distance, hit = samples.opposite()
     known = np.isfinite(distance)
     if samples.area[known].sum() < _SKIN_SHARE * samples.area.sum():
@@ -45,8 +47,8 @@ def find_wall(solid: Any) -> Optional[Wall]:
     thickness = _weighted_median(distance[known], samples.area[known])
     even = known & (np.abs(np.where(known, distance, 0) - thickness) < _EVEN * thickness)
     total = np.bincount(samples.face, samples.area, len(faces))
-    share = np.bincount(samples.face[even], samples.area[even], len(faces)) / total
-    skin = share > _FACE_SHARE
+    # Of a damaged file a face may have no triangles, and so no area.
+    skin = np.bincount(samples.face[even], samples.area[even], len(faces)) > _FACE_SHARE * total
     area = float(total[skin].sum())
     if area < _SKIN_SHARE * total.sum() or np.sqrt(area / 2) < _SLENDER * thickness:
         return None
@@ -80,7 +82,7 @@ class _Samples:
             V = np.array([tuple(point) for point in points], float)
             corners.append(V[np.array(triangles, int)])
             numbers.append(np.full(len(triangles), number))
-        self._corners = np.concatenate(corners)
+        self._corners = np.concatenate([np.zeros((0, 3, 3)), *corners])
         self._deflection = deflection
         cross = np.cross(self._corners[:, 1] - self._corners[:, 0], self._corners[:, 2] - self._corners[:, 0])
         norm = np.linalg.norm(cross, axis=1)
@@ -89,7 +91,7 @@ class _Samples:
         self.points = self._corners.mean(axis=1)
         self.normal = cross / norm[:, None]
         self.area = norm / 2
-        self.face = np.concatenate(numbers)[sound]
+        self.face = np.concatenate([np.zeros(0, int), *numbers])[sound]
 
     def opposite(self) -> tuple[np.ndarray, np.ndarray]:
         """From each sample inwards: the distance of the first triangle, NaN where it does not look away, and
