@@ -4,6 +4,7 @@
 import random
 import re
 import subprocess
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from curveups.base.errors import CurveUpsError, Stopped
 from curveups.base.machine import is_running
 from curveups.targets import cad_files
 from curveups.targets.brep_file import is_whole_brep
+from curveups.targets.cad_parts import Choice
 
 MOST_MUTATIONS = 12  # a file, of some 130 to 370 lines
 
@@ -310,3 +312,16 @@ def test_damaged_file_on_the_command_line(curveups, open_box, tmp_path):
     ran = curveups("design", tmp_path / "box.step", "-o", tmp_path / "out")
     assert ran.status == 2 and len(ran.error_lines) == 1 and "box.step" in ran.error_lines[0]
     assert not (tmp_path / "out").exists()
+
+
+def test_a_surface_of_a_kind_that_freecad_does_not_know_is_refused():
+    """In a damaged file. It broke the process that reads down, and the window with it."""
+    class Face:
+        @property
+        def Surface(self):
+            raise TypeError("undefined surface type")
+
+    shape = SimpleNamespace(Solids=[], Shells=[], Faces=[Face()], isNull=lambda: False)
+    with pytest.raises(CurveUpsError, match="can't make triangles of the surface") as refused:
+        cad_files.surface_of_shape(shape, 0.5, Choice(faces="Face1", open="largest"), "somewhere")
+    assert isinstance(refused.value.__cause__, TypeError)

@@ -71,7 +71,7 @@ def _ratio(*_):
     ("creases", lambda *_: {}["a name"], "KeyError"), ("creases", _ratio, "RuntimeWarning: divide"),
     ("choose", lambda *_: None, "AttributeError"),
     ("_FAULTS", (("{}", lambda *_: [][0]),), "IndexError"), ("_FAULTS", (("{}", _ratio),), "RuntimeWarning")])
-def test_the_fuzzer_notices_errors_of_ours_in_readers_of_cad_files(tmp_path, monkeypatch, place, breaks, word):
+def test_the_fuzzer_notices_errors_of_ours_that_read_cad_files(tmp_path, monkeypatch, place, breaks, word):
     """The process that reads is another, and what is wrong with it was the file's fault."""
     monkeypatch.chdir(tmp_path)
     path = tmp_path / "input.brep"

@@ -17,9 +17,10 @@ import subprocess
 import sys
 import tempfile
 import time
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Iterator, Optional
 
 import numpy as np
 
@@ -166,11 +167,12 @@ def triangles_of_mesh(mesh: Any) -> Mesh:
 
 def surface_of_shape(shape: Any, deflection: float, choice: Choice, where: str) -> Read:
     """What is chosen of a Shape of FreeCAD, as triangles; `where` names it in messages."""
-    chosen = choose(shape, choice, where)
     _, part = freecad_session.load("Part")
-    whole = len(chosen.faces) == len(shape.Faces) and not chosen.notes
-    V, F = triangles_of_shape(shape if whole else part.Compound(chosen.faces), deflection, where)
-    sharp = creases(chosen.faces, V, choice.crease_angle)
+    with _freecads_errors(where):
+        chosen = choose(shape, choice, where)
+        whole = len(chosen.faces) == len(shape.Faces) and not chosen.notes
+        V, F = triangles_of_shape(shape if whole else part.Compound(chosen.faces), deflection, where)
+        sharp = creases(chosen.faces, V, choice.crease_angle)
     if chosen.opposite:
         other = triangles_of_shape(part.Compound(chosen.opposite), deflection, where)
         with translated(where):
@@ -181,7 +183,7 @@ def surface_of_shape(shape: Any, deflection: float, choice: Choice, where: str) 
 def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
     """V and F of a Shape of FreeCAD; `where` names it in messages."""
     _, mesh_part = freecad_session.load("MeshPart")
-    try:
+    with _freecads_errors(where):
         size = shape.BoundBox.DiagonalLength
         mesh = mesh_part.meshFromShape(Shape=shape, LinearDeflection=max(deflection, 1e-5 * size),
                                        AngularDeflection=0.2)
@@ -191,12 +193,20 @@ def triangles_of_shape(shape: Any, deflection: float, where: str) -> Mesh:
             if faulty:
                 faces = f"{len(faulty)} of {len(shape.Faces)} faces (Face{faulty[0]})"
                 raise CurveUpsError(fault.format(faces), where, "mend the surface, or export it as a mesh")
+    return V, F
+
+
+@contextmanager
+def _freecads_errors(where: str) -> Iterator[None]:
+    """FreeCAD raises its own types, bare RuntimeError, and TypeError for a surface of a kind that it does not
+    know."""
+    try:
+        yield
     except (CurveUpsError, MemoryError):
         raise
-    except Exception as error:  # FreeCAD raises its own types, and bare RuntimeError
+    except Exception as error:
         raise CurveUpsError("FreeCAD can't make triangles of the surface", where,
                             "mend the surface, or export it as a mesh") from error
-    return V, F
 
 
 def _strays(face: Any, _: float) -> bool:
