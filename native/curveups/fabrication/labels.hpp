@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "curveups/bodies/anchors.hpp"
 #include "curveups/bodies/print_body.hpp"
 #include "curveups/design/parameters.hpp"
-#include "curveups/fabrication/anchors.hpp"
 #include "curveups/fabrication/engraving.hpp"
 
 namespace curveups {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "curveups/bodies/anchors.hpp"
 #include "curveups/bodies/printed_body.hpp"
 #include "curveups/bodies/tile_print.hpp"
 #include "curveups/core/checkpoint.hpp"
@@ -13,7 +14,6 @@
 #include "curveups/core/parallel.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/pins.hpp"
-#include "curveups/fabrication/anchors.hpp"
 #include "curveups/fabrication/bridges.hpp"
 #include "curveups/fabrication/label_text.hpp"
 #include "curveups/fabrication/labels.hpp"

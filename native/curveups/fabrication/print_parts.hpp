@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "curveups/fabrication/anchors.hpp"
+#include "curveups/bodies/anchors.hpp"
 #include "curveups/fabrication/print_model.hpp"
 
 namespace curveups {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "curveups/bodies/anchors.hpp"
 #include "curveups/design/support_kinds.hpp"
-#include "curveups/fabrication/anchors.hpp"
 #include "curveups/fabrication/print_model.hpp"
 
 namespace curveups {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curveups/fabrication/anchors.hpp"
+#include "curveups/bodies/anchors.hpp"
 
 #include <algorithm>
 #include <cmath>
