@@ -12,12 +12,28 @@
       <translation>In Ruhe</translation>
     </message>
     <message>
+      <source>Back membrane first</source>
+      <translation>Hintere Membran zuerst</translation>
+    </message>
+    <message>
+      <source>Both membranes together</source>
+      <translation>Beide Membranen zusammen</translation>
+    </message>
+    <message>
       <source>Cancel</source>
       <translation>Abbrechen</translation>
     </message>
     <message>
       <source>Compute the Path</source>
       <translation>Weg berechnen</translation>
+    </message>
+    <message>
+      <source>Cut out</source>
+      <translation>Herausschneiden</translation>
+    </message>
+    <message>
+      <source>Cut the piece out of both membranes on their rings, or take the membranes off the rings first: all that is around the piece then pulls at it until it is cut off</source>
+      <translation>Das Stück aus beiden Membranen schneiden, solange sie auf ihren Ringen sind, oder die Membranen zuerst von den Ringen nehmen: Alles, was um das Stück herum ist, zieht dann an ihm, bis es abgeschnitten wird</translation>
     </message>
     <message>
       <source>End now and keep what there is so far</source>
@@ -38,6 +54,10 @@
     <message>
       <source>Flat</source>
       <translation>Flach</translation>
+    </message>
+    <message>
+      <source>Front membrane first</source>
+      <translation>Vordere Membran zuerst</translation>
     </message>
     <message>
       <source>Let the piece rise from flat, as the design is now</source>
@@ -66,6 +86,10 @@
     <message>
       <source>Play the path from flat to where it ends</source>
       <translation>Den Weg vom flachen Zustand bis zu seinem Ende abspielen</translation>
+    </message>
+    <message>
+      <source>Release</source>
+      <translation>Lösen von den Ringen</translation>
     </message>
     <message>
       <source>Select the tiles of the contacts that stay open</source>
@@ -1456,6 +1480,10 @@
       <translation>ein Teil oder ein Loch der Fläche ist zu klein für Kanten von {0} mm</translation>
     </message>
     <message>
+      <source>a piece with its surplus begins flat, without gravity</source>
+      <translation>ein Stück mit seiner überstehenden Membran beginnt flach und ohne Schwerkraft</translation>
+    </message>
+    <message>
       <source>a place beyond 10 m</source>
       <translation>ein Ort jenseits von 10 m</translation>
     </message>
@@ -1764,6 +1792,10 @@
       <translation>eines davon wählen: {0}</translation>
     </message>
     <message>
+      <source>choose the release cut, or begin flat and set gravity to off</source>
+      <translation>das Lösen cut wählen, oder flach beginnen und die Schwerkraft auf off setzen</translation>
+    </message>
+    <message>
       <source>clean the mesh first</source>
       <translation>das Netz zuerst säubern</translation>
     </message>
@@ -1902,6 +1934,10 @@
     <message>
       <source>drawing pictures</source>
       <translation>Bilder zeichnen</translation>
+    </message>
+    <message>
+      <source>edges around a region to be meshed cross or touch</source>
+      <translation>Kanten um einen Bereich, der vernetzt werden soll, kreuzen oder berühren sich</translation>
     </message>
     <message>
       <source>edges is no list of pairs of vertex numbers</source>
@@ -2132,8 +2168,16 @@
       <translation>auto oder eine ganze Zahl von 1 bis 24 angeben</translation>
     </message>
     <message>
+      <source>give closed lines that meet at their ends alone</source>
+      <translation>geschlossene Linien angeben, die sich nur an ihren Enden treffen</translation>
+    </message>
+    <message>
       <source>give corners in order, without crossings</source>
       <translation>Ecken der Reihe nach angeben, ohne Überkreuzungen</translation>
+    </message>
+    <message>
+      <source>give cut, together, front-first or back-first</source>
+      <translation>cut, together, front-first oder back-first angeben</translation>
     </message>
     <message>
       <source>give cuts as polylines, or L as a number</source>
@@ -2430,6 +2474,10 @@
     <message>
       <source>lay these tiles out without overlap</source>
       <translation>diese Kacheln ohne Überlappung auslegen</translation>
+    </message>
+    <message>
+      <source>lay tiles out without overlap</source>
+      <translation>Kacheln ohne Überlappung abwickeln</translation>
     </message>
     <message>
       <source>layout</source>
@@ -3544,6 +3592,10 @@
       <translation>Die Abwicklung ist stark verzerrt: ihre flache Karte skaliert Kacheln {spread:.3g}-fach verschieden, und die Membran ist an {slack} Stellen schlaff</translation>
     </message>
     <message>
+      <source>the layout is wider than 10 m or 1000 tiles</source>
+      <translation>die Abwicklung ist breiter als 10 m oder 1000 Kacheln</translation>
+    </message>
+    <message>
       <source>the layout is {0} m wide</source>
       <translation>die Abwicklung ist {0} m breit</translation>
     </message>
@@ -3832,6 +3884,10 @@
       <translation>die Membran ({0}) zwischen {1} faltet sich in der Abwicklung über sich selbst</translation>
     </message>
     <message>
+      <source>the {0} membrane folds over itself at the layout's border</source>
+      <translation>die Membran ({0}) faltet sich am Rand der Abwicklung über sich selbst</translation>
+    </message>
+    <message>
       <source>the {0} membrane found no equilibrium</source>
       <translation>die Membran ({0}) fand kein Gleichgewicht</translation>
     </message>
@@ -3894,6 +3950,10 @@
     <message>
       <source>there is no path yet</source>
       <translation>es gibt noch keinen Weg</translation>
+    </message>
+    <message>
+      <source>there is no release '{0}'</source>
+      <translation>es gibt kein Lösen „{0}“</translation>
     </message>
     <message>
       <source>there is no target</source>

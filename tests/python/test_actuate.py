@@ -26,6 +26,7 @@ from curveups.report.moving import front_corners
 from curveups.stages import HELP, RISEN, START, actuation_help, asked_by
 from curveups.stages.actuation import ActuationStart, findings
 from curveups.stages.actuation_help import ActuationHelp, Change, Trial
+from curveups.stages.sheets import sheets
 from curveups.stages.stage import Job
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
@@ -333,7 +334,8 @@ def test_a_path_is_out_of_date_once_its_design_is_another(project):
         parameters.set(name, before)
         twin.parameters = parameters
         assert twin.out_of_date(RISEN) == ()
-    for other in (actuation.read_start("target", 24), ActuationStart(hands=False)):
+    for other in (actuation.read_start("target", 24), ActuationStart(hands=False),
+                  ActuationStart(hands=True, release="together")):
         twin.give(START, other)
         assert twin.out_of_date(RISEN) == (START,)
 
@@ -575,3 +577,102 @@ def test_the_report_has_the_changes_that_were_tried(project, tmp_path):
     assert all(f"<td>{one['what'].partition(': ')[0]}</td>" in page for one in tried)
     again = saved_results.from_text(saved_results.to_text(twin.made()))[HELP].result
     assert again.report() == twin.latest(HELP).report() and again.findings() == twin.latest(HELP).findings()
+
+
+RELEASED = {"together": ["both off", "cut out"], "front-first": ["front off", "both off", "cut out"],
+            "back-first": ["back off", "both off", "cut out"]}
+
+
+def actuated_with(curveups, source, folder, *options, **more):
+    ran = curveups("actuate", source, "-o", folder, *options, "--set", "bumps=none",
+                   "friction_coefficient=0.2", **more)
+    assert ran.status in (0, 1), ran.err
+    return [json.loads((folder / name).read_text("utf-8")) for name in ("actuation.json", "frames.json")]
+
+
+@pytest.mark.parametrize("release", RELEASED)
+def test_every_release_ends_and_says_what_hands_did(risen, printed, curveups, tmp_path, release):
+    answer, written = actuated_with(curveups, risen.source, tmp_path, "--release", release)
+    block, frames = answer["actuation"], written["frames"]
+    names = [phase["phase"] for phase in block["phases"]]
+    assert block["release"] == release and names == RELEASED[release]
+    said = [frame["phase"] for frame in frames]
+    assert [name for name in dict.fromkeys(said)] == names
+    assert [said.index(name) for name in names] == [phase["first_frame"] for phase in block["phases"]]
+    assert sum(phase["steps"] for phase in block["phases"]) == block["steps"]
+    # The answer is that of the end, and the end is that of the last phase.
+    last = block["phases"][-1]
+    for name in ("shortfall_mm", "open_contacts", "converged", "energy_n_mm"):
+        assert last[name] == block[name]
+    assert block["sampled"][-1]["shortfall_mm"] == block["shortfall_mm"]
+    # Energy that the surplus stores goes with it; all else falls.
+    for before, phase in zip(block["phases"], block["phases"][1:]):
+        frame = frames[phase["first_frame"]]
+        assert before["energy_n_mm"] - frame["energy"] == pytest.approx(phase["removed_n_mm"], abs=1e-6)
+        assert frame["poses"] == frames[phase["first_frame"] - 1]["poses"]
+        assert (phase["removed_n_mm"] > 100) == (phase["phase"] == "cut out")
+        assert phase["energy_n_mm"] < frame["energy"]
+    assert block["largest_rise_n_mm"] <= 1e-3 * frames[0]["energy"]
+    assert frames[0]["energy"] > risen.frames[0]["energy"]  # the surplus is stretched as well
+    # Where it jams all the same, hands go on from the end, with the piece alone.
+    assert ("by_hand" in block) == (block["arrives"] is False) == ("hands" in written)
+    for frame in written.get("hands", ()):
+        assert frame["time"] > frames[-1]["time"] and "phase" not in frame
+    # What is around the piece is what is printed, in the window of the kit's rings.
+    report = json.loads((printed.folder / "report.json").read_text("utf-8"))
+    assert block["surplus"]["anchors"] == report["sheets"]["anchors"] > 0
+    again = sheets(block["surplus"]["box_mm"], risen.design.parameters)
+    assert block["surplus"]["window_mm"] == again["window_mm"]
+    page = (tmp_path / "actuation.html").read_text("utf-8")
+    assert all(f"<td>{name}</td>" in page for name in names)
+
+
+def test_anchors_of_a_path_stand_where_they_are_printed(risen):
+    parameters = native.Parameters(risen.design.parameters)
+    parameters.set("engrave", False)  # a label is no part of what is glued
+    points, _, body = native.make_print_model(risen.design.with_parameters(parameters)).mesh("anchors")
+    found = native.actuate_design(risen.design, answers=False, release="together").block["surplus"]
+    assert found["anchors"] == body.max() + 1
+    # To what bumps and cut corners of tiles shift them.
+    assert np.array(found["box_mm"]) == pytest.approx(np.ptp(points[:, :2], axis=0), abs=0.6)
+
+
+def test_cutting_out_is_what_it_does_without_the_option(risen, curveups, tmp_path):
+    for name, options in (("with", ("--release", "cut")), ("without", ())):
+        answer, _ = actuated_with(curveups, risen.source, tmp_path / name, "--no-hands", *options)
+        assert not {"release", "surplus", "phases"} & set(answer["actuation"])
+    assert {path.name: path.read_bytes() for path in (tmp_path / "with").iterdir()} == {
+        path.name: path.read_bytes() for path in (tmp_path / "without").iterdir()}
+    frames = json.loads((tmp_path / "with" / "frames.json").read_text("utf-8"))["frames"]
+    assert frames == risen.frames and "phase" not in frames[0]
+
+
+def test_a_release_has_the_same_bytes_with_any_number_of_threads(risen, curveups, tmp_path):
+    for count in ("1", "2"):
+        actuated_with(curveups, risen.source, tmp_path / count, "--no-hands", "--release", "back-first",
+                      CURVEUPS_THREADS=count)
+    for path in (tmp_path / "1").iterdir():
+        assert path.read_bytes() == (tmp_path / "2" / path.name).read_bytes(), path.name
+
+
+@pytest.mark.parametrize("options, words", [
+    (("--from", "target"), "begins flat"), (("--set", "gravity=resting"), "without gravity")])
+def test_a_release_that_can_not_be_is_refused(risen, curveups, tmp_path, options, words):
+    ran = curveups("actuate", risen.source, "-o", tmp_path / "out", "--release", "together", *options)
+    assert ran.status == 2 and words in ran.err.splitlines()[-1] and not (tmp_path / "out").exists()
+    ran = curveups("actuate", risen.source, "-o", tmp_path / "out", "--release", "sideways")
+    assert ran.status == 2 and "back-first" in ran.err
+
+
+def test_changes_are_tried_with_the_same_release(project):
+    design = project.latest("design").design.with_parameters(project.parameters)
+    change = Change({"friction_coefficient": 0.1})
+    tried = {release: actuation_help._try(design, change, 0, "", Job(), release)
+             for release in ("cut", "together")}
+    parameters = project.parameters
+    parameters.set("friction_coefficient", 0.1)
+    for release, one in tried.items():
+        changed = design.with_parameters(parameters)
+        block = native.actuate_design(changed, answers=False, release=release).block
+        assert (one.shortfall, one.contacts) == (block["shortfall_mm"], block["contacts"])
+    assert tried["cut"].shortfall != tried["together"].shortfall

@@ -9,8 +9,8 @@ from curveups.features.live import stored
 from curveups.project.worker import WORKER
 from curveups.stages import HELP, RISEN
 from curveups.window.overlays import overlay_of
-from robot import (at_rest, choose_file, click, close_panel, cut_off, display, in_dialog, picture, press,
-                   QtCore, settle, until)
+from robot import (at_rest, choose_file, click, close_panel, cut_off, display, in_dialog, keys, picture,
+                   press, QtCore, settle, until)
 from steps import example, LIVE, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -180,3 +180,28 @@ def test_touches_and_changes_are_looked_for_by_the_mouse(dome_document, pictures
     until(lambda: np.allclose(corners(design), before), 10, "the path in the view")
     document.undo()
     until(lambda: form.verdict.text() == words, 10, "the path alone")
+
+
+def test_a_release_is_chosen_and_played(dome_document, pictures):
+    document, design = opened(dome_document)
+    design.Bumps, design.FrictionCoefficient = "none", 0.2
+    document.recompute()
+    at_rest()
+    press("CurveUps_Actuate")
+    at_rest(300)
+    form = panel().form
+    until(lambda: ends(form), 60, "the path to be played")
+    end, frames = corners(design), form.frame.maximum()
+    assert form.release.currentIndex() == 0 and "release" not in stored(design).latest(RISEN).block
+
+    click(form.release)
+    keys("Down", "Down", "Return")
+    settle(100)
+    assert form.release.currentText() == "Front membrane first" and cut_off(form) == []
+    click(form.run)
+    at_rest(300)
+    until(lambda: not np.allclose(corners(design), end) and ends(form), 60, "the release to be played")
+    block = stored(design).latest(RISEN).block
+    assert block["release"] == "front-first" and len(block["phases"]) == 3
+    assert design.Actuation == "current" and form.frame.maximum() != frames
+    assert picture("released") > 12

@@ -19,6 +19,7 @@ from ..base.machine import claim_memory_of_blas
 from ..base.output import Folder, is_text
 from ..base.profiles import profile_names
 from ..base.progress import Interrupt, Reporter
+from ..base.releases import CUT, RELEASES
 
 _EPILOG = """exit status: 0 valid, or verification was off; 1 finished, but not valid; 2 bad input or usage,
 nothing written; 3 stopped, the best so far was written; 4 a file could not be written"""
@@ -102,6 +103,10 @@ def make_parser() -> argparse.ArgumentParser:
     actuate.add_argument("--from", dest="begin", default="flat", metavar="flat|target|FRAME",
                          help="begin there; FRAME is a frames.json of an earlier run, by default its last "
                               "frame, or FRAMES.json:NUMBER (default: flat)")
+    actuate.add_argument("--release", choices=RELEASES, default=CUT,
+                         help="cut it out of both sheets on their rings, or take the sheets off first, both "
+                              "together or one side before the other, with surplus and anchors, and cut it "
+                              "out then (default: cut)")
     actuate.add_argument("--no-hands", dest="hands", action="store_false",
                          help="don't look for what brings a piece home by hand that jams")
     actuate.add_argument("--try-changes", action="store_true",

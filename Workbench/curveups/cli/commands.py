@@ -212,7 +212,7 @@ def actuate(options: Any, session: Session) -> int:
             given = project.latest("design").design.with_parameters(project.parameters)
             compensation = compensate(given, options.compensate, job)
         project = Project.of_design(compensation.design, str(options.design))
-    project.give(START, replace(start, hands=options.hands))
+    project.give(START, replace(start, hands=options.hands, release=options.release))
     goals = asked_by("actuate", *(("try changes",) if options.try_changes else ()))
     results = project.run(("bodies", "figures", *goals), job, strict=True)
     former = None

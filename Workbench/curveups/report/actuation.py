@@ -25,7 +25,7 @@ from ..stages.actuation import Actuation, ActuationStart, path_digest
 from ..stages.stage import Job
 from . import html, tables
 from .data import to_text
-from .moving import answers, changes_tried, front_corners, moving_view
+from .moving import answers, changes_tried, front_corners, moving_view, released
 
 FORMAT, VERSION = "curveups-actuation", 1
 FRAMES_FORMAT, FRAMES_VERSION = "curveups-frames", 1
@@ -128,6 +128,8 @@ def _frames(found: Actuation) -> dict[str, Any]:
          "poses": np.round(poses, 9).tolist()}
         for time, energy, friction, stretch, poses in
         zip(found.time, found.energy, found.friction, found.stretch, found.frames)]
+    for row, phase in zip(rows, found.phase_names):
+        row["phase"] = phase
     if len(found.memory):
         packed = zlib.compress(found.memory.astype("<f8").tobytes())
         rows[found.path_count - 1] |= {"memory": base64.b64encode(packed).decode("ascii"),
@@ -168,6 +170,7 @@ def _page(found: Actuation, name: str, block: Mapping[str, Any]) -> str:
         parts += ["<h2>By hand</h2>", *(html.picture(one, HANDS) for one in drawn), *note, _touches(block)]
     if said.tiles:
         parts.append(f'<p class="note">Tiles of open contacts: {escape(tile_list(said.tiles))}</p>')
+    parts += released(block)
     tried = changes_tried(block)
     parts += ["<h2>What would help</h2>", *tried] if tried else []
     parts += ["<h2>Answers</h2>", answers(block)]

@@ -15,7 +15,7 @@ from ..project.verdict import HOLDS
 from ..stages.stage import Picture
 from .assembly import steps
 from .changes import changes, worst_contacts
-from .moving import answers, changes_tried
+from .moving import answers, changes_tried, released
 from .shop import latex, print_picture, quote, rules
 from .tables import show, table
 
@@ -212,7 +212,7 @@ def _figures(report: dict) -> str:
             parts += [f"<h3>{escape(_words(block).capitalize())}</h3>", table(rows)]
     if "actuation" in report:
         parts += ["<h3>From flat to shape</h3>", answers(report["actuation"]),
-                  *changes_tried(report["actuation"])]
+                  *released(report["actuation"]), *changes_tried(report["actuation"])]
     return "".join(parts)
 
 

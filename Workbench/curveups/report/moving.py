@@ -54,6 +54,17 @@ def answers(block: Mapping[str, Any]) -> str:
     return table(rows)
 
 
+def released(block: Mapping[str, Any]) -> list[str]:
+    """How hands released the piece, a row for each thing they did; nothing where they cut it out at once."""
+    if "phases" not in block:
+        return []
+    rows = [(phase["phase"], phase["removed_n_mm"], phase["steps"],
+             phase["shortfall_mm"] if phase["converged"] else "no rest", len(phase["open_contacts"]),
+             phase["energy_n_mm"]) for phase in block["phases"]]
+    return ["<h2>Released</h2>", table(rows, ("What hands do", "Energy cut off, N mm", "Steps",
+                                              "Then short by, mm", "Open contacts", "Energy, N mm"))]
+
+
 def changes_tried(block: Mapping[str, Any]) -> list[str]:
     """What would help, with the present design first; nothing where that was not asked."""
     tried = block.get("help", ())

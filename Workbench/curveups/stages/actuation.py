@@ -11,6 +11,7 @@ import numpy as np
 
 from ..base.findings import Finding
 from ..base.native import native, translated
+from ..base.releases import CUT
 from . import settle
 from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
 
@@ -23,18 +24,20 @@ class ActuationStart(Result):
     """Where tiles begin, as the command line has it (flat, target, a file of frames), and for all but flat a
     row a tile, as frames have them. hands: whether to find out what brings a piece home that jams;
     the path is the same. memory: of a path that ended there, of the design that `of` is a digest of: it goes
-    on as it would have."""
+    on as it would have. release: one of RELEASES; all but CUT begin flat."""
 
     begin: str = "flat"
     poses: Optional[np.ndarray] = None
     hands: bool = False
     memory: Optional[np.ndarray] = None
     of: str = ""
+    release: str = CUT
 
     @property
     def content(self) -> str:
         remembered = [self.memory, self.of] if self.memory is not None else []
-        return digest(self.begin, self.poses, *(["hands"] if self.hands else []), *remembered)
+        return digest(self.begin, self.poses, *(["hands"] if self.hands else []), *remembered,
+                      *([self.release] if self.release != CUT else []))
 
 
 @dataclass(frozen=True)
@@ -70,6 +73,13 @@ class Actuation(Result):
     @property
     def stopped(self) -> bool:
         return self.block["stopped"]
+
+    @property
+    def phase_names(self) -> list[str]:
+        """Of each frame of the path, what hands did last; nothing where they cut the piece out at once."""
+        phases = self.block.get("phases", [])
+        ends = [phase["first_frame"] for phase in phases[1:]] + [self.path_count]
+        return [phase["phase"] for phase, end in zip(phases, ends) for _ in range(end - phase["first_frame"])]
 
     @property
     def open_tiles(self) -> list[int]:
@@ -174,7 +184,8 @@ def _run(inputs: Inputs, job: Job) -> Actuation:
     try:
         with translated(inputs.where if start.poses is None else start.begin):
             memory = start.memory if start.of == path_digest(design) else None
-            found = native.actuate_design(design, inputs.store, job, start.poses, memory, hands=start.hands)
+            found = native.actuate_design(design, inputs.store, job, start.poses, memory, hands=start.hands,
+                                          release=start.release)
     finally:
         inputs.store.clear()
     frames = np.stack([*found.frames, *found.hand_frames])

@@ -12,6 +12,7 @@ import numpy as np
 from ..base.errors import CurveUpsError, Stopped
 from ..base.findings import Finding
 from ..base.native import native, translated
+from ..base.releases import CUT
 from ..base.parameters import parameter
 from ..base.value import Value
 from . import actuation, settle
@@ -129,15 +130,16 @@ def _run(inputs: Inputs, job: Job) -> ActuationHelp:
     if found.block["arrives"] is not False:
         return ActuationHelp()
     design, before = inputs["design"].design.with_parameters(inputs.parameters), found.block["shortfall_mm"]
-    trials: list[Trial] = []
+    release, trials = found.block.get("release", CUT), []  # type: str, list[Trial]
     try:
         with translated(inputs.where):
             changes = [*_other_values(design.parameters), *_cuts(design, job)]
         for number, change in enumerate(changes):
-            trials.append(_try(design, change, number / (len(changes) + 1), inputs.where, job))
+            trials.append(_try(design, change, number / (len(changes) + 1), inputs.where, job, release))
         together = _together(trials, before)
         if together is not None:
-            trials.append(_try(design, together, len(changes) / (len(changes) + 1), inputs.where, job))
+            trials.append(_try(design, together, len(changes) / (len(changes) + 1), inputs.where, job,
+                               release))
     except Stopped:
         job.stopped = True
     return ActuationHelp(tuple(sorted(trials, key=lambda one: one.rank)), before, job.stopped)
@@ -175,7 +177,7 @@ def _together(trials: Sequence[Trial], before: float) -> Optional[Change]:
     return Change(values, edges, length) if len(values) + (length > 0) > 1 else None
 
 
-def _try(design: Any, change: Change, fraction: float, where: str, job: Job) -> Trial:
+def _try(design: Any, change: Change, fraction: float, where: str, job: Job, release: str) -> Trial:
     """Raises Stopped where it is stopped before it has an answer."""
     said = "trying " + ", ".join(map(str, change.findings()))
 
@@ -188,7 +190,7 @@ def _try(design: Any, change: Change, fraction: float, where: str, job: Job) -> 
     try:
         with translated(where):
             changed, valid = _made(design, change, told)
-            found = native.actuate_design(changed, progress=told, answers=False).block
+            found = native.actuate_design(changed, progress=told, answers=False, release=release).block
     except CurveUpsError as error:
         return Trial(change, error=error.what)
     if told.stopped:

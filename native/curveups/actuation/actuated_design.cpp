@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "curveups/actuation/path_memory.hpp"
+#include "curveups/actuation/surplus.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
@@ -21,11 +22,45 @@ constexpr double same_pose = 1e-5;
 // A path with what is known of its end.
 struct Followed {
   ActuationPath path;
+  std::vector<PathPhase> phases;
+  std::vector<TriangleMesh> shapes;  // as `surface`, of the phases before the last
   PathEnd end;
   TriangleMesh surface;         // of the last frame's fronts
   TileWorld world;              // at its end
   PointLoads* hands = nullptr;  // of the world's energies, without loads
+
+  bool is_cut_out() const { return !phases.empty() && phases.back().name == "cut out"; }
 };
+
+// What a path has to say of a phase that goes on from its last frame.
+void go_on(ActuationPath& path, ActuationPath phase) {
+  const PathFrame from = path.frames.empty() ? PathFrame() : path.frames.back();
+  for (PathFrame& frame : phase.frames) {
+    frame.time += from.time;
+    frame.friction += from.friction;
+    frame.moved += from.moved;
+    path.frames.push_back(std::move(frame));
+  }
+  path.at_rest = phase.at_rest;
+  path.stopped = phase.stopped;
+  path.largest_rise = std::max(path.largest_rise, phase.largest_rise);
+  path.found_anew += phase.found_anew;
+  path.deepest = std::max(path.deepest, phase.deepest);
+  path.steps += phase.steps;
+  path.iterations += phase.iterations;
+  path.factorizations += phase.factorizations;
+}
+
+// Of a world with the first of another's bodies: what these do there.
+ContactWorld::State only_first(ContactWorld::State state, std::size_t count) {
+  state.poses.resize(std::min(count, state.poses.size()));
+  state.pairs.erase(std::remove_if(state.pairs.begin(), state.pairs.end(),
+                                   [&](const TouchingPair& pair) {
+                                     return pair.body[1] >= static_cast<int>(count);
+                                   }),
+                    state.pairs.end());
+  return state;
+}
 
 class Actuation {
  public:
@@ -42,6 +77,14 @@ class Actuation {
     start_ = piece_poses(bodies_,
                          options.start ? frame_poses(tiles_, *options.start) : flat_tiles(bodies_),
                          actuated_);
+    phases_ = release_phases(options.release);
+    if (phases_.front().surplus) {
+      if (options.start || design.parameters.gravity != "off") {
+        throw InvalidInput("a piece with its surplus begins flat, without gravity",
+                           "choose the release cut, or begin flat and set gravity to off");
+      }
+      surplus_.emplace(bodies_, static_cast<int>(actuated_.size()));
+    }
   }
 
   ActuatedDesign run() const {
@@ -50,6 +93,7 @@ class Actuation {
     ActuatedDesign out;
     out.tolerance = p.hold_tolerance > 0 ? p.hold_tolerance : 0.01 * p.L;
     out.contacts = static_cast<int>(tiles_.contacts.size());
+    out.release = options_.release;
     checkpoint("actuate", 0);
     // From the start and from the target at the design's friction, and the same without friction.
     const bool asked = options_.answers && !options_.start;
@@ -63,7 +107,11 @@ class Actuation {
     if (!ended) compare(paths, held.surface);
     out.path = std::move(rising.path);
     out.end = rising.end;
-    out.memory = packed(rising.world.world->path_state());
+    if (rising.is_cut_out()) out.memory = packed(rising.world.world->path_state());
+    out.phases = std::move(rising.phases);
+    if (surplus_) {
+      out.surplus = {surplus_->anchor_count(), surplus_->box(), surplus_->window()};
+    }
     out.from_target = held.end;
     describe(rising.surface, out);
     out.path.stopped = ended;
@@ -120,29 +168,63 @@ class Actuation {
     }
     auto follow_one = [&](int k) {
       const auto [friction, begin] = plan(k);
-      Followed& out = paths[k];
-      TileWorld& world = out.world;
-      world.world->set_poses(*begin);
-      world.world->set_friction(friction);
-      PathOptions path = options_.path;
-      path.reports = k == 0;
-      if (begin == &start_ && memory_) path.from = &*memory_;
-      out.path = follow_path(bodies_, world, path);
-      const Finishing finishing;
-      out.surface = fitted_surface(tiles_, centres_, world.world->poses());
-      PathEnd& end = out.end;
-      end = describe_end(*world.world, tiles_, out.surface, design_.mesh);
-      end.friction_coefficient = friction;
-      end.at_rest = out.path.at_rest;
-      end.steps = out.path.steps;
-      end.iterations = out.path.iterations;
-      end.factorizations = out.path.factorizations;
+      follow_phases(paths[k], friction, *begin, k == 0);
     };
     try {
       parallel_each(count, follow_one);
     } catch (const Cancelled&) {
       if (paths.front().path.frames.empty()) throw;
       for (Followed& one : paths) one.path.stopped |= one.path.frames.empty();
+    }
+  }
+
+  // out: with a world for the piece that is cut out, where it ends.
+  void follow_phases(Followed& out, double friction, const Poses& begin, bool reports) const {
+    const bool rises = &begin == &start_;
+    const std::vector<ReleasePhase> phases = rises ? phases_ : release_phases("cut");
+    const double share = 1.0 / static_cast<double>(phases.size());
+    TileWorld last = std::move(out.world);
+    ContactWorld::State state{begin, {}, -1};
+    if (phases.front().surplus) {
+      state.poses.insert(state.poses.end(), surplus_->flat().begin(), surplus_->flat().end());
+    }
+    for (std::size_t k = 0; k < phases.size(); ++k) {
+      if (phases[k].surplus) {
+        const Finishing finishing;
+        out.world = make_world();
+        surplus_->add_to(*out.world.world, phases[k].held);
+      } else {
+        out.world = std::move(last);
+      }
+      ContactWorld& world = *out.world.world;
+      world.restore(only_first(std::move(state), world.bodies().size()));
+      world.set_friction(friction);
+      PathOptions path = options_.path;
+      path.reports = reports;
+      path.begun = static_cast<double>(k) * share;
+      path.share = share;
+      path.most_frames = static_cast<int>(path.most_frames * share);
+      if (rises && memory_) path.from = &*memory_;
+      ActuationPath found = follow_path(bodies_, out.world, path);
+      const Finishing finishing;
+      if (k > 0) out.shapes.push_back(std::move(out.surface));
+      out.surface = fitted_surface(tiles_, centres_, world.poses());
+      PathPhase phase{std::string(phases[k].name), static_cast<int>(out.path.frames.size()),
+                      describe_end(world, tiles_, out.surface, design_.mesh), 0};
+      if (k > 0) phase.removed = out.path.frames.back().energy - found.frames.front().energy;
+      phase.end.friction_coefficient = friction;
+      phase.end.at_rest = found.at_rest;
+      phase.end.steps = found.steps;
+      phase.end.iterations = found.iterations;
+      phase.end.factorizations = found.factorizations;
+      go_on(out.path, std::move(found));
+      out.end = phase.end;
+      out.end.steps = out.path.steps;
+      out.end.iterations = out.path.iterations;
+      out.end.factorizations = out.path.factorizations;
+      out.phases.push_back(std::move(phase));
+      if (out.path.stopped) return;
+      state = world.state();
     }
   }
 
@@ -158,7 +240,14 @@ class Actuation {
   static void compare(std::vector<Followed>& paths, const TriangleMesh& shape) {
     const Finishing finishing;
     const ClosestPoints surface(shape);
-    for (Followed& one : paths) one.end.shortfall = scan_distances(one.surface, surface).mean();
+    for (Followed& one : paths) {
+      one.end.shortfall = scan_distances(one.surface, surface).mean();
+      for (std::size_t k = 0; k < one.phases.size(); ++k) {
+        one.phases[k].end.shortfall = k < one.shapes.size()
+                                          ? scan_distances(one.shapes[k], surface).mean()
+                                          : one.end.shortfall;
+      }
+    }
   }
 
   void describe(const TriangleMesh& surface, ActuatedDesign& out) const {
@@ -208,6 +297,8 @@ class Actuation {
   Points3 centres_;
   Poses actuated_, start_;
   std::optional<ContactWorld::PathState> memory_;
+  std::vector<ReleasePhase> phases_;
+  std::optional<Surplus> surplus_;
 };
 
 }  // namespace

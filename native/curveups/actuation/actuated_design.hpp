@@ -4,9 +4,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "curveups/actuation/flat_piece.hpp"
 #include "curveups/actuation/hands.hpp"
+#include "curveups/actuation/release.hpp"
 
 namespace curveups {
 
@@ -17,12 +20,32 @@ struct ActuationOptions {
   std::optional<Eigen::VectorXd> memory;
   bool answers = true;  // else the path alone
   bool hands = true;    // with the answers: what brings it home where it does not arrive
+  // How paths from flat begin (release_phases). All but "cut" need `start` to be none and gravity
+  // to be off.
+  std::string release = "cut";
   PathOptions path;
 };
 
+// A part of a path, up to where the piece comes to rest with what hands have left on it.
+struct PathPhase {
+  std::string name;     // release_phases
+  int first_frame = 0;  // of the path's
+  PathEnd end;          // with its own steps
+  double removed = 0;   // N mm of stored energy that went with what hands cut off when it began
+};
+
+// What is around the piece until it is cut out.
+struct SurplusFigures {
+  int anchors = 0;
+  Vec2 box, window;  // as Surplus has them
+};
+
 struct ActuatedDesign {
-  ActuationPath path;    // at the design's own friction
-  PathEnd end;           // of it
+  ActuationPath path;                     // at the design's own friction
+  PathEnd end;                            // of it
+  std::string release;                    // of paths from flat
+  std::vector<PathPhase> phases;          // of the path; one where the piece is cut out at once
+  std::optional<SurplusFigures> surplus;  // where it is part of the path
   PathEnd from_target;   // where the actuated piece comes to rest at the same friction
   double tolerance = 0;  // mm, hold_tolerance
   int contacts = 0;      // of the design
@@ -51,8 +74,8 @@ struct ActuatedDesign {
 
 // store: as verify_design has it. Stopped while tiles move, it returns the path so far, without
 // answers; before that it throws Cancelled. Throws InvalidInput for gravity=held (a piece that
-// rises is held nowhere) and for a memory that is not of `start`, and what frame_poses, unpacked,
-// make_tile_bodies, take_or_solve and make_tile_world throw.
+// rises is held nowhere), for a memory that is not of `start` and for a release that can't be, and
+// what frame_poses, unpacked, make_tile_bodies, take_or_solve, make_tile_world and Surplus throw.
 ActuatedDesign actuate_design(const Design& design, SolutionStore* store,
                               const ActuationOptions& options, const Progress& progress);
 

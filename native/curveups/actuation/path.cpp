@@ -114,7 +114,9 @@ ActuationPath follow_path(const TileBodies& bodies, TileWorld& world, const Path
       if (earlier > 0 && energies[earlier] - now < least_part * std::abs(now)) break;
       energies.push_back(now);
       if (follower.step().at_rest) break;
-      if (options.reports) checkpoint("actuate", path.steps / (path.steps + 50.0));
+      if (options.reports) {
+        checkpoint("actuate", options.begun + options.share * path.steps / (path.steps + 50.0));
+      }
     }
   } catch (const Cancelled&) {
     stopped = true;

@@ -11,8 +11,9 @@ namespace curveups {
 
 struct PathOptions {
   int max_steps = 1000;
-  int most_frames = 60;  // kept, about, evenly by how far tiles move, with both ends
-  bool reports = true;   // how far it is; else it can only be stopped
+  int most_frames = 60;         // kept, about, evenly by how far tiles move, with both ends
+  bool reports = true;          // how far it is; else it can only be stopped
+  double begun = 0, share = 1;  // of what it reports: where it begins, and its part of the whole
   const ContactWorld::PathState* from = nullptr;  // where an earlier path stood; it outlives this
 };
 

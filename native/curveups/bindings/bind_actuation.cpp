@@ -67,6 +67,26 @@ void add_hands(const ActuatedDesign& found, py::dict& out) {
   out["by_hand"] = by_hand;
 }
 
+// What came before the piece was cut out, and the end.
+void add_release(const ActuatedDesign& found, py::dict& out) {
+  out["release"] = found.release;
+  py::dict surplus;
+  surplus["anchors"] = found.surplus->anchors;
+  surplus["box_mm"] = std::array<double, 2>{found.surplus->box.x(), found.surplus->box.y()};
+  surplus["window_mm"] =
+      std::array<double, 2>{found.surplus->window.x(), found.surplus->window.y()};
+  out["surplus"] = surplus;
+  py::list phases;
+  for (const PathPhase& phase : found.phases) {
+    py::dict one = end_block(found, phase.end);
+    one["phase"] = phase.name;
+    one["first_frame"] = phase.first_frame;
+    one["removed_n_mm"] = phase.removed;
+    phases.append(one);
+  }
+  out["phases"] = phases;
+}
+
 // As report.json has it.
 py::dict block(const ActuatedDesign& found) {
   py::dict out = end_block(found, found.end);
@@ -89,6 +109,7 @@ py::dict block(const ActuatedDesign& found) {
     out["trap_distance_mm"] = found.trap_distance;
   }
   if (found.hands) add_hands(found, out);
+  if (found.surplus) add_release(found, out);
   return out;
 }
 
@@ -135,9 +156,10 @@ void bind_actuation(py::module_& module) {
       "actuate_design",
       [](const Design& design, SolutionStore* store, py::object progress,
          std::optional<FrameRows> begin, std::optional<Eigen::VectorXd> memory, bool answers,
-         bool hands) {
+         bool hands, const std::string& release) {
         ActuationOptions options;
         options.hands = hands;
+        options.release = release;
         options.start = std::move(begin);
         options.memory = std::move(memory);
         options.answers = answers;
@@ -147,12 +169,14 @@ void bind_actuation(py::module_& module) {
       },
       py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
       py::arg("begin") = py::none(), py::arg("memory") = py::none(), py::arg("answers") = true,
-      py::arg("hands") = true,
+      py::arg("hands") = true, py::arg("release") = "cut",
       "Lets a piece rise from flat, or from a frame of an earlier path. store: as in "
       "verify_design. memory: of the path that ended at `begin`. answers: whether it is asked at "
       "which friction it arrives, and whether it "
       "could come to rest elsewhere; a path from a frame has none of these. hands: with the "
-      "answers, what brings it home by hand where it does not arrive.");
+      "answers, what brings it home by hand where it does not arrive. release: how hands release "
+      "a piece from the rings of its sheets: cut (out of both at once), together, front-first or "
+      "back-first (with anchors and surplus, which are cut off last).");
 }
 
 }  // namespace curveups::bindings

@@ -55,6 +55,11 @@ class ContactWorld {
  public:
   ContactWorld(std::vector<RigidBody> bodies, Poses start, const WorldOptions& options);
 
+  // More bodies, after the others. Before the first step.
+  void append(const std::vector<RigidBody>& bodies, const Poses& poses) {
+    bodies_.insert(bodies_.end(), bodies.begin(), bodies.end());
+    poses_.insert(poses_.end(), poses.begin(), poses.end());
+  }
   // Before the first step.
   void add(std::unique_ptr<MotionEnergy> energy) { energies_.push_back(std::move(energy)); }
   void set_friction(double coefficient) { contacts_.friction_coefficient = coefficient; }

@@ -71,6 +71,27 @@ ReducedMembrane::ReducedMembrane(const MembraneDomain& domain, const Points2& fl
   set_flat(flat);
 }
 
+ReducedMembrane::ReducedMembrane(const std::vector<SheetPoint>& points, const Points2& flat,
+                                 const std::vector<std::array<int, 3>>& triangles, double tau,
+                                 const MembraneMaterial& material)
+    : material_(material), tau_(tau) {
+  for (const std::array<int, 3>& t : triangles) {
+    Element element{{-1, -1, -1}, 3, {}, {}, {}};
+    for (int k = 0; k < 3; ++k) {
+      const SheetPoint& point = points[t[k]];
+      int slot = 0;
+      while (element.body[slot] >= 0 && element.body[slot] != point.body) ++slot;
+      element.body[slot] = point.body;
+      element.slot[k] = slot;
+      element.point[k] = point.own;
+    }
+    if (element.body[1] < 0) continue;  // it never changes
+    element.triangles.push_back({{0, 1, 2}, t, 1, Eigen::Matrix2d::Zero(), 0});
+    elements_.push_back(std::move(element));
+  }
+  set_flat(flat);
+}
+
 void ReducedMembrane::set_flat(const Points2& flat) {
   auto place = [&](int pin) -> Vec2 {
     if (pin >= 0) return flat.row(pin);

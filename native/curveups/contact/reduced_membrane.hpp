@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A membrane reduced to what tiles feel of it while they move: per contact the quadrilateral
 // between the facing pin edges, triangulated along both diagonals at half weight each (one alone
-// is biased), and per closed polygon round a vertex a fan about one free node. The density is that
-// of the design's membranes.
+// is biased), and per closed polygon round a vertex a fan about one free node. Or any triangles of
+// a sheet, such as those of the surplus around the piece. The density is that of the design's
+// membranes.
 #pragma once
 
 #include "curveups/contact/motion_energy.hpp"
@@ -18,6 +19,16 @@ class ReducedMembrane : public MotionEnergy {
   // domain's vertex polygons.
   ReducedMembrane(const MembraneDomain& domain, const Points2& flat, const Points3& corners,
                   double tau, const MembraneMaterial& material, int first_node);
+
+  // Any triangles of a sheet that was stretched by tau and lies as `flat` has its points. A point
+  // belongs to a body, where it is `own`. Points of one body do not move against one another.
+  struct SheetPoint {
+    int body;
+    Vec3 own;
+  };
+  ReducedMembrane(const std::vector<SheetPoint>& points, const Points2& flat,
+                  const std::vector<std::array<int, 3>>& triangles, double tau,
+                  const MembraneMaterial& material);
 
   // Factors on how hard it pulls and on how far it is stretched before tiles are glued to it.
   double pull = 1, stretch = 1;

@@ -27,6 +27,14 @@ struct PlanarMesh {
 PlanarMesh mesh_polygon(const std::vector<Vec2>& boundary,
                         const std::function<double(const Vec2&)>& size);
 
+// The same of the region between closed lines of edges, pairs of points: all of the plane that they
+// enclose, but for what holds one of `holes`, up to the lines around that. Points that no edge has
+// are none of the region's corners. Throws InvalidInput where two points are the same, or edges
+// cross or touch besides at their ends.
+PlanarMesh mesh_region(const std::vector<Vec2>& points,
+                       const std::vector<std::array<int, 2>>& edges, const std::vector<Vec2>& holes,
+                       const std::function<double(const Vec2&)>& size);
+
 // Whether the closed polygon is counter-clockwise and neither crosses nor touches itself.
 bool is_simple_polygon(const std::vector<Vec2>& boundary);
 

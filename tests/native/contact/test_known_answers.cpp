@@ -3,6 +3,8 @@
 #include <limits>
 
 #include "contact/blocks.hpp"
+#include "curveups/contact/reduced_membrane.hpp"
+#include "curveups/geometry/planar_mesh.hpp"
 
 namespace curveups::test {
 namespace {
@@ -248,6 +250,57 @@ bool tower_stands(int stones, double share) {
 TEST(KnownAnswers, TowerStandsJustBelowTheHarmonicOverhang) {
   EXPECT_TRUE(tower_stands(20, 0.99));
   EXPECT_FALSE(tower_stands(20, 1.01));
+}
+
+TEST(KnownAnswers, ADiscLiftedInAStretchedSheetIsPulledBackAsByAMembraneUnderTension) {
+  // A membrane under tension T in a square of half a side s, and a disc of radius a << s in its
+  // middle, lifted by w: the capacity of a disc in a square, whose conformal radius is 1.0787 s
+  // (G. Polya, G. Szego, Isoperimetric Inequalities in Mathematical Physics, 1951).
+  const double a = 5, s = 40, tau = 1.6, lift = 0.2;
+  const int corners = 48, side = 20;
+  std::vector<Vec2> at;
+  std::vector<std::array<int, 2>> edges;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * pi * k / corners;
+    at.push_back(a * Vec2(std::cos(angle), std::sin(angle)));
+    edges.push_back({k, (k + 1) % corners});
+  }
+  const Vec2 turn[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  for (int k = 0; k < 4 * side; ++k) {
+    at.push_back(s * (turn[k / side] + (turn[(k / side + 1) % 4] - turn[k / side]) *
+                                           (static_cast<double>(k % side) / side)));
+    edges.push_back({corners + k, corners + (k + 1) % (4 * side)});
+  }
+  const PlanarMesh mesh = mesh_region(at, edges, {Vec2::Zero()},
+                                      [](const Vec2& p) { return std::max(1.0, 0.1 * p.norm()); });
+  std::vector<RigidBody> bodies(1);
+  bodies[0].fixed = true;
+  Poses poses(1);
+  poses[0].t.z() = lift;
+  std::vector<ReducedMembrane::SheetPoint> points;
+  Points2 flat(mesh.points.size(), 2);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const Vec2 p = mesh.points[v];
+    flat.row(v) = p.transpose();
+    if (v < corners) {
+      points.push_back({0, Vec3(p.x(), p.y(), 0)});
+      continue;
+    }
+    points.push_back({static_cast<int>(bodies.size()), Vec3::Zero()});
+    bodies.emplace_back();
+    bodies.back().fixed = v < at.size();
+    poses.push_back({Eigen::Matrix3d::Identity(), Vec3(p.x(), p.y(), 0)});
+  }
+  const MembraneMaterial material;
+  WorldOptions options;
+  options.least_unit = 1;
+  ContactWorld world(bodies, poses, options);
+  world.add(std::make_unique<ReducedMembrane>(points, flat, mesh.triangles, tau, material));
+  ASSERT_TRUE(world.settle(60).at_rest);
+  // Of a neo-Hookean sheet that is stretched alike in both directions, N / mm.
+  const double tension = material.shear_modulus * material.thickness * (1 - std::pow(tau, -6.0));
+  const double expected = 2 * pi * tension * lift / std::log(1.0787 * s / a);
+  EXPECT_NEAR(-world.given_forces()(0, 2), expected, 0.02 * expected);
 }
 
 }  // namespace

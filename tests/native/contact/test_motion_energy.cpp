@@ -165,6 +165,31 @@ TEST(MotionEnergy, MembranesHaveExactDerivativesAndBalance) {
   }
 }
 
+TEST(MotionEnergy, AnySheetHasExactDerivativesAndBalances) {
+  // A square of tau 1.6 in four triangles round a node: two corners on one body, two on others, and
+  // a triangle that is all one body's.
+  const std::vector<ReducedMembrane::SheetPoint> points = {{0, {-5, -1, 0.4}}, {0, {5, 0.5, -0.3}},
+                                                           {1, {1, 1, 0.2}},   {2, {0, -1, 0.6}},
+                                                           {3, Vec3::Zero()},  {0, {0, -4, 0.2}}};
+  Points2 flat(6, 2);
+  flat << 0, 0, 10, 0, 10, 10, 0, 10, 5, 5, 5, -4;
+  Poses poses(4);
+  poses[0].t = {5, 1, 1};
+  poses[1].t = {9, 9, 0.5};
+  poses[2].t = {0, 11, -1};
+  poses[3].t = {5.5, 4.5, 2};
+  const Motions away = 0.2 * Motions::Random(4, 6);
+  poses = moved(poses, away, 3);
+  for (const DensityModel& model : density_models()) {
+    MembraneMaterial material;
+    material.model = &model;
+    const ReducedMembrane sheet(
+        points, flat, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {5, 1, 0}}, 1.6, material);
+    expect_derivatives(sheet, poses);
+    expect_balance(sheet, poses);
+  }
+}
+
 TEST(MotionEnergy, GivenForcesHaveExactDerivatives) {
   const Poses poses = turned_poses(3);
   const PointLoads loads({{0, {1, 2, 3}, {0.5, -1, 2}}, {2, {-2, 0, 1}, {1, 1, 1}}});

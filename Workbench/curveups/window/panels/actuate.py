@@ -8,6 +8,7 @@ from typing import Any, Optional
 import numpy as np
 
 from ...base.native import translated
+from ...base.releases import RELEASES
 from ...features import actions, live
 from ...features.live import stored
 from ...features.status import OUT_OF_DATE
@@ -69,7 +70,8 @@ class ActuatePanel(Panel):
         self._say("")
         self._play(False)
         with errors_shown(translate("CurveUps_Actuate", "Actuate")):
-            live.design_project_of(self.design).give(START, ActuationStart(hands=self.form.hands.isChecked()))
+            live.design_project_of(self.design).give(START, ActuationStart(
+                hands=self.form.hands.isChecked(), release=RELEASES[self.form.release.currentIndex()]))
             # Later: the view is about to show the design with its results.
             runs.start("actuate", self.design, lambda: QtCore.QTimer.singleShot(0, self._arrived))
 
