@@ -1296,6 +1296,10 @@
       <translation>„{0}“ ist kein Punkt eines Scans</translation>
     </message>
     <message>
+      <source>'{0}' is no price</source>
+      <translation>„{0}“ ist kein Preis</translation>
+    </message>
+    <message>
       <source>'{0}' is no setting</source>
       <translation>„{0}“ ist keine Einstellung</translation>
     </message>
@@ -2128,6 +2132,10 @@
       <translation>eine frames.json von „curveups actuate“ angeben</translation>
     </message>
     <message>
+      <source>give a number, 0 or more, as hour=2.5</source>
+      <translation>eine Zahl ab 0 angeben, etwa hour=2.5</translation>
+    </message>
+    <message>
       <source>give a number, a text or true or false</source>
       <translation>eine Zahl, einen Text, true oder false angeben</translation>
     </message>
@@ -2302,6 +2310,10 @@
     <message>
       <source>give some of T00001 to {0}</source>
       <translation>einige von T00001 bis {0} angeben</translation>
+    </message>
+    <message>
+      <source>give some of {0}, as hour=2.5</source>
+      <translation>einige von {0} angeben, etwa hour=2.5</translation>
     </message>
     <message>
       <source>give step, stl or 3mf</source>
@@ -3708,6 +3720,10 @@
       <translation>der Linienzug hat keine Punkte</translation>
     </message>
     <message>
+      <source>the price {0} is '{1}'</source>
+      <translation>der Preis {0} ist „{1}“</translation>
+    </message>
+    <message>
       <source>the print ({x:.0f} x {y:.0f} x {z:.0f} mm) is larger than the bed of a {printer}</source>
       <translation>Der Druck ({x:.0f} x {y:.0f} x {z:.0f} mm) ist größer als das Bett eines {printer}</translation>
     </message>
@@ -4712,8 +4728,8 @@
       <translation>Rändern, Löchern und Schnitten folgen. Wo die Zeichnung kleine Kreise hat, diese zuerst ausstanzen: sie verhindern, dass ein Schnitt weiterreißt.</translation>
     </message>
     <message>
-      <source>For PrusaSlicer there is the same as -prusa.3mf, with an extruder for each material.</source>
-      <translation>Für PrusaSlicer gibt es dasselbe als -prusa.3mf, mit einem Extruder für jedes Material.</translation>
+      <source>For PrusaSlicer there is the same, with prusa in the name and an extruder for each material.</source>
+      <translation>Für PrusaSlicer gibt es dasselbe mit prusa im Namen und einem Extruder für jedes Material.</translation>
     </message>
     <message>
       <source>For {paper} paper: print at 100 % (“actual size”), not fitted to the page; measure the ruler.</source>
@@ -4744,8 +4760,8 @@
       <translation>Kleber</translation>
     </message>
     <message>
-      <source>Glue a strip of the latex, 80 × 25 mm and not stretched, onto the front pins as the assembly sheet says. Take the support away and let all dry as there. Hold the latex flat on a table and pull one tile after the other along it, by a thread around its walls, until its pin comes off. Enter the largest force of each; each pin has {pin:.1f} mm². {asked}</source>
-      <translation>Einen Streifen des Latex, 80 × 25 mm und nicht gedehnt, auf die vorderen Zapfen kleben, wie es die Montageanleitung sagt. Die Stützen entfernen und alles trocknen lassen, wie dort. Das Latex flach auf einen Tisch halten und eine Kachel nach der anderen daran entlangziehen, mit einem Faden um ihre Wände, bis ihr Zapfen abgeht. Von jeder die größte Kraft eintragen; jeder Zapfen hat {pin:.1f} mm². {asked}</translation>
+      <source>Glue a strip of the latex, 80 × 25 mm and not stretched, onto the front pins as the assembly sheet says. Take the support away and let all dry as there. Hold the latex flat on a table and pull one tile after the other along it, by a thread around its walls, until its pin comes off. Enter the largest force of each; each pin has {pin:.1f} mm². {asked} Then glue another strip onto the back pins, wash and dry them as before, and hold the tiles down. Pull the strip straight up, so that it peels off each pin from a corner towards the side that faces it. Enter the largest force of each (peel): there the glue gives way along that side, {side:.1f} mm. {peel}</source>
+      <translation>Einen Streifen des Latex, 80 × 25 mm und nicht gedehnt, auf die vorderen Zapfen kleben, wie es die Montageanleitung sagt. Die Stützen entfernen und alles trocknen lassen, wie dort. Das Latex flach auf einen Tisch halten und eine Kachel nach der anderen daran entlangziehen, mit einem Faden um ihre Wände, bis ihr Zapfen abgeht. Von jeder die größte Kraft eintragen; jeder Zapfen hat {pin:.1f} mm². {asked} Dann einen weiteren Streifen auf die hinteren Zapfen kleben, waschen und trocknen wie zuvor und die Kacheln festhalten. Den Streifen gerade nach oben ziehen, sodass er sich von jedem Zapfen von einer Ecke zur gegenüberliegenden Seite hin abschält. Von jedem die größte Kraft eintragen (peel): dort gibt der Kleber entlang dieser Seite nach, {side:.1f} mm. {peel}</translation>
     </message>
     <message>
       <source>Glue on pins, after the support went</source>
@@ -4766,6 +4782,10 @@
     <message>
       <source>Growth of walls in XY that does no harm</source>
       <translation>Wachsen der Wände in XY, das nicht schadet</translation>
+    </message>
+    <message>
+      <source>Help with your hands where it stays flat, from the middle outwards.</source>
+      <translation>Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen.</translation>
     </message>
     <message>
       <source>Hold one tile of the row after the other in the fingers or a vice, and pull its neighbour up with a thread around it, at right angles to the row, until the bridges between them break. Enter the largest force of each. It compares shops and printers: no design computes with it.</source>
@@ -4940,8 +4960,8 @@
       <translation>So trennen sich die {pieces} Stücke: jedes hält seine Form allein.</translation>
     </message>
     <message>
-      <source>Stretch both membranes to {tau:g} times their length, each over the teeth of its own ring: every hole comes onto a tooth, {pitch:g} mm from the next. The sheet lies on the face that the teeth stick out of, with its lines on the ring, since glue does not hold on ink. Begin in the middles of opposite sides, and end at the corners. The window inside measures {window[0]:.0f} × {window[1]:.0f} mm. The back ring's teeth, and so its sheet, lie {half:g} mm off its middle along both sides: that is meant, they pass between those of the front. Measure through the window: each of the five control squares of {square:g} mm must read {stretched:g} ± {slack:.1f} mm in both directions. Where one does not, a hole hangs on the wrong tooth or has torn out: hang its rows anew. Measure once more just before gluing, since latex creeps. The front sheet pulls with {front[0]:.0f} N at the left and right sides of its ring and {front[1]:.0f} N at the others, the back sheet with {back[0]:.0f} N and {back[1]:.0f} N: wear goggles, a sheet that slips off snaps back.</source>
-      <translation>Beide Membranen auf das {tau:g}-Fache ihrer Länge dehnen, jede über die Zähne ihres eigenen Rings: jedes Loch kommt auf einen Zahn, {pitch:g} mm vom nächsten. Die Folie liegt auf der Fläche, aus der die Zähne ragen, mit den Linien zum Ring, denn auf Farbe hält kein Kleber. In der Mitte gegenüberliegender Seiten beginnen und an den Ecken enden. Das Fenster innen misst {window[0]:.0f} × {window[1]:.0f} mm. Die Zähne des hinteren Rings und damit seine Folie liegen an beiden Seiten {half:g} mm neben seiner Mitte: das ist so gewollt, sie gehen zwischen denen des vorderen hindurch. Durch das Fenster messen: jedes der fünf Prüfquadrate von {square:g} mm muss in beiden Richtungen {stretched:g} ± {slack:.1f} mm messen. Wo eines das nicht tut, hängt ein Loch am falschen Zahn oder ist ausgerissen: seine Reihen neu aufhängen. Kurz vor dem Kleben noch einmal messen, denn Latex kriecht. Die vordere Folie zieht mit {front[0]:.0f} N an der linken und rechten Seite ihres Rings und mit {front[1]:.0f} N an den anderen, die hintere mit {back[0]:.0f} N und {back[1]:.0f} N: Schutzbrille tragen, eine Folie, die abrutscht, schnellt zurück.</translation>
+      <source>Stretch both membranes to {tau:g} times their length, each over the teeth of its own ring: every hole comes onto a tooth, {pitch:g} mm from the next. The sheet lies on the face that the teeth stick out of, with its lines on the ring, since glue does not hold on ink. Begin in the middles of opposite sides, and end at the corners. The window inside measures {window[0]:.0f} × {window[1]:.0f} mm. The back ring's teeth, and so its sheet, lie {half:g} mm off its middle along both sides: that is meant, they pass between those of the front. Measure through the window: each of the five control squares of {square:g} mm must read {stretched:g} ± {slack:.1f} mm in both directions. Where one does not, a hole hangs on the wrong tooth or has torn out: hang its rows anew. Stretch both within an hour, and glue both on the same day: latex that stays stretched loses some quarter of its pull in a day, most of it in the first hours. Measure once more just before gluing, since latex creeps. The front sheet pulls with {front[0]:.0f} N at the left and right sides of its ring and {front[1]:.0f} N at the others, the back sheet with {back[0]:.0f} N and {back[1]:.0f} N: wear goggles, a sheet that slips off snaps back.</source>
+      <translation>Beide Membranen auf das {tau:g}-Fache ihrer Länge dehnen, jede über die Zähne ihres eigenen Rings: jedes Loch kommt auf einen Zahn, {pitch:g} mm vom nächsten. Die Folie liegt auf der Fläche, aus der die Zähne ragen, mit den Linien zum Ring, denn auf Farbe hält kein Kleber. In der Mitte gegenüberliegender Seiten beginnen und an den Ecken enden. Das Fenster innen misst {window[0]:.0f} × {window[1]:.0f} mm. Die Zähne des hinteren Rings und damit seine Folie liegen an beiden Seiten {half:g} mm neben seiner Mitte: das ist so gewollt, sie gehen zwischen denen des vorderen hindurch. Durch das Fenster messen: jedes der fünf Prüfquadrate von {square:g} mm muss in beiden Richtungen {stretched:g} ± {slack:.1f} mm messen. Wo eines das nicht tut, hängt ein Loch am falschen Zahn oder ist ausgerissen: seine Reihen neu aufhängen. Beide innerhalb einer Stunde dehnen und am selben Tag kleben: Latex, das gedehnt bleibt, verliert an einem Tag etwa ein Viertel seines Zugs, das meiste davon in den ersten Stunden. Kurz vor dem Kleben noch einmal messen, denn Latex kriecht. Die vordere Folie zieht mit {front[0]:.0f} N an der linken und rechten Seite ihres Rings und mit {front[1]:.0f} N an den anderen, die hintere mit {back[0]:.0f} N und {back[1]:.0f} N: Schutzbrille tragen, eine Folie, die abrutscht, schnellt zurück.</translation>
     </message>
     <message>
       <source>Stretch both sheets</source>
@@ -4984,6 +5004,10 @@
       <translation>Schablonen</translation>
     </message>
     <message>
+      <source>The computed path from flat says: {said}.</source>
+      <translation>Der berechnete Weg aus der Ebene sagt: {said}.</translation>
+    </message>
+    <message>
       <source>The design asks for {shear:.2f} MPa where its pins or anchors carry most: a glue that holds less is not for it.</source>
       <translation>Der Entwurf braucht {shear:.2f} MPa, wo seine Zapfen oder Anker am meisten tragen: ein Kleber, der weniger hält, taugt nicht für ihn.</translation>
     </message>
@@ -4992,12 +5016,24 @@
       <translation>Der Entwurf hat andere Wände: diese Neigungen nicht in MEASURED.json eintragen.</translation>
     </message>
     <message>
+      <source>The membrane peels with up to {peel:.2f} N/mm.</source>
+      <translation>Die Membran schält mit bis zu {peel:.2f} N/mm.</translation>
+    </message>
+    <message>
       <source>The membrane stays on its ring</source>
       <translation>Die Membran bleibt auf ihrem Ring</translation>
     </message>
     <message>
+      <source>The pages that follow list the files.</source>
+      <translation>Die folgenden Seiten nennen die Dateien.</translation>
+    </message>
+    <message>
       <source>The parts lie with their {first} up</source>
       <translation>Die Teile liegen mit ihrer {first} nach oben</translation>
+    </message>
+    <message>
+      <source>The piece holds even where the pins of {tiles} let go: they are too small for what they carry.</source>
+      <translation>Das Stück hält auch, wenn die Zapfen von {tiles} sich lösen: sie sind zu klein für das, was sie tragen.</translation>
     </message>
     <message>
       <source>The sheet pulls with {load[0]:.0f} N at the left and right sides and {load[1]:.0f} N at the others. The print comes into the middle of the window; some millimetres beside it do no harm.</source>
@@ -5048,12 +5084,12 @@
       <translation>Das Latex waschen und anzeichnen</translation>
     </message>
     <message>
-      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat, from the middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not in shape yet. {own}</source>
-      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. {each} Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. Wo sie flach bleibt, von der Mitte nach außen mit den Händen nachhelfen. Sie mit der Rückseite auf den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form. {own}</translation>
+      <source>When the glue holds, turn all over, so that the front sheet is up. Print {name}-trim.pdf at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in turn: so they let go together. The shell pulls itself into shape. {hands} Lay it with its back onto the kit's former, or its ribs: where it does not touch, it is not in shape yet. {own}</source>
+      <translation>Wenn der Kleber hält, alles wenden, sodass die vordere Folie oben liegt. {name}-trim.pdf mit 100 % drucken, das Papier auf die Größe des Fensters schneiden, mit den Dreiecken auf den äußeren Zapfen, die man hindurch fühlt, auf die vordere Folie legen und die Linien auf die Folie übertragen. {each} Dann beide Folien mit einer starken Schere auf einmal innen am Fenster entlang schneiden, außerhalb der Anker, reihum an jeder Seite einige Zentimeter: so geben sie gemeinsam nach. Die Schale zieht sich selbst in Form. {hands} Sie mit der Rückseite auf den Formkörper oder die Rippen legen: wo sie nicht anliegt, ist sie noch nicht in Form. {own}</translation>
     </message>
     <message>
-      <source>Where bodies must not overlap, there is the same as one closed shell a piece: -fused.stl and -fused.3mf.</source>
-      <translation>Wo Körper einander nicht überschneiden dürfen, gibt es dasselbe als eine geschlossene Schale je Stück: -fused.stl und -fused.3mf.</translation>
+      <source>Where bodies must not overlap, there is the same as one closed shell a piece, with fused in the name.</source>
+      <translation>Wo Körper einander nicht überschneiden dürfen, gibt es dasselbe als eine geschlossene Schale je Stück, mit fused im Namen.</translation>
     </message>
     <message>
       <source>Where the pieces did not come to lie as far apart as they were printed, cut the paper between them, and lay each part of it on its own piece.</source>
@@ -5088,8 +5124,12 @@
       <translation>Rückseite, gespiegelt</translation>
     </message>
     <message>
-      <source>bed {number}: {hours:.1f} h (by {by}), {price:.0f} {currency} at the prices in the printer's file</source>
-      <translation>Bett {number}: {hours:.1f} h (nach {by}), {price:.0f} {currency} zu den Preisen in der Datei des Druckers</translation>
+      <source>bed {number}: {hours:.1f} h (by {by}), {price:.0f} {currency} at the prices in kit.json</source>
+      <translation>Bett {number}: {hours:.1f} h (nach {by}), {price:.0f} {currency} zu den Preisen in kit.json</translation>
+    </message>
+    <message>
+      <source>bed {number}: {x:.1f} × {y:.1f} × {z:.1f} mm</source>
+      <translation>Bett {number}: {x:.1f} × {y:.1f} × {z:.1f} mm</translation>
     </message>
     <message>
       <source>box of the print</source>
@@ -5212,8 +5252,8 @@
       <translation>der Druck passt</translation>
     </message>
     <message>
-      <source>the print fits as {name}-bed-01 turns and moves it</source>
-      <translation>der Druck passt so, wie {name}-bed-01 ihn dreht und verschiebt</translation>
+      <source>the print fits as {name} turns and moves it</source>
+      <translation>der Druck passt so, wie {name} ihn dreht und verschiebt</translation>
     </message>
     <message>
       <source>the print fits without {anchors} of its anchors</source>
@@ -5288,6 +5328,10 @@
       <translation>{down}: dort stehen nur Zapfen und Anker vor ({first_mm2:.0f} mm²). {behind} {first_cm3:.2f} cm³ Kleber auf die Enden dieser Zapfen und Anker rollen, {layer:g} mm dick, mit einer Rolle, die darunter nichts berührt: einen Kleber für Gummi auf hartem Kunststoff, den Wasser nicht löst. Wände, Spalte und alles, was die Kacheln zusammenhält, bleiben trocken. {lay} Folie und Druck zwischen zwei Brettern, die durch das Fenster passen, mit gleichmäßig verteilten Gewichten so lange zusammenpressen, wie es der Hersteller des Klebers sagt. Lüften: die Dämpfe des Klebers sind schädlich.</translation>
     </message>
     <message>
+      <source>{each}; the picture has the others</source>
+      <translation>{each}; die anderen nennt das Bild</translation>
+    </message>
+    <message>
       <source>{facing} Nothing joins them: tape or glue them along their borders.</source>
       <translation>{facing} Nichts verbindet sie: an ihren Rändern mit Klebeband oder Kleber verbinden.</translation>
     </message>
@@ -5298,6 +5342,14 @@
     <message>
       <source>{feature:.3g} mm; the printer makes {least:g} mm</source>
       <translation>{feature:.3g} mm; der Drucker schafft {least:g} mm</translation>
+    </message>
+    <message>
+      <source>{first} or .step: every body with its name, in place. The print as it is does not fit the bed</source>
+      <translation>{first} oder .step: jeder Körper mit seinem Namen an seinem Platz. Der Druck, wie er ist, passt nicht auf das Bett</translation>
+    </message>
+    <message>
+      <source>{first} to {last}, or .step: a job a bed, every body with its name, in place. The print as a whole does not fit the bed</source>
+      <translation>{first} bis {last}, oder .step: ein Auftrag je Bett, jeder Körper mit seinem Namen an seinem Platz. Der Druck als Ganzes passt nicht auf das Bett</translation>
     </message>
     <message>
       <source>{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as much again for the roller; a glue for rubber on hard plastic, that water does not loosen{asked}; for rings in parts or with dowels also a rigid one</source>
@@ -5326,14 +5378,6 @@
     <message>
       <source>{low} to {high} mm; {taper_low} to {taper_high} mm more at the front than at the back, each alone</source>
       <translation>{low} bis {high} mm; {taper_low} bis {taper_high} mm mehr an der Vorderseite als an der Rückseite, jedes für sich</translation>
-    </message>
-    <message>
-      <source>{name}-bed-01.3mf or .step: every body with its name, in place. The print as it is does not fit the bed</source>
-      <translation>{name}-bed-01.3mf oder .step: jeder Körper mit seinem Namen an seinem Platz. Der Druck, wie er ist, passt nicht auf das Bett</translation>
-    </message>
-    <message>
-      <source>{name}-bed-01.3mf to -{last:02}.3mf, or .step: a job a bed, every body with its name, in place. The print as a whole does not fit the bed</source>
-      <translation>{name}-bed-01.3mf bis -{last:02}.3mf, oder .step: ein Auftrag je Bett, jeder Körper mit seinem Namen an seinem Platz. Der Druck als Ganzes passt nicht auf das Bett</translation>
     </message>
     <message>
       <source>{name}-coupons.pdf in the folder coupons says what to print and to measure before the order, and what latex that takes besides</source>
@@ -5452,8 +5496,8 @@
       <translation>{volume}; dazu kommen die Stützen des Slicers unter Kacheln, die überstehen</translation>
     </message>
     <message>
-      <source>“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes: with them make the design and its kit anew. It prints other values, too, for you to read: no parameter of a design takes the constants of Mooney-Rivlin, what creep leaves of the force, what gaps lose or what breaks bridges.</source>
-      <translation>„curveups calibrate {name}-MEASURED.json -o DIR“ passt Modul, Reibung, Kleber und Zugabe mit ihrer Unsicherheit an. Es schreibt material.json und printer.json, die „curveups design --config“ nimmt: damit den Entwurf und seinen Bausatz neu machen. Es gibt auch andere Werte zum Lesen aus: kein Parameter eines Entwurfs nimmt die Konstanten von Mooney-Rivlin, was das Kriechen von der Kraft übrig lässt, was Spalte verlieren oder was Brücken bricht.</translation>
+      <source>“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes: with them make the design and its kit anew. It prints other values, too, for you to read: no parameter of a design takes the constants of Mooney-Rivlin, what creep leaves of the force, what peels glue, what gaps lose or what breaks bridges.</source>
+      <translation>„curveups calibrate {name}-MEASURED.json -o DIR“ passt Modul, Reibung, Kleber und Zugabe mit ihrer Unsicherheit an. Es schreibt material.json und printer.json, die „curveups design --config“ nimmt: damit den Entwurf und seinen Bausatz neu machen. Es gibt auch andere Werte zum Lesen aus: kein Parameter eines Entwurfs nimmt die Konstanten von Mooney-Rivlin, was das Kriechen von der Kraft übrig lässt, was Kleber abschält, was Spalte verlieren oder was Brücken bricht.</translation>
     </message>
   </context>
   <context>
@@ -5777,12 +5821,20 @@
       <translation>Namen</translation>
     </message>
     <message>
+      <source>Prices</source>
+      <translation>Preise</translation>
+    </message>
+    <message>
       <source>Quantity</source>
       <translation>Anzahl</translation>
     </message>
     <message>
       <source>Set how many the print shop is to make</source>
       <translation>Festlegen, wie viele die Druckerei herstellen soll</translation>
+    </message>
+    <message>
+      <source>Set the prices of your shop, for example: order=10, hour=3.5, rigid_cm3=0.2, support_cm3=0.1, currency=USD</source>
+      <translation>Die Preise des Druckdienstes setzen, zum Beispiel: order=10, hour=3.5, rigid_cm3=0.2, support_cm3=0.1, currency=USD</translation>
     </message>
     <message>
       <source>The fabrication kit is out of date: the design has changed since</source>
@@ -5795,6 +5847,10 @@
     <message>
       <source>Write the Kit</source>
       <translation>Schreiben</translation>
+    </message>
+    <message>
+      <source>those of the printer</source>
+      <translation>die des Druckers</translation>
     </message>
   </context>
   <context>

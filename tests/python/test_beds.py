@@ -3,6 +3,7 @@
 
 import io
 import json
+import os
 import shutil
 import subprocess
 from types import SimpleNamespace
@@ -16,7 +17,9 @@ from curveups.base.language import ENGLISH
 from curveups.base.native import native
 from curveups.kit import bed_files, beds, costs, drawing, files
 from curveups.kit import kit as kit_module
+from curveups.base.errors import Stopped
 from curveups.project.project import Project
+from curveups.stages.solids import amounts
 from curveups.stages.stage import Job
 
 
@@ -87,6 +90,16 @@ def test_anchors_for_which_there_is_no_room_are_left_out(design):
     anchors = found.model.piece_of_bodies("anchors")
     assert 0 < found.left_out == len(model.piece_of_bodies("anchors")) - len(anchors)
     assert len(anchors) > 4 and found.model.volumes["support"] > 0
+    # What the order counts is what goes on the bed.
+    whole, printed = amounts([model]), amounts([found.bed(0)])
+    share = len(anchors) / (len(anchors) + found.left_out)
+    assert printed["bodies"] == whole["bodies"] - found.left_out
+    tops = np.pi * design.parameters.get("anchor_radius") ** 2  # the label has no room
+    assert 0 < printed["anchor_volume_cm3"] <= share * whole["anchor_volume_cm3"] + 1e-6
+    for side in ("front", "back"):
+        assert printed["glue"][f"{side}_anchors_mm2"] == pytest.approx(len(anchors) * tops, rel=1e-6)
+        assert printed["glue"][f"{side}_pins_mm2"] == pytest.approx(whole["glue"][f"{side}_pins_mm2"])
+    assert printed["support_volume_cm3"] < whole["support_volume_cm3"]
 
 
 @pytest.mark.parametrize("support", ["soluble", "breakaway"])
@@ -171,31 +184,35 @@ def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
     own.set("support", "breakaway")
     own.set("run_verification", False)
     results = Project.of_design(design.with_parameters(own)).run(files.goals(), Job(), strict=True)
-    assert not files.write_kit(results, tmp_path, Job())
+    order = files.Order(2, "{quantity}-{name}-{body}", prices="hour=7, currency=USD")
+    assert not files.write_kit(results, tmp_path, Job(), order)
     found = json.loads((tmp_path / "kit.json").read_text("utf-8"))
     count = len(found["beds"]["beds"])
     assert count > 1 and found["beds"]["position_error_mm"] > 0 and len(found["costs"]) == count
     endings = (".3mf", ".step", "-prusa.3mf", "-fused.stl", "-fused.3mf")
     assert {path.name for path in tmp_path.glob("*-bed-*")} == {
-        f"small-cap-bed-{k:02}{ending}" for k in range(1, count + 1) for ending in endings}
+        f"2x-small-cap-bed-{k:02}{ending}" for k in range(1, count + 1) for ending in endings}
     for ending in ("prusa.3mf", "print-fused.stl", "print-fused.3mf"):  # nothing that fits no bed
-        assert not (tmp_path / f"small-cap-{ending}").exists()
+        assert not (tmp_path / f"2x-small-cap-{ending}").exists()
     _, mesh = freecad_session.load("Mesh")
     for number, bed in enumerate(found["beds"]["beds"], 1):
-        shell = mesh.Mesh(str(tmp_path / f"small-cap-bed-{number:02}-fused.stl"))
+        shell = mesh.Mesh(str(tmp_path / f"2x-small-cap-bed-{number:02}-fused.stl"))
         assert shell.isSolid() and shell.countComponents() == len(bed["parts"])
         box = shell.BoundBox
         assert [box.XLength, box.YLength, box.ZLength] == pytest.approx(bed["bbox_mm"], abs=0.04)  # chords
     assert (tmp_path / "small-cap-frame.dxf").exists()
     # The order is of beds, and says what each holds.
     printed = read_text(tmp_path / "small-cap-shop.pdf")
-    assert f"small-cap-bed-01.3mf to -{count:02}.3mf" in printed and f"{count} builds" in printed
-    assert "with an extruder for each material" in printed and "-fused.stl and -fused.3mf" in printed
+    assert f"2x-small-cap-bed-01.3mf to 2x-small-cap-bed-{count:02}.3mf" in printed
+    assert f"{count} builds" in printed
+    assert "an extruder for each material" in printed and "with fused in the name" in printed
     assert f"divided among {count} beds" in printed and "the print does not fit" not in printed
     for number, bed in enumerate(found["beds"]["beds"], 1):
-        assert found["files"][f"small-cap-bed-{number:02}.3mf"]["sha256"] in printed
-        assert " × ".join(f"{x:.1f}" for x in bed["bbox_mm"]) in printed
+        assert found["files"][f"2x-small-cap-bed-{number:02}.3mf"]["sha256"] in printed
+        size = " × ".join(f"{x:.1f}" for x in bed["bbox_mm"])
+        assert printed.count(size) > 1 and f"bed {number}: {size}" in printed  # in figures and picture
     bodies = sum(bed["bodies"] for bed in found["beds"]["beds"])
+    assert bodies == found["print"]["bodies"]
     assert f"of {bodies} bodies each" in printed
     assert any(f"There are {bodies} bodies" in step["text"] for step in found["steps"])
     assert "ring over" in " ".join(step["text"] for step in found["steps"])
@@ -206,7 +223,8 @@ def test_every_bed_and_the_frame_are_in_the_kit(printed, tmp_path, monkeypatch):
     assert "Lay the parts side by side" in said and f"bed {count}:" in said
     for one in found["costs"]:
         assert one["hours"] > 0 and one["price"] == pytest.approx(costs.price(
-            one["hours"], one["rigid_cm3"], one["support_cm3"], small["prices"]))
+            one["hours"], one["rigid_cm3"], one["support_cm3"],
+            {**small["prices"], "hour": 7.0, "currency": "USD"})) and one["currency"] == "USD"
         assert one["hours_by"] == ("prusa-slicer" if shutil.which("prusa-slicer")
                                    else "rates of the printer's file")
 
@@ -218,11 +236,53 @@ def test_beds_after_one_that_takes_the_slicer_too_long_go_by_rates(design, monke
     own.set("support", "breakaway")
     kit = SimpleNamespace(printer=kit_module.read_printer("fdm"), model=model, go_on=lambda _: None,
                           results=SimpleNamespace(parameters=own),
-                          beds=SimpleNamespace(places=[0, 1, 2], bed=lambda k: model))
+                          prints=[model] * 3)
     answers = [(1.5, 20.0), None]
     first, *others = costs.costs(kit)
     assert (first["hours"], first["rigid_cm3"], first["hours_by"]) == (1.5, 20.0, "prusa-slicer")
     assert {one["hours_by"] for one in others} == {"rates of the printer's file"} and not answers
+
+
+@pytest.fixture
+def endless_slicer(tmp_path, monkeypatch):
+    """Instead of PrusaSlicer: it writes its number into the file `pid`, says how far it is and goes on."""
+    script = tmp_path / costs.SLICER
+    script.write_text(f"#!/bin/sh\necho $$ > {tmp_path}/pid\necho '20 => Generating perimeters'\n"
+                      "exec sleep 1000\n")
+    script.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    return tmp_path / "pid"
+
+
+def has_ended(path):
+    try:
+        os.kill(int(path.read_text()), 0)
+    except ProcessLookupError:
+        return True
+    return False
+
+
+def slice_(design, go_on):
+    kit = SimpleNamespace(printer=kit_module.read_printer("fdm"), shell=lambda model: b"")
+    return costs._sliced(kit, None, go_on)
+
+
+def test_a_stop_ends_the_slicer(design, endless_slicer):
+    told = []
+
+    def go_on(part):
+        told.append(part)
+        if part > 0:
+            raise Stopped
+
+    with pytest.raises(Stopped):
+        slice_(design, go_on)
+    assert told[-1] == 0.2 and has_ended(endless_slicer)
+
+
+def test_a_slicer_that_takes_too_long_ends_without_an_answer(design, endless_slicer, monkeypatch):
+    monkeypatch.setattr(costs, "MOST_SECONDS", 2.0)
+    assert slice_(design, lambda part: None) is None and has_ended(endless_slicer)
 
 
 def read_text(path):

@@ -11,7 +11,7 @@ from curveups.base.native import native
 from curveups.kit.calibration import _ROWS, _SHEET, calibrate, parameters, read_measured, use
 from running import ROOT
 
-G, C1, C2, LEFT, FRICTION, GLUE, GROWTH = 0.31, 0.12, 0.05, 0.8, 0.52, 0.9, 0.06
+G, C1, C2, LEFT, FRICTION, GLUE, GROWTH, PEEL = 0.31, 0.12, 0.05, 0.8, 0.52, 0.9, 0.06, 0.3
 LOSS, BRIDGE = 0.25, 12.0
 STRIP, WIDE = np.linspace(1.2, 3.2, 11), np.linspace(1.2, 2.8, 7)
 MINUTES = np.array([1, 2, 5, 10, 30, 60, 120, 300.0])
@@ -53,7 +53,8 @@ def others(seed):
             "gaps": rows(nominal_mm=COMB, measured_mm=(COMB - LOSS + noise.normal(0, 0.02, 10)).clip(0)),
             "bridges": rows(force_n=BRIDGE + noise.normal(size=8)),
             "glue": rows(force_n=area * (GLUE + 0.05 * noise.normal(size=8)), area_mm2=area),
-            "growth": rows(nominal_mm=nominal, measured_mm=nominal + 2 * GROWTH + noise.normal(0, 0.04, 8))}
+            "growth": rows(nominal_mm=nominal, measured_mm=nominal + 2 * GROWTH + noise.normal(0, 0.04, 8)),
+            "peel": rows(force_n=8.0 * (PEEL + 0.02 * noise.normal(size=8)), width_mm=np.full(8, 8.0))}
 
 
 SHAPE = np.concatenate([STRIP - STRIP**-2, WIDE - WIDE**-3])
@@ -68,6 +69,7 @@ CASES = [("shear_modulus", neo_hooke, G, 0.02 / np.linalg.norm(SHAPE)),
          ("left_after_a_day", others, LEFT, 0.03 * math.sqrt(SLOPE @ np.linalg.inv(LINE.T @ LINE) @ SLOPE)),
          ("friction_coefficient", others, FRICTION, 0.03 / math.sqrt(12)),
          ("glue_strength", others, GLUE, 0.05 / math.sqrt(8)),
+         ("peel_strength", others, PEEL, 0.02 / math.sqrt(8)),
          ("gap_loss", others, LOSS, 0.02 / math.sqrt(8)),
          ("bridge_strength", others, BRIDGE, 1 / math.sqrt(8)),
          ("xy_compensation", others, GROWTH, 0.02 / math.sqrt(8))]
@@ -112,7 +114,8 @@ def test_each_value_says_what_takes_it_or_that_nothing_does():
     """And the page marks the same ones."""
     found = calibrate(read_measured({**mooney_rivlin(1), **others(1)}, "made"))
     page = (ROOT / "resources" / "docs" / "kit.md").read_text("utf-8")
-    unused = {"mooney_rivlin_c1", "mooney_rivlin_c2", "left_after_a_day", "gap_loss", "bridge_strength"}
+    unused = {"mooney_rivlin_c1", "mooney_rivlin_c2", "left_after_a_day", "peel_strength", "gap_loss",
+              "bridge_strength"}
     for name in found:
         made = parameters({name: found[name]}, THICK)
         taken = {file: list(values) for file, values in made.items() if values}
@@ -124,7 +127,7 @@ def test_each_value_says_what_takes_it_or_that_nothing_does():
             assert use(name).startswith("no parameter takes it")
         assert f"`{name}` *" not in page or not taken, name
     assert all(f"{said} * |" in page for said in ("Mooney-Rivlin", "after a day", "narrower",
-                                                  "`bridge_strength`"))
+                                                  "`peel_strength`", "`bridge_strength`"))
 
 
 def test_what_was_not_measured_stays_out(curveups, tmp_path):

@@ -88,6 +88,8 @@ def test_pins_of_the_glue_coupon_have_the_area_that_is_entered():
     areas = glue.model(parameters()).glued_areas["front"]
     rows = glue.rows(parameters())["glue"]
     assert areas["pins"] == pytest.approx(sum(row["area_mm2"] for row in rows), rel=1e-4)
+    for row in glue.rows(parameters())["peel"]:  # an equilateral triangle of this side has that area
+        assert row["width_mm"] ** 2 * math.sqrt(3) / 4 == pytest.approx(rows[0]["area_mm2"], rel=1e-3)
 
 
 def test_walls_that_slide_are_as_long_as_the_sketch_has_them():
@@ -122,6 +124,8 @@ def filled(data):
         row["angle_deg"] = math.degrees(math.atan(0.4)) + 0.1 * (k - 2)
     for row in data["glue"]:
         row["force_n"] = 0.8 * row["area_mm2"]
+    for row in data["peel"]:
+        row["force_n"] = 0.3 * row["width_mm"]
     for row in data["growth"]:
         row["measured_mm"] = row["nominal_mm"] + 0.08
     for row in data["gaps"]:
@@ -141,7 +145,8 @@ def test_the_file_of_the_kit_is_calibrated_once_it_is_filled_in(curveups, folder
     values = {name: one["value"] for name, one in found.items()}
     assert values["shear_modulus"] == pytest.approx(0.6) and "left_after_a_day" not in values
     assert values["friction_coefficient"] == pytest.approx(0.4, rel=1e-3)
-    assert values["glue_strength"] == pytest.approx(0.8) and values["gap_loss"] == pytest.approx(0.25)
+    assert values["glue_strength"] == pytest.approx(0.8) and values["peel_strength"] == pytest.approx(0.3)
+    assert values["gap_loss"] == pytest.approx(0.25)
     assert values["xy_compensation"] == pytest.approx(0.04)
 
 
@@ -163,7 +168,8 @@ def test_the_sheet_of_glue_asks_for_what_pins_and_anchors_need_where_that_is_kno
 
     anchors = {"anchors": {"glue_shear_mpa": [0.31, 0.43]}}
     assert "asks for 0.43 MPa" in said(anchors)
-    assert "asks for 0.66 MPa" in said({**anchors, "glue": {"shear_max_mpa": 0.6514}})
+    both = said({**anchors, "glue": {"shear_max_mpa": 0.6514, "peel_max_n_per_mm": 0.1066}})
+    assert "asks for 0.66 MPa" in both and "peels with up to 0.11 N/mm" in both
     assert "MPa" not in said({})
 
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from curveups.base.native import native
 from curveups.stages.joining import joints_of, not_joined
+from running import by_admesh
 from schema import read_run
 from shapes import obj_text, sphere
 
@@ -65,6 +66,22 @@ def test_every_edge_between_the_pieces_has_two_holes(sewn):
     tiles = (sewn / "ball-tiles.step").read_text("utf-8")
     assert tiles.count("CYLINDRICAL_SURFACE") == 2 * len(edges)
     assert (sewn / "ball-actuated.step").read_text("utf-8").count("CYLINDRICAL_SURFACE") == 2 * len(edges)
+
+
+def test_the_kit_says_how_the_pieces_are_sewn(sewn, curveups, tmp_path):
+    design, report = read_run(sewn)
+    assert curveups("kit", sewn / "design.json", "-o", tmp_path).status in (0, 1)
+    found = json.loads((tmp_path / "kit.json").read_text("utf-8"))
+    assert found["status"] == "complete" and found["print"]["pieces"] == 2
+    assert found["joints"]["holes"] == report["joints"]["holes"]
+    assert sorted(found["borders"]["pairs"]) == sorted(map(sorted, borders(design)))
+    sew = found["steps"][-1]
+    assert "sew them along their borders" in sew["title"]
+    assert f"{found['joints']['holes']} holes in all" in sew["text"] and "(1 mm)" in sew["text"]
+    assert set(map(tuple, found["borders"]["named"])) <= set(map(tuple, found["borders"]["pairs"]))
+    assert all(f"T{a + 1:05}–T{b + 1:05}" in sew["text"] for a, b in found["borders"]["named"])
+    former = by_admesh(tmp_path / "ball-former.stl")  # one for each piece
+    assert former["Number of parts"] == 2 and former["Total disconnected facets"] == 0
 
 
 def test_the_volume_lacks_the_holes(sewn, curveups, tmp_path):

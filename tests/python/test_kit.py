@@ -20,11 +20,12 @@ from curveups.base import freecad_session
 from curveups.base.errors import Stopped
 from curveups.base.language import Language
 from curveups.base.native import native
-from curveups.kit import coupons, drawing, files, latex, ring_sheet, tile_map
+from curveups.kit import assembly_sheet, coupons, drawing, files, latex, ring_sheet, shop_sheet, tile_map
 from curveups.kit.kit import Kit
+from curveups.kit.prices import chosen_prices, price
 from curveups.project.project import Project
 from curveups.report import shop
-from curveups.report.assembly import steps
+from curveups.report.assembly import glue_asked, loose_pins, steps
 from curveups.report.data import build_report
 from curveups.report.exports import Choice, file_names
 from curveups.report.print_pictures import draw_print
@@ -110,13 +111,83 @@ def test_the_order_says_how_the_print_fits_the_bed(results, monkeypatch, bed, as
     ([[100.0, 90.0, 5.0]], 3, "small-cap-bed-01.3mf or .step", "the print fits without 3 of its anchors"),
     ([[100.0, 90.0, 5.0]], 0, "small-cap-bed-01.3mf or .step",
      "the print fits as small-cap-bed-01 turns and moves it"),
-    ([[100.0, 90.0, 5.0]] * 2, 0, "small-cap-bed-01.3mf to -02.3mf", "the print is divided among 2 beds")])
+    ([[100.0, 90.0, 5.0]] * 2, 0, "small-cap-bed-01.3mf to small-cap-bed-02.3mf",
+     "the print is divided among 2 beds")])
 def test_the_order_says_what_goes_on_beds(results, bboxes, left_out, files, fits):
     report = build_report(results, [], False, {}, {})
     report["beds"] = {"anchors_left_out": left_out,
                       "beds": [{"bbox_mm": bbox, "bodies": 30} for bbox in bboxes]}
     said = dict(shop.quote(report, results.parameters))
     assert said["To be printed"].startswith(files) and said["Printer compared with"].endswith(fits)
+
+
+def test_files_of_many_beds_follow_the_order(results, tmp_path):
+    """The picture keeps its room, and every checksum stands on a page."""
+    kit = Kit(results, build_report(results, [], False, {}, {}))
+    kit.files = {f"small-cap-bed-{k:02}.3mf": {"bytes": k, "sha256": hashlib.sha256(b"%d" % k).hexdigest()}
+                 for k in range(200)}
+    path = tmp_path / "shop.pdf"
+    path.write_bytes(shop_sheet.make(kit))
+    first, *others = pdf_text(path).split("\f")
+    assert "The pages that follow list the files" in first and "mm high" in first
+    said = "".join(others)
+    assert all(said.count(one["sha256"]) == 1 for one in kit.files.values()) and pages_of(path) == 4
+
+
+def test_prices_of_ones_shop_take_the_place_of_the_printers():
+    printer = read_printer("fdm")["prices"]
+    assert chosen_prices("", printer) == printer
+    found = chosen_prices(" hour=3.5,currency = USD ", printer)
+    assert found == {**printer, "hour": 3.5, "currency": "USD"}
+    assert price(2.0, 10.0, 5.0, found) == pytest.approx(
+        found["order"] + 7.0 + 10 * found["rigid_cm3"] + 5 * found["support_cm3"])
+
+
+@pytest.mark.parametrize("text, said", [
+    ("day=3", "'day=3' is no price"), ("hour=much", "the price hour is 'much'"), ("hour=nan", "is 'nan'"),
+    ("hour=-1", "the price hour is '-1'"), ("hour", "the price hour is ''"), ("hour=3,5", "'5' is no price")])
+def test_prices_that_do_not_do_are_refused(curveups, printed, tmp_path, text, said):
+    ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path / "no", "--prices", text)
+    assert ran.status == 2 and said in ran.err and not (tmp_path / "no").exists()
+
+
+def test_pins_that_may_let_go_ask_nothing_of_the_glue(results):
+    report = build_report(results, [], False, {}, {})
+    glue = {"shear_max_mpa": 1.6747, "shear_limit_mpa": 0.7,
+            "loose": {"front": [], "back": [1238, 1409], "holds": True}}
+    report = {**report, "glue": glue, "anchors": {"glue_shear_mpa": [0.1, 0.2]}}
+    assert glue_asked(report) == 0.7
+    assert "the pins of T01239, T01410 let go" in loose_pins(report)
+    kit = Kit(results, {**report, "costs": []})
+    glued = dict(assembly_sheet.parts(kit))["Glue"]
+    assert "holds 0.70 MPa in shear" in glued and "materials: cyanoacrylate)" in glued and "T01410" in glued
+    glue["loose"]["holds"] = False
+    assert glue_asked(report) == 1.68 and loose_pins(report) == ""
+
+
+def test_the_sheet_says_where_hands_help_once_the_path_is_known(curveups, printed, tmp_path):
+    """By the actuation.json beside the design, as long as that is of it."""
+    (tmp_path / "design.json").write_bytes((printed.folder / "design.json").read_bytes())
+    ran = curveups("actuate", tmp_path / "design.json", "-o", tmp_path, "--no-hands")
+    assert ran.status in (0, 1), ran.err
+    answer = json.loads((tmp_path / "actuation.json").read_text("utf-8"))
+    said = "; ".join(one["what"] for one in answer["findings"])
+    assert "arrive" in said
+
+    def release(folder, *settings):
+        assert curveups("kit", tmp_path / "design.json", "-o", folder, *settings).status in (0, 1)
+        found = json.loads((folder / "kit.json").read_text("utf-8"))
+        text, = (one["text"] for one in found["steps"] if one["title"].startswith("Cut both sheets out"))
+        assert "Help with your hands where it stays flat" in text
+        return text, found
+
+    text, found = release(tmp_path / "kit")
+    assert f"The computed path from flat says: {said}." in text
+    assert found["actuation"]["arrives"] == answer["actuation"]["arrives"]
+    text, found = release(tmp_path / "other", "--set", "friction_coefficient=0.3")
+    assert "computed path" not in text and "actuation" not in found
+    text, _ = release(tmp_path / "same", "--set", "printer=fdm")  # on which no path depends
+    assert said in text
 
 
 @pytest.mark.parametrize("high", [0.8, 0.35])

@@ -216,6 +216,27 @@ def test_concave_polygons_are_covered_once(tmp_path, corners, ending):
     assert 0.5 * doubled.sum() == pytest.approx(area, rel=1e-12)
 
 
+@pytest.mark.parametrize("crossing", [False, True])
+def test_a_polygon_of_thousands_of_corners_is_divided(tmp_path, crossing):
+    """A star, which is covered once, and one that crosses itself, which becomes a fan."""
+    count = 4000
+    radius = np.where(np.arange(count) % 2, 60.0, 58.0)
+    turn = 2 * np.pi * np.arange(count) / count * (1999 if crossing else 1)
+    points = np.stack([radius * np.cos(turn), radius * np.sin(turn), np.zeros(count)], axis=1)
+    (tmp_path / "star.obj").write_text("".join("v %r %r %r\n" % tuple(row) for row in points.tolist())
+                                       + "f " + " ".join(map(str, range(1, count + 1))) + "\n")
+    told = []
+    found = read_target(tmp_path / "star.obj", 0.01, lambda share: not told.append(share))
+    assert len(found.F) == count - 2 and told
+    if crossing:
+        assert (found.F[:, 0] == 0).all()
+        return
+    a, b, c = (found.V[found.F[:, k], :2] for k in range(3))
+    doubled = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
+    assert (doubled > 0).all()
+    assert doubled.sum() == pytest.approx(count * 60 * 58 * np.sin(2 * np.pi / count), rel=1e-9)
+
+
 def test_quads_and_polygons_that_cross_themselves_stay_fans(tmp_path):
     square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
     assert read(tmp_path, "square.obj", square + "f 1 2 3 4\n")[1].tolist() == [[0, 1, 2], [0, 2, 3]]

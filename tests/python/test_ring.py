@@ -71,10 +71,11 @@ def distance(points, outline):
     return np.linalg.norm(points[:, None] - outline - share.clip(0, 1)[..., None] * along, axis=2).min(1)
 
 
-@pytest.mark.parametrize("bed, count", [(J750, 1), (FDM, 4)])
-def test_solids_are_sound_and_read_by_other_programs(tmp_path, bed, count):
+@pytest.mark.parametrize("box, bed, count", [(HALF_SPHERE, J750, 1), (HALF_SPHERE, FDM, 4), (SPOT, J750, 4),
+                                             (SPOT, FDM, 8)])
+def test_solids_are_sound_and_read_by_other_programs(tmp_path, box, bed, count):
     _, part, mesh = freecad_session.load("Part", "Mesh")
-    block = block_of(HALF_SPHERE)
+    block = block_of(box)
     ring = rings.rings(block, 5.0, bed)
     for side in SIDES:
         model = ring_sheet.solids("a ring", block, side, ring, {"bed_mm": bed, "tolerance_mm": 0.1})
@@ -111,6 +112,16 @@ def test_rings_give_way_by_less_than_a_millimetre(box, bed):
         assert max(ring[side]["bends_mm"] + ring[side]["rises_mm"]) < 1.0
         assert ring[side]["tooth_mpa"] < 20  # photopolymers and beech break at 50 and more
     assert ring["front"]["tooth_n"] == pytest.approx(15 * 0.36 * (1 - 3 ** -6))
+
+
+@pytest.mark.parametrize("box, most", [(HALF_SPHERE, 81), (SPOT, 194)])
+def test_sheets_pull_with_their_tension_over_the_window(box, most):
+    """G h (1 - tau^-6) over the longer side: 80 N and 190 N in round numbers."""
+    block = block_of(box)
+    for side in SIDES:
+        assert sorted(block["load_n"][side]) == pytest.approx(
+            sorted(0.36 * (1 - 3 ** -6) * length for length in block["window_mm"]))
+        assert max(block["load_n"][side]) == pytest.approx(most, abs=0.6)
 
 
 def test_a_square_ring_bends_as_beams_held_at_both_ends_and_in_shear():

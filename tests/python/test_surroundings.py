@@ -4,6 +4,7 @@ a checkout that can't be written."""
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -105,6 +106,31 @@ def test_a_whole_design_in_little_memory_ends_with_a_word(tmp_path, cap, kilobyt
     assert (done.returncode, bool(files)) in ((2, False), (4, True))
     for name in files:
         assert name in done.stderr
+
+
+@pytest.mark.parametrize("kilobytes", [380_000, 540_000, 620_000])
+def test_two_signals_end_a_design_in_little_memory(tmp_path, cap, kilobytes):
+    """While files are written, at the latest. The thread that writes them waited in FreeCAD for memory, and
+    the signals for that thread."""
+    limited = ["bash", "-c", f'ulimit -v {kilobytes}; exec "$@"', "bash",
+               *command("design", cap, "-o", "out", "--no-remesh")]
+    process = subprocess.Popen(limited, cwd=tmp_path, env=environment(), stderr=subprocess.PIPE, text=True)
+    said = ""
+    for line in process.stderr:
+        said += line
+        if "writing" in line:
+            process.send_signal(signal.SIGINT)
+            process.send_signal(signal.SIGINT)
+            break
+    _, rest = process.communicate(timeout=240)
+    said += rest
+    assert process.returncode in (0, 2, 3, 4), said
+    files = {path.name for path in (tmp_path / "out").glob("*")}
+    assert not [name for name in files if name.startswith(".")]
+    if process.returncode in (0, 3) and files:
+        assert "report.json" in files
+    elif process.returncode != 3:
+        assert "there is not enough memory" in said.splitlines()[-1], said
 
 
 @pytest.mark.parametrize("kilobytes", [300_000, 340_000, 380_000, 420_000])

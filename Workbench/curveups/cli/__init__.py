@@ -84,6 +84,9 @@ def make_parser() -> argparse.ArgumentParser:
     kit.add_argument("--quantity", type=_pieces, default=1, metavar="N", help="how many to order")
     kit.add_argument("--names", default="{name}-{body}", metavar="MASK",
                      help="names of print files, of {name}, {body}, {material}, {thickness} and {quantity}")
+    kit.add_argument("--prices", default="", metavar="hour=3,...",
+                     help="your shop's, in place of those in the printer's file: of an order, an hour, "
+                          "rigid_cm3, support_cm3, and the currency")
     kit.add_argument("--language", default="en", metavar="de", help="language of the sheets (default: en)")
 
     compare = _command(commands, "compare", "compare a scan of a built piece with its design")

@@ -157,13 +157,15 @@ def export(options: Any, session: Session) -> int:
 def kit(options: Any, session: Session) -> int:
     """curveups kit"""
     require_folder_name(options.output)
-    order = kit_files.Order(options.quantity, options.names, Language(options.language).name)
+    order = kit_files.Order(options.quantity, options.names, Language(options.language).name, options.prices)
     project, _ = _design_project(options, session)
+    order.check(project.parameters)
     job = session.job
     results = kit_files.make(project, job)
     if results["check"].print_block:
         with session.interrupt.shielded():
-            stopped = kit_files.write_kit(results, options.output, job, order)
+            risen = actuation.read_answer(options.design.parent, results.design, results.parameters)
+            stopped = kit_files.write_kit(results, options.output, job, order, risen)
     else:  # stopped before there was anything to draw
         raise Stopped
     return _finish(results, options.output, session, stopped)

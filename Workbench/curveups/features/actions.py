@@ -287,13 +287,13 @@ class WrittenKit:
     keys: Optional[Keys] = None
 
 
-def kit(design: Any, folder: str, quantity: int = 1, mask: str = kit_files.Order.mask, language: str = "en"
-        ) -> str:
+def kit(design: Any, folder: str, quantity: int = 1, mask: str = kit_files.Order.mask, language: str = "en",
+        prices: str = "") -> str:
     """Writes the fabrication kit into a folder, unless it holds that of the design as it is; the page of its
     assembly."""
     written = _made.pop(("kit", design.Document.Name, design.Name), None)
     if written is None:
-        written = kit_work(design, folder, kit_files.Order(quantity, mask, language))(Job())
+        written = kit_work(design, folder, kit_files.Order(quantity, mask, language, prices))(Job())
     if written.keys is not None:
         write_keys(design, written.keys, "KitKeys")
         design.Proxy.refresh(design)
@@ -310,7 +310,8 @@ def kit_work(design: Any, folder: str, order: kit_files.Order) -> Callable[[Job]
         finished = project.latest("design").design.with_parameters(project.parameters)
         page = Path(folder) / f"{project.name}-assembly.html"
         text = native.write_design(finished)
-        if current and kit_files.is_current(Path(folder), text, order) and page.exists():
+        risen = project.out_of_date(RISEN) == ()
+        if current and kit_files.is_current(Path(folder), text, order, risen) and page.exists():
             return WrittenKit(str(page))
         results = kit_files.make(project, job)
         if job.stopped or kit_files.write_kit(results, Path(folder), job, order):

@@ -17,7 +17,7 @@ from matplotlib.image import imread
 from ..base import profiles
 from ..base.language import Language, Text
 from ..report import pictures
-from ..report.assembly import HOLE, glue_asked, glue_volumes, steps
+from ..report.assembly import HOLE, glue_asked, glue_volumes, loose_pins, steps
 from ..report.html import page, picture
 from ..report.print_pictures import print_view
 from ..report.shop import latex
@@ -50,6 +50,7 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
                      if profiles.parameters(profiles.material_path(name))["glue_strength"] >= shear)
     asked = " " + say("and that holds {shear:.2f} MPa in shear (its coupon shows that; of the program's "
                       "materials: {does})", shear=shear, does=does or say("none")) if shear else ""
+    lets_go = f". {loose_pins(kit.report, say)}".rstrip(". ")
     return [(say("Print"), say("{tiles} tiles and what holds them: {name}-shop.pdf is the order",
                                tiles=kit.report["tiles"], name=kit.name)),
             (say("Latex"), latex(kit.report, parameters, say)),
@@ -63,7 +64,7 @@ def parts(kit: Kit) -> list[tuple[str, str]]:
             (say("Glue"), say("{front:.2f} cm³ for the front and {back:.2f} cm³ for the back, and half as "
                               "much again for the roller; a glue for rubber on hard plastic, that "
                               "water does not loosen{asked}; for rings in parts or with dowels also a rigid "
-                              "one", asked=asked, **glue)),
+                              "one", asked=asked, **glue) + lets_go),
             *_shaping(kit),
             (say("Coupons"), say("{name}-coupons.pdf in the folder coupons says what to print and to measure "
                                  "before the order, and what latex that takes besides", name=kit.name)),
@@ -101,8 +102,8 @@ def _shaping(kit: Kit) -> list[tuple[str, str]]:
 
 
 def _cost(say: Language, number: int, one: Mapping[str, Any]) -> str:
-    return say("bed {number}: {hours:.1f} h (by {by}), {price:.0f} {currency} at the prices in the printer's "
-               "file", number=number, by=say(one["hours_by"]),
+    return say("bed {number}: {hours:.1f} h (by {by}), {price:.0f} {currency} at the prices in kit.json",
+               number=number, by=say(one["hours_by"]),
                **{name: one[name] for name in ("hours", "price", "currency")})
 
 
@@ -113,7 +114,7 @@ def _pictures(kit: Kit) -> dict[str, Callable[[], bytes]]:
             "stretched": lambda: _drawn(template.template(kit.title, block, True, kit.say)),
             "section": lambda: _drawn(section(kit)),
             "frame": lambda: _drawn(frame(kit)),
-            "print": lambda: print_view(*kit.drawn, say=kit.say),
+            "print": lambda: print_view(kit.prints, kit.printer["bed_mm"], say=kit.say),
             "front": partial(pictures.flat_layout, design),
             "back": lambda: pictures.flat_layout(_from_back(kit)),
             "actuated": partial(pictures.actuated_view, design),

@@ -9,7 +9,7 @@ from typing import Any, Callable
 import numpy as np
 
 from ..base.language import Text
-from .beds import FIT
+from .beds import FIT, bed_name
 from .drawing import Drawing, dxf, tiled_pdf
 from .kit import Kit
 from .print_shop import fused, project
@@ -25,11 +25,12 @@ def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
     if kit.beds is None:
         return found
     for number in range(len(kit.beds.places)):
+        bed = bed_name(number)
         for ending in ("3mf", "step"):
-            found[f"{kit.name}-bed-{number + 1:02}.{ending}"] = partial(_bed, kit, number, ending)
-        found[f"{kit.name}-bed-{number + 1:02}-prusa.3mf"] = partial(_project, kit, number)
+            found[kit.named((bed, ending))] = partial(_bed, kit, number, ending)
+        found[kit.named((f"{bed}-prusa", "3mf"))] = partial(_project, kit, number)
         for ending in ("stl", "3mf") if kit.has_bridges else ():
-            found[f"{kit.name}-bed-{number + 1:02}-fused.{ending}"] = partial(_fused, kit, number, ending)
+            found[kit.named((f"{bed}-fused", ending))] = partial(_fused, kit, number, ending)
     if kit.beds.seams:
         found[f"{kit.name}-frame.dxf"] = lambda: dxf(frame(kit))
         found[f"{kit.name}-frame.pdf"] = lambda: tiled_pdf(frame(kit), [kit.say(_NOTE)], kit.go_on, kit.say)

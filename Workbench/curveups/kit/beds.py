@@ -60,6 +60,11 @@ class Beds:
                          for number, places in enumerate(self.places)]}
 
 
+def bed_name(number: int) -> str:
+    """In names of files, of a bed from 0."""
+    return f"bed-{number + 1:02}"
+
+
 def _figures(model: Any) -> dict[str, Any]:
     return {"bbox_mm": [float(x) for x in model.bbox],
             "bodies": sum(len(model.piece_of_bodies(kind)) for kind in KINDS)}

@@ -34,6 +34,7 @@ _ROWS: Mapping[str, Mapping[str, tuple[float, float]]] = {
     "held": {"minutes": (1e-3, 1e6), "force_n": _FORCE},
     "friction": {"angle_deg": (0.1, 89.0)},
     "glue": {"force_n": _FORCE, "area_mm2": (1e-3, 1e6)},
+    "peel": {"force_n": _FORCE, "width_mm": (1e-3, 1e4)},
     "gaps": {"nominal_mm": (0.01, 10.0), "measured_mm": (0.0, 10.0)},
     "bridges": {"force_n": _FORCE},
     "growth": {"nominal_mm": (1e-3, 1e4), "measured_mm": (1e-3, 1e4)}}
@@ -43,6 +44,7 @@ _UNUSED: Mapping[str, str] = {
                                "G the shear modulus" for one in ("c1", "c2")},
     "left_after_a_day": "no parameter takes it: set shear_modulus_front and _back to this share of the shear "
                         "modulus to see the piece a day after its sheets were stretched",
+    "peel_strength": "no parameter takes it: compare it with glue.peel_max_n_per_mm of report.json",
     "gap_loss": "no parameter takes it: choose a d_gap_min that is larger",
     "bridge_strength": "no parameter takes it: a shop's prints are compared by it"}
 _SHEET = {"width_mm": (0.1, 1e4), "wide_width_mm": (0.1, 1e4), "thickness_mm": (0.01, 10.0)}
@@ -107,6 +109,8 @@ def calibrate(measured: Mapping[str, Any]) -> dict[str, Fitted]:
         found["friction_coefficient"] = _mean(np.tan(np.radians(measured["friction"]["angle_deg"])), "")
     if "glue" in measured:
         found["glue_strength"] = _mean(measured["glue"]["force_n"] / measured["glue"]["area_mm2"], "MPa")
+    if "peel" in measured:
+        found["peel_strength"] = _mean(measured["peel"]["force_n"] / measured["peel"]["width_mm"], "N/mm")
     if "gaps" in measured:
         rows = measured["gaps"]
         open_ones = rows["measured_mm"] > 0

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What each bed takes: hours and money. PrusaSlicer's hours where it is there and the printer lays filament
-of one material; else those of the rates in the printer's file. Prices are of that file."""
+of one material; else those of the rates in the printer's file."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from ..base.language import Text
 from ..base.native import native
 from ..report.shop import is_tilted, tilted_height
 from .kit import Kit
+from .prices import price
 
 SLICER, RATES = "prusa-slicer", Text("rates of the printer's file")
 MOST_SECONDS, POLL = 300.0, 0.2
@@ -28,8 +29,7 @@ def costs(kit: Kit) -> list[dict[str, Any]]:
     by rates as well. Raises Stopped."""
     printer, soluble = kit.printer, native.support_kind(kit.results.parameters).soluble
     slices = not soluble and printer["slicer"] == SLICER
-    models = [kit.model] if kit.beds is None else [kit.beds.bed(k) for k in range(len(kit.beds.places))]
-    found = []
+    found, models = [], kit.prints
     for number, model in enumerate(models):
         kit.go_on(number / len(models))
         volumes = {kind: volume / 1000 for kind, volume in model.volumes.items()}
@@ -49,11 +49,6 @@ def costs(kit: Kit) -> list[dict[str, Any]]:
 def by_rates(height: float, volume: float, rates: Mapping[str, float]) -> float:
     """Hours for a print so high (mm) of so much material (cm3)."""
     return rates["hours"] + height * rates["hours_per_mm"] + volume * rates["hours_per_cm3"]
-
-
-def price(hours: float, rigid: float, soft: float, prices: Mapping[str, Any]) -> float:
-    return float(prices["order"] + hours * prices["hour"] + rigid * prices["rigid_cm3"]
-                 + soft * prices["support_cm3"])
 
 
 def _sliced(kit: Kit, model: Any, go_on: Callable[[float], object]) -> Optional[tuple[float, float]]:

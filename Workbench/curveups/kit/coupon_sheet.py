@@ -17,7 +17,8 @@ from ..report.assembly import glue_asked
 from ..report.data import to_text
 from ..report.print_pictures import draw_print
 from . import drawing
-from .coupons import FOOT_ANGLE, GRIP, NARROW, PIN, WIDE, Coupon, measured, pull, sliding, stretches, wanted
+from .coupons import (FOOT_ANGLE, GRIP, NARROW, PIN, SIDE, WIDE, Coupon, measured, pull, sliding, stretches,
+                      wanted)
 from .drawing import BORDER, PAPERS, Drawing
 from .kit import Kit
 
@@ -78,11 +79,13 @@ def said(kit: Kit, coupon: Coupon) -> str:
     shear = glue_asked(kit.report)
     asked = say("The design asks for {shear:.2f} MPa where its pins or anchors carry most: a glue that holds "
                 "less is not for it.", shear=shear) if shear else ""
+    peels = kit.report.get("glue", {}).get("peel_max_n_per_mm")
+    peel = say("The membrane peels with up to {peel:.2f} N/mm.", peel=peels) if peels is not None else ""
     reach = stretches(parameters)
     lengths = {name: ", ".join(f"{stretch * size:g}" for stretch in reach)
                for name, size in (("lengths", NARROW[1]), ("wide_lengths", WIDE[1]))}
-    return say(coupon.text, angle=FOOT_ANGLE, own=own, pin=PIN, asked=asked, tau=parameters.get("tau"),
-               **lengths, **pull(parameters))
+    return say(coupon.text, angle=FOOT_ANGLE, own=own, pin=PIN, side=SIDE, asked=asked, peel=peel,
+               tau=parameters.get("tau"), **lengths, **pull(parameters))
 
 
 _COVER = (
@@ -97,7 +100,8 @@ out. Give three readings of a list or more, or none."""),
     Text("""“curveups calibrate {name}-MEASURED.json -o DIR” fits modulus, friction, glue and growth with
 their uncertainty. It writes material.json and printer.json, which “curveups design --config” takes: with them
 make the design and its kit anew. It prints other values, too, for you to read: no parameter of a design takes
-the constants of Mooney-Rivlin, what creep leaves of the force, what gaps lose or what breaks bridges."""))
+the constants of Mooney-Rivlin, what creep leaves of the force, what peels glue, what gaps lose or what breaks
+bridges."""))
 
 
 def sheet(kit: Kit) -> bytes:

@@ -21,6 +21,7 @@ from .ring import DOWEL
 
 EDGE, INSET = 15.0, 2.0               # mm, of the tiles of a strip and their pins
 PIN = round(math.sqrt(3) / 4 * (EDGE - 2 * math.sqrt(3) * INSET) ** 2, 3)  # mm2
+SIDE = round(EDGE - 2 * math.sqrt(3) * INSET, 3)  # mm, of such a pin
 GAPS = (0.2, 0.3, 0.4, 0.5, 0.6)      # mm, of the comb
 TOOTH, DEEP, BAR = 8.0, 15.0, 6.0     # mm: width of its teeth, their length, and what joins them
 WALL, WALL_HEIGHT = 30.0, 8.0         # mm, of tiles that slide on one another
@@ -170,8 +171,12 @@ wall: that of the board and {angle:g}°. Lay it on again each time. {own}"""),
            Text("""Glue a strip of the latex, 80 × 25 mm and not stretched, onto the front pins as the
 assembly sheet says. Take the support away and let all dry as there. Hold the latex flat on a table and
 pull one tile after the other along it, by a thread around its walls, until its pin comes off. Enter the
-largest force of each; each pin has {pin:.1f} mm². {asked}"""),
-           lambda parameters: {"glue": [{"force_n": None, "area_mm2": PIN}] * (len(GAPS) + 1)},
+largest force of each; each pin has {pin:.1f} mm². {asked} Then glue another strip onto the back pins, wash
+and dry them as before, and hold the tiles down. Pull the strip straight up, so that it peels off each pin
+from a corner towards the side that faces it. Enter the largest force of each (peel): there the glue gives way
+along that side, {side:.1f} mm. {peel}"""),
+           lambda parameters: {"glue": [{"force_n": None, "area_mm2": PIN}] * (len(GAPS) + 1),
+                               "peel": [{"force_n": None, "width_mm": SIDE}] * (len(GAPS) + 1)},
            lambda parameters: strip("glue", _changed(parameters), _gaps(parameters))),
     Coupon("gaps", Text("Gaps of 0.2 to 0.6 mm"),
            Text("""Push feeler gauges through each gap of the comb, on the side that lay on the bed, where the

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 from importlib import import_module
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Callable, Iterator, Mapping, Sequence
 
 from ..base.errors import CurveUpsError, Stopped
@@ -22,10 +23,12 @@ from ..report.data import build_report, to_text
 from ..report.exports import Choice, File, doubtful, file_names, plain, run_under
 from ..report.files import keep_design
 from ..report.shop import latex, quote, rules
-from ..stages import asked_by
+from ..stages import RISEN, asked_by
+from ..stages.solids import amounts, read_printer
 from ..stages.stage import Job
 from .costs import costs
 from .kit import Kit
+from .prices import chosen_prices
 from .underside import figures
 
 FORMAT, VERSION = "curveups-kit", 1
@@ -36,14 +39,11 @@ MEASURED = "MEASURED.json"
 _OF_BEDS = ("bed-[0-9][0-9].*", "bed-[0-9][0-9]-prusa.3mf", "bed-[0-9][0-9]-fused.*", "frame.dxf",
             "frame.pdf")
 _OF_COUPONS = (".step", ".3mf", ".stl", ".pdf", ".svg", ".dxf")
-_OF_BRIDGES = ("print-fused.stl", "print-fused.3mf")
-_OF_ONE_BED = ("prusa.3mf", *_OF_BRIDGES)
+_OF_ONE_BED: tuple[File, ...] = (("prusa", "3mf"), ("print-fused", "stl"), ("print-fused", "3mf"))
 
 # What follows NAME- in files, with the module, its function and what that is given. matplotlib is loaded
 # with the first of them.
 _SHEETS: Mapping[str, tuple[str, ...]] = {
-    "prusa.3mf": ("print_shop", "project"),
-    **{ending: ("print_shop", "fused", ending[-3:]) for ending in _OF_BRIDGES},
     "shop.pdf": ("shop_sheet", "make"),  # lists what comes before it
     **{f"latex-{side}.{kind}": ("latex", "make", side, kind)
        for side in ("front", "back") for kind in ("pdf", "svg", "dxf")},
@@ -59,16 +59,23 @@ _SHEETS: Mapping[str, tuple[str, ...]] = {
 
 @dataclass(frozen=True)
 class Order:
-    """What the user chooses. mask: names of print files (exports.py); language: of sheets."""
+    """What the user chooses. mask: names of print files (exports.py); language: of sheets; prices: in place
+    of the printer's (prices.py)."""
 
     quantity: int = 1
     mask: str = "{name}-{body}"
     language: str = "en"
+    prices: str = ""
+
+    def check(self, parameters: Any) -> None:
+        """Raises CurveUpsError for prices that do not do."""
+        chosen_prices(self.prices, read_printer(parameters.get("printer"))["prices"])
 
     @property
     def data(self) -> dict[str, Any]:
         """As kit.json has it."""
-        return {"quantity": self.quantity, "names": self.mask, "language": self.language}
+        return {"quantity": self.quantity, "names": self.mask, "language": self.language,
+                "prices": self.prices}
 
 
 def goals() -> tuple[str, ...]:
@@ -77,8 +84,10 @@ def goals() -> tuple[str, ...]:
 
 
 def make(project: Project, job: Job) -> Results:
-    """What a kit is made from. Where the design is not known to be valid, labels, solids and files say so."""
-    results = project.run(goals(), job, strict=True)
+    """What a kit is made from, with the path from flat where that is current. Where the design is not known
+    to be valid, labels, solids and files say so."""
+    wanted = (*goals(), *((RISEN,) if project.out_of_date(RISEN) == () else ()))
+    results = project.run(wanted, job, strict=True)
     if results.verdict.valid or results.stopped:
         return results
     name = doubtful(results.title, results.verdict.valid)
@@ -87,8 +96,12 @@ def make(project: Project, job: Job) -> Results:
 
 def print_names(name: str, parameters: Any, kinds: Sequence[str], order: Order) -> dict[File, str]:
     """Of print files. kinds: of bodies. Raises CurveUpsError for a mask that does not do."""
-    wanted = tuple((kind, one.ending) for one in native.print_formats() for kind in one.wanted
-                   if kind in (*kinds, "print"))
+    return _named(name, parameters, order, tuple(
+        (kind, one.ending) for one in native.print_formats() for kind in one.wanted
+        if kind in (*kinds, "print")))
+
+
+def _named(name: str, parameters: Any, order: Order, wanted: tuple[File, ...]) -> dict[File, str]:
     soluble = native.support_kind(parameters).soluble
     height = 2 * parameters.get("H_pin") + parameters.get("H_body")
     return file_names(name, Choice(wanted, order.mask), {
@@ -96,19 +109,29 @@ def print_names(name: str, parameters: Any, kinds: Sequence[str], order: Order) 
         "thickness": lambda kind: f"{height:g}mm", "quantity": lambda kind: f"{order.quantity}x"})
 
 
-def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) -> bool:
+def write_kit(results: Results, path: Path, job: Job, order: Order = Order(),
+              risen: Mapping[str, Any] = MappingProxyType({})) -> bool:
     """Writes all files of a kit; whether that was stopped. kit.json goes first and comes last: what it does
-    not list, this run did not write."""
+    not list, this run did not write. risen: what is known of the path from flat, where results don't have
+    it."""
     design = native.write_design(results.design.with_name(plain(results)))
     names = print_names(results.name, results.parameters, results["solids"].kinds, order)
     report = build_report(results, results.rows(), False, {}, {})
-    kit = Kit(results, report, order.quantity, names, say=Language(order.language))
+    if risen:
+        report.setdefault("actuation", risen)
+
+    def named(file: File) -> str:
+        return _named(results.name, results.parameters, order, (file,))[file]
+
+    kit = Kit(results, report, order.quantity, names, named, say=Language(order.language),
+              prices=order.prices)
     stopped = results.stopped
     readings = f"{results.name}-{MEASURED}"
     filled_in = _is_changed(path, f"{COUPONS}/{readings}")
     earlier = [name for name in _listed(path) if Path(name).name == name and not _is_changed(path, name)]
     with Folder(path) as folder, Folder(path / COUPONS) as coupons:
-        folder.remove(KIT, *earlier, *(f"{results.name}-{ending}" for ending in _SHEETS))
+        folder.remove(KIT, *earlier, *(f"{results.name}-{ending}" for ending in _SHEETS),
+                      *map(named, _OF_ONE_BED))
         folder.remove(*(place.name for ending in _OF_BEDS
                         for place in folder.path.glob(f"{glob.escape(results.name)}-{ending}")))
         coupons.remove(*(place.name for place in coupons.path.glob(f"{glob.escape(results.name)}-*")
@@ -138,6 +161,7 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order()) ->
             begin("dividing the print among beds")
             if kit.beds:
                 report["beds"] = kit.beds.figures(kit.printer)
+                report["print"] = {**report["print"], **amounts(kit.prints)}
             begin("estimating hours and price")
             report["costs"] = costs(kit)
             todo = [*_print_files(kit, names), *_drawn_files(kit)]
@@ -165,13 +189,16 @@ def _print_files(kit: Kit, names: Mapping[File, str]) -> Iterator[tuple[str, Wri
         yield name, _body(kit, kind, ending)
     for name, made in import_module(".bed_files", __package__).files(kit).items():
         yield name, _holding(made)
+    if not kit.beds:
+        shop = import_module(".print_shop", __package__)
+        yield kit.named(_OF_ONE_BED[0]), _holding(partial(shop.project, kit))
+        for body, ending in _OF_ONE_BED[1:] if kit.has_bridges else ():
+            yield kit.named((body, ending)), _holding(partial(shop.fused, kit, ending))
 
 
 def _drawn_files(kit: Kit) -> Iterator[tuple[str, Writer]]:
     """What follows the print: the order first, which lists what comes before it."""
     for ending, (module, function, *given) in _SHEETS.items():
-        if ending in _OF_BRIDGES and not kit.has_bridges or ending in _OF_ONE_BED and kit.beds:
-            continue
         made = getattr(import_module(f".{module}", __package__), function)
         yield f"{kit.name}-{ending}", _holding(partial(made, kit, *given))
 
@@ -209,7 +236,7 @@ def _contents(kit: Kit, design: str, stopped: bool, order: Order) -> dict[str, A
     report, parameters = kit.report, kit.results.parameters
     printed = {name: value for name, value in report["print"].items() if name != "files"}
     blocks = ("beds", "costs", "area", "solids", "sheets", "anchors", "contact_forces", "worst_contacts",
-              "joints", "borders")
+              "joints", "borders", "actuation")
     return {"format": FORMAT, "version": VERSION, "name": kit.name, "title": kit.plain_title,
             "status": "stopped" if stopped else "complete", "design_sha256": _sum(design.encode("utf-8")),
             "valid": report["valid"], "holds": report["holds"], "reasons": report["reasons"],
@@ -234,16 +261,19 @@ def last_order(folder: Path) -> Order:
     """What was chosen for the kit in a folder; the usual where there is none."""
     try:
         found = json.loads((folder / KIT).read_text("utf-8"))
-        return Order(int(found["quantity"]), str(found["names"]), Language(found["language"]).name)
+        return Order(int(found["quantity"]), str(found["names"]), Language(found["language"]).name,
+                     str(found.get("prices", "")))
     except (CurveUpsError, OSError, ValueError, KeyError, TypeError):
         return Order()
 
 
-def is_current(folder: Path, design: str, order: Order = Order()) -> bool:
-    """Whether the kit in a folder is whole and of this design (the text of design.json) and order."""
+def is_current(folder: Path, design: str, order: Order = Order(), risen: bool = False) -> bool:
+    """Whether the kit in a folder is whole and of this design (the text of design.json) and order. risen:
+    whether its path from flat is known."""
     try:
         found = json.loads((folder / KIT).read_text("utf-8"))
         return bool(found["design_sha256"] == _sum(design.encode("utf-8")) and found["status"] == "complete"
+                    and ("actuation" in found) == risen
                     and order.data == {name: found[name] for name in order.data})
     except (OSError, ValueError, KeyError, TypeError):
         return False

@@ -7,7 +7,7 @@ import tempfile
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Callable, Mapping, Optional, Sequence
+from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
 
@@ -17,7 +17,8 @@ from ..base.native import native
 from ..project.project import Results
 from ..report.exports import File, doubtful, plain
 from ..stages.solids import read_printer
-from .beds import Beds, beds
+from .beds import Beds, bed_name, beds
+from .prices import chosen_prices
 from .ring import rings
 from .underside import Underside
 
@@ -26,17 +27,20 @@ MOST_NAMED = 12  # pairs of tiles that a step names
 
 @dataclass
 class Kit:
-    """names: of the print's files. files: what is there so far, with bytes and SHA-256. go_on: called between
-    pages, with how much of the work at hand is done (0 to 1) where that is known; raises Stopped. say: the
-    language of sheets."""
+    """names: of the print's files; named: gives those of its beds and shells. files: what is there so far,
+    with bytes and SHA-256. go_on: called between pages, with how much of the work at hand is done (0 to 1)
+    where that is known; raises Stopped. say: the language of sheets. prices: in place of the printer's
+    (prices.py)."""
 
     results: Results
     report: dict[str, Any]
     quantity: int = 1
     names: Mapping[File, str] = field(default_factory=dict)
+    named: Callable[[File], str] = lambda file: ".".join(file)
     files: dict[str, dict[str, Any]] = field(default_factory=dict)
     go_on: Callable[..., object] = lambda part=-1.0: None
     say: Language = ENGLISH
+    prices: str = ""
     coupons: dict[str, Any] = field(default_factory=dict)  # native PrintModels that were made, by name
     _shell: Optional[tuple[Any, bytes]] = None  # the last that was made, of its model
 
@@ -56,7 +60,10 @@ class Kit:
 
     @property
     def whole(self) -> list[str]:
-        """The names of the 3MF and the STEP of all that is printed, where files have names."""
+        """The names of the 3MF and the STEP of all that is printed, where files have names; of beds, those of
+        the 3MF of the first and the last."""
+        if self.beds:
+            return [self.named((bed_name(number), "3mf")) for number in (0, len(self.beds.places) - 1)]
         return [self.names[key] for ending in ("3mf", "step") if (key := ("print", ending)) in self.names]
 
     @cached_property
@@ -93,12 +100,9 @@ class Kit:
         return self.results["solids"].model
 
     @property
-    def drawn(self) -> tuple[Any, Sequence[float]]:
-        """Of pictures of the print: its model, and the bed (x, y, z, mm) that holds all of it; () where there
-        are several."""
-        if self.beds is None:
-            return self.model, self.printer["bed_mm"]
-        return (self.beds.bed(0), self.printer["bed_mm"]) if len(self.beds.places) == 1 else (self.model, ())
+    def prints(self) -> list[Any]:
+        """The native PrintModel of each bed."""
+        return [self.model] if self.beds is None else list(map(self.beds.bed, range(len(self.beds.places))))
 
     def written(self, model: Any, ending: str, kind: str) -> bytes:
         """A file of a native PrintModel. Raises Stopped, native.Cancelled."""
@@ -117,8 +121,9 @@ class Kit:
 
     @cached_property
     def printer(self) -> dict[str, Any]:
-        """The printer's file."""
-        return read_printer(self.results.parameters.get("printer"))
+        """The printer's file, with the chosen prices."""
+        found = read_printer(self.results.parameters.get("printer"))
+        return {**found, "prices": chosen_prices(self.prices, found["prices"])}
 
     @cached_property
     def rings(self) -> dict[str, Any]:

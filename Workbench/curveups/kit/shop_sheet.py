@@ -1,20 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The print shop's page: rules, what to quote by, files, and a picture of all that is printed."""
+"""The print shop's page: rules, what to quote by, files, and a picture of all that is printed. Where many
+beds leave the picture no room, the pages after it have the files."""
 
 from __future__ import annotations
 
+from typing import Any, Sequence
+
 from ..base.language import Text
-from ..report.print_pictures import draw_print
+from ..report.print_pictures import draw_prints
 from ..report.shop import quote, rules
-from .drawing import BORDER, PAPERS, saved, sheet, write
+from .drawing import BORDER, PAPERS, book, sheet, write
 from .kit import Kit
 
 LABELS = 48.0  # mm, width of the column of labels
+PICTURE = 45.0  # mm, height of the picture at the least
+LINE, A_PAGE = 3.3, 75  # mm of a file's line, and how many a page has
 MOST_REASONS = 3
 
 
 def make(kit: Kit) -> bytes:
-    """A PDF of one page."""
+    """A PDF, of one page where that has room for all."""
     width, height = PAPERS["A4"]
     figure, page = sheet(width, height)
     parameters, say = kit.results.parameters, kit.say
@@ -25,20 +30,33 @@ def make(kit: Kit) -> bytes:
         page.plot([BORDER, width - BORDER], [top - 0.4] * 2, color="#cccccc", linewidth=0.4)
         top = min(write(page, BORDER, top, [label], 8, LABELS - 2),
                   write(page, BORDER + LABELS, top, [value], 8))
-    notes = [say(text) for ending, text in _FILES.items() if any(name.endswith(ending) for name in kit.files)]
-    top = write(page, BORDER, top - 1, [*notes, say("Files, in mm, with bytes and SHA-256:")], 8)
-    for name, about in kit.files.items():
-        top = write(page, BORDER, top, [f"{name}   {about['bytes']}   {about['sha256']}"], 5.5)
-    room = top - BORDER
-    axes = figure.add_axes([BORDER / width, BORDER / height, 1 - 2 * BORDER / width, room / height])
-    draw_print(axes, *kit.drawn, say)
-    return saved(figure, "pdf")
+    notes = [say(text) for body, text in _FILES.items() if any(body in name for name in kit.files)]
+    top = write(page, BORDER, top - 1, notes, 8)
+    figures, files = [figure], [f"{name}   {about['bytes']}   {about['sha256']}"
+                                for name, about in kit.files.items()]
+    if top - LINE * (len(files) + 2) - PICTURE > BORDER:
+        top = _list(kit, page, top, files)
+    else:
+        top = write(page, BORDER, top, [say("The pages that follow list the files.")], 8)
+        for first in range(0, len(files), A_PAGE):
+            figures.append(sheet(width, height)[0])
+            _list(kit, figures[-1].axes[0], height - BORDER, files[first:first + A_PAGE])
+    axes = figure.add_axes([BORDER / width, BORDER / height, 1 - 2 * BORDER / width, (top - BORDER) / height])
+    draw_prints(axes, kit.prints, kit.printer["bed_mm"], say)
+    return book(iter(figures))
+
+
+def _list(kit: Kit, page: Any, top: float, files: Sequence[str]) -> float:
+    """Down from `top`, mm; where they end."""
+    top = write(page, BORDER, top, [kit.say("Files, in mm, with bytes and SHA-256:")], 8)
+    return write(page, BORDER, top, files, 5.5)
 
 
 _FILES = {
-    "prusa.3mf": Text("For PrusaSlicer there is the same as -prusa.3mf, with an extruder for each material."),
-    "-fused.stl": Text("""Where bodies must not overlap, there is the same as one closed shell a piece:
--fused.stl and -fused.3mf.""")}
+    "prusa": Text("""For PrusaSlicer there is the same, with prusa in the name and an extruder for each
+material."""),
+    "fused": Text("""Where bodies must not overlap, there is the same as one closed shell a piece, with
+fused in the name.""")}
 
 
 def _doubts(kit: Kit) -> list[str]:

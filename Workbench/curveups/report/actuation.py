@@ -20,9 +20,9 @@ from ..base.output import Folder
 from ..base.reading import read_text
 from ..project.compensation import Compensation
 from ..project.project import Results
-from ..stages import HELP, RISEN, START
-from ..stages.actuation import Actuation, ActuationStart, path_digest
-from ..stages.stage import Job
+from ..stages import BY_NAME, HELP, RISEN, START
+from ..stages.actuation import Actuation, ActuationStart, findings, path_digest
+from ..stages.stage import Job, digest
 from . import html, tables
 from .data import to_text
 from .moving import answers, changes_tried, front_corners, moving_view, released
@@ -98,11 +98,33 @@ def write_actuation(results: Results, path: Path, job: Job,
             stopped = True
         folder.write_text(ANSWER, to_text({
             "format": FORMAT, "version": VERSION, "name": results.name, "status": _status(stopped),
-            "tiles": len(found.design.F), "from": results[START].begin, "actuation": block,
+            "tiles": len(found.design.F), "from": results[START].begin,
+            "of": made_from(results.design, results.parameters), "actuation": block,
             "findings": [one.entry() for one in found.findings()],
             **({"compensation": compensation.report()} if compensation else {}),
             "software": {"curveups": __version__}, "files": dict(folder.files)}))
     return stopped
+
+
+def made_from(design: Any, parameters: Any) -> str:
+    """A digest of a design and of the parameters that its path depends on."""
+    own = native.Parameters()
+    for name in BY_NAME[RISEN].parameters(parameters):
+        own.set(name, parameters.get(name))
+    return digest(native.write_design(design.with_parameters(own).with_name("path")))
+
+
+def read_answer(folder: Path, design: Any, parameters: Any) -> dict[str, Any]:
+    """The block of the actuation.json in a folder; empty where that is not of this design, or not whole and
+    from flat."""
+    try:
+        found = json.loads((folder / ANSWER).read_text("utf-8"))
+        current = found["of"] == made_from(design, parameters) and found["from"] == "flat" \
+            and found["status"] == "complete"
+        list(map(str, findings(found["actuation"])))  # what a damaged one can't say
+        return dict(found["actuation"]) if current else {}
+    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+        return {}
 
 
 def write_frame(model: Any, rows: np.ndarray, folder: Folder, name: str, job: Job) -> None:

@@ -10,6 +10,7 @@ from typing import Any, Iterable, Iterator, Mapping, Sequence
 from ..base.errors import tile_name
 from ..base.language import ENGLISH, Language, Text
 from ..base.native import native
+from ..stages.actuation import findings
 from ..stages.solids import overhangs, read_printer
 from .shop import is_tilted, latex
 
@@ -31,7 +32,9 @@ sides, and end at the corners. The window inside measures {window[0]:.0f} × {wi
 ring's teeth, and so its sheet, lie {half:g} mm off its middle along both sides: that is meant, they pass
 between those of the front. Measure through the window: each of the five control squares of {square:g} mm
 must read {stretched:g} ± {slack:.1f} mm in both directions. Where one does not, a hole hangs on the wrong
-tooth or has torn out: hang its rows anew. Measure once more just before gluing, since latex creeps. The
+tooth or has torn out: hang its rows anew. Stretch both within an hour, and glue both on the same day: latex
+that stays stretched loses some quarter of its pull in a day, most of it in the first hours. Measure once
+more just before gluing, since latex creeps. The
 front sheet pulls with {front[0]:.0f} N at the left and right sides of its ring and {front[1]:.0f} N at the
 others, the back sheet with {back[0]:.0f} N and {back[1]:.0f} N: wear goggles, a sheet that slips off snaps
 back.""")
@@ -72,9 +75,10 @@ _RELEASE = Text("""When the glue holds, turn all over, so that the front sheet i
 at 100 %, cut the paper to the size of the window, lay it on the front sheet with its triangles on the outer
 pins, which you feel through it, and copy its lines onto the sheet. {each} Then cut both sheets at once with
 strong scissors along the inside of the window, outside of the anchors, a few centimetres at each side in
-turn: so they let go together. The shell pulls itself into shape. Help with your hands where it stays flat,
-from the middle outwards. Lay it with its back onto the kit's former, or its ribs: where it does not touch,
-it is not in shape yet. {own}""")
+turn: so they let go together. The shell pulls itself into shape. {hands} Lay it with its back onto the
+kit's former, or its ribs: where it does not touch, it is not in shape yet. {own}""")
+_HANDS = Text("""Help with your hands where it stays flat, from the middle outwards.""")
+_KNOWN_HANDS = Text("""The computed path from flat says: {said}.""")
 _TRIM = Text("""Cut the front membrane along its lines, which were {trim:g} mm outside of the outer pins while
 it was stretched, and the back one as far outside of its own pins. {stop} Anchors go with the surplus.
 {apart}""")
@@ -110,11 +114,22 @@ def glue_volumes(block: Mapping[str, Any]) -> dict[str, float]:
 
 
 def glue_asked(report: Mapping[str, Any]) -> float:
-    """MPa that glue has to hold in shear: of the pin or anchor that carries most, rounded up to a hundredth;
-    0 where nothing is known of either."""
-    found = [report["glue"]["shear_max_mpa"]] if "glue" in report else []
+    """MPa that glue has to hold in shear: of the pin or anchor that carries most, but for pins that may let
+    go, rounded up to a hundredth; 0 where nothing is known of either."""
+    glue = report.get("glue", {})
+    found = [glue["shear_max_mpa"]] if glue else []
+    if glue.get("loose", {}).get("holds"):  # without pins that carry more
+        found = [min(*found, glue["shear_limit_mpa"])]
     found += report.get("anchors", {}).get("glue_shear_mpa", ())
     return math.ceil(100 * max(found, default=0.0)) / 100
+
+
+def loose_pins(report: Mapping[str, Any], say: Language = ENGLISH) -> str:
+    """A sentence about pins without which the piece holds; empty where there are none."""
+    loose = report.get("glue", {}).get("loose", {})
+    tiles = [tile for side in ("front", "back") for tile in loose.get(side, ())] if loose.get("holds") else []
+    return say("The piece holds even where the pins of {tiles} let go: they are too small for what they "
+               "carry.", tiles=", ".join(map(tile_name, sorted(set(tiles))))) if tiles else ""
 
 
 def steps(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -> list[Step]:
@@ -128,9 +143,8 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
     """What the steps' texts name. sides: which is glued first, and which then."""
     get, block, sheets = parameters.get, report["print"], report["sheets"]
     beds, support = report.get("beds", {}), native.support_kind(parameters)
-    bodies = sum(one["bodies"] for one in beds["beds"]) if beds else block["bodies"]
     anchors = sheets["anchors"] - beds.get("anchors_left_out", 0)
-    others = bodies - report["tiles"] - anchors
+    others = block["bodies"] - report["tiles"] - anchors
     glue, first = block["glue"], block["glue"]["first"]
     second = "back" if first == "front" else "front"
     on_bed = "back" if get("orientation") == "front-up" else "front"
@@ -177,7 +191,7 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
             "tau": get("tau"), "window": sheets["window_mm"],
             "pitch": sheets["tooth_pitch_mm"], "square": sheets["control_square_mm"], "stretched": stretched,
             "slack": 0.02 * stretched, "front": sheets["load_n"]["front"], "back": sheets["load_n"]["back"],
-            "label": label, "bodies": bodies, "counts": ", ".join(counts),
+            "label": label, "bodies": block["bodies"], "counts": ", ".join(counts),
             "punch": HOLE * sheets["grid_mm"], "stays": stays, "level": level, "layer": GLUE_LAYER,
             "away": away, "trim": TRIM, "weak": weak,
             "lay": say(lay, first=words[first], pieces=block["pieces"]),
@@ -186,6 +200,7 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
             "second": words[second], "second_mm2": _area(glue, second),
             "second_cm3": glue_volumes(glue)[second], "behind": behind, "on_bed": words[on_bed],
             "sides": (first, second), "peel_first": reach_out and on_bed == first,
+            "hands": _hands(report, say),
             "each": say(_EACH) if block["pieces"] > 1 else "",
             "own": say(_OWN) if block["pieces"] > 1 else "",
             "facing": say(_FACING, pairs=facing) if facing else "",
@@ -215,6 +230,14 @@ def _steps(report: Mapping[str, Any], parameters: Any, values: Mapping[str, Any]
             yield Text("Bring pieces together in shape and sew them along their borders"), _SEW, "actuated"
         else:
             yield Text("Join the pieces"), _TAPE, "actuated"
+
+
+def _hands(report: Mapping[str, Any], say: Language) -> str:
+    """Where hands help: by the path from flat, where it is known."""
+    if "actuation" not in report:
+        return say(_HANDS)
+    said = "; ".join(one.sentence(say.style) for one in findings(report["actuation"]))
+    return f"{say(_KNOWN_HANDS, said=said)} {say(_HANDS)}"
 
 
 def _pairs(pairs: Iterable[Sequence[int]]) -> str:

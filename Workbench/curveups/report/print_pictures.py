@@ -20,13 +20,48 @@ LINE = "#6d6454"
 BAND = 1.3  # mm
 
 
-def print_view(model: Any, bed: Sequence[float], width: float = 9.0, say: Language = ENGLISH) -> bytes:
-    """model: native PrintModel. bed: x and y, mm."""
-    x, y, _ = (float(side) for side in model.bbox)
-    height = float(np.clip(width * (y + 60) / (x + 30), 3, 14))
+def print_view(models: Sequence[Any], bed: Sequence[float], width: float = 9.0, say: Language = ENGLISH
+               ) -> bytes:
+    """models: native PrintModels, one a bed. bed: x and y, mm."""
+    x, y, _ = (float(side) for side in models[0].bbox)
+    height = width if models[1:] else float(np.clip(width * (y + 60) / (x + 30), 3, 14))
     figure = Figure(figsize=(width, height))
-    draw_print(figure.add_axes([0, 0, 1, 1]), model, bed, say)
+    draw_prints(figure.add_axes([0, 0, 1, 1]), models, bed, say)
     return pictures._png(figure)
+
+
+def draw_prints(axes: Any, models: Sequence[Any], bed: Sequence[float], say: Language = ENGLISH) -> None:
+    """One print with its dimensions; several each on its bed, side by side."""
+    if not models[1:]:
+        draw_print(axes, models[0], bed, say)
+        return
+    room = axes.get_window_extent().size
+    half = 0.5 * np.array(bed[:2], float)
+    cell = 2 * half * (1.06, 1.16)  # with the space for a line of text
+
+    def columns_by_scale(columns: int) -> float:
+        return float(min(room / (cell * (columns, -(-len(models) // columns)))))
+
+    columns = max(range(1, len(models) + 1), key=columns_by_scale)
+    size = float(np.clip(0.04 * columns_by_scale(columns) * cell[0] / axes.figure.dpi * 72, 3, 9))
+    for number, model in enumerate(models):
+        row, column = divmod(number, columns)
+        middle = np.array([column, -row]) * cell
+        corners, colours = _seen(model)
+        axes.add_collection(PolyCollection(corners + middle, facecolors=colours, linewidths=0,
+                                           antialiaseds=False, rasterized=True))
+        axes.add_patch(Rectangle(middle - half, *bed[:2], fill=False, linestyle="--", edgecolor=LINE,
+                                 linewidth=0.8))
+        x, y, z = (float(side) for side in model.bbox)
+        axes.text(*(middle + (-half[0], half[1] * 1.02)), va="bottom", color=LINE, size=size,
+                  s=say("bed {number}: {x:.1f} × {y:.1f} × {z:.1f} mm", number=number + 1, x=x, y=y, z=z))
+    last = cell * (columns - 1, -((len(models) - 1) // columns))
+    axes.text(-half[0], last[1] - half[1] * 1.02, say("on a bed of {x:g} × {y:g} mm", x=bed[0], y=bed[1]),
+              va="top", color=LINE, size=size)
+    axes.set_xlim(-0.5 * cell[0], last[0] + 0.5 * cell[0])
+    axes.set_ylim(last[1] - 0.58 * cell[1], 0.58 * cell[1])
+    axes.set_aspect("equal")
+    axes.axis("off")
 
 
 def draw_print(axes: Any, model: Any, bed: Sequence[float] = (), say: Language = ENGLISH) -> None:

@@ -16,6 +16,7 @@ from .tables import show
 
 _FLAT = Text("{side}, as the files stand; support is printed with the parts")
 _TILTED = Text("{side}, tilted as a whole; the bridges are printed with the parts")
+MOST_SIZES = 8  # of beds
 _SIDES = {"front-up": Text("front side up"), "front-down": Text("front side down")}
 
 
@@ -67,8 +68,8 @@ def tilted_height(bbox: Sequence[float]) -> float:
 
 def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: Language = ENGLISH,
           whole: Sequence[str] = ()) -> list[tuple[str, str]]:
-    """What a shop quotes by, and what to buy besides. whole: the names of the 3MF and of the STEP of all;
-    the usual ones where none are given."""
+    """What a shop quotes by, and what to buy besides. whole: as of Kit; the usual names where none are
+    given."""
     block, get, name = report["print"], parameters.get, report["name"]
     support = native.support_kind(parameters)
     own = 0.0 if support.soluble else block["support_volume_cm3"]  # of the tiles' own material
@@ -78,17 +79,18 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
     bath = support.soluble and soft > 0
     division = report.get("beds", {})
     beds, left_out = division.get("beds", ()), division.get("anchors_left_out", 0)
-    bodies = sum(one["bodies"] for one in beds) if beds else block["bodies"]
     pieces = say("in {pieces} separate pieces", pieces=block["pieces"]) if block["pieces"] > 1 else ""
-    threemf, step = whole or (f"{name}-print.3mf", f"{name}-print.step")
-    files = say("{name}-bed-01.3mf to -{last:02}.3mf, or .step: a job a bed, every body with its name, in "
-                "place. The print as a whole does not fit the bed", name=name, last=len(beds)) \
-        if len(beds) > 1 else \
-        say("{name}-bed-01.3mf or .step: every body with its name, in place. The print as it is does not fit "
-            "the bed", name=name) if beds else \
+    first, last = whole or ((f"{name}-bed-01.3mf", f"{name}-bed-{len(beds):02}.3mf") if beds else
+                            (f"{name}-print.3mf", f"{name}-print.step"))
+    files = say("{first} to {last}, or .step: a job a bed, every body with its name, in place. The print as "
+                "a whole does not fit the bed", first=first, last=last) if len(beds) > 1 else \
+        say("{first} or .step: every body with its name, in place. The print as it is does not fit the bed",
+            first=first) if beds else \
         say("{threemf} or {step}: every body with its name, in place; or the files of tiles, anchors and "
-            "support, with one origin", threemf=threemf, step=step)
-    sizes = [one["bbox_mm"] for one in beds] or [block["bbox_mm"]]
+            "support, with one origin", threemf=first, step=last)
+    boxes = [one["bbox_mm"] for one in beds] or [block["bbox_mm"]]
+    each = "; ".join(f"{x:.1f} × {y:.1f} × {z:.1f} mm" for x, y, z in boxes[:MOST_SIZES])
+    sizes = each if len(boxes) <= MOST_SIZES else say("{each}; the picture has the others", each=each)
     material = say("two materials: {material}, and support that a bath dissolves",
                    material=say(printer["material_class"])) if bath else \
         say("one material: {material}", material=say(printer["material_class"]))
@@ -101,15 +103,16 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
     side = say(_SIDES[get("orientation")])
     fits = say("the print is divided among {beds} beds", beds=len(beds)) if len(beds) > 1 else \
         say("the print fits without {anchors} of its anchors", anchors=left_out) if left_out else \
-        say("the print fits as {name}-bed-01 turns and moves it", name=name) if beds else \
+        say("the print fits as {name} turns and moves it", name=first.rpartition(".")[0]) if beds else \
         say("the print fits, turned by a right angle") if fits_turned(block["bbox_mm"], printer) else \
         say("the print fits") if fits_bed(block["bbox_mm"], printer) else say("the print does not fit")
     bed = " × ".join(f"{side:g}" for side in printer["bed_mm"])
     return [
         (say("Quantity"), say("{quantity}, of {bodies} bodies each ({tiles} tiles) {pieces}",
-                              quantity=quantity, bodies=bodies, tiles=report["tiles"], pieces=pieces)),
+                              quantity=quantity, bodies=block["bodies"], tiles=report["tiles"],
+                              pieces=pieces)),
         (say("To be printed"), files),
-        (say("Size"), "; ".join(f"{x:.1f} × {y:.1f} × {z:.1f} mm" for x, y, z in sizes)),
+        (say("Size"), sizes),
         (say("Material"), material),
         (say("Rigid material"), say("{volume:.1f} cm³, {mass:.0f} g at {density:g} g/cm³ ({parts})",
                                     volume=rigid, mass=rigid * get("density"), density=get("density"),
@@ -164,7 +167,7 @@ def print_picture(results: Results) -> Optional[Picture]:
     model, printer = results["solids"].model, read_printer(results.parameters.get("printer"))
     return Picture("", "All that is printed, seen from above: tiles, anchors with the label, and what holds "
                        "them together.", "print",
-                   {"model": model, "bed": printer["bed_mm"]})
+                   {"models": [model], "bed": printer["bed_mm"]})
 
 
 def _either(say: Language, front: float, back: float) -> str:

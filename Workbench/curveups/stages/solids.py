@@ -136,22 +136,30 @@ def _if_sound(inputs: Inputs) -> Check:
     clearance = clearances.flat_mm if clearances.flat_mm is not None else model.min_clearance_flat()
     overlap = clearances.overlap_mm3 if clearances.overlap_mm3 is not None else 0.0
     box = [float(x) for x in model.bbox]
-    volumes = {kind: volume / 1000 for kind, volume in model.volumes.items()}
     smallest = min((size for _, _, size, _ in model.thinnest), default=0.0)
-    printed = {"bbox_mm": box, "bodies": int(model.body_count), "pieces": int(model.piece_count),
-               "tile_volume_cm3": volumes["tiles"], "support_volume_cm3": volumes["support"],
-               "anchor_volume_cm3": volumes["anchors"], "smallest_feature_mm": smallest,
-               "overhang_mm": max(model.overhangs, default=0.0),
-               "glue": {"first": GLUED_FIRST, **{f"{side}_{what}_mm2": area
-                                                 for side, areas in model.glued_areas.items()
-                                                 for what, area in areas.items()}}}
-    solids = {"tiles": int(model.tile_count), "invalid": 0, "volume_cm3": volumes["tiles"],
+    printed: dict[str, Any] = {
+        "bbox_mm": box, "pieces": int(model.piece_count), **amounts([model]), "smallest_feature_mm": smallest,
+        "overhang_mm": max(model.overhangs, default=0.0)}
+    solids = {"tiles": int(model.tile_count), "invalid": 0, "volume_cm3": printed["tile_volume_cm3"],
               "min_clearance_flat_mm": clearance, "max_overlap_actuated_mm3": overlap}
     printer = read_printer(inputs.parameters.get("printer"))
     warned = (*_glue_warnings(printed["glue"]),
               *_printer_warnings(model, inputs.parameters, box, clearance, printer),
               *_fit_warnings(inputs.parameters, printer))
     return Check(printed, solids, too_thin(inputs["figures"].relaxed, printer), warned)
+
+
+def amounts(models: Sequence[Any]) -> dict[str, Any]:
+    """Bodies, volumes (cm3) and what is glued (mm2) of native PrintModels that are one print together."""
+    def volume(kind: str) -> float:
+        return float(sum(model.volumes[kind] for model in models) / 1000)
+
+    sides = models[0].glued_areas
+    return {"bodies": sum(int(model.body_count) for model in models), "tile_volume_cm3": volume("tiles"),
+            "support_volume_cm3": volume("support"), "anchor_volume_cm3": volume("anchors"),
+            "glue": {"first": GLUED_FIRST, **{
+                f"{side}_{what}_mm2": sum(model.glued_areas[side][what] for model in models)
+                for side in sides for what in sides[side]}}}
 
 
 def _check(inputs: Inputs, job: Job) -> Check:
