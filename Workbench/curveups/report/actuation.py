@@ -110,7 +110,8 @@ def made_from(design: Any, parameters: Any) -> str:
     """A digest of a design and of the parameters that its path depends on."""
     own = native.Parameters()
     for name in BY_NAME[RISEN].parameters(parameters):
-        own.set(name, parameters.get(name))
+        if name != "density" or parameters.get("gravity") != "off":  # weight, which follows the printer
+            own.set(name, parameters.get(name))
     return digest(native.write_design(design.with_parameters(own).with_name("path")))
 
 
