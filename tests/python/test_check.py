@@ -4,6 +4,7 @@
 import json
 import math
 
+import cad
 import numpy as np
 import pytest
 from curveups.targets.cad_files import Read
@@ -47,6 +48,17 @@ def project(V, F, **values):
         parameters.set(name, value)
     source = Source("made", stamp="made", will_be_cut=True, read=lambda deflection, choice: Read(V, F))
     return Project("made", parameters, {"source": source, "cut request": CutRequest()}, "made")
+
+
+def test_a_filleted_lid_is_checked_without_a_warning_and_says_what_it_tries(curveups, tmp_path):
+    """It stood at 97 % while it looked for sizes, and numpy warned."""
+    lid = cad.make(tmp_path, "lid")["lid"]
+    ran = curveups("check", lid, "--set", "L=10", PYTHONWARNINGS="error")
+    assert ran.status == 1 and ran.out.startswith("lid: "), (ran.out, ran.err)
+    said = ran.err.splitlines()
+    assert all(line.startswith("curveups: ") for line in said), ran.err
+    tried = [line for line in said if "trying L = " in line]
+    assert len(tried) == len(set(tried)) > 8, ran.err
 
 
 def test_a_sound_target(curveups, cap, tmp_path):

@@ -94,7 +94,7 @@ def test_killed_in_the_middle_of_writing(curveups, cap, used):
     whole = {name for name in left if not name.startswith(".")}
     assert "small-cap.FCStd" not in whole and whole - OWN <= {"design.json", "small-cap-print.3mf",
                                                               "small-cap-tiles.step"}
-    # What it left half-written goes with the next run, of other files under other settings too.
+    # What it left half-written goes with the next run, whatever that writes.
     (used / f".{process.pid}-small-cap-anchors.step.part1").write_text("half")
     ran = curveups("design", cap, "-o", used, "--no-remesh", "--no-solids")
     assert ran.status == 0, ran.err

@@ -238,3 +238,39 @@ def test_FreeCADs_export_of_a_design_writes_its_print(dome_document, tmp_path, p
         export(again, "STEP with colors", tmp_path / "none.step")
     assert "Solve" in widget("CurveUpsNotice").findChild(QtGui.QLabel, "text").text()
     picture("no-layout")
+
+
+def test_FreeCADs_export_of_a_design_shows_progress_and_ends_by_escape(dome_document, tmp_path, pictures,
+                                                                       monkeypatch):
+    document, design = opened(dome_document)
+    settle(1000)  # the tree follows
+    said: list = []
+
+    class Bar:
+        """FreeCAD's, which raises where Escape was pressed."""
+
+        patience = 10 ** 6
+
+        def start(self, title, steps):
+            said.append(title)
+
+        def next(self, can_abort):
+            assert can_abort and threading.current_thread() is threading.main_thread()
+            said.append("next")
+            if len(said) > self.patience:
+                raise RuntimeError("aborted")
+
+        def stop(self):
+            said.append("end")
+
+    monkeypatch.setattr(FreeCAD.Base, "ProgressIndicator", Bar)
+    tiles = export(design.Tiles, "STL Mesh", tmp_path / "tiles.stl")
+    assert tiles == (dome_document.parent / "dome-tiles.stl").read_bytes()
+    assert said[0] == "tiles.stl" and said[-1] == "end" and said.count("next") == len(said) - 2 > 5, said
+    said.clear()
+    Bar.patience = 3
+    before = sorted(tmp_path.iterdir())
+    with pytest.raises(FileNotFoundError):
+        export(design.Tiles, "STL Mesh", tmp_path / "again.stl")
+    assert said[-1] == "end" and sorted(tmp_path.iterdir()) == before
+    assert "rror" not in report(), report()

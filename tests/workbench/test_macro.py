@@ -13,9 +13,11 @@ import FreeCADGui
 import pytest
 from curveups.features import document as designs
 from curveups.window import qt
+from curveups.window.overlays import overlay_of
 from freecad_process import command as started
-from robot import (at_rest, choose, click, entry_of, fill, in_dialog, menu_bar, picture, press, settle, until,
-                   widget, write)
+from robot import (at_rest, choose, choose_file, click, click_at, entry_of, fill, in_dialog, keys, menu_bar,
+                   on_screen, picture, press, settle, until, widget, write)
+from running import dome
 from steps import begin, click_edge, enter, leave, panel
 
 pytestmark = pytest.mark.freecad(window=True, timeout=600)
@@ -42,12 +44,23 @@ def state_of(document):
             design.Target.BuiltIn, round(design.Tiles.Shape.Volume, 6), design.Actuation]
 
 
-def replayed(macro, folder):
-    """What comes of it in a FreeCAD without a window."""
+def designs_in(document):
+    """What designs of own surfaces have been given. A shape that was saved has other last digits."""
+    found = [obj for obj in document.Objects if "CurveUpsVersion" in obj.PropertiesList]
+    names = "L", "HBody", "HPin", "Gravity", "HeldTiles", "Faces", "TileCount"
+    return [[design.Name, design.Target.File, design.Target.Source and design.Target.Source.Name,
+             [round(number, 6) for number in design.Layout.Poses],
+             {name: str(getattr(design, name)) for name in names}] for design in found]
+
+
+def replayed(macro, folder, state=state_of, beginning=None):
+    """What comes of it in a FreeCAD without a window. beginning: the document that was open before."""
     script, out = folder / "replay.py", folder / "replayed.json"
-    script.write_text("import json, runpy, FreeCAD\n" + inspect.getsource(state_of) + textwrap.dedent(f"""
+    script.write_text("import json, runpy, FreeCAD\n" + inspect.getsource(state) + textwrap.dedent(f"""
+        if {beginning and str(beginning)!r}:
+            FreeCAD.openDocument({beginning and str(beginning)!r})
         runpy.run_path({str(macro)!r}, run_name="__main__")
-        open({str(out)!r}, "w").write(json.dumps(state_of(FreeCAD.ActiveDocument)))
+        open({str(out)!r}, "w").write(json.dumps({state.__name__}(FreeCAD.ActiveDocument)))
         """))
     done = subprocess.run(started(script, window=False), capture_output=True, text=True)
     assert out.exists(), done.stdout + done.stderr
@@ -112,3 +125,80 @@ def test_a_macro_of_all_commands_replays_without_a_window(monkeypatch, tmp_path,
     for name in ("newDocument", "new_design", "L = 14", "Tau = 2.9", "check", "divide", "set_cuts", "solve",
                  "verify", "repair", "actuate", "build_solids", "report", "export", "kit", "restore"):
         assert name in text, (name, text)
+
+
+def test_a_macro_of_ones_own_surfaces_replays_without_a_window(tmp_path, pictures):
+    """New Design of faces and of a file, Change Target, sizes that Check offers, and held tiles."""
+    import Part
+
+    made = begin()
+    cap = made.addObject("Part::Feature", "Cap")
+    cap.Shape = Part.makeSphere(40, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 35)
+    other = made.addObject("Part::Feature", "Other")
+    other.Shape = max(Part.makeSphere(44, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 40).Faces,
+                      key=lambda face: face.Area)
+    made.recompute()
+    made.saveAs(str(tmp_path / "Made.FCStd"))
+    (tmp_path / "dome.obj").write_text(dome(2))
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Macro").SetString("MacroPath", str(tmp_path))
+    recording(True)
+    FreeCADGui.Selection.addSelection(cap, "Face1")
+    press("CurveUps_NewDesign")
+    until(lambda: made.getObject("Design"), 10, "the design")
+    design = made.Design
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(other)
+    press("CurveUps_Target")
+    until(lambda: design.Target.Source is other, 10, "the other target")
+    design.ViewObject.doubleClicked()
+    until(lambda: panel() is not None and panel().form.isVisible(), 10, "the panel")
+    settle(500)
+    for group, name, value in (("Target", "L", "12"), ("Tiles", "HPin", "0.2")):
+        panel().turn_to(group)
+        settle(300)
+        enter(panel().form, name, value)
+    until(lambda: (float(design.L), float(design.HPin)) == (12, 0.2), 10, "values")
+    leave()
+    press("CurveUps_Check")
+    form = widget("CheckPanel")
+    at_rest()
+    picture("check")
+    assert "HPin" in form.use_pin.text() and form.use_pin.isVisible(), form.verdict.text()
+    click(form.use_pin)
+    at_rest()
+    assert float(design.HPin) > 0.2
+    before = float(design.L), float(design.HBody)
+    click(form.choose)
+    at_rest()
+    assert (float(design.L), float(design.HBody)) != before
+    leave()
+    press("CurveUps_Solve")
+    leave()
+    assert design.TileCount > 4
+    design.ViewObject.doubleClicked()
+    until(lambda: panel() is not None and panel().form.isVisible(), 10, "the panel again")
+    panel().turn_to("Physics")
+    settle(300)
+    if not panel().form.all.isChecked():
+        click(panel().form.all)
+        settle(300)
+    box = widget("Gravity")
+    click(box)
+    write("held")
+    keys("Return")
+    until(lambda: design.Gravity == "held", 10, "held tiles")
+    FreeCADGui.ActiveDocument.ActiveView.viewTop()
+    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    settle(500)
+    click(widget("pick_held_tiles"))
+    click_at(on_screen(FreeCAD.Vector(*map(float, overlay_of(design).figures()[0][0][2, :3].mean(0)))))
+    until(lambda: design.HeldTiles == "T00003", 10, "a held tile")
+    leave()
+    FreeCADGui.Selection.clearSelection()
+    in_dialog(lambda: press("CurveUps_NewDesign"), lambda: choose_file(str(tmp_path / "dome.obj")))
+    until(lambda: made.getObject("Design001"), 10, "a design of a file")
+    leave()
+    recording(False)
+    found = replayed(tmp_path / "everything.FCMacro", tmp_path, designs_in, tmp_path / "Made.FCStd")
+    assert found == designs_in(made) and len(found) == 2
+    assert found[0][2] == "Other" and found[1][1].endswith("dome.obj"), found

@@ -2,6 +2,7 @@
 """In a window: the toolbar's six steps and the menus, panels that follow one another and fit FreeCAD's dock,
 and the guide: as mouse and keys reach them in a fresh profile."""
 
+import itertools
 import re
 from pathlib import Path
 
@@ -13,15 +14,16 @@ from curveups.window import guide as filters
 from curveups.window.notice import with_links
 from curveups.window.overlays import overlay_of
 from curveups.window.run import LIVE
-from PySide import QtGui
-from robot import action, choose, click, close_panel, cut_off, display, keys, menu_bar, menu_of, picture
-from robot import press, settle, until, widget, window
+from PySide import QtCore, QtGui
+from robot import (action, choose, click, click_at, close_panel, cut_off, display, keys, menu_bar, menu_of,
+                   picture, press, scroll_to, settle, until, widget, window)
 from running import ROOT
 from steps import panel
 
 pytestmark = pytest.mark.freecad(window=True)
 
 F1 = "67"  # the code of the key: by its name xdotool presses Alt too, with keyboard maps of 2026
+Qt_6 = int(QtCore.qVersion().split(".")[0]) > 5  # does not scale by the resolution of the 4K display
 STEPS = ("NewDesign", "Check", "Solve", "Cuts", "Overlay", "Export")
 PANELS = (("Check", "CheckPanel"), ("Cuts", "CutsPanel"), ("Overlay", "OverlayPanel"),
           ("WorstContacts", "WorstContactsPanel"), ("Actuate", "ActuatePanel"), ("Export", "ExportPanel"),
@@ -167,9 +169,10 @@ def misfits(name, room):
     return [(name, one) for one in wide + cut_off(form)]
 
 
-@pytest.mark.parametrize("language", ["English", "German"])
-@pytest.mark.parametrize("theme", ["", "Dark-blue.qss"])
-def test_every_panel_fits_the_dock_that_a_fresh_profile_has(language, theme, dome_document, pictures):
+@pytest.mark.parametrize("language, theme, screen", [
+    *itertools.product(["English", "German"], ["", "Dark-blue.qss"], ["usual"]),
+    pytest.param("German", "Dark-blue.qss", "4K", marks=pytest.mark.freecad(window="4K"))])
+def test_every_panel_fits_the_dock_that_a_fresh_profile_has(language, theme, screen, dome_document, pictures):
     if theme:
         sheet = Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets" / theme
         if not sheet.exists():
@@ -178,6 +181,7 @@ def test_every_panel_fits_the_dock_that_a_fresh_profile_has(language, theme, dom
     FreeCADGui.setLocale(language)
     try:
         design = opened(dome_document)
+        assert screen == "usual" or window.devicePixelRatioF() == 2 or Qt_6
         dock = next(one for one in window.findChildren(QtGui.QDockWidget)
                     if one.isVisible() and one.objectName() in ("Combo View", "Tasks", "Model"))
         assert dock.width() < 300, dock.width()
@@ -234,3 +238,59 @@ def test_the_guide_says_something_of_every_command():
     for file in (ROOT / "Workbench" / "curveups" / "window" / "commands").glob("*.py"):
         for text in re.findall(r'text = QT_TRANSLATE_NOOP\("\w+", "([^"]+)"\)', file.read_text("utf-8")):
             assert f"**{text}**" in said, text
+
+
+def click_link(label):
+    """The first link of a rich text, where the mouse becomes a hand."""
+    for y in range(8, label.height(), 9):
+        for x in range(8, label.width(), 18):
+            point = label.mapToGlobal(QtCore.QPoint(x, y))
+            display("mousemove", point.x(), point.y())
+            if label.cursor().shape() == QtCore.Qt.PointingHandCursor:
+                return click_at(point)
+    raise AssertionError("no link")
+
+
+def test_whats_this_and_a_link_by_the_mouse(dome_document, pictures):
+    """Shift+F1 makes the next click a question, which the guide answers: FreeCAD said that it had no help."""
+    opened(dome_document)
+    button = next(one for one in window.findChildren(QtGui.QToolButton)
+                  if one.isVisible() and one.defaultAction() == action("CurveUps_Cuts"))
+    keys(f"shift+{F1}")
+    until(QtGui.QWhatsThis.inWhatsThisMode, 10, "What's This")
+    click(button)
+    picture("whats-this")
+    assert guide().startswith("Closed and deep surfaces need cuts")
+    assert not QtGui.QWhatsThis.inWhatsThisMode() and panel() is None
+    # A message in a panel.
+    press("CurveUps_Export")
+    shown("ExportPanel")
+    panel()._say(with_links("there is no layout yet: Solve makes it"))
+    settle(300)
+    picture("message")
+    click_link(panel().form.line)
+    assert "Solve" in guide()
+    close_panel()
+
+
+def test_the_live_curve_is_dark_on_dark_themes(pictures):
+    begin()
+    QtGui.QApplication.instance().setStyleSheet("QWidget { background: #2b2b2b; color: #dddddd; }")
+    document = FreeCAD.newDocument("Dark")
+    design = new_design(document, "half-sphere")
+    design.L = 14
+    document.recompute()
+    press("CurveUps_Solve")
+    shown("SolvePanel")
+    curves = panel().curves
+    scroll_to(curves, curves.rect().center())
+    settle(500)
+    picture("dark-curves")
+    image = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
+    corner = curves.mapToGlobal(QtCore.QPoint(0, 0))
+    seen = [QtGui.QColor(image.pixel(corner.x() + x, corner.y() + y))
+            for x in range(3, curves.width() - 3) for y in range(3, curves.height() - 3)]
+    assert seen[0].name() == "#2b2b2b" and sum(one.name() == "#2b2b2b" for one in seen) > len(seen) / 2
+    assert not any(one.name() == "#ffffff" for one in seen)
+    assert any(one.name() == "#56b4e9" for one in seen), "no curve"
+    close_panel()

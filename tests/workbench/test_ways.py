@@ -193,13 +193,19 @@ def shown(part):
     return part.Visibility and part.ViewObject.Visibility
 
 
-def test_the_first_layout_of_ones_own_part_comes_into_view(pictures):
+@pytest.mark.parametrize("kind", ["solid", "face", "mesh"])
+def test_the_first_layout_of_ones_own_part_comes_into_view(kind, pictures):
+    import MeshPart
     import Part
 
     made = begin()
-    part = made.addObject("Part::Feature", "Cap")
-    part.Shape = max(Part.makeSphere(40, FreeCAD.Vector(300, 0, 0), FreeCAD.Vector(0, 0, 1), 35).Faces,
-                     key=lambda face: face.Area)
+    solid = Part.makeSphere(40, FreeCAD.Vector(300, 0, 0), FreeCAD.Vector(0, 0, 1), 35)
+    face = max(solid.Faces, key=lambda one: one.Area)
+    part = made.addObject("Mesh::Feature" if kind == "mesh" else "Part::Feature", "Cap")
+    if kind == "mesh":
+        part.Mesh = MeshPart.meshFromShape(Shape=face, LinearDeflection=0.05, AngularDeflection=0.1)
+    else:
+        part.Shape = solid if kind == "solid" else face
     made.recompute()
     FreeCADGui.Selection.addSelection(part)
     press("CurveUps_NewDesign")
@@ -219,7 +225,7 @@ def test_the_first_layout_of_ones_own_part_comes_into_view(pictures):
     click(panel().form.solve)
     at_rest()
     assert design.TileCount and not shown(part)
-    assert picture("source-solved") > 20
+    assert picture(f"{kind}-solved") > 20
     assert not np.allclose(look(), camera, atol=1)
     # Only the first one: what the user shows again, and where the user looks, stays.
     part.Visibility = True

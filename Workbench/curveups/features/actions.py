@@ -259,9 +259,10 @@ def export_work(design: Any, folder: str, choice: Choice) -> Callable[[Job], lis
     return lambda job: list(write_export(project, Path(folder), choice, job).files)
 
 
-def write_print(design: Any, path: str, ending: str = "step", kind: str = "print") -> None:
+def write_print(design: Any, path: str, ending: str = "step", kind: str = "print", job: Optional[Job] = None
+                ) -> None:
     """One kind of bodies, or all, as one file, whatever the verdict; its title says where that is no good."""
-    write_file(live.design_project_of(design).copy(), path, (kind, ending), doubts(design))
+    write_file(live.design_project_of(design).copy(), path, (kind, ending), doubts(design), job)
 
 
 def report(design: Any, folder: str) -> str:

@@ -9,13 +9,18 @@ window/start.py lets FreeCAD's dialog ask here.
 from __future__ import annotations
 
 import importlib
+import threading
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Optional, Sequence
+from typing import Any, Iterator, Optional, Sequence
 
 import FreeCAD
 
-from ..base.errors import CurveUpsError
+from ..base.errors import CurveUpsError, Stopped
+from ..base.native import native
 from ..base.output import Folder
+from ..base.progress import Progress
+from ..stages.stage import Job
 from . import actions, proxy
 
 # By the ending of a file: FreeCAD's own module, and that for windows.
@@ -32,8 +37,8 @@ def exportOptions(filename: str) -> Optional[dict]:
 
 
 def export(objects: Sequence[Any], filename: str, options: Optional[dict] = None) -> None:
-    """Writes what is selected. Raises CurveUpsError for a design that can't be written; where there is a
-    window, it says so there instead."""
+    """Writes what is selected; Escape stops it, and no file is there then. Raises CurveUpsError for a design
+    that can't be written; where there is a window, it says so there instead."""
     try:
         design, kind = _chosen(objects, filename)
         if design is None:
@@ -41,6 +46,8 @@ def export(objects: Sequence[Any], filename: str, options: Optional[dict] = None
             module.export(objects, filename, *([options] if options is not None else []))
         else:
             _write(design, kind, Path(filename))
+    except (Stopped, native.Cancelled):
+        return
     except CurveUpsError as error:
         if proxy.show_error is None:
             raise
@@ -74,6 +81,28 @@ def _write(design: Any, kind: str, path: Path) -> None:
     if not ending:
         raise CurveUpsError(f"designs are not written as {path.suffix}", str(path), "choose STEP, STL or 3MF")
     doubts = actions.doubts(design)
-    Folder(path.parent).write(path.name, lambda place: actions.write_print(design, str(place), ending, kind))
+    with _progress(path.name) as progress:
+        Folder(path.parent).write(path.name, lambda place: actions.write_print(
+            design, str(place), ending, kind, Job(progress)))
     if doubts:
         FreeCAD.Console.PrintWarning(f"CurveUps: {path.name} should not be printed, since {doubts[0]}\n")
+
+
+@contextmanager
+def _progress(title: str) -> Iterator[Progress]:
+    """FreeCAD's bar of progress, which is for one thread. It raises where Escape was pressed."""
+    bar, thread = FreeCAD.Base.ProgressIndicator(), threading.current_thread()
+    bar.start(title, 0)  # how many steps there will be is not known
+
+    def show(what: str, share: float) -> bool:
+        try:
+            if threading.current_thread() is thread:
+                bar.next(True)
+        except Exception:
+            return False
+        return True
+
+    try:
+        yield show
+    finally:
+        bar.stop()

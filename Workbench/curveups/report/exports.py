@@ -186,9 +186,9 @@ def report(project: Project, folder: Path, doubts: Iterable[Finding], job: Job) 
 
 def write_file(project: Project, path: str, file: File, doubts: tuple[Finding, ...],
                job: Optional[Job] = None) -> None:
-    """One file; "print" are all bodies."""
+    """One file; "print" are all bodies. Nobody looks whether the solids are sound. Raises Stopped."""
     job, (kind, ending) = job or Job(), file
-    results = _printed(project, Choice((), doubts=doubts), job)
+    results = _printed(project, Choice((), doubts=doubts), job, ("solids",))
     with translated(path):
         results["solids"].model.write(ending, kind, path, job)
 
@@ -210,15 +210,16 @@ def _doubtful(why: Finding, project: Project) -> CurveUpsError:
     return CurveUpsError(str(why), project.where, "mend that, or insist on the files", finding=why)
 
 
-def _printed(project: Project, choice: Choice, job: Job) -> Results:
-    """Solids under the title and deviation of the files; verification as far as it is current."""
+def _printed(project: Project, choice: Choice, job: Job, goals: Sequence[str] = ()) -> Results:
+    """Solids under the title and deviation of the files. goals: by default all that a print asks for, and
+    verification as far as it is current."""
     parameters = project.parameters
     if choice.deviation is not None:
         with translated("mesh_deviation"):
             parameters.set("mesh_deviation", choice.deviation)
     design = project.latest("design").design
     named = design.with_name(doubtful(design.name, False)) if choice.doubts else design
-    goals = (*_current(project, asked_by("verify")), *asked_by("print"))
+    goals = goals or (*_current(project, asked_by("verify")), *asked_by("print"))
     results = run_under(project, named, parameters, goals, job, Finding("unverified.export"))
     if job.stopped:
         raise Stopped

@@ -107,11 +107,33 @@ def answer_keys(widget: Any) -> Any:
     return _Keys(widget, widget)
 
 
+class _Asked(EventFilter):
+    """Between Shift+F1 and the click of What's This, which FreeCAD leaves to its Help addon."""
+
+    def takes(self, event: Any) -> bool:
+        if event.type() != QtCore.QEvent.WhatsThis:
+            return False
+        topic = _topic_at(QtWidgets.QApplication.widgetAt(QtGui.QCursor.pos()))
+        if topic:
+            event.accept()
+            QtWidgets.QWhatsThis.leaveWhatsThisMode()
+            show_guide(topic)
+        return bool(topic)
+
+
 class _Keys(EventFilter):
     """Sees what nobody took before a widget gets it."""
 
+    _asked: Any = None
+
     def takes(self, event: Any) -> bool:
         kind = event.type()
+        if kind == QtCore.QEvent.EnterWhatsThisMode and self._asked is None:
+            application = QtWidgets.QApplication.instance()
+            self._asked = _Asked(application, application)
+        if kind == QtCore.QEvent.LeaveWhatsThisMode and self._asked is not None:
+            QtWidgets.QApplication.instance().removeEventFilter(self._asked)
+            self._asked = None
         if kind == QtCore.QEvent.WhatsThisClicked and event.href().startswith(SCHEME):
             show_guide(event.href()[len(SCHEME):])
             return True
