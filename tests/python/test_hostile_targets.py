@@ -215,6 +215,14 @@ def test_hostile_target(curveups, tmp_path, name):
                    tmp_path, target)
 
 
+def test_a_spike_of_metres_is_refused_at_once_with_mending_too(curveups, tmp_path):
+    target = tmp_path / "spike.obj"
+    target.write_text("v 0 0 4000\n" + dome(3).partition("\n")[2])
+    ran = curveups("design", target, "-o", tmp_path / "out", "--no-solids", "--set", "mend=on")
+    expect_refusal(ran, tmp_path, target)
+    assert "an edge of 39" in ran.err and "remeshing" not in ran.err, ran.err
+
+
 def test_folder_as_target(curveups, tmp_path):
     target = tmp_path / "folder.obj"
     target.mkdir()

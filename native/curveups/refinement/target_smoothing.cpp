@@ -80,9 +80,17 @@ struct TargetSmoothing {
   const ClearanceProgram& program;
   const MoveLimits limits;
   const Progress& progress;
-  PinSides lacked;  // sides of the given surface without room
+  const int most_in_all;  // steps
+  PinSides lacked;        // sides of the given surface without room
   Shortfall least;
   SmoothedTarget best;
+
+  // Of the work: of the sides that have room now, or of the steps where nothing gets it.
+  double share() const {
+    const std::size_t left = std::min(lacked.size(), best.remaining.size());
+    return std::max(static_cast<double>(lacked.size() - left) / static_cast<double>(lacked.size()),
+                    static_cast<double>(best.steps) / most_in_all);
+  }
 
   // From the given surface until nothing is missing or no step helps; fixed: vertices that stay.
   void improve(const std::vector<char>& fixed) {
@@ -91,12 +99,7 @@ struct TargetSmoothing {
     DesignGeometry here = program.geometry(moved);
     Shortfall reached = shortfall(program, here);
     for (int step = 1, since = 0; step <= most_steps && since < patience; ++step, ++since) {
-      const std::size_t left = std::min(lacked.size(), best.remaining.size());
-      if (!keep_going(
-              progress, "smoothing the target",
-              static_cast<double>(lacked.size() - left) / static_cast<double>(lacked.size()))) {
-        throw Cancelled();
-      }
+      if (!keep_going(progress, "smoothing the target", share())) throw Cancelled();
       const std::vector<int> vertices = free_vertices(asked, given, fixed);
       if (vertices.empty()) return;
       const TriangleMesh before = moved;
@@ -140,8 +143,10 @@ SmoothedTarget smooth_target(const TriangleMesh& mesh, const Edges& cuts, const 
   const std::vector<SmallPin> lacking = program.lacking(here);
   // Coordinates are bounded one by one: the corner of their box is largest_move away.
   const MoveLimits limits{largest_step_of_L * parameters.L, largest_move / std::sqrt(3.0)};
+  const int most_in_all = parameters.mend_border ? 2 * most_steps : most_steps;
   TargetSmoothing smoothing{
-      mesh, program, limits, progress, sides_of(lacking), shortfall(program, here), {}};
+      mesh, program, limits, progress, most_in_all, sides_of(lacking), shortfall(program, here),
+      {}};
   SmoothedTarget& out = smoothing.best;
   out.mesh = mesh;
   out.move.assign(mesh.V.rows(), 0);

@@ -157,6 +157,22 @@ TEST(TargetSmoothing, EndsWithTilesThatAreAllPossible) {
   set_thread_count(threads);
 }
 
+TEST(TargetSmoothing, TellsOfEachStepThoughNothingGetsRoom) {
+  const TriangleMesh mesh = roof(1.1);
+  Parameters parameters;
+  parameters.H_body = 5;
+  std::vector<double> told;
+  const SmoothedTarget little =
+      smooth_target(mesh, none, none, 0.05, parameters, [&](const std::string&, double share) {
+        told.push_back(share);
+        return true;
+      });
+  ASSERT_FALSE(little.remaining.empty());
+  ASSERT_GT(told.size(), 4u);
+  for (std::size_t k = 1; k < told.size(); ++k) EXPECT_GT(told[k], told[k - 1]);
+  EXPECT_LT(told.back(), 1);
+}
+
 TEST(TargetSmoothing, StaysWithinItsBoundAndKeepsWhatIsNamed) {
   const TriangleMesh mesh = roof(1.1);
   Parameters parameters;
