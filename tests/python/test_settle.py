@@ -57,6 +57,19 @@ def test_a_design_says_whether_it_holds(printed):
     assert ">Valid, holds<" in page and "<h2>Settled shape</h2>" in page and "holding friction" in page
 
 
+def test_tiles_between_bare_walls_come_to_rest():
+    """They changed the faces that touch for ever, where two separate them as well as one another."""
+    values = native.Parameters()
+    values.set("bumps", "dimples")
+    values.set("L", 14)
+    source = find_source("hyperboloid", remesh=True, will_be_cut=False)
+    project = Project("hyperboloid", values, {"source": source, "cut request": CutRequest()}, "hyperboloid")
+    results = project.run(asked_by("solve", "settle"))
+    report = results["settle"].report()
+    assert results.verdict.holds is True and report["settled"]["converged"]
+    assert report["margin"]["met"] is True
+
+
 def report_L(made):
     return made.json("design.json")["parameters"]["L"]
 

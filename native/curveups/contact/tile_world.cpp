@@ -106,6 +106,7 @@ class Builder {
     options_.first_weight = 1e-4;  // what settles starts beside its place
     options_.max_iterations = 200;
     options_.search.reach = std::max(0.5, 1.5 * bodies.parameters.bump_height);
+    options_.search.face_margin = 0.001;  // what rests must not change faces, and forget friction
   }
 
   TileWorld run() {
