@@ -5,41 +5,22 @@ row goes into the table of resources/docs/actuation.md as soon as it is known.""
 from __future__ import annotations
 
 import argparse
-import resource
-import sys
-from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "Workbench"), str(ROOT / "tools")]
+from targets import chosen, solved, used
 
-from bench_results import DOCS, renew  # noqa: E402
-from curveups.base.errors import CurveUpsError  # noqa: E402
-from curveups.base.native import native  # noqa: E402
-from curveups.project.project import Project  # noqa: E402
-from curveups.stages import asked_by  # noqa: E402
-from curveups.stages.cut_request import CutRequest  # noqa: E402
-from curveups.stages.surface import find_source  # noqa: E402
+from bench_results import DOCS, renew
+from curveups.base.errors import CurveUpsError
 
 BUMPS = {"none": "no bumps", "bumps": "bumps"}  # dimples move as plain walls do
 WORDS = {True: "yes", False: "no", None: "no answer"}
 Block = dict[str, Any]
 
 
-def used() -> float:
-    """Seconds of processor of this process and all its threads."""
-    now = resource.getrusage(resource.RUSAGE_SELF)
-    return now.ru_utime + now.ru_stime
-
-
 def rise(name: str, target: str, bumps: str) -> Block:
     """The block of report.json, with what it took."""
-    values = native.Parameters()
-    values.set("bumps", bumps)
-    source = find_source(target, remesh=name == target, will_be_cut=False)
-    project = Project(name, values, {"source": source, "cut request": CutRequest()}, target)
-    tiles = len(project.run(asked_by("solve")).design.F)
-    begun = used()
+    project = solved(target, bumps=bumps)
+    tiles, begun = len(project.latest("design").design.F), used()
     block = project.run(("actuation",))["actuation"].report()["actuation"]
     return {**block, "name": f"{name}, {BUMPS[bumps]}", "tiles": tiles, "processor": used() - begun}
 
@@ -60,20 +41,10 @@ def cells(row: Block) -> list[str]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="tools/bench --actuation", description=__doc__)
-    parser.add_argument("--only", metavar="NAME,...")
-    parser.add_argument("--models", type=Path, metavar="DIR", help="meshes to be taken as they are, besides")
-    options = parser.parse_args()
-    targets = {name: name for name, _ in native.builtin_targets()}
-    if options.models:
-        targets |= {path.stem: str(path) for path in sorted(options.models.glob("*.obj"))}
-    chosen = options.only.split(",") if options.only else list(targets)
-    if unknown := [name for name in chosen if name not in targets]:
-        parser.error(f"unknown model {unknown[0]}: there are {', '.join(targets)}")
-    for name in chosen:
+    for name, target in chosen(argparse.ArgumentParser(prog="tools/bench --actuation", description=__doc__)):
         for bumps in BUMPS:
             try:
-                row = rise(name, targets[name], bumps)
+                row = rise(name, target, bumps)
             except CurveUpsError as error:
                 print(f"{name}, {bumps}: {error}", flush=True)
                 continue

@@ -1,65 +1,53 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Three judgements of every built-in target side by side, with bumps and with dimples: `valid` (least squares
-and geometry), `unilateral` (forces that push within friction exist) and `holds` (the forces that develop), as
-the table of resources/docs/settled.md.
-
-    python3 tests/benchmarks/settled.py [--only NAME,...] [--models DIR]
-"""
+"""Three judgements of every target side by side, with bumps and with dimples: `valid` (least squares and
+geometry), `unilateral` (forces that push within friction exist) and `holds` (the forces that develop).
+`tools/bench --settled` runs it: each row goes into the table of resources/docs/settled.md as soon as it is
+known."""
 
 from __future__ import annotations
 
 import argparse
-import sys
-from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Workbench"))
+from targets import chosen, solved, used
 
-from curveups.base.errors import CurveUpsError  # noqa: E402
-from curveups.base.native import native  # noqa: E402
-from curveups.project.project import Project  # noqa: E402
-from curveups.stages import asked_by  # noqa: E402
-from curveups.stages.cut_request import CutRequest  # noqa: E402
-from curveups.stages.surface import find_source  # noqa: E402
+from bench_results import DOCS, renew
+from curveups.base.errors import CurveUpsError
+from curveups.stages import asked_by
 
-HEAD = ("design", "walls", "tiles", "valid", "unilateral", "holds", "open", "drift, mm", "scan, mm",
-        "least friction", "margin", "verify, s", "settle, s")
 WORDS = {True: "yes", False: "no", None: "-"}
+Row = dict[str, Any]
 
 
-def judge(name: str, target: str, bumps: str) -> list[Any]:
-    values = native.Parameters()
-    values.set("bumps", bumps)
-    source = find_source(target, remesh=name == target, will_be_cut=False)
-    project = Project(name, values, {"source": source, "cut request": CutRequest()}, target)
+def judge(target: str, bumps: str) -> Row:
+    project = solved(target, bumps=bumps)
+    begun = used()
     results = project.run(asked_by("solve", "settle"))
     report = {**results["verification"].report(), **results["settle"].report()}
-    block, seconds = report.get("settled", {}), {row.name: row.seconds for row in results.rows()}
+    return {"tiles": len(results.design.F), "valid": results.verdict.valid, "holds": results.verdict.holds,
+            "report": report, "processor": used() - begun}
+
+
+def cells(row: Row) -> list[str]:
+    report, block = row["report"], row["report"].get("settled", {})
     scan, held = block.get("scan", {}), block.get("holding_friction")
-    return [name, bumps, len(results.design.F), WORDS[results.verdict.valid],
-            WORDS[report.get("unilateral", {}).get("feasible")], WORDS[results.verdict.holds],
-            len(block.get("open_contacts", ())), f"{block.get('drift_mm', 0):.3f}",
+    return [str(row["tiles"]), WORDS[row["valid"]], WORDS[report.get("unilateral", {}).get("feasible")],
+            WORDS[row["holds"]], str(len(block.get("open_contacts", ()))), f"{block.get('drift_mm', 0):.3f}",
             f"{scan.get('mean_mm', 0):.3f} / {scan.get('max_mm', 0):.3f}",
             "-" if held is None else f"{held:.2g}", WORDS[report.get("margin", {}).get("met")],
-            f"{seconds.get('verify', 0):.1f}", f"{seconds.get('settle', 0):.1f}"]
+            f"{row['processor']:.1f}"]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--only", metavar="NAME,...")
-    parser.add_argument("--models", type=Path, metavar="DIR", help="meshes to be taken as they are, besides")
-    options = parser.parse_args()
-    targets = {name: name for name, _ in native.builtin_targets()}
-    targets.update({path.stem: str(path) for path in sorted(options.models.glob("*.obj"))}
-                   if options.models else {})
-    print("| " + " | ".join(HEAD) + " |\n|" + "---|" * len(HEAD))
-    for name in options.only.split(",") if options.only else targets:
+    for name, target in chosen(argparse.ArgumentParser(prog="tools/bench --settled", description=__doc__)):
         for bumps in ("bumps", "dimples"):
             try:
-                row = judge(name, targets[name], bumps)
+                row = {"name": f"{name}, {bumps}", **judge(target, bumps)}
             except CurveUpsError as error:
-                row = [name, bumps, str(error)]
-            print("| " + " | ".join(map(str, row)) + " |", flush=True)
+                print(f"{name}, {bumps}: {error}", flush=True)
+                continue
+            renew([row], DOCS / "settled.md", {"settled": cells})
+            print(f"{row['name']}: {', '.join(cells(row))}", flush=True)
 
 
 if __name__ == "__main__":

@@ -10,8 +10,9 @@ namespace curveups {
 
 // Distances of a scanned surface from the designed one, mm.
 struct VirtualScan {
-  double mean = 0, rms = 0, p95 = 0, largest = 0;  // of samples of the scanned surface
-  double hausdorff = 0;                            // the larger of both directions' largest
+  double mean = 0, rms = 0, p95 = 0;  // of samples of the scanned surface
+  double largest = 0;                 // of all its points, within distance_tolerance
+  double hausdorff = 0;               // the larger of both directions' largest, likewise
 };
 
 // The rigid motion of one set of points to where it is nearest to the other (W. Kabsch, 1976).

@@ -138,6 +138,27 @@ TEST(VirtualScan, FitsEachPieceByItself) {
   EXPECT_LT(scan_distances(fitted, ClosestPoints(mesh)).maxCoeff(), 1e-9);
 }
 
+TEST(VirtualScan, FindsWhatLiesBetweenItsSamples) {
+  TriangleMesh flat{Points3(3, 3), Triangles(1, 3)}, roof{Points3(4, 3), Triangles(3, 3)};
+  flat.V << 0, 0, 0, 12, 0, 0, 0, 12, 0;
+  flat.F << 0, 1, 2;
+  roof.V << flat.V, 2, 2.5, 5;
+  roof.F << 0, 1, 3, 1, 2, 3, 2, 0, 3;
+  const ClosestPoints to_roof(roof);
+  const Eigen::VectorXd samples = scan_distances(flat, to_roof);
+  const VirtualScan scan = describe_scan(samples, flat, roof);
+  const int n = 400;
+  double densely = 0;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; i + j <= n; ++j) {
+      densely = std::max(densely, to_roof(Vec3(12.0 * i / n, 12.0 * j / n, 0)).distance);
+    }
+  }
+  EXPECT_GT(densely, samples.maxCoeff() + 0.1);
+  EXPECT_NEAR(scan.largest, densely, 0.02);
+  EXPECT_NEAR(scan.hausdorff, 5, 0.006);  // the roof's top, above the triangle
+}
+
 TEST(TileWorld, PullsAsHardAsItsConditionsSay) {
   const Sample sample(dome());
   TileWorld built = make_tile_world(sample.bodies, sample.solved, 2000);
