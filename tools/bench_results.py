@@ -51,7 +51,8 @@ TABLES: Tables = {
         str(row["tiles"]), _seconds(row, "remesh"), _seconds(row, "flatten", "layout"),
         _seconds(row, "verify"), _seconds(row, "refine"),
         _number(row["seconds_to_valid"], 1), _number(row["paper_seconds"], 0),
-        _seconds(row, "solids", "check"), _number(row["seconds_files"], 1),
+        _number(row["seconds_to_holds"], 1), _seconds(row, "solids", "check"),
+        _number(row["seconds_files"], 1), _number(row["seconds_waited"], 1),
         _number(row["peak_memory_mb"], 0)],
     "forces": lambda row: [
         str(row["tiles"]), _number(row["area"].get("ratio")), *_forces(row),

@@ -12,6 +12,7 @@ import multiprocessing
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 from bench_results import RESULTS, renew
@@ -52,7 +53,7 @@ def main() -> int:
             parser.error(f"unknown model {unknown[0]}: there are {', '.join(models)}")
         models = {name: models[name] for name in wanted}
     print(f"{'model':<16}{'tiles':>6} " + "".join(f"{stage:>9}" for stage in STAGES)
-          + f"{'to valid':>10}{'to holds':>10}{'files':>8}{'MB':>7}{'paper s':>9}  valid, holds")
+          + f"{'to valid':>10}{'to holds':>10}{'waited':>8}{'files':>8}{'MB':>7}{'paper s':>9}  valid, holds")
     rows = []
     for name, target in models.items():
         row = _run(name, target)
@@ -90,8 +91,10 @@ def _run(name: str, target: str) -> dict:
     extra = ["--no-remesh"] if target.lower().endswith(MESHES) else SETTINGS.get(name, [])
     row = {"name": name, "paper_seconds": PAPER[name][1] if name in PAPER else None}
     with tempfile.TemporaryDirectory(prefix="curveups-bench-") as folder:
+        begun = time.perf_counter()
         done = subprocess.run([sys.executable, "-m", "curveups.cli", "design", target, "-o", folder,
                                "--quiet", *extra], capture_output=True, text=True)
+        waited = time.perf_counter() - begun
         report = Path(folder, "report.json")
         if not report.exists():
             return {**row, "error": done.stderr.strip() or f"exit status {done.returncode}"}
@@ -112,7 +115,8 @@ def _run(name: str, target: str) -> dict:
                              if found["valid"] else None),
         "seconds_to_holds": (round(sum(seconds[s] for s in (*design, "settle")), 3)
                              if found["holds"] else None),
-        "seconds_files": seconds.get("export"), "peak_memory_mb": found["peak_memory_mb"],
+        "seconds_waited": round(waited, 3), "seconds_files": seconds.get("export"),
+        "peak_memory_mb": found["peak_memory_mb"],
     }
 
 
@@ -130,7 +134,8 @@ def _line(row: dict) -> str:
     return (f"{row['name']:<16}{row['tiles']:>6} "
             + "".join(number(total.get(stage), 9) for stage in STAGES)
             + number(row["seconds_to_valid"], 10) + number(row["seconds_to_holds"], 10)
-            + number(row["seconds_files"], 8) + number(row["peak_memory_mb"], 7, 0)
+            + number(row["seconds_waited"], 8) + number(row["seconds_files"], 8)
+            + number(row["peak_memory_mb"], 7, 0)
             + number(row["paper_seconds"], 9, 0)
             + "; ".join([f"  {word}", *row["wrong_files"]]))
 

@@ -77,10 +77,12 @@ def test_results_renew_their_models_and_keep_the_others(designed, tmp_path):
     page.write_text(bench_results.RESULTS.read_text(encoding="utf-8"), encoding="utf-8")
     before = page.read_text(encoding="utf-8").splitlines()
     report = json.loads((designed.folder / "report.json").read_text("utf-8"))
-    row = {**report, "name": "disc", "paper_seconds": None, "seconds_to_valid": 1.5, "seconds_files": None}
+    row = {**report, "name": "disc", "paper_seconds": None, "seconds_to_valid": 1.5, "seconds_to_holds": 2.5,
+           "seconds_waited": 6.5, "seconds_files": None}
     bench_results.renew([row, {**row, "name": "another"}], page)
     after = page.read_text(encoding="utf-8").splitlines()
-    assert [line for line in after if line.startswith("| disc | 24 |")]
+    renewed = [line for line in after if line.startswith("| disc | 24 |")]
+    assert renewed and " | 1.5 | - | 2.5 | " in renewed[0] and " | - | 6.5 | " in renewed[0]
     assert len(after) == len(before) + 2  # the new model's lines
     assert [line for line in before if line not in after] == [
         line for line in before if line.startswith("| disc | ")]
