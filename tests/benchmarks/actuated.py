@@ -35,9 +35,17 @@ def cells(row: Block) -> list[str]:
     return [str(row["tiles"]), WORDS[row["arrives"]],
             f"{end(row)} of {row['contacts']}" if row["converged"] else end(row),
             f"{row['steps']}, {row['factorizations']}",
-            "none" if row.get("reach_friction") is None else f"{row['reach_friction']:.2g}",
+            _reach(row),
             end(loose) if loose else "-", " / ".join(energies), WORDS[row.get("trap")],
             f"{row['from_target']['scan']['mean_mm']:.2f}", f"{row['processor']:.0f}"]
+
+
+def _reach(row: Block) -> str:
+    if row.get("reach_friction") is not None:
+        return f"{row['reach_friction']:.2g}"
+    sampled = row.get("sampled", ())
+    return ("none" if sampled and all(one["converged"] for one in sampled) else "no answer") + (
+        f" of {len(sampled)}" if sampled else "")
 
 
 def main() -> None:

@@ -127,7 +127,9 @@ class Actuation {
           scan_distances(loose.surface, ClosestPoints(loose_from_target.surface)).mean();
       out.trap = std::abs(a - b) > same_energy * std::abs(b) || out.trap_distance > out.tolerance;
     }
-    if (arrives(out, loose.end) && !arrives(out, rising.end)) sample_between(held, out);
+    // Contacts that stay open without friction do so with it.
+    const bool may_arrive = loose.end.open_contacts.empty() || !loose.end.at_rest;
+    if (own > 0 && may_arrive && !arrives(out, rising.end)) sample_between(held, out);
     for (const PathEnd& end : out.sampled) {
       if (arrives(out, end)) out.reach_friction = end.friction_coefficient;
     }

@@ -52,8 +52,8 @@ struct ActuatedDesign {
   // Whether it comes to rest within the tolerance of from_target, all contacts closed. None without
   // an answer: a path that is needed for it did not come to rest.
   std::optional<bool> arrives;
-  // From flat at other frictions, ascending, and at the design's own: none first; where it arrives
-  // without, but not with its own, quarters of that.
+  // From flat at other frictions, ascending, and at the design's own: none first; quarters of its
+  // own where it does not arrive with that, unless contacts stay open without friction.
   std::vector<PathEnd> sampled;
   std::optional<double> reach_friction;  // the largest of those at which it arrives
   // Without friction, flat and actuated pieces end differently.

@@ -218,9 +218,10 @@ TEST(ActuatedDesign, AnswersAreThoseOfThePathsThatTheyName) {
     if (end.at_rest && found.has_arrived(end)) reach = end.friction_coefficient;
   }
   EXPECT_EQ(found.reach_friction.value_or(-1), reach);
-  // Between the two are samples where it arrives at the one and not at the other.
-  EXPECT_EQ(found.sampled.size(),
-            found.has_arrived(found.sampled.front()) && !found.has_arrived(found.end) ? 5u : 2u);
+  // Between the two are samples where friction may be what keeps it from arriving.
+  const bool may_arrive =
+      found.sampled.front().open_contacts.empty() || !found.sampled.front().at_rest;
+  EXPECT_EQ(found.sampled.size(), may_arrive && !found.has_arrived(found.end) ? 5u : 2u);
   ASSERT_TRUE(found.arrives);
   EXPECT_EQ(*found.arrives, found.has_arrived(found.end));
   const PathEnd &a = found.sampled.front(), &b = found.frictionless_from_target;
