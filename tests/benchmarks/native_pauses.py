@@ -83,6 +83,8 @@ def main() -> None:
         "suggest_cuts": lambda sink: native.suggest_cuts(V, F, cuts, p, 1, [], sink),
         "verify_design": lambda sink: native.verify_design(design, None, sink),
         "settle_design": lambda sink: native.settle_design(design, None, sink),
+        "actuate_design": lambda sink: native.actuate_design(design, None, sink, answers=False),
+        "actuate_design, hands": lambda sink: native.actuate_design(design, None, sink),
         "repair_design": lambda sink: native.repair_design(design, None, sink),
         "make_print_model": lambda sink: native.make_print_model(design, sink),
         "build_solids": solids,

@@ -43,6 +43,7 @@ def calls(design, folder):
         "cuts": lambda sink: native.suggest_cuts(V, F, NONE, p, 1, [], sink),
         "verify": lambda sink: native.verify_design(design, None, sink),
         "settle": lambda sink: native.settle_design(design, None, sink),
+        "actuate": lambda sink: native.actuate_design(design, None, sink, answers=False),
         "repair": repair,
         "print model": lambda sink: native.make_print_model(design, sink),
         "solids": lambda sink: native.make_print_model(design).build_solids(sink),
@@ -55,10 +56,10 @@ def calls(design, folder):
     }
 
 
-LEAST = {"layout": 8, "cuts": 4, "verify": 8, "settle": 8, "print model": 3, "judge": 3,
+LEAST = {"layout": 8, "cuts": 4, "verify": 8, "settle": 8, "actuate": 8, "print model": 3, "judge": 3,
          "remesh": 2}
-NAMES = ["layout", "cuts", "verify", "settle", "repair", "print model", "solids", "judge", "step", "stl",
-         "3mf", "remesh", "deviation"]
+NAMES = ["layout", "cuts", "verify", "settle", "actuate", "repair", "print model", "solids", "judge", "step",
+         "stl", "3mf", "remesh", "deviation"]
 
 
 @pytest.mark.parametrize("name", NAMES)
