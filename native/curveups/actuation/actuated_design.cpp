@@ -196,7 +196,7 @@ class Actuation {
         out.world = make_world();
         surplus_->add_to(*out.world.world, phases[k].held);
       } else {
-        out.world = std::move(last);
+        std::swap(out.world, last);
       }
       ContactWorld& world = *out.world.world;
       world.restore(only_first(std::move(state), world.bodies().size()));
