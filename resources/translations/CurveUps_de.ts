@@ -2232,6 +2232,10 @@
       <translation>in einfachen Buchstaben angeben</translation>
     </message>
     <message>
+      <source>give it one, as currency=USD</source>
+      <translation>ihr einen geben, etwa currency=USD</translation>
+    </message>
+    <message>
       <source>give its corners counter-clockwise, in mm</source>
       <translation>seine Ecken gegen den Uhrzeigersinn angeben, in mm</translation>
     </message>
@@ -3410,6 +3414,10 @@
     <message>
       <source>the conformal map's system is not positive definite</source>
       <translation>das System der konformen Abbildung ist nicht positiv definit</translation>
+    </message>
+    <message>
+      <source>the currency has no name</source>
+      <translation>die Währung hat keinen Namen</translation>
     </message>
     <message>
       <source>the cuts changed since the layout was solved: Solve brings it up to date</source>

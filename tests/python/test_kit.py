@@ -145,6 +145,7 @@ def test_prices_of_ones_shop_take_the_place_of_the_printers():
 
 @pytest.mark.parametrize("text, said", [
     ("day=3", "'day=3' is no price"), ("hour=much", "the price hour is 'much'"), ("hour=nan", "is 'nan'"),
+    ("currency=", "the currency has no name"),
     ("hour=-1", "the price hour is '-1'"), ("hour", "the price hour is ''"), ("hour=3,5", "'5' is no price")])
 def test_prices_that_do_not_do_are_refused(curveups, printed, tmp_path, text, said):
     ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path / "no", "--prices", text)

@@ -17,6 +17,8 @@ def chosen_prices(text: str, prices: Mapping[str, Any]) -> dict[str, Any]:
         name, _, value = (one.strip() for one in part.partition("="))
         if name not in prices:
             raise CurveUpsError(f"'{part}' is no price", "", f"give some of {', '.join(prices)}, as hour=2.5")
+        if name == "currency" and not value:
+            raise CurveUpsError("the currency has no name", "", "give it one, as currency=USD")
         found[name] = value if name == "currency" else _number(name, value)
     return found
 
