@@ -351,7 +351,8 @@ StepReport ContactWorld::advance() {
   for (int iteration = 0;; ++iteration) {
     contacts_.set_caps(contacts_.caps_at(x));
     const Motions so_far = between(poses_, x, lever);
-    double now = gradient(x, g, hessian_.get());
+    const bool last = iteration == pace_.iterations;
+    double now = gradient(x, g, last ? nullptr : hessian_.get());
     if (iteration == 0) {
       report.residual = largest_row(g) / unit;
       if (report.residual <= pace_.tolerance) {
@@ -363,10 +364,7 @@ StepReport ContactWorld::advance() {
     g += weight_ * so_far;
     hold_fixed(g);
     report.converged = largest_row(g) <= std::max(0.1 * report.residual, pace_.tolerance) * unit;
-    if (report.converged || iteration == pace_.iterations ||
-        largest_row(so_far) > pace_.step_limit) {
-      break;
-    }
+    if (report.converged || last || largest_row(so_far) > pace_.step_limit) break;
     ++report.iterations;
     factorize(x, weight_, report);
     const Eigen::MatrixXd solved =

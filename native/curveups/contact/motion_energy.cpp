@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/contact/motion_energy.hpp"
 
-#include <Eigen/Eigenvalues>
-
 namespace curveups {
 
 Eigen::Matrix<double, 3, 6> point_jacobian(const RigidMotion& pose, const Vec3& p, double lever) {
@@ -18,11 +16,17 @@ Eigen::Matrix3d turn_curvature(const Vec3& force, const Vec3& arm, double lever)
          (lever * lever);
 }
 
-Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix) {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(matrix);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
-         eigen.eigenvectors().transpose();
+Eigen::Matrix3d positive_turn_curvature(const Vec3& force, const Vec3& arm, double lever) {
+  const double length = force.norm() * arm.norm();
+  if (!(length > 0)) return Eigen::Matrix3d::Zero();
+  // With the unit vectors f and a, and c the cosine of their angle, the eigenvalues over the
+  // product of both lengths are (1 - c) / 2 along a + f, -(1 + c) / 2 along a - f, and -c across.
+  const Vec3 f = force.normalized(), a = arm.normalized(), sum = a + f, difference = a - f;
+  const double c = a.dot(f), scale = length / (lever * lever);
+  if (c >= 0) return scale * (1 - c) / (4 * (1 + c)) * sum * sum.transpose();
+  return scale *
+         (0.25 * sum * sum.transpose() + c / (2 * (1 - c)) * difference * difference.transpose() -
+          c * Eigen::Matrix3d::Identity());
 }
 
 Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p) {

@@ -65,8 +65,8 @@ Eigen::Matrix<double, 3, 6> point_jacobian(const RigidMotion& pose, const Vec3& 
 
 // Second derivatives, by a body's turn, of force . (R p): 3 x 3. arm: R p.
 Eigen::Matrix3d turn_curvature(const Vec3& force, const Vec3& arm, double lever);
-// A symmetric matrix without its negative eigenvalues.
-Eigen::Matrix3d positive_part(const Eigen::Matrix3d& matrix);
+// The same without its negative eigenvalues.
+Eigen::Matrix3d positive_turn_curvature(const Vec3& force, const Vec3& arm, double lever);
 
 // A point p of body `a` where body `b` sees it: y = R_b^T (R_a p + t_a - t_b).
 Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p);

@@ -130,11 +130,7 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
   }
   // By the corners' places; of pairs of corners the blocks on and above the diagonal.
   Eigen::Matrix<double, 12, 12> moves;
-  std::array<Eigen::Matrix3d, 4> turns;  // by the corners' bodies' turns, at their forces
-  if (second) {
-    moves.setZero();
-    for (Eigen::Matrix3d& one : turns) one.setZero();
-  }
+  if (second) moves.setZero();
   double sum = 0;
   for (const Triangle& t : element.triangles) {
     const Eigen::Matrix2d inverse = stretch * t.inverse;
@@ -150,11 +146,9 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
     if (!out) continue;
     for (int k = 0; k < 3; ++k) {
       const int c = t.corner[k];
-      const Vec3 pulls = weight * (coefficient(k, 0) * density.gradient.head<3>() +
-                                   coefficient(k, 1) * density.gradient.tail<3>());
-      force[c] += pulls;
+      force[c] += weight * (coefficient(k, 0) * density.gradient.head<3>() +
+                            coefficient(k, 1) * density.gradient.tail<3>());
       if (!second) continue;
-      if (convex) turns[c] += positive_part(turn_curvature(pulls, arm[c], lever));
       for (int l = 0; l < 3; ++l) {
         const int d = t.corner[l];
         if (d < c) continue;
@@ -180,7 +174,7 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
     out->gradient.segment<3>(at + 3) += turn[c].transpose() * force[c];
     if (!second) continue;
     out->hessian.block<3, 3>(at + 3, at + 3) +=
-        convex ? turns[c] : turn_curvature(force[c], arm[c], lever);
+        (convex ? positive_turn_curvature : turn_curvature)(force[c], arm[c], lever);
   }
   if (!second) return sum;
   for (int c = 0; c < count; ++c) {

@@ -112,6 +112,22 @@ TEST(MotionEnergy, ConvexSecondDerivativesNeverLeadUpwards) {
   EXPECT_GT(lowest[1], -1e-12);
 }
 
+TEST(MotionEnergy, PositiveTurnCurvatureLacksTheNegativeEigenvalues) {
+  const double lever = 3;
+  const Vec3 arm(1, -2, 0.5), across = arm.unitOrthogonal();
+  const Vec3 forces[] = {{3, 1, 2}, {-3, 1, -2},          2 * arm,     -2 * arm,
+                         across,    -arm + 1e-9 * across, Vec3::Zero()};
+  for (const Vec3& force : forces) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(turn_curvature(force, arm, lever));
+    const Eigen::Matrix3d wanted = eigen.eigenvectors() *
+                                   eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+                                   eigen.eigenvectors().transpose();
+    EXPECT_LT((positive_turn_curvature(force, arm, lever) - wanted).norm(),
+              1e-12 * force.norm() + 1e-300)
+        << force.transpose();
+  }
+}
+
 TEST(MotionEnergy, ContactDoesNotSeeAMotionOfAll) {
   const Pressed here(Eigen::Matrix3d::Identity());
   const Pressed there(Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix());
