@@ -14,6 +14,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "curveups/core/checkpoint.hpp"
@@ -67,8 +68,10 @@ class Inside {
 template <class Work>
 void in_arena(const Work& work) {
   if (inside) return tbb::this_task_arena::isolate(work);
-  tbb::task_arena arena(thread_count());
-  arena.execute(work);
+  // A new one for each loop costs many times what a small loop does.
+  thread_local std::optional<tbb::task_arena> arena;
+  if (!arena || arena->max_concurrency() != thread_count()) arena.emplace(thread_count());
+  arena->execute(work);
 }
 
 }  // namespace
