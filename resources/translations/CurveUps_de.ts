@@ -48,6 +48,10 @@
       <translation>STEP exportieren…</translation>
     </message>
     <message>
+      <source>Find out how far it leads if hands press the selected tiles where the piece jams</source>
+      <translation>Herausfinden, wie weit es führt, wenn Hände die gewählten Kacheln drücken, wo das Stück klemmt</translation>
+    </message>
+    <message>
       <source>Find out where to press the piece by hand if it jams, which takes several times as long as the path</source>
       <translation>Herausfinden, wo man das Stück mit der Hand drückt, wenn es klemmt; das dauert mehrmals so lange wie der Weg</translation>
     </message>
@@ -86,6 +90,10 @@
     <message>
       <source>Play the path from flat to where it ends</source>
       <translation>Den Weg vom flachen Zustand bis zu seinem Ende abspielen</translation>
+    </message>
+    <message>
+      <source>Press Selected Tiles</source>
+      <translation>Gewählte Kacheln drücken</translation>
     </message>
     <message>
       <source>Release</source>
@@ -980,6 +988,14 @@
       <translation>Kacheln, wie sie zu sehen sind</translation>
     </message>
     <message>
+      <source>no tile is selected</source>
+      <translation>keine Kachel ist gewählt</translation>
+    </message>
+    <message>
+      <source>select the tiles to press in the view</source>
+      <translation>die Kacheln, die gedrückt werden sollen, in der Ansicht wählen</translation>
+    </message>
+    <message>
       <source>written: {path}</source>
       <translation>geschrieben: {path}</translation>
     </message>
@@ -1444,6 +1460,10 @@
       <translation>eine Datei eines früheren Laufs lässt sich nicht entfernen: {0}</translation>
     </message>
     <message>
+      <source>a force presses no tile</source>
+      <translation>eine Kraft drückt keine Kachel</translation>
+    </message>
+    <message>
       <source>a kept edge names a vertex that there is not</source>
       <translation>eine behaltene Kante nennt einen Punkt, den es nicht gibt</translation>
     </message>
@@ -1536,6 +1556,10 @@
       <translation>eine temporäre Datei lässt sich nicht schreiben ({0})</translation>
     </message>
     <message>
+      <source>a tile is pressed twice</source>
+      <translation>eine Kachel wird zweimal gedrückt</translation>
+    </message>
+    <message>
       <source>a tolerance of {0} mm is out of range</source>
       <translation>eine Toleranz von {0} mm ist außerhalb des Bereichs</translation>
     </message>
@@ -1606,6 +1630,10 @@
     <message>
       <source>back pin</source>
       <translation>hinterer Zapfen</translation>
+    </message>
+    <message>
+      <source>begin flat, with answers and hands, or name no tiles</source>
+      <translation>flach beginnen, mit Antworten und Händen, oder keine Kacheln nennen</translation>
     </message>
     <message>
       <source>beyond the margin, where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}: {reason}</source>
@@ -1682,6 +1710,10 @@
     <message>
       <source>by hand it comes home: shake it ({taps} taps), press {touches:, } to their places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
       <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), {touches:, } an ihre Plätze drücken, {force:g} N je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g} mm von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
+    </message>
+    <message>
+      <source>by hand it does not come home: shaken ({taps} taps), with {pressed} tiles pressed to their places, {force:g} N a tile, shaken again and let go, it is {shortfall:.3g} mm short of its shape, and {open} of {count} contacts stay open</source>
+      <translation>mit der Hand kommt es nicht in seine Form: gerüttelt ({taps} Stöße), mit {pressed} Kacheln an ihre Plätze gedrückt, {force:g} N je Kachel, wieder gerüttelt und losgelassen fehlen ihm {shortfall:.3g} mm zu seiner Form, und {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
       <source>can't write {0}: it is a device, and a rename would replace it</source>
@@ -2152,6 +2184,10 @@
       <translation>geben Sie einen anderen Ordner an (-o)</translation>
     </message>
     <message>
+      <source>give another force</source>
+      <translation>eine andere Kraft angeben</translation>
+    </message>
+    <message>
       <source>give another plane with open</source>
       <translation>mit open eine andere Ebene angeben</translation>
     </message>
@@ -2312,8 +2348,8 @@
       <translation>einige von 0 bis {0} angeben</translation>
     </message>
     <message>
-      <source>give some of T00001 to {0}</source>
-      <translation>einige von T00001 bis {0} angeben</translation>
+      <source>give some of {0} to {1}</source>
+      <translation>einige von {0} bis {1} angeben</translation>
     </message>
     <message>
       <source>give some of {0}, as hour=2.5</source>
@@ -2378,6 +2414,14 @@
     <message>
       <source>gravity=held holds tiles where they are when actuated</source>
       <translation>gravity=held hält Kacheln dort, wo sie in Form sind</translation>
+    </message>
+    <message>
+      <source>hands press where a path from flat ends</source>
+      <translation>Hände drücken, wo ein Weg aus der Ebene endet</translation>
+    </message>
+    <message>
+      <source>hands press with a force above 0 N, up to 1e6 N</source>
+      <translation>Hände drücken mit einer Kraft über 0 N, bis 1e6 N</translation>
     </message>
     <message>
       <source>height of the pins</source>
@@ -2514,6 +2558,10 @@
     <message>
       <source>leave out the cut there, or cut elsewhere</source>
       <translation>den Schnitt dort weglassen oder anderswo schneiden</translation>
+    </message>
+    <message>
+      <source>leave {0} out</source>
+      <translation>{0} weglassen</translation>
     </message>
     <message>
       <source>let it be cut open (--auto-cuts 1) or divided (pieces=auto), give --cuts, or remove a part of it</source>
@@ -2728,12 +2776,24 @@
       <translation>Flächen nennen, wie FreeCAD es tut, ab 1: Face3,Face7-9</translation>
     </message>
     <message>
+      <source>name it once</source>
+      <translation>sie einmal nennen</translation>
+    </message>
+    <message>
       <source>name it without slashes</source>
       <translation>ihn ohne Schrägstriche nennen</translation>
     </message>
     <message>
+      <source>name some with --press</source>
+      <translation>welche mit --press nennen</translation>
+    </message>
+    <message>
       <source>name the faces (--set faces=Face1,Face2), or leave skin at outer</source>
       <translation>die Flächen nennen (--set faces=Face1,Face2) oder skin auf outer lassen</translation>
+    </message>
+    <message>
+      <source>name the tiles</source>
+      <translation>die Kacheln nennen</translation>
     </message>
     <message>
       <source>name the tiles of all markers, or of none</source>
@@ -2994,6 +3054,14 @@
     <message>
       <source>press it into its shape by hand</source>
       <translation>von Hand in seine Form drücken</translation>
+    </message>
+    <message>
+      <source>press tiles from 0 to {0}</source>
+      <translation>Kacheln von 0 bis {0} drücken</translation>
+    </message>
+    <message>
+      <source>pressing</source>
+      <translation>es wird gedrückt</translation>
     </message>
     <message>
       <source>process window</source>
@@ -3984,6 +4052,14 @@
       <translation>es gibt keine Zielfläche</translation>
     </message>
     <message>
+      <source>there is no tile to press</source>
+      <translation>es gibt keine Kachel zu drücken</translation>
+    </message>
+    <message>
+      <source>there is no tile {0}</source>
+      <translation>es gibt keine Kachel {0}</translation>
+    </message>
+    <message>
       <source>there is no {0}</source>
       <translation>es gibt kein {0}</translation>
     </message>
@@ -4042,6 +4118,10 @@
     <message>
       <source>tiles and a soluble slab are of two materials, which can't be one shell</source>
       <translation>Kacheln und eine lösliche Platte sind aus zwei Materialien, die keine gemeinsame Hülle haben können</translation>
+    </message>
+    <message>
+      <source>tiles are pressed by hands, where a path from flat ends</source>
+      <translation>Kacheln werden von Händen gedrückt, wo ein Weg aus der Ebene endet</translation>
     </message>
     <message>
       <source>tiles are up to {distance:.2f} mm from the target, more than mend_max ({most:g} mm): they can't follow its corners and edges</source>
@@ -4178,6 +4258,10 @@
     <message>
       <source>whether it arrives is not known: the tiles do not come to rest</source>
       <translation>Ob das Stück von selbst in seine Form kommt, ist nicht bekannt: die Kacheln kommen nicht zur Ruhe</translation>
+    </message>
+    <message>
+      <source>whether it comes home by hand is not known: let go, the tiles do not come to rest</source>
+      <translation>ob es mit der Hand in seine Form kommt, ist nicht bekannt: losgelassen kommen die Kacheln nicht zur Ruhe</translation>
     </message>
     <message>
       <source>whether pushing forces at bumps' tips within friction {mu:.3g} balance the tiles could not be shown{more}</source>

@@ -99,10 +99,11 @@ def test_each_answer_has_its_words(changed, kinds):
         assert found[-1].tiles == (1, 2, 4, 6) and "T00002-T00005" in str(found[-1])
 
 
-def by_hand(tiles=(), reached="home", tried=0, ways=("inwards",)):
+def by_hand(tiles=(), reached="home", tried=0, ways=("inwards",), converged=True):
     hands = [{"tiles": list(tiles[k::len(ways)]), "way": way, "force_n": 2.0, "direction": [0, 0, -1]}
              for k, way in enumerate(ways) if tiles[k::len(ways)]]
-    end, shaken = ({"shortfall_mm": far, "open_contacts": [[0, 1]]} for far in (0.05, 1.5))
+    end, shaken = ({"shortfall_mm": far, "open_contacts": [[0, 1]], "converged": converged}
+                   for far in (0.05, 1.5))
     return {"hands": hands, "by_hand": {"taps": 7, "tried": tried, "reached": reached, "end": end,
                                         "shaken": shaken, "largest_force_n": 8.0}}
 
@@ -113,6 +114,9 @@ def by_hand(tiles=(), reached="home", tried=0, ways=("inwards",)):
      ["press T00004, T00010 inwards, T00009 outwards", "2 N a tile", "0.05 mm", "1 of 9"]),
     (by_hand(range(30), tried=5, ways=["sideways"] * 10), "hands_over", ["30 tiles", "former", "2 N"]),
     (by_hand(reached="none", tried=3), "hands_none", ["of 3", "up to 8 N", "0.05 mm short"]),
+    (by_hand((3, 8), reached="none", tried=1), "hands_short",
+     ["2 tiles", "2 N a tile", "0.05 mm short", "1 of 9"]),
+    (by_hand((3, 8), reached="none", tried=1, converged=False), "hands_restless", ["do not come to rest"]),
     (by_hand(reached="shape", tried=3), "hands_no_more", ["1.5 mm", "none of 3 touches"])])
 def test_what_hands_do_has_its_words(given, kind, words):
     found = findings(block_of(**given))
@@ -136,6 +140,44 @@ def test_hands_go_on_where_the_path_ends(risen):
     touched = [tile for touch in block["hands"] for tile in touch["tiles"]]
     assert len(touched) == len(set(touched)) and all(0 <= tile < 24 for tile in touched)
     assert (block["by_hand"]["reached"] == "none") <= (block["hands"] == [])
+
+
+def test_chosen_tiles_are_pressed_and_the_answer_says_how_far_that_leads(risen, curveups, tmp_path):
+    ran = curveups("actuate", risen.source, "-o", tmp_path, "--press", "T00007, T00003", "--force", "1.5",
+                   "--set", "bumps=none", "friction_coefficient=0.2", "hold_tolerance=0.01")
+    answer, frames = (json.loads((tmp_path / name).read_text("utf-8"))
+                      for name in ("actuation.json", "frames.json"))
+    block, found = answer["actuation"], answer["actuation"]["by_hand"]
+    assert ran.status == 1 and found["tried"] == 1 and found["largest_force_n"] == 1.5
+    assert sorted(tile for touch in block["hands"] for tile in touch["tiles"]) == [2, 6]
+    assert {touch["force_n"] for touch in block["hands"]} == {1.5}
+    end = found["end"]
+    home = end["converged"] and end["shortfall_mm"] <= 0.01
+    assert found["reached"] == ("none" if not home else "shape" if end["open_contacts"] else "home")
+    pressed = frames["hands"][found["shaken_frame"] + 1:]
+    assert pressed and pressed[-1]["energy"] == pytest.approx(end["energy_n_mm"])
+    assert any(frame["work"] for frame in pressed)
+    assert answer["findings"][-1]["tiles"] == [2, 6] and answer["findings"][-1]["what"] in ran.err
+    assert "T00003" in (tmp_path / "actuation.html").read_text("utf-8")
+
+
+@pytest.mark.parametrize("options, words", [
+    (("--press", "T00099"), ["'T00099' is no tile", "give some of T00001 to T00024"]),
+    (("--press", "7"), ["'7' is no tile"]),
+    (("--press", ""), ["'' is no tile", "give some of"]),
+    (("--press", "T00002,T00005,T00002"), ["twice", "T00002", "name it once"]),
+    (("--press", "T00002", "--force", "0"), ["above 0 N"]),
+    (("--press", "T00002", "--force", "-2"), ["above 0 N"]),
+    (("--press", "T00002", "--force", "nan"), ["above 0 N"]),
+    (("--press", "T00002", "--force", "inf"), ["above 0 N"]),
+    (("--press", "T00002", "--force", "much"), ["--force", "much"]),
+    (("--force", "2"), ["no tile to press", "--press"]),
+    (("--press", "T00002", "--no-hands"), ["leave --no-hands out"]),
+    (("--press", "T00002", "--from", "target"), ["leave --from out"])])
+def test_what_can_not_be_pressed_is_refused(risen, curveups, tmp_path, options, words):
+    ran = curveups("actuate", risen.source, "-o", tmp_path / "out", *options)
+    assert ran.status == 2 and not (tmp_path / "out").exists()
+    assert all(word in ran.err.splitlines()[-1] for word in words), ran.err
 
 
 def test_the_former_is_that_of_the_kit(risen):
@@ -335,7 +377,8 @@ def test_a_path_is_out_of_date_once_its_design_is_another(project):
         twin.parameters = parameters
         assert twin.out_of_date(RISEN) == ()
     for other in (actuation.read_start("target", 24), ActuationStart(hands=False),
-                  ActuationStart(hands=True, release="together")):
+                  ActuationStart(hands=True, release="together"), ActuationStart(hands=True, press=(3,)),
+                  ActuationStart(hands=True, press=(3,), force=2.0)):
         twin.give(START, other)
         assert twin.out_of_date(RISEN) == (START,)
 

@@ -169,6 +169,8 @@ VALUES = {
     "tooth_height": (4.5, [None, "x", np.nan, np.inf, 0.0, -1.0, 1e300], [2.5 + 1e-15]),
     "direct": (False, ["x"], [True]),
     "hands": (False, ["x"], [True]),
+    "press": ([], TILES, [[0], [0, 0]]),
+    "force": (None, ["x", np.nan, np.inf, 0.0, -1.0, 1e300, 1.0], []),
     "release": ("cut", TEXTS + ["", "CUT", "\0"], ["together", "front-first", "back-first"]),
     "arg0": (PARAMETERS, OBJECTS, []),
 }

@@ -181,6 +181,19 @@ def test_touches_and_changes_are_looked_for_by_the_mouse(dome_document, pictures
     document.undo()
     until(lambda: form.verdict.text() == words, 10, "the path alone")
 
+    # Tiles that the user selects are pressed in the same way.
+    overlay_of(design).select_tiles([])
+    until(lambda: overlay_of(design).selected == [], 10, "no selection")
+    click(form.chosen)
+    assert "no tile is selected" in form.line.text() and not LIVE.busy
+    overlay_of(design).select_tiles([4, 9])
+    until(lambda: overlay_of(design).selected == [4, 9], 10, "the selection")
+    click(form.chosen)
+    at_rest(300)
+    until(lambda: stored(design).latest(RISEN).pressed_tiles == [4, 9] and ends(form), 60, "these")
+    assert form.verdict.text() != words and cut_off(form) == []
+    picture("press-selected-tiles")
+
 
 def test_a_release_is_chosen_and_played(dome_document, pictures):
     document, design = opened(dome_document)

@@ -34,6 +34,17 @@ def tile_name(row: int) -> str:
     return f"T{row + 1:05d}"
 
 
+def named_tiles(text: str, count: int, option: str) -> list[int]:
+    """Rows of F by their names, "T00012,T00345"; count: rows that there are. Raises CurveUpsError."""
+    rows = {tile_name(row): row for row in range(count)}
+    names = [name.strip() for name in text.split(",")]
+    for name in names:
+        if name not in rows:
+            raise CurveUpsError(f"'{name}' is no tile", option,
+                                f"give some of {tile_name(0)} to {tile_name(count - 1)}")
+    return [rows[name] for name in names]
+
+
 def tile_list(rows: Iterable[int], most: int = 6) -> str:
     """Names of tiles for a message, cut short."""
     rows = list(rows)

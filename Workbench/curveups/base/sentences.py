@@ -28,7 +28,7 @@ PROGRESS = (
     "layout", "restoring the layout", "measuring deviation", "membrane", "front membrane", "back membrane",
     "meshing membranes", "friction and unilateral contacts", "repair: fresh membranes",
     "repair: {0} weak points", "settle", "actuate", "shaking",
-    "looking for touches", "process window", "building bodies", "building tiles",
+    "looking for touches", "pressing", "process window", "building bodies", "building tiles",
     "placing anchors",
     "building the support", "dividing the support's underside", "dividing the support's lid",
     "measuring bodies", "measuring clearances", "building solids", "checking solids", "measuring solids",
@@ -141,6 +141,10 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "hands_no_more": "shaken, it comes into its shape: after {taps} taps it is {shortfall:.3g} mm from the "
                      "shape that it keeps; {open} of {count} contacts stay open, and none of {tried} touches "
                      "that were tried closes them",
+    "hands_short": "by hand it does not come home: shaken ({taps} taps), with {pressed} tiles pressed to "
+                   "their places, {force:g} N a tile, shaken again and let go, it is {shortfall:.3g} mm "
+                   "short of its shape, and {open} of {count} contacts stay open",
+    "hands_restless": "whether it comes home by hand is not known: let go, the tiles do not come to rest",
     "hands_touch.inwards": "{which:8} inwards",
     "hands_touch.outwards": "{which:8} outwards",
     "hands_touch.sideways": "{which:8} sideways",

@@ -112,6 +112,12 @@ def make_parser() -> argparse.ArgumentParser:
                               "out then (default: cut)")
     actuate.add_argument("--no-hands", dest="hands", action="store_false",
                          help="don't look for what brings a piece home by hand that jams")
+    actuate.add_argument("--press", metavar="T00012,...",
+                         help="where it jams, press these tiles by hand instead of looking for some, and "
+                              "tell how far that leads")
+    actuate.add_argument("--force", type=float, metavar="N",
+                         help="press each tile of --press with N newtons (default: a round number, at most "
+                              "twice the mean normal force of a contact)")
     actuate.add_argument("--try-changes", action="store_true",
                          help="where it does not arrive, try other friction, bumps, gaps and thickness, and "
                               "a cut, each with a path of its own")

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Iterator, Sequence, TextIO
 
-from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError, Stopped
+from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError, Stopped, named_tiles
 from ..base.findings import Finding
 from ..base.language import Language
 from ..base.native import native, translated
@@ -205,6 +205,7 @@ def actuate(options: Any, session: Session) -> int:
     job = session.job
     if options.try_changes and options.begin != "flat":
         raise CurveUpsError("changes are tried from flat alone", "--try-changes", "leave --from out")
+    press = _pressed(options, len(project.latest("design").design.F))
     compensation = None
     if options.compensate:
         if (written := options.output / "design.json").exists() and written.samefile(options.design):
@@ -214,7 +215,8 @@ def actuate(options: Any, session: Session) -> int:
             given = project.latest("design").design.with_parameters(project.parameters)
             compensation = compensate(given, options.compensate, job)
         project = Project.of_design(compensation.design, str(options.design))
-    project.give(START, replace(start, hands=options.hands, release=options.release))
+    project.give(START, replace(start, hands=options.hands, release=options.release, press=press,
+                                force=options.force))
     goals = asked_by("actuate", *(("try changes",) if options.try_changes else ()))
     results = project.run(("bodies", "figures", *goals), job, strict=True)
     former = None
@@ -231,6 +233,18 @@ def actuate(options: Any, session: Session) -> int:
         session.reporter.say("stopped: what there is, is written")
         return STOPPED
     return VALID if results[RISEN].block["arrives"] else NOT_VALID
+
+
+def _pressed(options: Any, count: int) -> tuple[int, ...]:
+    """The tiles of --press."""
+    if options.press is None:
+        if options.force is not None:
+            raise CurveUpsError("there is no tile to press", "--force", "name some with --press")
+        return ()
+    for given, option in ((not options.hands, "--no-hands"), (options.begin != "flat", "--from")):
+        if given:
+            raise CurveUpsError("hands press where a path from flat ends", "--press", f"leave {option} out")
+    return tuple(named_tiles(options.press, count, "--press"))
 
 
 COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,

@@ -21,7 +21,7 @@ from ..base.reading import read_text
 from ..project.compensation import Compensation
 from ..project.project import Results
 from ..stages import BY_NAME, HELP, RISEN, START
-from ..stages.actuation import Actuation, ActuationStart, findings, path_digest
+from ..stages.actuation import HANDS, Actuation, ActuationStart, findings, path_digest
 from ..stages.stage import Job, digest
 from . import html, tables
 from .data import to_text
@@ -29,7 +29,6 @@ from .moving import answers, changes_tried, front_corners, moving_view, released
 
 FORMAT, VERSION = "curveups-actuation", 1
 FRAMES_FORMAT, FRAMES_VERSION = "curveups-frames", 1
-HANDS = "Before hands press, from two sides. Press the tiles in red to their places, as the arrows show."
 _MOST_MEMORY = 2**30  # bytes: more is no path's
 ANSWER, FRAMES, FOLD, PAGE = "actuation.json", "frames.json", "frames.fold", "actuation.html"
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Callable, ClassVar, Iterable, Mapping, Optional, Sequence
 
-from ..base.errors import CurveUpsError, Stopped, tile_name
+from ..base.errors import CurveUpsError, Stopped, named_tiles
 from ..base.findings import Finding
 from ..base.native import native, translated
 from ..base.output import Folder, Prepared, safe_name
@@ -147,16 +147,11 @@ def _design_name(name: str) -> str:
 
 def write_spares(project: Project, folder: Path, tiles: str, job: Job) -> list[str]:
     """Writes these tiles alone, "T00012,T00345", at their places in the print; the files' names."""
-    count = len(project.latest("design").design.F)
-    names = {name.strip() for name in tiles.split(",")}
-    rows = {tile_name(row): row for row in range(count)}
-    for name in sorted(names - rows.keys()):
-        raise CurveUpsError(f"'{name}' is no tile", "--tiles",
-                            f"give some of T00001 to {tile_name(count - 1)}")
+    rows = set(named_tiles(tiles, len(project.latest("design").design.F), "--tiles"))
     model = project.run(("bodies",), job, strict=True)["bodies"].model
     if model is None:
         raise Stopped
-    spares = model.only_tiles([rows[name] for name in names])
+    spares = model.only_tiles(sorted(rows))
     with Folder(folder) as place, translated(project.where):
         for one in native.print_formats():
             kind, file = "tiles" if "tiles" in one.kinds else "print", f"{project.name}-spares.{one.ending}"

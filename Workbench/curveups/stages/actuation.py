@@ -16,6 +16,7 @@ from . import settle
 from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
 
 
+HANDS = "Before hands press, from two sides. They press the tiles in red to their places, as the arrows show."
 MOST_TOUCHES = 6  # that are named; more are a matter of a former
 
 
@@ -24,7 +25,8 @@ class ActuationStart(Result):
     """Where tiles begin, as the command line has it (flat, target, a file of frames), and for all but flat a
     row a tile, as frames have them. hands: whether to find out what brings a piece home that jams;
     the path is the same. memory: of a path that ended there, of the design that `of` is a digest of: it goes
-    on as it would have. release: one of RELEASES; all but CUT begin flat."""
+    on as it would have. release: one of RELEASES; all but CUT begin flat. press: with hands, the tiles that
+    they press, instead of looking for some; force: N on each, or as native code has it."""
 
     begin: str = "flat"
     poses: Optional[np.ndarray] = None
@@ -32,12 +34,15 @@ class ActuationStart(Result):
     memory: Optional[np.ndarray] = None
     of: str = ""
     release: str = CUT
+    press: tuple[int, ...] = ()
+    force: Optional[float] = None
 
     @property
     def content(self) -> str:
         remembered = [self.memory, self.of] if self.memory is not None else []
         return digest(self.begin, self.poses, *(["hands"] if self.hands else []), *remembered,
-                      *([self.release] if self.release != CUT else []))
+                      *([self.release] if self.release != CUT else []),
+                      *(["press", self.press, self.force] if self.press else []))
 
 
 @dataclass(frozen=True)
@@ -103,9 +108,7 @@ class Actuation(Result):
 
     def pictures(self) -> Sequence[Picture]:
         said = "; ".join(map(str, self.findings()))
-        hands = (Picture("By hand", "Before hands press, from two sides. Press the tiles in red to their "
-                         "places, as the arrows show.", "hands",
-                         {"found": self}),) if self.pressed_tiles else ()
+        hands = (Picture("By hand", HANDS, "hands", {"found": self}),) if self.pressed_tiles else ()
         return (Picture("From flat to shape", f"{said[0].upper()}{said[1:]}. Drag to turn. Fronts are "
                         "yellow, backs are blue.", "moving", {"found": self}), *hands)
 
@@ -163,6 +166,10 @@ def _of_hands(block: Mapping[str, Any]) -> list[Finding]:
         kind = "hands_none" if hands["reached"] == "none" else "hands_no_more"
         return [Finding.about(kind, tried=hands["tried"], force=hands["largest_force_n"], **figures)]
     figures["force"] = touches[0]["force_n"]
+    if hands["reached"] == "none":  # tiles that were chosen
+        if not end["converged"]:
+            return [Finding.about("hands_restless", tiles)]
+        return [Finding.about("hands_short", tiles, pressed=len(tiles), **figures)]
     if len(touches) > MOST_TOUCHES:
         return [Finding.about("hands_over", tiles, pressed=len(tiles), **figures)]
     each = tuple(Finding.about(f"hands_touch.{touch['way']}", touch["tiles"], which=tuple(touch["tiles"]))
@@ -185,7 +192,7 @@ def _run(inputs: Inputs, job: Job) -> Actuation:
         with translated(inputs.where if start.poses is None else start.begin):
             memory = start.memory if start.of == path_digest(design) else None
             found = native.actuate_design(design, inputs.store, job, start.poses, memory, hands=start.hands,
-                                          release=start.release)
+                                          release=start.release, press=start.press, force=start.force)
     finally:
         inputs.store.clear()
     frames = np.stack([*found.frames, *found.hand_frames])

@@ -269,7 +269,8 @@ class Actuation {
     try {
       out.hands = bring_home(bodies_, jammed.world, *jammed.hands,
                              {held.world.world->poses(), held.surface, out.tolerance},
-                             design_.parameters.friction_coefficient, out.path.frames.back());
+                             design_.parameters.friction_coefficient, out.path.frames.back(),
+                             options_.touch);
       for (const PathFrame& frame : out.hands->frames) {
         out.hand_frames.push_back(frame_rows(tiles_, frame.poses));
       }
@@ -310,6 +311,11 @@ ActuatedDesign actuate_design(const Design& design, SolutionStore* store,
   if (design.parameters.gravity == "held") {
     throw InvalidInput("gravity=held holds tiles where they are when actuated",
                        "set gravity to off or resting: a piece that rises is held nowhere");
+  }
+  check_touch(options.touch, static_cast<int>(design.mesh.F.rows()));
+  if (!options.touch.tiles.empty() && (!options.hands || !options.answers || options.start)) {
+    throw InvalidInput("tiles are pressed by hands, where a path from flat ends",
+                       "begin flat, with answers and hands, or name no tiles");
   }
   const ProgressScope scope(progress);
   const TileBodies bodies = make_tile_bodies(design);

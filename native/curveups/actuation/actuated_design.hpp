@@ -20,6 +20,7 @@ struct ActuationOptions {
   std::optional<Eigen::VectorXd> memory;
   bool answers = true;  // else the path alone
   bool hands = true;    // with the answers: what brings it home where it does not arrive
+  ChosenTouch touch;    // with hands, from flat: what they press
   // How paths from flat begin (release_phases). All but "cut" need `start` to be none and gravity
   // to be off.
   std::string release = "cut";
@@ -74,8 +75,9 @@ struct ActuatedDesign {
 
 // store: as verify_design has it. Stopped while tiles move, it returns the path so far, without
 // answers; before that it throws Cancelled. Throws InvalidInput for gravity=held (a piece that
-// rises is held nowhere), for a memory that is not of `start` and for a release that can't be, and
-// what frame_poses, unpacked, make_tile_bodies, take_or_solve, make_tile_world and Surplus throw.
+// rises is held nowhere), for a memory that is not of `start`, for a release that can't be and for
+// a touch without hands or not from flat, and what check_touch, frame_poses, unpacked,
+// make_tile_bodies, take_or_solve, make_tile_world and Surplus throw.
 ActuatedDesign actuate_design(const Design& design, SolutionStore* store,
                               const ActuationOptions& options, const Progress& progress);
 

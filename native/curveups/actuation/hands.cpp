@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "curveups/core/checkpoint.hpp"
+#include "curveups/core/errors.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
@@ -15,8 +19,10 @@ constexpr int most_taps = 40, steps_a_tap = 12;
 constexpr double weak_tap = 1e-4;
 constexpr int shaken_steps = 40, pressed_steps = 40, free_steps = 100;
 // Times the mean normal force of a contact: what is tried on all tiles, until it does.
-constexpr double forces[] = {2, 1, 0.5};
-constexpr int most_halvings = 4;  // of the force, once the tiles are found
+constexpr double forces[] = {4, 2, 1, 0.5};
+constexpr double usual_part = 2;    // the same, on tiles that are chosen
+constexpr double most_force = 1e6;  // N: far more than hands have, far less than numbers bear
+constexpr int most_halvings = 4;    // of the force, once the tiles are found
 
 // The next lower one of 1, 2, 5, 10, ...
 double round_number(double value) {
@@ -28,7 +34,7 @@ double round_number(double value) {
 class HandSearch {
  public:
   HandSearch(const TileBodies& bodies, TileWorld& world, PointLoads& hands, const Home& home,
-             double friction, const PathFrame& first)
+             double friction, const PathFrame& first, const ChosenTouch& chosen)
       : bodies_(bodies),
         tiles_(bodies.geometry.tiles),
         built_(world),
@@ -36,6 +42,7 @@ class HandSearch {
         world_(*world.world),
         home_(home),
         first_(first),
+        chosen_(chosen),
         shape_(home.shape),
         friction_(friction),
         centres_(tile_centres(tiles_)),
@@ -53,12 +60,16 @@ class HandSearch {
     out_.end = out_.shaken;
     out_.reached = before;
     if (before == Homecoming::home) return std::move(out_);
-    jammed_ = world_.state();
+    remember_jammed();
     choose_order();
+    if (!chosen_.tiles.empty()) {
+      press_chosen();
+      return std::move(out_);
+    }
     const int all = static_cast<int>(order_.size());
     double best = out_.end.shortfall;
     for (const double part : forces) {
-      force_ = round_number(part * std::max(out_.shaken.push, 1e-3));
+      force_ = force_of(part);
       Trial trial = press(all);
       if (trial.reached > before) {
         fewest(all, trial);
@@ -181,6 +192,26 @@ class HandSearch {
     }
   }
 
+  // A trial begins as a path does, and ends alike whatever was tried before.
+  void remember_jammed() {
+    jammed_ = world_.path_state();
+    jammed_.convex = true;
+    jammed_.state.weight = -1;
+  }
+
+  void press_chosen() {
+    const std::set<int> chosen(chosen_.tiles.begin(), chosen_.tiles.end());
+    std::stable_partition(order_.begin(), order_.end(), [&](int i) { return chosen.count(i) > 0; });
+    const int count = static_cast<int>(chosen.size());
+    force_ = chosen_.force.value_or(force_of(usual_part));
+    keep(count, press(count, "pressing"));
+  }
+
+  // part: of the mean normal force of a contact.
+  double force_of(double part) const {
+    return round_number(part * std::max(out_.shaken.push, 1e-3));
+  }
+
   // Loads of this moment on the first tiles of the order.
   void push(int count) {
     const Points3 ways = ways_home();
@@ -211,13 +242,14 @@ class HandSearch {
     }
   }
 
-  Trial press(int count) {
-    checkpoint("looking for touches", out_.tried / (out_.tried + 8.0));
+  Trial press(int count, const char* doing = "looking for touches") {
+    checkpoint(doing, out_.tried / (out_.tried + 8.0));
     ++out_.tried;
     out_.largest_force = std::max(out_.largest_force, force_);
-    world_.restore(jammed_);
     Trial trial;
-    PathFollower follower(bodies_, built_, options(), &hands_);
+    PathOptions path = options();
+    path.from = &jammed_;
+    PathFollower follower(bodies_, built_, path, &hands_);
     for (const auto& [friction, most] :
          {std::pair(0.0, shaken_steps), std::pair(friction_, pressed_steps)}) {
       world_.set_friction(friction);
@@ -257,10 +289,15 @@ class HandSearch {
       }
       best = std::move(trial);
     }
-    out_.end = best.end;
-    out_.reached = best.reached;
-    std::move(best.frames.begin(), best.frames.end(), std::back_inserter(out_.frames));
-    world_.restore(jammed_);
+    keep(count, std::move(best));
+  }
+
+  // What hands do on the first tiles of the order, as the answer.
+  void keep(int count, Trial trial) {
+    out_.end = trial.end;
+    out_.reached = trial.reached;
+    std::move(trial.frames.begin(), trial.frames.end(), std::back_inserter(out_.frames));
+    world_.restore(jammed_.state);
     describe_touches(count);
   }
 
@@ -306,22 +343,41 @@ class HandSearch {
   ContactWorld& world_;
   const Home& home_;
   const PathFrame& first_;
+  const ChosenTouch& chosen_;
   ClosestPoints shape_;
   double friction_;
   Points3 centres_;
   double reach_;  // mm: over the last part of the way the force fades
   std::vector<std::vector<int>> pieces_;
   std::vector<int> order_;
-  ContactWorld::State jammed_;
+  ContactWorld::PathState jammed_;
   double force_ = 0;
   Hands out_;
 };
 
 }  // namespace
 
+void check_touch(const ChosenTouch& chosen, int tile_count) {
+  std::vector<char> is_chosen(tile_count, 0);
+  for (int tile : chosen.tiles) {
+    if (tile < 0 || tile >= tile_count) {
+      throw InvalidInput("there is no tile " + std::to_string(tile),
+                         "press tiles from 0 to " + std::to_string(tile_count - 1));
+    }
+    if (std::exchange(is_chosen[tile], 1)) {
+      throw InvalidInput("a tile is pressed twice", "name it once", {tile});
+    }
+  }
+  if (!chosen.force) return;
+  if (chosen.tiles.empty()) throw InvalidInput("a force presses no tile", "name the tiles");
+  if (!(*chosen.force > 0 && *chosen.force <= most_force)) {
+    throw InvalidInput("hands press with a force above 0 N, up to 1e6 N", "give another force");
+  }
+}
+
 Hands bring_home(const TileBodies& bodies, TileWorld& world, PointLoads& hands, const Home& home,
-                 double friction, const PathFrame& first) {
-  return HandSearch(bodies, world, hands, home, friction, first).run();
+                 double friction, const PathFrame& first, const ChosenTouch& chosen) {
+  return HandSearch(bodies, world, hands, home, friction, first, chosen).run();
 }
 
 }  // namespace curveups

@@ -156,9 +156,11 @@ void bind_actuation(py::module_& module) {
       "actuate_design",
       [](const Design& design, SolutionStore* store, py::object progress,
          std::optional<FrameRows> begin, std::optional<Eigen::VectorXd> memory, bool answers,
-         bool hands, const std::string& release) {
+         bool hands, const std::string& release, std::vector<int> press,
+         std::optional<double> force) {
         ActuationOptions options;
         options.hands = hands;
+        options.touch = {std::move(press), force};
         options.release = release;
         options.start = std::move(begin);
         options.memory = std::move(memory);
@@ -169,14 +171,17 @@ void bind_actuation(py::module_& module) {
       },
       py::arg("design"), py::arg("store") = py::none(), py::arg("progress") = py::none(),
       py::arg("begin") = py::none(), py::arg("memory") = py::none(), py::arg("answers") = true,
-      py::arg("hands") = true, py::arg("release") = "cut",
+      py::arg("hands") = true, py::arg("release") = "cut", py::arg("press") = std::vector<int>(),
+      py::arg("force") = py::none(),
       "Lets a piece rise from flat, or from a frame of an earlier path. store: as in "
       "verify_design. memory: of the path that ended at `begin`. answers: whether it is asked at "
       "which friction it arrives, and whether it "
       "could come to rest elsewhere; a path from a frame has none of these. hands: with the "
       "answers, what brings it home by hand where it does not arrive. release: how hands release "
       "a piece from the rings of its sheets: cut (out of both at once), together, front-first or "
-      "back-first (with anchors and surplus, which are cut off last).");
+      "back-first (with anchors and surplus, which are cut off last). press: the tiles that hands "
+      "press instead of looking for some, with a force of so many N on each, or twice the mean "
+      "normal force of a contact.");
 }
 
 }  // namespace curveups::bindings

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 
 #include "curveups/actuation/actuated_design.hpp"
 #include "curveups/actuation/hands.hpp"
+#include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
 #include "support/designs.hpp"
 
 namespace curveups::test {
@@ -23,8 +26,10 @@ Design dome(double friction, double tolerance) {
   return sample_design(parameters, o);
 }
 
-ActuatedDesign jammed(double friction, double tolerance) {
-  ActuatedDesign found = actuate_design(dome(friction, tolerance), nullptr, {}, {});
+ActuatedDesign jammed(double friction, double tolerance, const ChosenTouch& touch = {}) {
+  ActuationOptions options;
+  options.touch = touch;
+  ActuatedDesign found = actuate_design(dome(friction, tolerance), nullptr, options, {});
   EXPECT_TRUE(found.hands);
   if (found.hands) {
     EXPECT_EQ(found.arrives, false);
@@ -45,6 +50,26 @@ void expect_to_go_on(const ActuatedDesign& found) {
     before = &now;
   }
   EXPECT_LE(found.hands->largest_rise, 1e-9 * whole);
+}
+
+// Bit by bit, but for what was tried on the way.
+void expect_same_answer(const ActuatedDesign& found, const ActuatedDesign& other) {
+  EXPECT_EQ(found.hand_frames, other.hand_frames);
+  const Hands &a = *found.hands, &b = *other.hands;
+  EXPECT_EQ(a.taps, b.taps);
+  EXPECT_EQ(a.shaking_frames, b.shaking_frames);
+  EXPECT_EQ(a.reached, b.reached);
+  EXPECT_EQ(a.end.energy, b.end.energy);
+  EXPECT_EQ(a.end.shortfall, b.end.shortfall);
+  EXPECT_EQ(a.end.open_contacts, b.end.open_contacts);
+  ASSERT_EQ(a.frames.size(), b.frames.size());
+  for (std::size_t k = 0; k < a.frames.size(); ++k) EXPECT_EQ(a.frames[k].hands, b.frames[k].hands);
+  ASSERT_EQ(a.touches.size(), b.touches.size());
+  for (std::size_t k = 0; k < a.touches.size(); ++k) {
+    EXPECT_EQ(a.touches[k].tiles, b.touches[k].tiles);
+    EXPECT_EQ(a.touches[k].direction, b.touches[k].direction);
+    EXPECT_EQ(a.touches[k].force, b.touches[k].force);
+  }
 }
 
 TEST(Hands, ShakingFreesWhatFrictionHolds) {
@@ -96,8 +121,80 @@ TEST(Hands, SayWhenNothingDoes) {
   const Hands& hands = *found.hands;
   EXPECT_EQ(hands.reached, Homecoming::none);
   EXPECT_TRUE(hands.touches.empty());
-  EXPECT_EQ(hands.tried, 3);
+  EXPECT_EQ(hands.tried, 4);
   EXPECT_LE(hands.end.shortfall, hands.shaken.shortfall);
+}
+
+TEST(Hands, PressTheTilesThatAreChosenAsTheSearchDoes) {
+  const ActuatedDesign searched = jammed(0.2, 0.033);
+  ASSERT_FALSE(searched.hands->touches.empty());
+  ChosenTouch touch{{}, searched.hands->touches.front().force};
+  for (const HandTouch& one : searched.hands->touches) {
+    touch.tiles.insert(touch.tiles.begin(), one.tiles.begin(), one.tiles.end());
+  }
+  const ActuatedDesign again = jammed(0.2, 0.033, touch);
+  EXPECT_EQ(again.hands->tried, 1);
+  EXPECT_EQ(again.hands->largest_force, *touch.force);
+  expect_same_answer(again, searched);
+}
+
+TEST(Hands, OneTileLeadsLessFar) {
+  const ActuatedDesign found = jammed(0.2, 0.033, {{7}, std::nullopt});
+  const Hands& hands = *found.hands;
+  EXPECT_EQ(hands.reached, Homecoming::none);
+  EXPECT_GT(hands.end.shortfall, found.tolerance);
+  ASSERT_EQ(hands.touches.size(), 1u);
+  EXPECT_EQ(hands.touches.front().tiles, std::vector<int>{7});
+  // By default a round number that is at most twice the mean force of a contact.
+  EXPECT_LE(hands.touches.front().force, 2 * hands.shaken.push);
+  EXPECT_GT(hands.touches.front().force, 0.8 * hands.shaken.push);
+  EXPECT_GT(hands.frames.size(), static_cast<std::size_t>(hands.shaking_frames));
+  EXPECT_NEAR(hands.frames.back().energy, hands.end.energy, 1e-9 * hands.end.energy);
+  expect_to_go_on(found);
+}
+
+TEST(Hands, RefuseTilesAndForcesThatCanNotBe) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const ChosenTouch& wrong : std::vector<ChosenTouch>{{{-1}, {}},
+                                                           {{3}, {}},
+                                                           {{0, 1, 0}, {}},
+                                                           {{0}, 0.0},
+                                                           {{0}, -1.0},
+                                                           {{0}, nan},
+                                                           {{0}, infinity},
+                                                           {{0}, 1e7},
+                                                           {{}, 1.0}}) {
+    EXPECT_THROW(check_touch(wrong, 3), InvalidInput);
+  }
+  EXPECT_NO_THROW(check_touch({{0, 2}, 0.5}, 3));
+  EXPECT_NO_THROW(check_touch({}, 3));
+  try {
+    check_touch({{0, 1, 1}, {}}, 3);
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.tiles(), std::vector<int>{1});
+  }
+
+  ActuationOptions options;
+  options.touch.tiles = {0};
+  options.hands = false;
+  EXPECT_THROW(actuate_design(dome(0.2, 0.03), nullptr, options, {}), InvalidInput);
+}
+
+TEST(Hands, AreTheSameWithAnyNumberOfThreads) {
+  std::vector<ActuatedDesign> found;
+  for (int threads : {1, 2, 4}) {
+    set_thread_count(threads);
+    found.push_back(jammed(0.2, 0.033));
+  }
+  set_thread_count(1);
+  const Hands& one = *found.front().hands;
+  EXPECT_GT(one.frames.size(), static_cast<std::size_t>(one.shaking_frames));
+  EXPECT_FALSE(one.touches.empty());
+  for (const ActuatedDesign& other : found) {
+    EXPECT_EQ(other.hands->tried, one.tried);
+    expect_same_answer(other, found.front());
+  }
 }
 
 TEST(Hands, StoppedTheyLeaveThePathAndItsAnswers) {

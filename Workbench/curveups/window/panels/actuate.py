@@ -7,6 +7,7 @@ from typing import Any, Optional
 
 import numpy as np
 
+from ...base.errors import CurveUpsError
 from ...base.native import translated
 from ...base.releases import RELEASES
 from ...features import actions, live
@@ -43,6 +44,7 @@ class ActuatePanel(Panel):
         self._clock = QtCore.QTimer(form)
         self._clock.timeout.connect(lambda: self._advance())
         form.run.clicked.connect(lambda *_: self.run())
+        form.chosen.clicked.connect(lambda *_: self._press_selected())
         form.changes.clicked.connect(lambda *_: self._try_changes())
         form.stop.clicked.connect(lambda *_: LIVE.stop())
         form.cancel.clicked.connect(lambda *_: LIVE.cancel())
@@ -65,15 +67,23 @@ class ActuatePanel(Panel):
         if not self._overlay.closed:
             self._overlay.refresh()
 
-    def run(self) -> None:
-        """Starts the run; the path is played when it ends."""
+    def run(self, press: tuple[int, ...] = ()) -> None:
+        """Starts the run; the path is played when it ends. press: tiles that hands press."""
         self._say("")
         self._play(False)
         with errors_shown(translate("CurveUps_Actuate", "Actuate")):
             live.design_project_of(self.design).give(START, ActuationStart(
-                hands=self.form.hands.isChecked(), release=RELEASES[self.form.release.currentIndex()]))
+                hands=bool(press) or self.form.hands.isChecked(),
+                release=RELEASES[self.form.release.currentIndex()], press=press))
             # Later: the view is about to show the design with its results.
             runs.start("actuate", self.design, lambda: QtCore.QTimer.singleShot(0, self._arrived))
+
+    def _press_selected(self) -> None:
+        with errors_shown(translate("CurveUps_Actuate", "Actuate")):
+            if not self._overlay.selected:
+                raise CurveUpsError(translate("CurveUps_Actuate", "no tile is selected"), "", translate(
+                    "CurveUps_Actuate", "select the tiles to press in the view"))
+            self.run(tuple(self._overlay.selected))
 
     def _try_changes(self) -> None:
         self._say("")
@@ -195,7 +205,8 @@ class ActuatePanel(Panel):
 
     def _show_running(self, running: bool) -> None:
         form = self.form
-        enable(form.run, runs.reason("actuate", self.design))
+        for button in (form.run, form.chosen):
+            enable(button, runs.reason("actuate", self.design))
         self._enable_changes()
         for button in (form.stop, form.cancel):
             enable(button, idle(running))
