@@ -948,8 +948,8 @@
       <translation>STEP exportieren</translation>
     </message>
     <message>
-      <source>Frame {number} of {count}, by hand: {energy} stored</source>
-      <translation>Bild {number} von {count}, mit der Hand: {energy} gespeichert</translation>
+      <source>Frame {number} of {count}, {doing}: {energy} stored</source>
+      <translation>Bild {number} von {count}, {doing}: {energy} gespeichert</translation>
     </message>
     <message>
       <source>Frame {number} of {count}: {energy} stored</source>
@@ -986,6 +986,30 @@
     <message>
       <source>Tiles as they are shown</source>
       <translation>Kacheln, wie sie zu sehen sind</translation>
+    </message>
+    <message>
+      <source>back membrane off its ring</source>
+      <translation>hintere Membran vom Ring gelöst</translation>
+    </message>
+    <message>
+      <source>both membranes off their rings</source>
+      <translation>beide Membranen von den Ringen gelöst</translation>
+    </message>
+    <message>
+      <source>by hand, pressing</source>
+      <translation>mit der Hand gedrückt</translation>
+    </message>
+    <message>
+      <source>by hand, shaking</source>
+      <translation>mit der Hand gerüttelt</translation>
+    </message>
+    <message>
+      <source>cut out</source>
+      <translation>ausgeschnitten</translation>
+    </message>
+    <message>
+      <source>front membrane off its ring</source>
+      <translation>vordere Membran vom Ring gelöst</translation>
     </message>
     <message>
       <source>no tile is selected</source>

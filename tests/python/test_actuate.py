@@ -22,7 +22,7 @@ from curveups.project import saved_results
 from curveups.project.project import Project
 from curveups.report import actuation
 from curveups.report.exports import report
-from curveups.report.moving import front_corners
+from curveups.report.moving import front_corners, moving_view, tile_marks
 from curveups.stages import HELP, RISEN, START, actuation_help, asked_by
 from curveups.stages.actuation import ActuationStart, findings
 from curveups.stages.actuation_help import ActuationHelp, Change, Trial
@@ -240,6 +240,45 @@ def test_the_page_needs_nothing_beside_it(risen):
     hands = json.loads((risen.folder / "frames.json").read_text("utf-8"))["hands"]
     assert f"FRAMES={len(risen.frames) + len(hands)}," in page and "small-cap" in page
     assert not re.search(r"(src|href)=[\"'](?!data:)", page)
+
+
+def of_page(folder, name):
+    """What the page gives its script."""
+    page = (folder / "actuation.html").read_text("utf-8")
+    return json.loads(re.search(rf"\b{name}=([\[{{].*?[\]}}]),[A-Z]+=", page)[1])
+
+
+def test_the_page_names_what_hands_do_and_marks_tiles_that_stay_open(risen):
+    block, count = risen.answer["actuation"], len(risen.frames)
+    hands = json.loads((risen.folder / "frames.json").read_text("utf-8"))["hands"]
+    shaken = block["by_hand"]["shaken_frame"] + 1
+    assert of_page(risen.folder, "DOING") == [""] * count + ["shaking"] * shaken + ["pressing"] * (
+        len(hands) - shaken)
+    marks = of_page(risen.folder, "MARKS")
+    ends = {count - 1: block, count + shaken - 1: block["by_hand"]["shaken"]}
+    for frame, end in ends.items():
+        marked = marks.get(str(frame), [0] * 24)
+        assert {tile for tile in range(24) if marked[tile] & 1} == {
+            tile for pair in end["open_contacts"] for tile in pair}
+    assert block["open_contacts"] and {int(frame) for frame in marks} <= {*ends, count + len(hands) - 1}
+    page = (risen.folder / "actuation.html").read_text("utf-8")
+    assert "tiles of contacts that stay open" in page and f"comes to rest: frame {count}" in page
+
+
+def test_tiles_that_wedge_are_marked_at_the_end_of_the_path(project):
+    found = project.latest(RISEN)
+    pairs = [[k, k + 1] for k in range(0, 20, 2)]  # two more than are named
+    trapped = dataclasses.replace(found, block={**found.block, "trap": True, "open_contacts": [[0, 23]],
+                                                "sampled": [{"wedged": pairs}]})
+    marks, end = tile_marks(trapped), found.path_count - 1
+    assert marks[end] == [3] + [2] * 15 + [0] * 7 + [1]
+    assert not any(mark & 2 for frame, one in marks.items() if frame != end for mark in one)
+    said = next(one for one in trapped.findings() if one.kind == "actuation_trapped")
+    assert "T00015-T00016 and 2 more" in str(said)
+    legend = moving_view(trapped).rpartition("</script>")[2]
+    assert all(words in legend for words in ("stay open", "wedge", "both", f"frame {end + 1}"))
+    calm = dataclasses.replace(trapped, block={**trapped.block, "trap": False, "converged": False})
+    assert end not in tile_marks(calm)
 
 
 def test_the_step_file_has_the_tiles_where_the_path_ends(risen):
@@ -668,6 +707,7 @@ def test_every_release_ends_and_says_what_hands_did(risen, printed, curveups, tm
     assert block["surplus"]["window_mm"] == again["window_mm"]
     page = (tmp_path / "actuation.html").read_text("utf-8")
     assert all(f"<td>{name}</td>" in page for name in names)
+    assert of_page(tmp_path, "DOING")[:len(said)] == said
 
 
 def test_anchors_of_a_path_stand_where_they_are_printed(risen):

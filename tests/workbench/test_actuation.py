@@ -218,3 +218,9 @@ def test_a_release_is_chosen_and_played(dome_document, pictures):
     assert block["release"] == "front-first" and len(block["phases"]) == 3
     assert design.Actuation == "current" and form.frame.maximum() != frames
     assert picture("released") > 12
+
+    # The line below the slider names what hands did last.
+    form.frame.setValue(0)
+    assert "front membrane off" in form.at.text()
+    form.frame.setValue(block["phases"][-1]["first_frame"])
+    assert "cut out" in form.at.text()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Plays the frames of actuation.html. Given: FRAMES, how many; DATA, corners of all triangles, frame
-// by frame, as 16-bit numbers in base64; TIMES and ENERGIES.
+// by frame, as 16-bit numbers in base64; TIMES and ENERGIES; DOING, what hands do; MARKS, of some
+// frames a number a tile, and HUES, the hue and the saturation that a number stands for.
 const bytes = Uint8Array.from(atob(DATA), (letter) => letter.charCodeAt(0));
 const corners = new Int16Array(bytes.buffer);
 const perFrame = corners.length / FRAMES, count = perFrame / 9;
@@ -35,7 +36,8 @@ function draw() {
     const uz = scale * (shown[a + 5] - shown[a + 2]), vz = scale * (shown[a + 8] - shown[a + 2]);
     const area = Math.hypot(facing, uy * vz - uz * vy, uz * vx - ux * vz);
     const light = 38 + 40 * Math.abs(facing) / (area || 1);
-    pen.fillStyle = `hsl(${facing > 0 ? 38 : 212}, ${facing > 0 ? 70 : 25}%, ${light}%)`;
+    const [hue, strength] = HUES[(MARKS[k] || [])[t]] || (facing > 0 ? [38, 70] : [212, 25]);
+    pen.fillStyle = `hsl(${hue}, ${strength}%, ${light}%)`;
     pen.beginPath();
     pen.moveTo(shown[a], shown[a + 1]);
     pen.lineTo(shown[a + 3], shown[a + 4]);
@@ -44,7 +46,8 @@ function draw() {
     pen.fill();
     pen.stroke();
   }
-  document.getElementById("at").textContent = `${TIMES[k].toPrecision(3)} s, ${ENERGIES[k].toFixed(0)} N mm`;
+  document.getElementById("at").textContent = `Frame ${k + 1} of ${FRAMES}${DOING[k] && ", " + DOING[k]}: ` +
+    `${TIMES[k].toPrecision(3)} s, ${ENERGIES[k].toFixed(0)} N mm`;
 }
 
 function play(now) {

@@ -17,6 +17,7 @@ from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
 
 
 HANDS = "Before hands press, from two sides. They press the tiles in red to their places, as the arrows show."
+MOST_PAIRS = 8    # that are named; the hardest
 MOST_TOUCHES = 6  # that are named; more are a matter of a former
 
 
@@ -85,6 +86,31 @@ class Actuation(Result):
         phases = self.block.get("phases", [])
         ends = [phase["first_frame"] for phase in phases[1:]] + [self.path_count]
         return [phase["phase"] for phase, end in zip(phases, ends) for _ in range(end - phase["first_frame"])]
+
+    @property
+    def doing(self) -> list[str]:
+        """Of each frame, what hands do or did last; nothing of a path that begins cut out."""
+        shaken = self.block["by_hand"]["shaken_frame"] + 1 if self.by_hand else 0
+        return [*(self.phase_names or [""] * self.path_count), *["shaking"] * shaken,
+                *["pressing"] * (self.by_hand - shaken)]
+
+    @property
+    def ends(self) -> dict[int, Mapping[str, Any]]:
+        """Where the piece comes to rest, by the frame: after the path, shaken, and pressed by hand."""
+        found = {self.path_count - 1: self.block}
+        if self.by_hand:
+            hands = self.block["by_hand"]
+            found[self.path_count + hands["shaken_frame"]] = hands["shaken"]
+            if self.pressed_tiles:
+                found[len(self.time) - 1] = hands["end"]
+        return {frame: end for frame, end in found.items() if end["converged"]}
+
+    @property
+    def wedged_tiles(self) -> list[int]:
+        """The tiles that the answer names where the piece would not arrive without friction."""
+        if not self.block["trap"]:
+            return []
+        return sorted(set(_tiles(self.block["sampled"][0]["wedged"][:MOST_PAIRS])))
 
     @property
     def open_tiles(self) -> list[int]:

@@ -141,10 +141,11 @@ class ActuatePanel(Panel):
             return
         self._overlay.show_scene(self._scene.posed(self._frames[number]))
         energy = text_of(float(found.energy[number]), "mJ", float(found.energy[0]))
-        words = (translate("CurveUps_Actuate", "Frame {number} of {count}: {energy} stored")
-                 if number < found.path_count else
-                 translate("CurveUps_Actuate", "Frame {number} of {count}, by hand: {energy} stored"))
-        self.form.at.setText(words.format(number=number + 1, count=len(self._frames), energy=energy))
+        doing = _words_of_phase(found.doing[number])
+        words = (translate("CurveUps_Actuate", "Frame {number} of {count}, {doing}: {energy} stored")
+                 if doing else translate("CurveUps_Actuate", "Frame {number} of {count}: {energy} stored"))
+        self.form.at.setText(words.format(number=number + 1, count=len(self._frames), energy=energy,
+                                          doing=doing))
 
     def _play(self, on: bool) -> None:
         frame = self.form.frame
@@ -213,3 +214,13 @@ class ActuatePanel(Panel):
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
         self._show_running(goes_on and LIVE.runs_on(self.design))
+
+
+def _words_of_phase(name: str) -> str:
+    """What hands do or did last, as the panel says it."""
+    return {"front off": translate("CurveUps_Actuate", "front membrane off its ring"),
+            "back off": translate("CurveUps_Actuate", "back membrane off its ring"),
+            "both off": translate("CurveUps_Actuate", "both membranes off their rings"),
+            "cut out": translate("CurveUps_Actuate", "cut out"),
+            "shaking": translate("CurveUps_Actuate", "by hand, shaking"),
+            "pressing": translate("CurveUps_Actuate", "by hand, pressing")}.get(name, "")
