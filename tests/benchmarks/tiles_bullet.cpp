@@ -21,8 +21,8 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double side = 7, tile_thickness = 3;                // mm
 constexpr std::array<double, 3> shares = {1e-1, 1e-2, 1e-3};  // of a tile's weight, left unbalanced
-// Centres start nearer to the origin by this share: faces overlap by 0.001 mm or less. Bullet takes
-// faces that just touch for apart, and bodies would fall for some steps first.
+// Centres start nearer to the origin by this share: faces overlap by 0.0014 mm at most. Bullet
+// takes faces that just touch for apart, and bodies would fall for some steps first.
 constexpr double nearer = 2e-4;
 constexpr int more_steps = 20;
 
