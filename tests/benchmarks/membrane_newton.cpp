@@ -73,7 +73,8 @@ void compare(const std::string& path) {
   const FlatPoses poses = fit_poses(geometry.tiles, design.T);
 
   double begun = processor_seconds();
-  const MembraneSolution own = solve_membranes(geometry, poses, design.q, design.parameters, {})[0];
+  const MembraneSolution own =
+      std::move(solve_membranes(geometry, poses, design.q, design.parameters, {})[0]);
   const double own_seconds = processor_seconds() - begun;
 
   MembraneMaterial material = membrane_material(design.parameters, Side::front);
