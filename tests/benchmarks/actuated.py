@@ -13,6 +13,8 @@ from bench_results import DOCS, renew
 from curveups.base.errors import CurveUpsError
 
 BUMPS = {"none": "no bumps", "bumps": "bumps"}  # dimples move as plain walls do
+# mm, mean and largest: how far the paper's scans (section 7) are from their targets.
+PAPER_SCANS = {"lilium": "below 1, 8", "spot": "below 4.3, 12.8"}
 WORDS = {True: "yes", False: "no", None: "no answer"}
 Block = dict[str, Any]
 
@@ -40,6 +42,13 @@ def cells(row: Block) -> list[str]:
             f"{row['from_target']['scan']['mean_mm']:.2f}", f"{row['processor']:.0f}"]
 
 
+def scan_cells(row: Block) -> list[str]:
+    def off(one: Block) -> str:
+        return f"{one['scan']['mean_mm']:.2f}, {one['scan']['max_mm']:.1f}" if one["converged"] else "no answer"
+
+    return [row["paper"], off(row["from_target"]), off(row)]
+
+
 def _reach(row: Block) -> str:
     if row.get("reach_friction") is not None:
         return f"{row['reach_friction']:.2g}"
@@ -56,7 +65,9 @@ def main() -> None:
             except CurveUpsError as error:
                 print(f"{name}, {bumps}: {error}", flush=True)
                 continue
-            renew([row], DOCS / "actuation.md", {"actuation": cells})
+            row["paper"] = PAPER_SCANS.get(name)
+            tables = {"actuation": cells, **({"scans": scan_cells} if row["paper"] else {})}
+            renew([row], DOCS / "actuation.md", tables)
             print(f"{row['name']}: {', '.join(cells(row))}", flush=True)
 
 

@@ -2,7 +2,9 @@
 """How a built design fares whose materials are not what was entered: settles a target with materials drawn
 from the ranges of the library.
 
-    python tests/benchmarks/samples.py TARGET [--count N] [--set L=12 ...] [--tile NAME]
+    python tests/benchmarks/samples.py TARGET [--count N] [--set L=12 ...] [--tile NAME] [--keep FILE]
+
+--keep has a line for each sample as soon as it is known; a later run with the same options goes on after them.
 
 Each sample has a modulus and a thickness for either sheet, friction and the tiles' stiffness, drawn evenly
 and independently from the ranges that the materials' files give. Prints how many hold, and of those that lie
@@ -11,6 +13,7 @@ inside the process window of the design (friction, and front against back) how m
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from collections import Counter
 from pathlib import Path
@@ -62,6 +65,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--membrane", default="latex-0.5")
     parser.add_argument("--tile", default="vero")
+    parser.add_argument("--keep", type=Path, metavar="FILE")
     parser.add_argument("--set", nargs="*", default=[], metavar="name=value")
     options = parser.parse_args()
     values = native.Parameters()
@@ -75,14 +79,25 @@ def main() -> None:
     print(f"{options.target}: {len(results.design.F)} tiles, {WORDS[results.verdict.holds]}; window "
           + ", ".join(f"{name} {one['low']} to {one['high']} of {one['searched']}"
                       for name, one in window.items()))
-    random, count = np.random.default_rng(1), Counter()
-    for _ in range(options.count if window else 0):
+    random, count = np.random.default_rng(1), Counter[tuple[str, str]]()
+    kept = options.keep.read_text().splitlines() if options.keep and options.keep.exists() else []
+    for number in range(options.count if window else 0):
         sample = drawn(random, options.membrane, options.tile)
+        if number < len(kept):
+            known = json.loads(kept[number])
+            if known["sample"] != sample:
+                parser.error(f"{options.keep} has other samples: give another file")
+            count[known["where"], known["word"]] += 1
+            continue
         parameters = native.Parameters(values)
         for name, value in {**sample, "margin": "off", "window": False}.items():
             parameters.set(name, value)
         settled = native.settle_design(results.design.with_parameters(parameters))
-        count["inside" if inside(sample, window) else "outside", WORDS[settled.holds]] += 1
+        where, word = "inside" if inside(sample, window) else "outside", WORDS[settled.holds]
+        count[where, word] += 1
+        if options.keep:
+            with options.keep.open("a", encoding="utf-8") as file:
+                file.write(json.dumps({"sample": sample, "where": where, "word": word}) + "\n")
     for (where, word), number in sorted(count.items()):
         print(f"{where} the window: {number} {word}")
 
