@@ -44,7 +44,8 @@ def cells(row: Block) -> list[str]:
 
 def scan_cells(row: Block) -> list[str]:
     def off(one: Block) -> str:
-        return f"{one['scan']['mean_mm']:.2f}, {one['scan']['max_mm']:.1f}" if one["converged"] else "no answer"
+        scan = one["scan"]
+        return f"{scan['mean_mm']:.2f}, {scan['max_mm']:.1f}" if one["converged"] else "no answer"
 
     return [row["paper"], off(row["from_target"]), off(row)]
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What hands, other parameters and a moved target do for pieces that jam. `tools/bench --answers` runs it: each
-row goes into its table of resources/docs/actuation.md as soon as it is known."""
+"""What hands, other parameters and a moved target do for pieces that jam. `tools/bench --answers` runs it:
+each row goes into its table of resources/docs/actuation.md as soon as it is known."""
 
 from __future__ import annotations
 
@@ -37,7 +37,9 @@ Row = dict[str, Any]
 
 def end(block: Row) -> str:
     """mm short, and open contacts."""
-    return f"{block['shortfall_mm']:.1f}, {len(block['open_contacts'])}" if block["converged"] else "no answer"
+    if not block["converged"]:
+        return "no answer"
+    return f"{block['shortfall_mm']:.1f}, {len(block['open_contacts'])}"
 
 
 def by_hand(project: Project) -> Row:

@@ -4,7 +4,8 @@ from the ranges of the library.
 
     python tests/benchmarks/samples.py TARGET [--count N] [--set L=12 ...] [--tile NAME] [--keep FILE]
 
---keep has a line for each sample as soon as it is known; a later run with the same options goes on after them.
+--keep gets a line for each sample as soon as it is known; a later run with the same options goes on after
+them.
 
 Each sample has a modulus and a thickness for either sheet, friction and the tiles' stiffness, drawn evenly
 and independently from the ranges that the materials' files give. Prints how many hold, and of those that lie
