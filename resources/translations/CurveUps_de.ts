@@ -48,8 +48,8 @@
       <translation>STEP exportieren…</translation>
     </message>
     <message>
-      <source>Find out how far it leads if hands press the selected tiles where the piece jams</source>
-      <translation>Herausfinden, wie weit es führt, wenn Hände die gewählten Kacheln drücken, wo das Stück klemmt</translation>
+      <source>Find out how near to its shape the piece comes if hands press the selected tiles where it jams</source>
+      <translation>Herausfinden, wie nahe das Stück seiner Form kommt, wenn Hände die gewählten Kacheln drücken, wo es klemmt</translation>
     </message>
     <message>
       <source>Find out where to press the piece by hand if it jams, which takes several times as long as the path</source>
@@ -104,8 +104,8 @@
       <translation>Die Kacheln der Kontakte auswählen, die offen bleiben</translation>
     </message>
     <message>
-      <source>Select the tiles that hands press to bring the piece home</source>
-      <translation>Die Kacheln auswählen, die Hände drücken, damit das Stück in seine Form kommt</translation>
+      <source>Select the tiles that hands press</source>
+      <translation>Die Kacheln auswählen, die Hände drücken</translation>
     </message>
     <message>
       <source>Stop</source>
@@ -956,12 +956,12 @@
       <translation>Bild {number} von {count}: {energy} gespeichert</translation>
     </message>
     <message>
-      <source>Let the piece rise from flat under its membranes, and find out whether it arrives by itself and what holds it back</source>
-      <translation>Das Stück unter seinen Membranen aus der Ebene aufsteigen lassen und herausfinden, ob es von selbst in seine Form kommt und was es hindert</translation>
+      <source>Hands press no tiles</source>
+      <translation>Hände drücken keine Kacheln</translation>
     </message>
     <message>
-      <source>No touches are known that bring the piece home</source>
-      <translation>Keine Griffe sind bekannt, die das Stück in seine Form bringen</translation>
+      <source>Let the piece rise from flat under its membranes, and find out whether it arrives by itself and what holds it back</source>
+      <translation>Das Stück unter seinen Membranen aus der Ebene aufsteigen lassen und herausfinden, ob es von selbst in seine Form kommt und was es hindert</translation>
     </message>
     <message>
       <source>Path of {name}</source>
@@ -1728,11 +1728,11 @@
       <translation>Noppen würden in der Abwicklung den Nachbarn berühren</translation>
     </message>
     <message>
-      <source>by hand it comes home: shake it ({taps} taps), lay it over the former of the kit, press {pressed} tiles to their places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
+      <source>by hand it comes into its shape: shake it ({taps} taps), lay it over the former of the kit, press {pressed} tiles to their places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
       <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), über die Form des Bausatzes legen, {pressed} Kacheln an ihre Plätze drücken, {force:g} N je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g} mm von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
-      <source>by hand it comes home: shake it ({taps} taps), press {touches:, } to their places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
+      <source>by hand it comes into its shape: shake it ({taps} taps), press {touches:, } to their places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
       <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), {touches:, } an ihre Plätze drücken, {force:g} N je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g} mm von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
@@ -2186,6 +2186,10 @@
     <message>
       <source>give a frames.json of 'curveups actuate'</source>
       <translation>eine frames.json von „curveups actuate“ angeben</translation>
+    </message>
+    <message>
+      <source>give a number above 0 N, up to {0} N</source>
+      <translation>geben Sie eine Zahl über 0 N an, höchstens {0} N</translation>
     </message>
     <message>
       <source>give a number, 0 or more, as hour=2.5</source>
@@ -4360,6 +4364,10 @@
       <translation>{0} schreiben</translation>
     </message>
     <message>
+      <source>{0} N is no force of a hand</source>
+      <translation>{0} N ist keine Kraft einer Hand</translation>
+    </message>
+    <message>
       <source>{0} can't be {1}</source>
       <translation>{0} kann nicht {1} sein</translation>
     </message>
@@ -4394,6 +4402,10 @@
     <message>
       <source>{0} holds a number that is not finite</source>
       <translation>{0} enthält eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+      <source>{0} is named twice</source>
+      <translation>{0} ist zweimal genannt</translation>
     </message>
     <message>
       <source>{0} is no UTF-8 text</source>

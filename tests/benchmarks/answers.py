@@ -25,8 +25,6 @@ DESIGNS: dict[str, tuple[str, dict[str, Any]]] = {
     "Ellipsoid cap, L = 14": ("ellipsoid-cap", {"L": 14}),
     "Hyperboloid, L = 14": ("hyperboloid", {"L": 14}),
     "Mask, L = 14": ("mask", {"L": 14}),
-    "Half-Sphere, L = 7.5": ("half-sphere", {"L": 7.5}),
-    "Saddle, L = 7.5": ("saddle", {"L": 7.5}),
 }
 CHANGES = {"friction_coefficient": "friction {:.2g}", "d_gap_min": "gap {:.2g} mm",
            "H_body": "thickness {:.2g} mm"}

@@ -60,6 +60,19 @@ def inside(sample: dict[str, float], window: dict[str, Any]) -> bool:
     return True
 
 
+def _kept(options: argparse.Namespace, of: dict[str, Any]) -> list[dict[str, Any]]:
+    """The samples that the file has, which is made where there is none."""
+    if not options.keep:
+        return []
+    of = {**of, "membrane": options.membrane, "tile": options.tile}
+    if not options.keep.exists():
+        options.keep.write_text(json.dumps(of) + "\n", encoding="utf-8")
+    first, *kept = options.keep.read_text(encoding="utf-8").splitlines()
+    if first != json.dumps(of):
+        sys.exit(f"{options.keep} has samples of other options: give another file")
+    return [json.loads(line) for line in kept]
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("target")
@@ -81,14 +94,11 @@ def main() -> None:
           + ", ".join(f"{name} {one['low']} to {one['high']} of {one['searched']}"
                       for name, one in window.items()))
     random, count = np.random.default_rng(1), Counter[tuple[str, str]]()
-    kept = options.keep.read_text().splitlines() if options.keep and options.keep.exists() else []
+    kept = _kept(options, {"target": options.target, "set": options.set, "window": window})
     for number in range(options.count if window else 0):
         sample = drawn(random, options.membrane, options.tile)
         if number < len(kept):
-            known = json.loads(kept[number])
-            if known["sample"] != sample:
-                parser.error(f"{options.keep} has other samples: give another file")
-            count[known["where"], known["word"]] += 1
+            count[kept[number]["where"], kept[number]["word"]] += 1
             continue
         parameters = native.Parameters(values)
         for name, value in {**sample, "margin": "off", "window": False}.items():

@@ -3,7 +3,7 @@
 // Bullet, a rigid-body engine for games: seconds until forces balance at the penetration that the
 // contact room has. One thread, the same bodies, weights, friction and start.
 //
-//   tiles_bullet [SECONDS]     after which a run of Bullet ends, by default 20
+//   tiles_bullet [SECONDS]     after which a run of Bullet ends, by default 4
 #include <btBulletDynamicsCommon.h>
 
 #include <chrono>
@@ -344,7 +344,7 @@ void compare(const char* name, const Problem& problem, const Problem& falling, d
 
 int main(int count, char** values) {
   curveups::set_thread_count(1);
-  const double longest = count > 1 ? std::atof(values[1]) : 20;
+  const double longest = count > 1 ? std::atof(values[1]) : 4;
   std::printf("Bullet with numbers of %zu bits\n", 8 * sizeof(btScalar));
   try {
     using namespace curveups;

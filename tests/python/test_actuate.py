@@ -24,7 +24,7 @@ from curveups.report import actuation
 from curveups.report.exports import report
 from curveups.report.moving import front_corners, moving_view, tile_marks
 from curveups.stages import HELP, RISEN, START, actuation_help, asked_by
-from curveups.stages.actuation import ActuationStart, findings
+from curveups.stages.actuation import ActuationStart, findings, tiles_digest
 from curveups.stages.actuation_help import ActuationHelp, Change, Trial
 from curveups.stages.sheets import sheets
 from curveups.stages.stage import Job
@@ -161,15 +161,28 @@ def test_chosen_tiles_are_pressed_and_the_answer_says_how_far_that_leads(risen, 
     assert "T00003" in (tmp_path / "actuation.html").read_text("utf-8")
 
 
+def test_tiles_that_were_chosen_in_another_design_are_not_pressed(risen):
+    parameters = native.Parameters(risen.design.parameters)
+    for name, value in {"bumps": "none", "friction_coefficient": 0.2, "hold_tolerance": 0.01}.items():
+        parameters.set(name, value)
+    project = Project.of_design(risen.design.with_parameters(parameters))
+    project.give(START, ActuationStart(hands=True, press=(3,), of="another"))
+    block = project.run((RISEN,))[RISEN].block
+    assert block["by_hand"]["tried"] > 1
+    project.give(START, ActuationStart(hands=True, press=(3,), of=tiles_digest(risen.design)))
+    block = project.run((RISEN,))[RISEN].block
+    assert block["by_hand"]["tried"] == 1 and [touch["tiles"] for touch in block["hands"]] == [[3]]
+
+
 @pytest.mark.parametrize("options, words", [
     (("--press", "T00099"), ["'T00099' is no tile", "give some of T00001 to T00024"]),
     (("--press", "7"), ["'7' is no tile"]),
     (("--press", ""), ["'' is no tile", "give some of"]),
     (("--press", "T00002,T00005,T00002"), ["twice", "T00002", "name it once"]),
-    (("--press", "T00002", "--force", "0"), ["above 0 N"]),
-    (("--press", "T00002", "--force", "-2"), ["above 0 N"]),
-    (("--press", "T00002", "--force", "nan"), ["above 0 N"]),
-    (("--press", "T00002", "--force", "inf"), ["above 0 N"]),
+    (("--press", "T00002", "--force", "0"), ["--force", "0 N", "above 0 N"]),
+    (("--press", "T00002", "--force", "-2"), ["--force", "-2 N", "above 0 N"]),
+    (("--press", "T00002", "--force", "nan"), ["--force", "nan N", "above 0 N"]),
+    (("--press", "T00002", "--force", "inf"), ["--force", "inf N", "above 0 N"]),
     (("--press", "T00002", "--force", "much"), ["--force", "much"]),
     (("--force", "2"), ["no tile to press", "--press"]),
     (("--press", "T00002", "--no-hands"), ["leave --no-hands out"]),

@@ -128,13 +128,13 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "actuation_stopped": "whether it arrives is not known: it was stopped",
     "hands_shaken": "shaken, it comes home: after {taps} taps it is {shortfall:.3g} mm from the shape that "
                     "it keeps, and {open} of {count} contacts stay open",
-    "hands_press": "by hand it comes home: shake it ({taps} taps), press {touches:, } to their places, "
-                   "{force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the "
-                   "shape that it keeps, and {open} of {count} contacts stay open",
-    "hands_over": "by hand it comes home: shake it ({taps} taps), lay it over the former of the kit, press "
-                  "{pressed} tiles to their places, {force:g} N a tile, shake it again and let go; then it "
-                  "is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay "
-                  "open",
+    "hands_press": "by hand it comes into its shape: shake it ({taps} taps), press {touches:, } to their "
+                   "places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm "
+                   "from the shape that it keeps, and {open} of {count} contacts stay open",
+    "hands_over": "by hand it comes into its shape: shake it ({taps} taps), lay it over the former of the "
+                  "kit, press {pressed} tiles to their places, {force:g} N a tile, shake it again and let "
+                  "go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} "
+                  "contacts stay open",
     "hands_none": "no touches that were tried bring it home: of {tried}, with up to {force:g} N on every "
                   "tile, the best leave it {shortfall:.3g} mm short of its shape and {open} of {count} "
                   "contacts open",

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Iterator, Sequence, TextIO
 
-from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError, Stopped, named_tiles
+from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError, Stopped, named_tiles, \
+    tile_name
 from ..base.findings import Finding
 from ..base.language import Language
 from ..base.native import native, translated
@@ -27,10 +28,13 @@ from ..report import check as check_report
 from ..report.exports import write_spares
 from ..report.files import Writing, write_check, write_obj, write_verification
 from ..stages import HELP, RISEN, START, asked_by, sizes
+from ..stages.actuation import tiles_digest
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.solids import density_of
 from ..stages.stage import Job
 from ..stages.surface import find_source
+
+MOST_FORCE = 1e6  # N: of a hand; far more than one has, far less than numbers bear
 
 
 @dataclass
@@ -206,6 +210,9 @@ def actuate(options: Any, session: Session) -> int:
     if options.try_changes and options.begin != "flat":
         raise CurveUpsError("changes are tried from flat alone", "--try-changes", "leave --from out")
     press = _pressed(options, len(project.latest("design").design.F))
+    if press:
+        start = replace(start, press=press, force=options.force,
+                        of=tiles_digest(project.latest("design").design))
     compensation = None
     if options.compensate:
         if (written := options.output / "design.json").exists() and written.samefile(options.design):
@@ -215,8 +222,7 @@ def actuate(options: Any, session: Session) -> int:
             given = project.latest("design").design.with_parameters(project.parameters)
             compensation = compensate(given, options.compensate, job)
         project = Project.of_design(compensation.design, str(options.design))
-    project.give(START, replace(start, hands=options.hands, release=options.release, press=press,
-                                force=options.force))
+    project.give(START, replace(start, hands=options.hands, release=options.release))
     goals = asked_by("actuate", *(("try changes",) if options.try_changes else ()))
     results = project.run(("bodies", "figures", *goals), job, strict=True)
     former = None
@@ -244,7 +250,14 @@ def _pressed(options: Any, count: int) -> tuple[int, ...]:
     for given, option in ((not options.hands, "--no-hands"), (options.begin != "flat", "--from")):
         if given:
             raise CurveUpsError("hands press where a path from flat ends", "--press", f"leave {option} out")
-    return tuple(named_tiles(options.press, count, "--press"))
+    rows = named_tiles(options.press, count, "--press")
+    for row in rows:
+        if rows.count(row) > 1:
+            raise CurveUpsError(f"{tile_name(row)} is named twice", "--press", "name it once")
+    if options.force is not None and not 0 < options.force <= MOST_FORCE:
+        raise CurveUpsError(f"{options.force:g} N is no force of a hand", "--force",
+                            f"give a number above 0 N, up to {MOST_FORCE:g} N")
+    return tuple(rows)
 
 
 COMMANDS = {"design": design, "check": check, "remesh": remesh, "targets": targets, "parameters": parameters,

@@ -27,7 +27,8 @@ class ActuationStart(Result):
     row a tile, as frames have them. hands: whether to find out what brings a piece home that jams;
     the path is the same. memory: of a path that ended there, of the design that `of` is a digest of: it goes
     on as it would have. release: one of RELEASES; all but CUT begin flat. press: with hands, the tiles that
-    they press, instead of looking for some; force: N on each, or as native code has it."""
+    they press, instead of looking for some, of a design whose tiles `of` is a digest of; of other tiles it is
+    as if there were none. force: N on each, or as native code has it."""
 
     begin: str = "flat"
     poses: Optional[np.ndarray] = None
@@ -43,7 +44,7 @@ class ActuationStart(Result):
         remembered = [self.memory, self.of] if self.memory is not None else []
         return digest(self.begin, self.poses, *(["hands"] if self.hands else []), *remembered,
                       *([self.release] if self.release != CUT else []),
-                      *(["press", self.press, self.force] if self.press else []))
+                      *(["press", self.press, self.force, self.of] if self.press else []))
 
 
 @dataclass(frozen=True)
@@ -100,7 +101,8 @@ class Actuation(Result):
         found = {self.path_count - 1: self.block}
         if self.by_hand:
             hands = self.block["by_hand"]
-            found[self.path_count + hands["shaken_frame"]] = hands["shaken"]
+            if hands["shaken_frame"] >= 0:
+                found[self.path_count + hands["shaken_frame"]] = hands["shaken"]
             if self.pressed_tiles:
                 found[len(self.time) - 1] = hands["end"]
         return {frame: end for frame, end in found.items() if end["converged"]}
@@ -145,6 +147,11 @@ class Actuation(Result):
 def path_digest(design: Any) -> str:
     """Of all that a path depends on but where it begins: a memory of other designs is of no use."""
     return digest(native.write_design(design))
+
+
+def tiles_digest(design: Any) -> str:
+    """Of what numbers of tiles stand for."""
+    return digest(np.asarray(design.F))
 
 
 def moved(points: np.ndarray, rows: np.ndarray) -> np.ndarray:
@@ -217,8 +224,9 @@ def _run(inputs: Inputs, job: Job) -> Actuation:
     try:
         with translated(inputs.where if start.poses is None else start.begin):
             memory = start.memory if start.of == path_digest(design) else None
+            pressed = {"press": start.press, "force": start.force} if start.of == tiles_digest(design) else {}
             found = native.actuate_design(design, inputs.store, job, start.poses, memory, hands=start.hands,
-                                          release=start.release, press=start.press, force=start.force)
+                                          release=start.release, **pressed)
     finally:
         inputs.store.clear()
     frames = np.stack([*found.frames, *found.hand_frames])

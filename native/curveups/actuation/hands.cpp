@@ -69,7 +69,9 @@ class HandSearch {
     const int all = static_cast<int>(order_.size());
     double best = out_.end.shortfall;
     for (const double part : forces) {
-      force_ = force_of(part);
+      const double force = force_of(part);
+      if (force == force_) continue;  // rounded to the one before
+      force_ = force;
       Trial trial = press(all);
       if (trial.reached > before) {
         fewest(all, trial);

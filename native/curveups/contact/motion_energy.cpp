@@ -18,7 +18,7 @@ Eigen::Matrix3d turn_curvature(const Vec3& force, const Vec3& arm, double lever)
 
 Eigen::Matrix3d positive_turn_curvature(const Vec3& force, const Vec3& arm, double lever) {
   const double length = force.norm() * arm.norm();
-  if (!(length > 0)) return Eigen::Matrix3d::Zero();
+  if (length == 0) return Eigen::Matrix3d::Zero();
   // With the unit vectors f and a, and c the cosine of their angle, the eigenvalues over the
   // product of both lengths are (1 - c) / 2 along a + f, -(1 + c) / 2 along a - f, and -c across.
   const Vec3 f = force.normalized(), a = arm.normalized(), sum = a + f, difference = a - f;

@@ -63,15 +63,21 @@ class Inside {
   WatchedBy watched_;
 };
 
+// Of this thread, from one loop to the next: a new one for each loop costs many times what a small
+// loop does.
+tbb::task_arena& own_arena() {
+  thread_local std::optional<tbb::task_arena> arena;
+  const int count = thread_count();
+  if (!arena || arena->max_concurrency() != count) arena.emplace(count);
+  return *arena;
+}
+
 // A thread that waits for its loop takes no other work than this loop's: nothing of what it holds
 // can be asked for again.
 template <class Work>
 void in_arena(const Work& work) {
   if (inside) return tbb::this_task_arena::isolate(work);
-  // A new one for each loop costs many times what a small loop does.
-  thread_local std::optional<tbb::task_arena> arena;
-  if (!arena || arena->max_concurrency() != thread_count()) arena.emplace(thread_count());
-  arena->execute(work);
+  own_arena().execute(work);
 }
 
 }  // namespace

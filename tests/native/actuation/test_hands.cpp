@@ -121,7 +121,8 @@ TEST(Hands, SayWhenNothingDoes) {
   const Hands& hands = *found.hands;
   EXPECT_EQ(hands.reached, Homecoming::none);
   EXPECT_TRUE(hands.touches.empty());
-  EXPECT_EQ(hands.tried, 4);
+  EXPECT_GE(hands.tried, 3);  // two forces may be the same round number
+  EXPECT_LE(hands.tried, 4);
   EXPECT_LE(hands.end.shortfall, hands.shaken.shortfall);
 }
 
@@ -182,12 +183,13 @@ TEST(Hands, RefuseTilesAndForcesThatCanNotBe) {
 }
 
 TEST(Hands, AreTheSameWithAnyNumberOfThreads) {
+  const int before = thread_count();
   std::vector<ActuatedDesign> found;
   for (int threads : {1, 2, 4}) {
     set_thread_count(threads);
     found.push_back(jammed(0.2, 0.033));
   }
-  set_thread_count(1);
+  set_thread_count(before);
   const Hands& one = *found.front().hands;
   EXPECT_GT(one.frames.size(), static_cast<std::size_t>(one.shaking_frames));
   EXPECT_FALSE(one.touches.empty());

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -41,6 +42,34 @@ TEST(Parallel, TheExceptionOfTheLowestRangeComesOut) {
     ADD_FAILURE();
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "1");
+  }
+  set_thread_count(before);
+}
+
+TEST(Parallel, LoopsOfSeveralThreadsBearErrorsAndOtherNumbersOfThreads) {
+  const int before = thread_count();
+  for (int threads : {3, 1, 4, 2}) {
+    set_thread_count(threads);
+    std::array<int, 2> sums{}, errors{};
+    auto work = [&](int k) {
+      for (int round = 0; round < 20; ++round) {
+        std::atomic<int> sum{0};
+        parallel_each(100, [&](int i) { sum += i; });
+        sums[k] += sum;
+        try {
+          parallel_each(10, [&](int i) {
+            if (i == 3) throw std::runtime_error("3");
+          });
+        } catch (const std::runtime_error&) {
+          ++errors[k];
+        }
+      }
+    };
+    std::thread one(work, 0), other(work, 1);
+    one.join();
+    other.join();
+    EXPECT_EQ(sums, (std::array<int, 2>{99000, 99000}));
+    EXPECT_EQ(errors, (std::array<int, 2>{20, 20}));
   }
   set_thread_count(before);
 }

@@ -15,7 +15,7 @@ from ...features.live import stored
 from ...features.status import OUT_OF_DATE
 from ...project.worker import Status
 from ...stages import HELP, RISEN, START
-from ...stages.actuation import Actuation, ActuationStart
+from ...stages.actuation import Actuation, ActuationStart, tiles_digest
 from .. import runs
 from ..macro import call, named
 from ..notice import errors_shown, show_line, shown, words_of
@@ -72,9 +72,11 @@ class ActuatePanel(Panel):
         self._say("")
         self._play(False)
         with errors_shown(translate("CurveUps_Actuate", "Actuate")):
-            live.design_project_of(self.design).give(START, ActuationStart(
+            project = live.design_project_of(self.design)
+            project.give(START, ActuationStart(
                 hands=bool(press) or self.form.hands.isChecked(),
-                release=RELEASES[self.form.release.currentIndex()], press=press))
+                release=RELEASES[self.form.release.currentIndex()], press=press,
+                of=tiles_digest(project.latest("design").design) if press else ""))
             # Later: the view is about to show the design with its results.
             runs.start("actuate", self.design, lambda: QtCore.QTimer.singleShot(0, self._arrived))
 
@@ -128,7 +130,7 @@ class ActuatePanel(Panel):
         enable(form.select, lacks or ("" if found and found.open_tiles else translate(
             "CurveUps_Actuate", "All contacts close")))
         enable(form.press, lacks or ("" if found and found.pressed_tiles else translate(
-            "CurveUps_Actuate", "No touches are known that bring the piece home")))
+            "CurveUps_Actuate", "Hands press no tiles")))
 
     def _draw(self) -> None:
         """The frame of the slider."""
