@@ -67,6 +67,17 @@ def click_at(point, button=1, times=1):
     display("click", "--repeat", times, "--delay", 60, button)
 
 
+def once_open(menu, act):
+    """Does something as soon as a menu stands open, in whose own event loop it is."""
+    def look():
+        if menu.isVisible():
+            QtCore.QTimer.singleShot(300, act)
+        else:
+            QtCore.QTimer.singleShot(50, look)
+
+    look()
+
+
 def scroll_to(widget, place):
     """As a user does, to a place in a widget of a panel."""
     above = widget.parentWidget()

@@ -12,8 +12,8 @@ from curveups.features import actions
 from curveups.window.overlay.colours import MARK
 from curveups.window.overlays import overlay_of
 from curveups.window.units import in_user_units
-from robot import (at_rest, click, click_at, click_item, close_panel, picture, press, QtCore, QtGui, report,
-                   settle, until, widget)
+from robot import (at_rest, click, click_at, click_item, close_panel, once_open, picture, press, QtGui,
+                   report, settle, until, widget)
 from steps import begin, example, in_units, LIVE, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -158,7 +158,7 @@ def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictur
     chosen = design.L.Value
     menu = form.profile.menu()
     assert [action.text() for action in menu.actions()] == ["Standard", "FDM"]
-    QtCore.QTimer.singleShot(700, lambda: (picture("profiles"), item(menu, "FDM").trigger(), menu.close()))
+    once_open(menu, lambda: (picture("profiles"), item(menu, "FDM").trigger(), menu.close()))
     click(form.profile)
     until(lambda: design.Printer == "fdm", 10, "the profile")
     assert design.L.Value == 10 and design.Bumps == "none" and made.UndoNames[0] == "Apply Profile"
@@ -178,7 +178,7 @@ def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictur
 
     assert marked() == ["latex-0.5", "cyanoacrylate", "vero"]
     thin = menu.actionGeometry(item(menu, "latex-0.25")).center()
-    QtCore.QTimer.singleShot(700, lambda: (picture("materials"), click_at(menu.mapToGlobal(thin))))
+    once_open(menu, lambda: (picture("materials"), click_at(menu.mapToGlobal(thin))))
     click(form.materials)
     until(lambda: design.ThicknessFront.Value == 0.25, 10, "the membrane")
     assert design.ThicknessBack.Value == 0.25 and made.UndoNames[0] == "Apply Material"
