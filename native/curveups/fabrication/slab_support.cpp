@@ -207,7 +207,10 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
       if (parts.size() > 1) {
         const std::vector<OutlineShape> others = others_of(model, footprint, has);
         loops = outline_without(loops, {}, outline_of(others, deviation), 0, deviation);
-        loops = outline_without(loops, {}, before, division.opening, deviation);
+        // Chords of the opening's arcs leave nine tenths of it.
+        const double of_opening = division.opening > 0 ? 0.1 * division.opening : deviation;
+        loops =
+            outline_without(loops, {}, before, division.opening, std::min(deviation, of_opening));
         before.insert(before.end(), loops.begin(), loops.end());
       }
       if (!division.region.empty()) {
