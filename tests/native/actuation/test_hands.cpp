@@ -73,7 +73,7 @@ void expect_same_answer(const ActuatedDesign& found, const ActuatedDesign& other
 }
 
 TEST(Hands, ShakingFreesWhatFrictionHolds) {
-  const ActuatedDesign found = jammed(0.4, 0.05);
+  const ActuatedDesign found = jammed(0.4, 0.08);
   const Hands& hands = *found.hands;
   EXPECT_GT(hands.taps, 0);
   EXPECT_TRUE(hands.shaken.at_rest);
