@@ -23,6 +23,9 @@ namespace {
 constexpr double mu_start = 1e-1, mu_search = 3e-3, mu_end = 1e-6;
 // mm beyond d_gap_min: pairs as near as that before the end are kept apart as well.
 constexpr double search_margin = 0.05;
+// mm by which a constraint may be violated at the end: a pin's area (mm2) lacks up to some times as
+// much as its constraint.
+constexpr double accuracy = 0.1 * tolerance::constraint;
 constexpr int max_iterations = 600, max_starts = 3;
 constexpr int max_draft_iterations = 60;  // twice what a sound start takes
 
@@ -71,7 +74,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   KnownPairs known(geometry.tiles);
   const auto separate = [&](const LayoutState& at, double mu) {
     if (mu > mu_search) return false;
-    const double margin = mu > mu_end ? search_margin : -0.5 * tolerance::constraint;
+    const double margin = mu > mu_end ? search_margin : -accuracy;
     bool found = false;
     for (const Separation& pair :
          find_close_pairs(geometry.tiles, poses_of(model, at), parameters.d_gap_min + margin)) {
@@ -99,8 +102,8 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   for (int start = 0; start < max_starts; ++start) {
     const int most = (draft ? max_draft_iterations : max_iterations) - result.solve.iterations;
     SolveReport outcome =
-        draft ? method.run(state, mu_start, mu_search, most, "layout", watched)
-              : method.run(state, mu_start, mu_end, most, "layout", watched, separate);
+        draft ? method.run(state, {mu_start, mu_search}, most, "layout", watched)
+              : method.run(state, {mu_start, mu_end, accuracy}, most, "layout", watched, separate);
     outcome.iterations += result.solve.iterations;
     result.solve = outcome;
     if (draft || outcome.converged() || outcome.stopped()) break;

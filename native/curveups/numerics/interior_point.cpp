@@ -80,6 +80,7 @@ struct InteriorPoint<Constraint>::Linearization {
   Vector pull;  // J^T m and the bounds' multipliers: what the constraints hold against it
   Values values;
   double residual_sum = 0, largest_residual = 0;  // of c(z) - s
+  double largest_violation = 0;                   // of c(z) >= 0
   double dual_error = 0;
   Complementarity products;
 };
@@ -152,7 +153,7 @@ template <class Constraint>
 void InteriorPoint<Constraint>::linearize_constraints(const Vector& z, Linearization& at) const {
   at.constraint_matrix->set_zero();
   at.pull.setZero();
-  at.residual_sum = at.largest_residual = 0;
+  at.residual_sum = at.largest_residual = at.largest_violation = 0;
   at.products = {};
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     const Constraint& constraint = *constraints_[c];
@@ -169,6 +170,7 @@ void InteriorPoint<Constraint>::linearize_constraints(const Vector& z, Lineariza
         const double residual = std::abs(value.value(0) - s);
         at.residual_sum += residual;
         at.largest_residual = std::max(at.largest_residual, residual);
+        at.largest_violation = std::max(at.largest_violation, -value.value(0));
         at.products.add(m, s);
       }
     };
@@ -359,12 +361,12 @@ bool InteriorPoint<Constraint>::search(Vector& z, double mu, double penalty, dou
 }
 
 template <class Constraint>
-SolveReport InteriorPoint<Constraint>::run(Vector& z, double mu_start, double mu_end,
-                                           int max_iterations, const std::string& what,
-                                           const Progress& progress, const Discover& discover) {
+SolveReport InteriorPoint<Constraint>::run(Vector& z, const Levels& levels, int max_iterations,
+                                           const std::string& what, const Progress& progress,
+                                           const Discover& discover) {
   SolveReport report;
   try {
-    iterate(z, mu_start, mu_end, max_iterations, what, progress, discover, report);
+    iterate(z, levels, max_iterations, what, progress, discover, report);
   } catch (const Cancelled&) {
     report.status = SolveStatus::stopped;
   }
@@ -374,10 +376,10 @@ SolveReport InteriorPoint<Constraint>::run(Vector& z, double mu_start, double mu
 }
 
 template <class Constraint>
-void InteriorPoint<Constraint>::iterate(Vector& z, double mu_start, double mu_end,
-                                        int max_iterations, const std::string& what,
-                                        const Progress& progress, const Discover& discover,
-                                        SolveReport& report) {
+void InteriorPoint<Constraint>::iterate(Vector& z, const Levels& levels, int max_iterations,
+                                        const std::string& what, const Progress& progress,
+                                        const Discover& discover, SolveReport& report) {
+  const auto& [mu_start, mu_end, violation] = levels;
   double mu = mu_start, damping = 0, penalty = 1;
   const double span = std::log(mu_start / mu_end);
   begin(z, mu);
@@ -403,7 +405,7 @@ void InteriorPoint<Constraint>::iterate(Vector& z, double mu_start, double mu_en
         take_new_constraints(z, mu);
         linearize_anew();
         linearize(z, *linearization);
-      } else if (mu <= mu_end) {
+      } else if (mu <= mu_end && linearization->largest_violation <= violation) {
         report.status = SolveStatus::converged;
         break;
       }

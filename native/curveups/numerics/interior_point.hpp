@@ -17,6 +17,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "curveups/core/progress.hpp"
 #include "curveups/numerics/residuals.hpp"
@@ -28,6 +29,13 @@ namespace curveups {
 struct Bound {
   int block, unknown;
   double lower, upper;
+};
+
+// Complementarity where a run begins and where it ends, and the largest violation of a constraint
+// with which it may end: complementarity has another unit, and bounds violations only roughly.
+struct Levels {
+  double mu_start, mu_end;
+  double violation = std::numeric_limits<double>::infinity();
 };
 
 // Constraint: a class of Residuals with one row an element, for Jacobians and curvature.
@@ -51,11 +59,12 @@ class InteriorPoint {
   using Discover = std::function<bool(const Vector& z, double mu)>;
 
   // Improves z, from fresh slacks and multipliers, until complementarity mu_end is reached, the
-  // optimality conditions hold to like accuracy and nothing more is discovered, or max_iterations.
-  // progress gets `what` and the share of the way from mu_start to mu_end; stopped in the middle of
-  // an iteration z is that of the one before. The report has the largest violation of c(z) >= 0.
-  SolveReport run(Vector& z, double mu_start, double mu_end, int max_iterations,
-                  const std::string& what, const Progress& progress, const Discover& discover = {});
+  // optimality conditions hold to like accuracy, no constraint is violated too far and nothing more
+  // is discovered, or max_iterations. progress gets `what` and the share of the way from mu_start
+  // to mu_end; stopped in the middle of an iteration z is that of the one before. The report has
+  // the largest violation of c(z) >= 0.
+  SolveReport run(Vector& z, const Levels& levels, int max_iterations, const std::string& what,
+                  const Progress& progress, const Discover& discover = {});
 
  private:
   using Vectors = std::vector<Eigen::VectorXd>;  // one entry per element of each constraint
@@ -66,9 +75,8 @@ class InteriorPoint {
   struct Linearization;
   struct Step;
 
-  void iterate(Vector& z, double mu_start, double mu_end, int max_iterations,
-               const std::string& what, const Progress& progress, const Discover& discover,
-               SolveReport& report);
+  void iterate(Vector& z, const Levels& levels, int max_iterations, const std::string& what,
+               const Progress& progress, const Discover& discover, SolveReport& report);
   void begin(Vector& z, double mu);
   void take_new_constraints(const Vector& z, double mu);
   void linearize(const Vector& z, Linearization& at) const;

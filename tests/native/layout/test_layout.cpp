@@ -26,7 +26,7 @@ void expect_sound(const DesignGeometry& geometry, const FlatPoses& poses, const 
 TEST(Layout, KeepsEveryHardConstraint) {
   const Parameters p;
   for (const TriangleMesh& mesh :
-       {test::dome(8), test::saddle(8), test::ripples(8), test::flat_patch(5),
+       {test::dome(8), test::dome(4), test::saddle(8), test::ripples(8), test::flat_patch(5),
         test::single_triangle(), test::hinge(0.4)}) {
     const DesignGeometry geometry = make_geometry(mesh, no_cuts, p);
     const LayoutResult result = solve_layout(geometry, p, {});

@@ -56,6 +56,23 @@ class Distances : public Rows {
   const std::vector<Apart>& list_;
 };
 
+// Unknown 1 below a parabola of unknown 0. Steps follow its tangents, which lie above it, and don't
+// know how it curves: the violation shrinks by a constant factor a step.
+class Parabola : public Rows {
+ public:
+  std::string_view name() const override { return "parabola"; }
+  int element_count() const override { return 1; }
+  int dimension() const override { return 1; }
+  Blocks blocks(int) const override { return {0, -1}; }
+  void evaluate(int, const Unknowns& x, bool derivatives, Value& out) const override {
+    out.value(0) = -x[0][0] * x[0][0] - x[0][1];
+    if (!derivatives) return;
+    out.jacobian[0].row(0).setZero();
+    out.jacobian[0](0, 0) = -2 * x[0][0];
+    out.jacobian[0](0, 1) = -1;
+  }
+};
+
 struct Problem {
   explicit Problem(int blocks) : goal(Vector::Zero(blocks, 9)) {}
   InteriorPoint<Rows> method() {
@@ -79,7 +96,7 @@ TEST(InteriorPoint, FindsTheNearestPointWithConstraintsAndBounds) {
   problem.bounds = {{0, 4, -1, 1}, {1, 4, 0.75, 2}, {2, 4, -3, -0.25}};
   auto method = problem.method();
   Vector z = Vector::Constant(3, 9, 7.0);  // not feasible
-  const SolveReport report = method.run(z, 0.1, mu_end, 100, "test", {});
+  const SolveReport report = method.run(z, {0.1, mu_end}, 100, "test", {});
   ASSERT_TRUE(report.converged());
   EXPECT_LE(report.residual, 1e-6);
   // Row 2 alone: least change of (0, 0.5, 0) with x1 - x0 = 2.5 and x2 - x1 = 1.
@@ -98,12 +115,12 @@ TEST(InteriorPoint, GoesOnWithWhatIsDiscoveredToTheSameSolution) {
   known.apart = all;
   discovering.apart = {all[0]};
   Vector expected = Vector::Zero(3, 9), z = expected;
-  ASSERT_TRUE(known.method().run(expected, 0.1, mu_end, 100, "test", {}).converged());
+  ASSERT_TRUE(known.method().run(expected, {0.1, mu_end}, 100, "test", {}).converged());
   auto method = discovering.method();
   double last = 1;
   int solved = 0;
   const SolveReport report =
-      method.run(z, 0.1, mu_end, 100, "test", {}, [&](const Vector& at, double mu) {
+      method.run(z, {0.1, mu_end}, 100, "test", {}, [&](const Vector& at, double mu) {
         EXPECT_LE(mu, last);
         last = mu;
         ++solved;
@@ -126,10 +143,34 @@ TEST(InteriorPoint, SaysThatItIsUnfinishedWhereNothingMeetsTheConstraints) {
   Problem problem(2);
   problem.apart = {{0, 1, 0, 1}, {1, 0, 0, 1}};
   Vector z = Vector::Zero(2, 9);
-  const SolveReport report = problem.method().run(z, 0.1, mu_end, 60, "test", {});
+  const SolveReport report = problem.method().run(z, {0.1, mu_end}, 60, "test", {});
   EXPECT_FALSE(report.converged());
   EXPECT_GE(report.residual, 1 - 1e-6);
   EXPECT_TRUE(z.allFinite());
+}
+
+TEST(InteriorPoint, ViolatesNoConstraintByMoreThanItMay) {
+  const auto largest_violation = [](const Levels& levels) {
+    double largest = 0;
+    for (int k = 0; k < 50; ++k) {
+      Vector goal = Vector::Zero(1, 9), z = goal;
+      goal(0, 0) = 0.01 * k;
+      goal(0, 1) = 0.4;
+      z(0, 0) = 1;
+      Terms<9> energies;
+      energies.push_back(std::make_unique<Distance>(goal));
+      std::vector<std::unique_ptr<Rows>> constraints;
+      constraints.push_back(std::make_unique<Parabola>());
+      InteriorPoint<Rows> method(std::move(energies), std::move(constraints), {});
+      const SolveReport report = method.run(z, levels, 100, "test", {});
+      EXPECT_TRUE(report.converged()) << k;
+      largest = std::max(largest, report.residual);
+    }
+    return largest;
+  };
+  // Complementarity alone lets violations of several times mu_end pass.
+  EXPECT_GT(largest_violation({0.1, 1e-6}), 1e-6);
+  EXPECT_LE(largest_violation({0.1, 1e-6, 1e-7}), 1e-7);
 }
 
 }  // namespace
