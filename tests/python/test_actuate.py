@@ -236,8 +236,10 @@ def test_frames_lead_from_the_layout_along_falling_energy(risen):
 
 def test_fold_frames_keep_every_tile_rigid(risen):
     faces = np.array(risen.fold["faces_vertices"])
-    assert risen.fold["file_spec"] >= 1.1 and len(faces) == 24
-    assert len(risen.fold["file_frames"]) == len(risen.frames) > 5
+    assert len(faces) == 24 and len(risen.fold["file_frames"]) == len(risen.frames) > 5
+    sides = {tuple(sorted(side)) for face in faces.tolist() for side in zip(face, face[1:] + face[:1])}
+    assert sorted(tuple(sorted(edge)) for edge in risen.fold["edges_vertices"]) == sorted(sides)
+    assert risen.fold["edges_assignment"] == ["B"] * 72
 
     def edges(frame):
         corners = np.array(frame["vertices_coords"])[faces]
