@@ -32,8 +32,8 @@ void visit(Numbers& all, ContactWorld::PathState& path) {
   all.integer(rows);
   path.places.conservativeResize(all.checked(rows), 3);
   all.entries(path.places, -largest_place, largest_place);
-  all.count(path.near);
-  for (auto& pair : path.near) {
+  all.count(path.coupled);
+  for (auto& pair : path.coupled) {
     for (int& body : pair) all.integer(body);
   }
   all.count(path.state.pairs);
@@ -155,7 +155,7 @@ ContactWorld::PathState unpacked(const Eigen::VectorXd& numbers, const ContactWo
   for (const RigidMotion& pose : path.state.poses) {
     if (!(pose.R * pose.R.transpose()).isIdentity(1e-6) || pose.R.determinant() < 0) refuse();
   }
-  check_pairs(path.near, bodies, [](const std::array<int, 2>& pair) { return pair; });
+  check_pairs(path.coupled, bodies, [](const std::array<int, 2>& pair) { return pair; });
   check_pairs(path.state.pairs, bodies, [](const TouchingPair& pair) { return pair.body; });
   for (const TouchingPair& pair : path.state.pairs) {
     for (int k = 0; k < 2; ++k) {

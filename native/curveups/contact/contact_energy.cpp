@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/contact/contact_energy.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "curveups/core/parallel.hpp"
@@ -22,8 +24,25 @@ double hold(const Touch& touch, double stretch, double cap) {
 
 }  // namespace
 
+bool ContactEnergy::couple_pairs() {
+  std::vector<std::array<int, 2>> all;
+  for (const TouchingPair& pair : pairs) all.push_back(pair.body);
+  const bool news = !std::includes(coupled.begin(), coupled.end(), all.begin(), all.end());
+  if (news) {
+    const std::vector<std::array<int, 2>> before = std::move(coupled);
+    coupled.clear();
+    std::set_union(before.begin(), before.end(), all.begin(), all.end(),
+                   std::back_inserter(coupled));
+  }
+  for (TouchingPair& pair : pairs) {
+    pair.coupling = static_cast<int>(std::lower_bound(coupled.begin(), coupled.end(), pair.body) -
+                                     coupled.begin());
+  }
+  return news;
+}
+
 void ContactEnergy::couple(std::vector<Coupling>& couplings) const {
-  for (const std::array<int, 2>& pair : near) couplings.push_back({pair[0], pair[1]});
+  for (const std::array<int, 2>& pair : coupled) couplings.push_back({pair[0], pair[1]});
 }
 
 MotionDerivatives<2> ContactEnergy::of_pair(const TouchingPair& pair, const Poses& poses,

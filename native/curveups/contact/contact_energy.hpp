@@ -27,7 +27,7 @@ struct TouchForce {
 class ContactEnergy : public MotionEnergy {
  public:
   std::vector<TouchingPair> pairs;
-  std::vector<std::array<int, 2>> near;  // that a pair's coupling counts
+  std::vector<std::array<int, 2>> coupled;  // pairs of bodies that touch or did so, ascending
   // Infinite: what touches when a step begins sticks in it, however little it pushes, and the rest
   // slides. (A finite limit of almost nothing would let points stick and slip by turns.)
   double friction_coefficient = 0.5;
@@ -41,6 +41,8 @@ class ContactEnergy : public MotionEnergy {
   bool closing = false;
 
   std::string_view name() const override { return "contact"; }
+  // Lets all pairs have their place among those that are coupled. Whether there are new ones.
+  bool couple_pairs();
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
   double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,

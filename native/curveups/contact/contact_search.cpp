@@ -215,8 +215,7 @@ class PairSearch {
 
 std::vector<TouchingPair> find_touching(const std::vector<RigidBody>& bodies, const Poses& poses,
                                         const SearchOptions& options,
-                                        const std::vector<TouchingPair>& before,
-                                        std::vector<std::array<int, 2>>& near) {
+                                        const std::vector<TouchingPair>& before) {
   std::vector<int> solid;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].faces.empty()) solid.push_back(static_cast<int>(i));
@@ -232,7 +231,7 @@ std::vector<TouchingPair> find_touching(const std::vector<RigidBody>& bodies, co
       high.row(k) = (box.high.array() + 0.5 * options.reach).matrix().transpose();
     }
   });
-  near.clear();
+  std::vector<std::array<int, 2>> near;
   for (const auto& [k, l] : overlapping_boxes(low, high)) {
     if (bodies[solid[k]].can_touch(bodies[solid[l]])) near.push_back({solid[k], solid[l]});
   }
@@ -249,9 +248,8 @@ std::vector<TouchingPair> find_touching(const std::vector<RigidBody>& bodies, co
     }
   });
   std::vector<TouchingPair> out;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    found[k].coupling = static_cast<int>(k);
-    if (!found[k].touches.empty()) out.push_back(std::move(found[k]));
+  for (TouchingPair& pair : found) {
+    if (!pair.touches.empty()) out.push_back(std::move(pair));
   }
   return out;
 }

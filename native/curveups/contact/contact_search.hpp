@@ -41,7 +41,7 @@ struct TouchingPair {
   std::array<int, 2> body;  // ascending
   std::array<int, 2> face;
   std::vector<Touch> touches;
-  int coupling = -1;  // its number among the pairs that are near
+  int coupling = -1;  // its number among the pairs that are coupled (ContactEnergy)
 };
 
 struct SearchOptions {
@@ -60,11 +60,9 @@ struct SearchOptions {
 inline constexpr double tangent_ratio = 0.79;
 
 // Pairs in ascending order. before: pairs of an earlier state, whose memory of friction goes on: as
-// they are where they are still good, else from the nearest point on the same faces. near: gets all
-// pairs of bodies within reach, touching or not.
+// they are where they are still good, else from the nearest point on the same faces.
 std::vector<TouchingPair> find_touching(const std::vector<RigidBody>& bodies, const Poses& poses,
                                         const SearchOptions& options,
-                                        const std::vector<TouchingPair>& before,
-                                        std::vector<std::array<int, 2>>& near);
+                                        const std::vector<TouchingPair>& before);
 
 }  // namespace curveups

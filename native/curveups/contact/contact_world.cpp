@@ -67,7 +67,7 @@ void ContactWorld::restore(State state) {
 void ContactWorld::resume(PathState from) {
   restore(std::move(from.state));
   convex_ = from.convex;
-  contacts_.near = std::move(from.near);
+  contacts_.coupled = std::move(from.coupled);
   places_ = std::move(from.places);
   if (places_.rows() > 0) make_pattern();
 }
@@ -82,19 +82,44 @@ void ContactWorld::make_pattern() {
   first_.push_back(static_cast<int>(couplings.size()));
   contacts_.couple(couplings);
   std::vector<char> free;
-  for (const RigidBody& body : bodies_) free.push_back(!body.fixed);
+  std::vector<int> unknowns;  // a point does not turn
+  for (const RigidBody& body : bodies_) {
+    free.push_back(!body.fixed);
+    unknowns.push_back(body.is_point() ? 3 : 6);
+  }
   hessian_ = std::make_unique<BlockMatrix<6>>(
-      std::make_shared<const BlockPattern>(free, couplings, places_));
+      std::make_shared<const BlockPattern>(free, couplings, places_), unknowns);
+}
+
+// Bodies around a point depend on one another once it is eliminated: that they may touch costs
+// nothing, and the pattern need not change when they do.
+void ContactWorld::couple_around_points() {
+  std::vector<Coupling> couplings;
+  for (const auto& energy : energies_) energy->couple(couplings);
+  std::vector<std::vector<int>> around(bodies_.size());
+  for (const auto& [i, j] : couplings) {
+    if (i < 0 || j < 0 || bodies_[i].is_point() == bodies_[j].is_point()) continue;
+    const auto [point, body] = bodies_[i].is_point() ? std::pair(i, j) : std::pair(j, i);
+    around[point].push_back(body);
+  }
+  std::vector<std::array<int, 2>>& pairs = contacts_.coupled;
+  for (const std::vector<int>& list : around) {
+    for (int i : list) {
+      for (int j : list) {
+        if (i < j && bodies_[i].can_touch(bodies_[j])) pairs.push_back({i, j});
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
 void ContactWorld::search() {
-  std::vector<std::array<int, 2>> near;
-  contacts_.pairs = find_touching(bodies_, poses_, options_.search, contacts_.pairs, near);
+  contacts_.pairs = find_touching(bodies_, poses_, options_.search, contacts_.pairs);
   searched_ = true;
-  // The pattern and its order of elimination stay as long as no new pair comes near.
-  std::vector<std::array<int, 2>>& known = contacts_.near;
-  if (!hessian_ || !std::includes(known.begin(), known.end(), near.begin(), near.end())) {
-    known = near;
+  // The pattern and its order of elimination stay as long as no new pair touches.
+  if (!hessian_) couple_around_points();
+  if (contacts_.couple_pairs() || !hessian_) {
     places_.resize(bodies_.size(), 3);
     for (std::size_t i = 0; i < bodies_.size(); ++i) places_.row(i) = poses_[i].t.transpose();
     make_pattern();
@@ -107,10 +132,6 @@ void ContactWorld::search() {
   }
   for (const RigidMotion& pose : poses_) furthest = std::max(furthest, pose.t.norm());
   rounding_ = 1e-15 * stiffest * furthest;
-  for (TouchingPair& pair : contacts_.pairs) {
-    pair.coupling =
-        static_cast<int>(std::lower_bound(known.begin(), known.end(), pair.body) - known.begin());
-  }
 }
 
 double ContactWorld::value(const Poses& poses) const {
@@ -340,9 +361,8 @@ StepReport ContactWorld::advance() {
   if (!searched_) search();
   StepReport report;
   Motions g;
-  given_gradient(poses_, g, nullptr);
-  const double unit = force_unit(g), lever = options_.lever;
-  if (weight_ < 0) weight_ = unit / pace_.step_limit;
+  double unit = 1;
+  const double lever = options_.lever;
   report.before = report.energy = value(poses_);
   const bool convex = convex_;
   set_convex(convex);
@@ -352,7 +372,15 @@ StepReport ContactWorld::advance() {
     contacts_.set_caps(contacts_.caps_at(x));
     const Motions so_far = between(poses_, x, lever);
     const bool last = iteration == pace_.iterations;
-    double now = gradient(x, g, last ? nullptr : hessian_.get());
+    BlockMatrix<6>* hessian = last ? nullptr : hessian_.get();
+    if (hessian) hessian->set_zero();
+    double now = given_gradient(x, g, hessian);
+    if (iteration == 0) {
+      unit = force_unit(g);
+      if (weight_ < 0) weight_ = unit / pace_.step_limit;
+    }
+    now += contacts_.derivatives(x, lever, g, hessian, first_.back());
+    hold_fixed(g);
     if (iteration == 0) {
       report.residual = largest_row(g) / unit;
       if (report.residual <= pace_.tolerance) {
@@ -362,7 +390,6 @@ StepReport ContactWorld::advance() {
     }
     now += 0.5 * weight_ * so_far.squaredNorm();
     g += weight_ * so_far;
-    hold_fixed(g);
     report.converged = largest_row(g) <= std::max(0.1 * report.residual, pace_.tolerance) * unit;
     if (report.converged || last || largest_row(so_far) > pace_.step_limit) break;
     ++report.iterations;

@@ -98,10 +98,10 @@ class ContactWorld {
   struct PathState {
     State state;
     bool convex = true;
-    std::vector<std::array<int, 2>> near;
+    std::vector<std::array<int, 2>> coupled;
     Places places;  // none before the first step
   };
-  PathState path_state() const { return {state(), convex_, contacts_.near, places_}; }
+  PathState path_state() const { return {state(), convex_, contacts_.coupled, places_}; }
   // After begin_path: the path goes on as it would have.
   void resume(PathState from);
   StepReport advance();
@@ -119,6 +119,7 @@ class ContactWorld {
 
  private:
   void search();
+  void couple_around_points();
   void make_pattern();
   double gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
   double value(const Poses& poses) const;
@@ -137,7 +138,6 @@ class ContactWorld {
   Pace pace_;
   std::vector<std::unique_ptr<MotionEnergy>> energies_;
   ContactEnergy contacts_;
-  std::vector<std::array<int, 2>> near_;
   std::vector<int> first_;  // couplings of the energies, then those of contacts
   Places places_;           // of the bodies when the pattern was made
   std::unique_ptr<BlockMatrix<6>> hessian_;

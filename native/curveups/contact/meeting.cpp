@@ -33,6 +33,13 @@ double sag(const Eigen::Matrix3d& turn, double radius) {
   return radius * (1 - std::sqrt(std::clamp(0.25 * (1 + turn.trace()), 0.0, 1.0)));
 }
 
+struct Way {
+  double shift = 0;   // of the origin, mm
+  double chord = 0;   // of a point as it turns, over its distance from the origin
+  double radius = 0;  // of the corners about the origin, mm
+  double thin = 0;    // the body's thickness, mm
+};
+
 // How far corners of `b` move as `a` sees them, and arcs beside their chords.
 double relative_motion(const RigidBody& b, const RigidMotion& a0, const RigidMotion& b0,
                        const RigidMotion& a1, const RigidMotion& b1) {
@@ -56,35 +63,42 @@ bool could_pass(const std::vector<RigidBody>& bodies, const Poses& from, const P
   }
   const int count = static_cast<int>(solid.size());
   Points3 low(count, 3), high(count, 3);
-  std::vector<double> thin(count);
+  std::vector<Way> way(count);
   parallel_ranges(count, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
+      const RigidBody& body = bodies[solid[k]];
       const RigidMotion &first = from[solid[k]], &last = to[solid[k]];
       Box box;
       double radius = 0;
-      for (const BodySurface& face : bodies[solid[k]].faces) {
+      for (const BodySurface& face : body.faces) {
         for (const Vec3& p : face.outline) {
           box.add(first(p));
           box.add(last(p));
           radius = std::max(radius, p.norm());
         }
       }
-      const double bulge = sag(last.R * first.R.transpose(), radius);
+      const Eigen::Matrix3d turn = last.R * first.R.transpose();
+      const double bulge = sag(turn, radius);
       low.row(k) = (box.low.array() - bulge).matrix().transpose();
       high.row(k) = (box.high.array() + bulge).matrix().transpose();
-      thin[k] = thickness(bodies[solid[k]]);
+      way[k] = {(last.t - first.t).norm(), std::sqrt(std::max(0.0, 3 - turn.trace())), radius,
+                thickness(body)};
     }
   });
   const auto near = overlapping_boxes(low, high);
   std::atomic<bool> found = false;
   parallel_ranges(static_cast<int>(near.size()), [&](int begin, int end) {
     for (int k = begin; k < end && !found; ++k) {
-      const int i = solid[near[k][0]], j = solid[near[k][1]];
-      if (!bodies[i].can_touch(bodies[j])) continue;
+      auto [a, b] = near[k];
+      if (!bodies[solid[a]].can_touch(bodies[solid[b]])) continue;
       // What stands still may be large, such as the ground: corners of the other move.
-      const auto [a, b] = bodies[j].fixed ? std::pair(j, i) : std::pair(i, j);
-      if (relative_motion(bodies[b], from[a], from[b], to[a], to[b]) >
-          0.5 * std::min(thin[near[k][0]], thin[near[k][1]])) {
+      if (bodies[solid[b]].fixed) std::swap(a, b);
+      const double most = 0.5 * std::min(way[a].thin, way[b].thin);
+      // Chords are longer than what they miss of their arcs: most pairs move less than this.
+      const double far = (from[solid[b]].t - from[solid[a]].t).norm() + way[b].radius;
+      if (way[a].shift + way[b].shift + 2 * far * (way[a].chord + way[b].chord) <= most) continue;
+      if (relative_motion(bodies[solid[b]], from[solid[a]], from[solid[b]], to[solid[a]],
+                          to[solid[b]]) > most) {
         found = true;
       }
     }

@@ -28,6 +28,8 @@ struct RigidBody {
   bool fixed = false;
   int piece = every_piece;
 
+  bool is_point() const { return faces.empty(); }
+
   static constexpr int every_piece = -1;  // of what touches all
   bool can_touch(const RigidBody& other) const {
     return !(fixed && other.fixed) &&

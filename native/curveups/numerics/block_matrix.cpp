@@ -2,6 +2,7 @@
 #include "curveups/numerics/block_matrix.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
@@ -67,23 +68,37 @@ BlockPattern::BlockPattern(const std::vector<char>& free, const std::vector<Coup
 }
 
 template <int W>
-BlockMatrix<W>::BlockMatrix(std::shared_ptr<const BlockPattern> pattern)
+BlockMatrix<W>::BlockMatrix(std::shared_ptr<const BlockPattern> pattern,
+                            const std::vector<int>& unknowns)
     : pattern_(std::move(pattern)) {
   const int blocks = pattern_->free_count();
-  const Eigen::Index below = blocks > 0 ? pattern_->end(blocks - 1) - pattern_->begin(0) : 0;
-  matrix_.resize(W * blocks, W * blocks);
-  matrix_.resizeNonZeros(blocks * (W * (W + 1) / 2) + below * W * W);
+  row_.assign(blocks + 1, W);
+  for (int b = 0; b < static_cast<int>(unknowns.size()); ++b) {
+    if (pattern_->rank(b) >= 0) row_[pattern_->rank(b)] = unknowns[b];
+  }
+  std::exclusive_scan(row_.begin(), row_.end(), row_.begin(), 0);
+  Eigen::Index entries = 0;
+  for (int b = 0; b < blocks; ++b) {
+    int depth = width(b);
+    for (const int* u = pattern_->begin(b); u != pattern_->end(b); ++u) {
+      below_.push_back(depth);
+      depth += width(*u);
+    }
+    entries += width(b) * depth - width(b) * (width(b) - 1) / 2;
+  }
+  matrix_.resize(row_[blocks], row_[blocks]);
+  matrix_.resizeNonZeros(entries);
   int at = 0;
   for (int b = 0; b < blocks; ++b) {
-    for (int c = 0; c < W; ++c) {
-      matrix_.outerIndexPtr()[W * b + c] = at;
-      for (int r = c; r < W; ++r) matrix_.innerIndexPtr()[at++] = W * b + r;
+    for (int c = row_[b]; c < row_[b + 1]; ++c) {
+      matrix_.outerIndexPtr()[c] = at;
+      for (int r = c; r < row_[b + 1]; ++r) matrix_.innerIndexPtr()[at++] = r;
       for (const int* u = pattern_->begin(b); u != pattern_->end(b); ++u) {
-        for (int r = 0; r < W; ++r) matrix_.innerIndexPtr()[at++] = W * *u + r;
+        for (int r = row_[*u]; r < row_[*u + 1]; ++r) matrix_.innerIndexPtr()[at++] = r;
       }
     }
   }
-  matrix_.outerIndexPtr()[W * blocks] = at;
+  matrix_.outerIndexPtr()[row_[blocks]] = at;
   set_zero();
 }
 
@@ -118,17 +133,20 @@ bool BlockMatrix<W>::factorize(double damping, double shift) {
 template <int W>
 template <class Map>
 Eigen::MatrixXd BlockMatrix<W>::by_rank(const Eigen::MatrixXd& x, const Map& map) const {
-  Eigen::MatrixXd ranked(W * pattern_->free_count(), x.cols()),
-      out = Eigen::MatrixXd::Zero(x.rows(), x.cols());
+  Eigen::MatrixXd ranked(matrix_.rows(), x.cols()), out = Eigen::MatrixXd::Zero(x.rows(), x.cols());
   auto for_free = [&](const auto& body) {
     for (int b = 0; b < pattern_->block_count(); ++b) {
       const int rank = pattern_->rank(b);
-      if (rank >= 0) body(W * b, W * rank);
+      if (rank >= 0) body(W * b, row_[rank], width(rank));
     }
   };
-  for_free([&](int own, int row) { ranked.middleRows(row, W) = x.middleRows(own, W); });
+  for_free([&](int own, int row, int count) {
+    ranked.middleRows(row, count) = x.middleRows(own, count);
+  });
   ranked = map(ranked);
-  for_free([&](int own, int row) { out.middleRows(own, W) = ranked.middleRows(row, W); });
+  for_free([&](int own, int row, int count) {
+    out.middleRows(own, count) = ranked.middleRows(row, count);
+  });
   return out;
 }
 

@@ -41,6 +41,8 @@ class BlockPattern {
   // Ranks of the blocks below the diagonal one of a column, ascending: [begin, end).
   const int* begin(int column) const { return below_.data() + start_[column]; }
   const int* end(int column) const { return below_.data() + start_[column + 1]; }
+  // Number of a block that is no diagonal one among all of these.
+  int entry(const BlockSlot& slot) const { return start_[slot.column] + slot.below; }
 
  private:
   std::vector<int> rank_, start_, below_;
@@ -52,20 +54,30 @@ class BlockMatrix {
  public:
   using Block = Eigen::Matrix<double, W, W>;
 
-  explicit BlockMatrix(std::shared_ptr<const BlockPattern> pattern);
+  // unknowns: how many of its W unknowns each block has, the first ones; all where it is empty. The
+  // others have no rows.
+  explicit BlockMatrix(std::shared_ptr<const BlockPattern> pattern,
+                       const std::vector<int>& unknowns = {});
 
   const BlockPattern& pattern() const { return *pattern_; }
   void set_zero();
-  // The W entries of column c of a stored block; of a diagonal one only those from row c on exist.
+  // The entries of column c of a stored block; of a diagonal one only those from row c on exist.
   double* column(const BlockSlot& slot, int c) {
-    return matrix_.valuePtr() + matrix_.outerIndexPtr()[W * slot.column + c] + W - c +
-           W * slot.below;
+    return matrix_.valuePtr() + matrix_.outerIndexPtr()[row_[slot.column] + c] - c +
+           (slot.below < 0 ? 0 : below_[pattern_->entry(slot)]);
   }
   // block: with the slot's rows (BlockSlot::swapped).
   void add(const BlockSlot& slot, const Block& block) {
-    for (int c = 0; c < W; ++c) {
+    const bool own = slot.below < 0;
+    const int columns = width(slot.column),
+              rows = own ? columns : width(pattern_->begin(slot.column)[slot.below]);
+    if (!own && rows == W && columns == W) {
+      for (int c = 0; c < W; ++c) Eigen::Map<Column>(column(slot, c)) += block.col(c);
+      return;
+    }
+    for (int c = 0; c < columns; ++c) {
       double* to = column(slot, c);
-      for (int r = slot.below < 0 ? c : 0; r < W; ++r) to[r] += block(r, c);
+      for (int r = own ? c : 0; r < rows; ++r) to[r] += block(r, c);
     }
   }
   double& diagonal(int block, int unknown) {
@@ -89,10 +101,17 @@ class BlockMatrix {
   }
 
  private:
+  using Column = Eigen::Matrix<double, W, 1>;
+
+  int width(int rank) const { return row_[rank + 1] - row_[rank]; }
   template <class Map>
   Eigen::MatrixXd by_rank(const Eigen::MatrixXd& x, const Map& map) const;
 
   std::shared_ptr<const BlockPattern> pattern_;
+  std::vector<int>
+      row_;  // the first of each block, in the order of elimination; one more at the end
+  std::vector<int>
+      below_;  // per block below a diagonal one, how far it is below that one's first row
   SparseMatrix matrix_;
   SparseCholesky cholesky_{Ordering::as_given};
 };

@@ -102,10 +102,9 @@ TEST(KnownAnswers, NothingSlipsFurtherThanItMoves) {
   Scene scene;
   scene.add(box(10, 10, 10, {0, 0}), true);
   scene.add(box(10, 10, 10, {0, 9.99}), false);
-  std::vector<std::array<int, 2>> near;
   ContactEnergy energy;
   energy.friction_coefficient = 0.1;
-  energy.pairs = find_touching(scene.bodies, scene.poses, {}, {}, near);
+  energy.pairs = find_touching(scene.bodies, scene.poses, {}, {});
   ASSERT_EQ(energy.pairs.size(), 1u);
   // More than these points can hold, inherited from some that were softer.
   for (Touch& touch : energy.pairs[0].touches) touch.stretch = {170, 0};

@@ -101,14 +101,13 @@ TEST(ContactSearch, FacesThatTouchedStayWithinTheMargin) {
   Scene scene;
   scene.add(box(10, 10, 10, {0, 0}), true);
   scene.add(box(10, 10, 10, {9.9, 9.95}), false);
-  std::vector<std::array<int, 2>> near;
   SearchOptions options;
-  const auto before = find_touching(scene.bodies, scene.poses, options, {}, near);
+  const auto before = find_touching(scene.bodies, scene.poses, options, {});
   ASSERT_EQ(before.size(), 1u);
   scene.poses[1].t += Vec3(0.035, 0, -0.025);  // now along x
   for (double margin : {0.0, 0.005, 0.05}) {
     options.face_margin = margin;
-    const auto now = find_touching(scene.bodies, scene.poses, options, before, near);
+    const auto now = find_touching(scene.bodies, scene.poses, options, before);
     ASSERT_EQ(now.size(), 1u);
     EXPECT_EQ(now[0].face == before[0].face, margin == 0.05) << margin;
   }
@@ -119,12 +118,11 @@ TEST(ContactSearch, PairsAreEquallyStiffWhereThatIsAskedFor) {
   scene.add(box(10, 10, 10, {0, 0}), true);
   scene.add(box(10, 10, 10, {0, 10}), false);
   scene.add(box(10, 10, 10, {9.9, 20}), false);
-  std::vector<std::array<int, 2>> near;
   SearchOptions options;
   for (double asked : {0.0, 80.0}) {
     options.pair_stiffness = asked;
     std::vector<double> sums;
-    for (const TouchingPair& pair : find_touching(scene.bodies, scene.poses, options, {}, near)) {
+    for (const TouchingPair& pair : find_touching(scene.bodies, scene.poses, options, {})) {
       double sum = 0;
       for (const Touch& touch : pair.touches) sum += touch.stiffness;
       sums.push_back(sum);

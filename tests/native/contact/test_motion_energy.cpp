@@ -74,7 +74,8 @@ struct Pressed {
     scene.add(box(20, 20, 10, {0, -5}), false);
     scene.add(box(10, 10, 10, {2, 5}), false);
     SearchOptions options;
-    energy.pairs = find_touching(scene.bodies, scene.poses, options, {}, energy.near);
+    energy.pairs = find_touching(scene.bodies, scene.poses, options, {});
+    energy.couple_pairs();
     Motions motion = Motions::Zero(2, 6);
     motion.row(1) << 0.02, 0.03, -0.04, 0.01, 0.02, 0.015;
     poses = moved(scene.poses, motion, 3);

@@ -9,10 +9,13 @@
 namespace curveups {
 namespace {
 
-// A ring of blocks with chords, one block held; elements of two blocks add v v^T.
+// A ring of blocks with chords, one block held; elements of two blocks add v v^T. Every third block
+// has `narrow` unknowns.
 template <int W>
-void expect_dense_solution() {
+void expect_dense_solution(int narrow = W) {
   const int count = 12, held = 5;
+  std::vector<int> unknowns(count, W);
+  for (int b = 0; b < count; b += 3) unknowns[b] = narrow;
   std::srand(4);
   std::vector<char> free(count, 1);
   free[held] = 0;
@@ -23,7 +26,7 @@ void expect_dense_solution() {
   }
   couplings.push_back({-1, 3});
   couplings.push_back(couplings[0]);  // once more
-  BlockMatrix<W> matrix(std::make_shared<const BlockPattern>(free, couplings));
+  BlockMatrix<W> matrix(std::make_shared<const BlockPattern>(free, couplings), unknowns);
   const BlockPattern& pattern = matrix.pattern();
   EXPECT_EQ(pattern.block_count(), count);
   EXPECT_EQ(pattern.free_count(), count - 1);
@@ -33,8 +36,8 @@ void expect_dense_solution() {
     const auto [i, j] = couplings[k];
     if (i < 0 || i == held || j == held) continue;
     Eigen::VectorXd v = Eigen::VectorXd::Zero(W * count);
-    v.segment<W>(W * i).setRandom();
-    v.segment<W>(W * j).setRandom();
+    v.segment(W * i, unknowns[i]).setRandom();
+    v.segment(W * j, unknowns[j]).setRandom();
     dense += v * v.transpose();
     auto outer = [&](int a, int b) -> typename BlockMatrix<W>::Block {
       return v.segment<W>(W * a) * v.segment<W>(W * b).transpose();
@@ -46,6 +49,7 @@ void expect_dense_solution() {
   }
   Eigen::MatrixXd b = Eigen::MatrixXd::Random(W * count, 3);
   b.middleRows<W>(W * held).setZero();
+  for (int k = 0; k < count; ++k) b.middleRows(W * k, W).bottomRows(W - unknowns[k]).setZero();
   EXPECT_LT((matrix.multiply(b) - dense * b).norm(), 1e-12 * b.norm() * dense.norm());
   for (double damping : {0.0, 0.3}) {
     Eigen::MatrixXd damped = dense;
@@ -63,6 +67,11 @@ TEST(BlockMatrix, IsTheSumOfItsElementsInTheCallersNumbering) {
   expect_dense_solution<3>();
   expect_dense_solution<6>();
   expect_dense_solution<9>();
+}
+
+TEST(BlockMatrix, HasNoRowsForWhatABlockHasNot) {
+  expect_dense_solution<6>(3);
+  expect_dense_solution<6>(1);
 }
 
 }  // namespace
