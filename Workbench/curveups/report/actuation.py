@@ -144,7 +144,7 @@ def _compact(value: Any) -> str:
 
 
 def _frames(found: Actuation) -> dict[str, Any]:
-    """Lengths to 1e-6 mm; energies in N mm. The path's last frame has what contacts remember."""
+    """Lengths to 1e-6 mm; energies in N mm. The path's frames have what contacts remember."""
     rows: list[dict[str, Any]] = [
         {"time": float(time), "energy": float(energy), "friction": float(friction), "stretch": float(stretch),
          "poses": np.round(poses, 9).tolist()}
@@ -152,10 +152,11 @@ def _frames(found: Actuation) -> dict[str, Any]:
         zip(found.time, found.energy, found.friction, found.stretch, found.frames)]
     for row, phase in zip(rows, found.phase_names):
         row["phase"] = phase
-    if len(found.memory):
-        packed = zlib.compress(found.memory.astype("<f8").tobytes())
-        rows[found.path_count - 1] |= {"memory": base64.b64encode(packed).decode("ascii"),
-                                       "memory_of": path_digest(found.design)}
+    of = path_digest(found.design)
+    for row, memory in zip(rows, found.memories):
+        if len(memory):
+            packed = zlib.compress(memory.astype("<f8").tobytes())
+            row |= {"memory": base64.b64encode(packed).decode("ascii"), "memory_of": of}
     hands = [{**row, "work": float(work)} for row, work in zip(rows, found.hand_work)][found.path_count:]
     return {"format": FRAMES_FORMAT, "version": FRAMES_VERSION, "frames": rows[:found.path_count],
             **({"hands": hands} if hands else {})}

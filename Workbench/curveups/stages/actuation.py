@@ -25,8 +25,8 @@ MOST_TOUCHES = 6  # that are named; more are a matter of a former
 class ActuationStart(Result):
     """Where tiles begin, as the command line has it (flat, target, a file of frames), and for all but flat a
     row a tile, as frames have them. hands: whether to find out what brings a piece home that jams;
-    the path is the same. memory: of a path that ended there, of the design that `of` is a digest of: it goes
-    on as it would have. release: one of RELEASES; all but CUT begin flat. press: with hands, the tiles that
+    the path is the same. memory: of a path that ended or came by there, of the design that `of` is a digest
+    of: it goes on as it would have. release: one of RELEASES; all but CUT begin flat. press: with hands, the tiles that
     they press, instead of looking for some, of a design whose tiles `of` is a digest of; of other tiles it is
     as if there were none. force: N on each, or as native code has it."""
 
@@ -51,8 +51,8 @@ class ActuationStart(Result):
 class Actuation(Result):
     """block: as report.json has it. design: native Design. Of the frames: s, N mm, N mm, the mean stretch
     ratio of the membranes, and poses (K x M x 7) as whole numbers of `steps` (7); the last `by_hand` of them
-    are of hands, from where the path ends. hand_work: N mm that hands have put in, of all frames. memory: of
-    the path's last frame, as native code has it; documents do without."""
+    are of hands, from where the path ends. hand_work: N mm that hands have put in, of all frames. memories:
+    of the path's frames, as native code has them; documents do without."""
 
     block: Mapping[str, Any]
     design: Any
@@ -64,7 +64,7 @@ class Actuation(Result):
     steps: np.ndarray
     by_hand: int = 0
     hand_work: np.ndarray = field(default_factory=lambda: np.zeros(0))
-    memory: np.ndarray = field(default_factory=lambda: np.zeros(0), metadata={"transient": True})
+    memories: Sequence[np.ndarray] = field(default=(), metadata={"transient": True})
 
     @property
     def path_count(self) -> int:
@@ -145,8 +145,12 @@ class Actuation(Result):
 
 
 def path_digest(design: Any) -> str:
-    """Of all that a path depends on but where it begins: a memory of other designs is of no use."""
-    return digest(native.write_design(design))
+    """Of what a frame's memory depends on: that of other designs is of no use. With another friction, or
+    another tolerance, a path goes on from where it was."""
+    own, defaults = native.Parameters(design.parameters), native.Parameters()
+    for name in ("friction_coefficient", "hold_tolerance"):
+        own.set(name, defaults.get(name))
+    return digest(native.write_design(design.with_parameters(own)))
 
 
 def tiles_digest(design: Any) -> str:
@@ -233,7 +237,7 @@ def _run(inputs: Inputs, job: Job) -> Actuation:
     steps = np.maximum(np.abs(frames).max((0, 1)), 1e-9) / np.iinfo(np.int32).max
     return Actuation(found.block, design, found.time, found.energy, found.friction, found.stretch,
                      np.round(frames / steps).astype("<i4"), steps, len(found.hand_frames), found.hand_work,
-                     np.asarray(found.memory))
+                     found.memories)
 
 
 START = Stage("actuation start", (), frozenset(), lambda inputs, job: ActuationStart())

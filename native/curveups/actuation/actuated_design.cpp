@@ -207,6 +207,7 @@ class Actuation {
       path.share = share;
       path.most_frames = static_cast<int>(path.most_frames * share);
       if (rises && memory_) path.from = &*memory_;
+      path.remembers = reports && !phases[k].surplus;
       ActuationPath found = follow_path(bodies_, out.world, path);
       const Finishing finishing;
       if (k > 0) out.shapes.push_back(std::move(out.surface));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "curveups/actuation/flat_piece.hpp"
+#include "curveups/actuation/path_memory.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 
@@ -53,6 +54,19 @@ void thin_out(std::vector<PathFrame>& frames, int most) {
   frames = std::move(kept);
 }
 
+// Where memories take more room than there is, every other frame of those that have one loses it.
+void forget_some(std::vector<PathFrame>& frames, Eigen::Index most) {
+  Eigen::Index numbers = 0;
+  for (const PathFrame& frame : frames) numbers += frame.memory.size();
+  if (numbers <= most) return;
+  bool keeps = false;
+  for (PathFrame& frame : frames) {
+    if (frame.memory.size() == 0) continue;
+    keeps = !keeps;
+    if (!keeps) frame.memory.resize(0);
+  }
+}
+
 }  // namespace
 
 PathFollower::PathFollower(const TileBodies& bodies, TileWorld& world, const PathOptions& options,
@@ -67,7 +81,9 @@ PathFollower::PathFollower(const TileBodies& bodies, TileWorld& world, const Pat
 void PathFollower::keep() {
   now_.poses = world_.world->poses();
   now_.stretch = mean_stretch(bodies_, now_.poses);
+  if (options_.remembers) now_.memory = packed(world_.world->path_state());
   path_.frames.push_back(now_);
+  forget_some(path_.frames, options_.most_remembered);
 }
 
 StepReport PathFollower::step() {

@@ -15,16 +15,19 @@ struct PathOptions {
   bool reports = true;          // how far it is; else it can only be stopped
   double begun = 0, share = 1;  // of what it reports: where it begins, and its part of the whole
   const ContactWorld::PathState* from = nullptr;  // where an earlier path stood; it outlives this
+  bool remembers = false;                         // whether frames have a memory:
+  Eigen::Index most_remembered = 4'000'000;       // numbers of all together, 17 MB in a file
 };
 
 struct PathFrame {
-  double time = 0;      // s, under the drag
-  double energy = 0;    // stored, N mm
-  double friction = 0;  // what friction has taken so far, N mm
-  double hands = 0;     // what hands have put in so far, N mm
-  double stretch = 0;   // mean_stretch
-  double moved = 0;     // how far tiles have moved so far, in the mean, mm
-  Poses poses;          // of all bodies of the world
+  double time = 0;         // s, under the drag
+  double energy = 0;       // stored, N mm
+  double friction = 0;     // what friction has taken so far, N mm
+  double hands = 0;        // what hands have put in so far, N mm
+  double stretch = 0;      // mean_stretch
+  double moved = 0;        // how far tiles have moved so far, in the mean, mm
+  Poses poses;             // of all bodies of the world
+  Eigen::VectorXd memory;  // where the path stood (path_memory.hpp), as far as there is room
 };
 
 struct ActuationPath {

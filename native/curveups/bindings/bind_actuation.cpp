@@ -124,6 +124,13 @@ Eigen::VectorXd of_frames(const ActuatedDesign& found) {
   return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
 }
 
+py::list memories(const ActuatedDesign& found) {
+  py::list out;
+  for (const PathFrame& frame : found.path.frames) out.append(frame.memory);
+  if (!found.path.frames.empty()) out[out.size() - 1] = found.memory;
+  return out;
+}
+
 }  // namespace
 
 void bind_actuation(py::module_& module) {
@@ -145,9 +152,10 @@ void bind_actuation(py::module_& module) {
                              "What friction has taken until then, N mm.")
       .def_property_readonly("stretch", &of_frames<&PathFrame::stretch>,
                              "Mean stretch ratio of the membranes between pins.")
-      .def_readonly("memory", &ActuatedDesign::memory,
-                    "Of the path's last frame: what a path that begins there needs to go on as "
-                    "it would have.")
+      .def_property_readonly("memories", &memories,
+                             "Of the path's frames: what a path that begins there needs to go on "
+                             "as it would have. Empty where there is no room for it, and of a "
+                             "piece with its surplus; the last one has it.")
       .def_readonly("corners", &ActuatedDesign::corners,
                     "Front corners of the last frame, three rows a tile, fitted to the design, mm.")
       .def_readonly("deviation", &ActuatedDesign::deviation,
@@ -174,7 +182,8 @@ void bind_actuation(py::module_& module) {
       py::arg("hands") = true, py::arg("release") = "cut", py::arg("press") = std::vector<int>(),
       py::arg("force") = py::none(),
       "Lets a piece rise from flat, or from a frame of an earlier path. store: as in "
-      "verify_design. memory: of the path that ended at `begin`. answers: whether it is asked at "
+      "verify_design. memory: of the path that ended at `begin`, or came by. answers: whether it "
+      "is asked at "
       "which friction it arrives, and whether it "
       "could come to rest elsewhere; a path from a frame has none of these. hands: with the "
       "answers, what brings it home by hand where it does not arrive. release: how hands release "

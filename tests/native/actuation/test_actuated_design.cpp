@@ -305,6 +305,47 @@ TEST(ActuatedDesign, APathGoesOnAsItWouldHave) {
   }
 }
 
+TEST(ActuatedDesign, APathGoesOnFromAnyFrameThatItCameBy) {
+  const Design design = dome(0.3);
+  ActuationOptions options;
+  options.answers = false;
+  const ActuatedDesign whole = actuate_design(design, nullptr, options, {});
+  const int steps = whole.path.steps;
+  ASSERT_EQ(static_cast<int>(whole.frames.size()), steps + 1);  // all of them
+  for (int k = 0; k < steps; k += std::max(1, steps / 6)) {
+    options.start = whole.frames[k];
+    options.memory = whole.path.frames[k].memory;
+    const ActuatedDesign found = actuate_design(design, nullptr, options, {});
+    EXPECT_EQ(found.path.steps, steps - k);
+    EXPECT_EQ(found.frames.back(), whole.frames.back()) << k;
+    EXPECT_EQ(found.end.energy, whole.end.energy);
+    // With another friction as well, it begins where the other came by.
+    const ActuatedDesign slippery = actuate_design(dome(0.1), nullptr, options, {});
+    EXPECT_EQ(slippery.frames.front(), whole.frames[k]);
+    EXPECT_LT(slippery.end.energy, found.end.energy);
+  }
+}
+
+// A path that takes more room than there is: both ends have their memory, and evenly some between.
+TEST(ActuatedDesign, ManyFramesDoWithoutAMemory) {
+  const Design design = dome(0.3);
+  ActuationOptions options;
+  options.answers = false;
+  options.path.most_remembered = 40'000;
+  const ActuatedDesign found = actuate_design(design, nullptr, options, {});
+  Eigen::Index numbers = 0;
+  int with = 0, without = 0;
+  for (const PathFrame& frame : found.path.frames) {
+    numbers += frame.memory.size();
+    (frame.memory.size() > 0 ? with : without)++;
+  }
+  EXPECT_LE(numbers, 40'000);
+  EXPECT_GE(with, 3);
+  EXPECT_GE(without, 3);
+  EXPECT_GT(found.path.frames.front().memory.size(), 0);
+  EXPECT_GT(found.memory.size(), 0);
+}
+
 TEST(ActuatedDesign, WhatJammedStaysWhereItIsWithItsMemory) {
   const Design design = dome(0.4);
   ActuationOptions options;
