@@ -24,11 +24,11 @@ MOST_TOUCHES = 6  # that are named; more are a matter of a former
 @dataclass(frozen=True)
 class ActuationStart(Result):
     """Where tiles begin, as the command line has it (flat, target, a file of frames), and for all but flat a
-    row a tile, as frames have them. hands: whether to find out what brings a piece home that jams;
-    the path is the same. memory: of a path that ended or came by there, of the design that `of` is a digest
-    of: it goes on as it would have. release: one of RELEASES; all but CUT begin flat. press: with hands, the tiles that
-    they press, instead of looking for some, of a design whose tiles `of` is a digest of; of other tiles it is
-    as if there were none. force: N on each, or as native code has it."""
+    row a tile, as frames have them. hands: whether to find out what brings a piece home that jams; the path
+    is the same. memory: of a path that ended or came by there, of the design that `of` is a digest of: it
+    goes on as it would have. release: one of RELEASES; all but CUT begin flat. press: with hands, the tiles
+    that they press, instead of looking for some, of a design whose tiles `of` is a digest of; of other tiles
+    it is as if there were none. force: N on each, or as native code has it."""
 
     begin: str = "flat"
     poses: Optional[np.ndarray] = None
