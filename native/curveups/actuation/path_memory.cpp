@@ -131,11 +131,13 @@ void check_pairs(const Pairs& pairs, const std::vector<RigidBody>& bodies, const
 
 }  // namespace
 
-Eigen::VectorXd packed(const ContactWorld::PathState& state) {
-  ContactWorld::PathState copy = state;
+Eigen::VectorXd packed(ContactWorld::PathState state) {
+  std::size_t touches = 0;
+  for (const TouchingPair& pair : state.state.pairs) touches += pair.touches.size();
   Writer all;
+  all.out.reserve(32 * (touches + state.state.pairs.size() + state.state.poses.size()));
   all.out.push_back(format);
-  visit(all, copy);
+  visit(all, state);
   return Eigen::Map<const Eigen::VectorXd>(all.out.data(),
                                            static_cast<Eigen::Index>(all.out.size()));
 }

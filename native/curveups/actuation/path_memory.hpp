@@ -8,7 +8,7 @@
 namespace curveups {
 
 // In the order in which the source writes them. Some are infinite.
-Eigen::VectorXd packed(const ContactWorld::PathState& state);
+Eigen::VectorXd packed(ContactWorld::PathState state);
 
 // The inverse, for a world of the same bodies. Throws InvalidInput where the numbers are none that
 // `packed` gives for it.

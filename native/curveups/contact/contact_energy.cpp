@@ -209,6 +209,7 @@ void ContactEnergy::remember(const Poses& poses) {
 
 std::vector<TouchForce> ContactEnergy::forces(const Poses& poses) const {
   std::vector<TouchForce> out;
+  out.reserve(touch_count());
   for (const TouchingPair& pair : pairs) {
     for (const Touch& touch : pair.touches) {
       const RigidMotion& other = poses[pair.body[1 - touch.of]];
