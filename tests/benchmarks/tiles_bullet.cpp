@@ -113,11 +113,10 @@ double furthest(const Poses& from, const Poses& to) {
 // By our own search of contacts, for both.
 void measure(const std::vector<RigidBody>& bodies, const Poses& start, const Poses& poses,
              Outcome& out) {
-  std::vector<std::array<int, 2>> near;
   double sum = 0;
   int count = 0;
   out.largest = 0;
-  for (const TouchingPair& pair : find_touching(bodies, poses, {}, {}, near)) {
+  for (const TouchingPair& pair : find_touching(bodies, poses, {}, {})) {
     for (const Touch& touch : pair.touches) {
       const RigidMotion &at = poses[pair.body[touch.of]], &other = poses[pair.body[1 - touch.of]];
       const double depth = -touch.gap(seen_from(other, at, touch.point));

@@ -506,6 +506,12 @@ def test_a_path_that_was_stopped_goes_on_as_it_would_have(risen, project, tmp_pa
     found = rest.run(asked_by("actuate"))[RISEN]
     assert found.block["steps"] == whole.block["steps"] - 3
     assert found.block["energy_n_mm"] == whole.block["energy_n_mm"]
+    # Others may have no memory.
+    frames = json.loads((tmp_path / "frames.json").read_text("utf-8"))
+    del frames["frames"][3]["memory"]
+    (tmp_path / "frames.json").write_text(json.dumps(frames), "utf-8")
+    start = actuation.read_start(f"{tmp_path / 'frames.json'}:3", 24)
+    assert start.memory is None and len(start.poses) == 24
 
 
 def test_a_path_that_ended_goes_on_from_its_last_frame(risen, curveups, tmp_path):

@@ -306,7 +306,7 @@ def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
     click(form.choose)
     until(lambda: LIVE.busy, 10, "the search")
     at_rest()
-    until(lambda: (design.L.Value, design.HBody.Value) != before and not LIVE.busy, 10, "the sizes")
+    until(lambda: (design.L.Value, design.HBody.Value) != before and not LIVE.busy, 120, "the sizes")
     until(lambda: "<b>Feasible" in form.verdict.text(), 20, "the check of them")
     assert "Choose Sizes" in made.UndoNames[:2], made.UndoNames
     picture("chosen")

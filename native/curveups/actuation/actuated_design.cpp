@@ -98,8 +98,10 @@ class Actuation {
     // From the start and from the target at the design's friction, and the same without friction.
     const bool asked = options_.answers && !options_.start;
     std::vector<Followed> paths(asked && own > 0 ? 4 : 2);
-    follow(paths,
-           [&](int k) { return std::pair(k < 2 ? own : 0.0, &(k % 2 == 0 ? start_ : actuated_)); });
+    follow(
+        paths,
+        [&](int k) { return std::pair(k < 2 ? own : 0.0, &(k % 2 == 0 ? start_ : actuated_)); },
+        true);
     Followed& rising = paths[0];
     const Followed& held = paths[1];
     const Followed &loose = paths[paths.size() - 2], &loose_from_target = paths.back();
@@ -107,7 +109,9 @@ class Actuation {
     if (!ended) compare(paths, held.surface);
     out.path = std::move(rising.path);
     out.end = rising.end;
-    if (rising.is_cut_out()) out.memory = packed(rising.world.world->path_state());
+    if (rising.is_cut_out()) {
+      out.path.frames.back().memory = packed(rising.world.world->path_state());
+    }
     out.phases = std::move(rising.phases);
     if (surplus_) {
       out.surplus = {surplus_->anchor_count(), surplus_->box(), surplus_->window()};
@@ -157,9 +161,10 @@ class Actuation {
   }
 
   // All paths, at once where there are threads. plan(k): the friction, and where bodies begin.
+  // remembers: whether the first one's frames have memories.
   // Stopped, it keeps those that have begun: the first at least.
   template <class Plan>
-  void follow(std::vector<Followed>& paths, const Plan& plan) const {
+  void follow(std::vector<Followed>& paths, const Plan& plan, bool remembers = false) const {
     const int count = static_cast<int>(paths.size());
     // Worlds first, so that a stop finds all paths begun.
     for (Followed& one : paths) {
@@ -170,7 +175,7 @@ class Actuation {
     }
     auto follow_one = [&](int k) {
       const auto [friction, begin] = plan(k);
-      follow_phases(paths[k], friction, *begin, k == 0);
+      follow_phases(paths[k], friction, *begin, k == 0, remembers && k == 0);
     };
     try {
       parallel_each(count, follow_one);
@@ -181,7 +186,8 @@ class Actuation {
   }
 
   // out: with a world for the piece that is cut out, where it ends.
-  void follow_phases(Followed& out, double friction, const Poses& begin, bool reports) const {
+  void follow_phases(Followed& out, double friction, const Poses& begin, bool reports,
+                     bool remembers) const {
     const bool rises = &begin == &start_;
     const std::vector<ReleasePhase> phases = rises ? phases_ : release_phases("cut");
     const double share = 1.0 / static_cast<double>(phases.size());
@@ -207,7 +213,7 @@ class Actuation {
       path.share = share;
       path.most_frames = static_cast<int>(path.most_frames * share);
       if (rises && memory_) path.from = &*memory_;
-      path.remembers = reports && !phases[k].surplus;
+      path.remembers = remembers && !phases[k].surplus;
       ActuationPath found = follow_path(bodies_, out.world, path);
       const Finishing finishing;
       if (k > 0) out.shapes.push_back(std::move(out.surface));

@@ -15,8 +15,8 @@ namespace curveups {
 
 struct ActuationOptions {
   std::optional<FrameRows> start;  // where tiles begin; none: flat
-  // Of a path of the same design that ended at `start` (ActuatedDesign::memory): it goes on as it
-  // would have. None: contacts remember nothing, and nodes are amid their pins.
+  // Of a path of the same design that came by `start` (PathFrame::memory), at any friction: it goes
+  // on from there. None: contacts remember nothing, and nodes are amid their pins.
   std::optional<Eigen::VectorXd> memory;
   bool answers = true;  // else the path alone
   bool hands = true;    // with the answers: what brings it home where it does not arrive
@@ -66,7 +66,6 @@ struct ActuatedDesign {
   Points3 corners;
   Eigen::VectorXd deviation;
   std::vector<FrameRows> frames, hand_frames;  // of path and hands, as files have them
-  Eigen::VectorXd memory;                      // of the path's last frame (path_memory.hpp)
 
   bool has_arrived(const PathEnd& one) const {
     return one.open_contacts.empty() && one.shortfall <= tolerance;

@@ -39,7 +39,8 @@ double mean_way(const Poses& from, const Poses& to, int count) {
   return sum / std::max(count, 1);
 }
 
-// Half as many, where there are more than `most`, evenly by the way of the tiles.
+// Half as many, where there are more than `most`, evenly by the way of the tiles; of those near one
+// another, one with a memory.
 void thin_out(std::vector<PathFrame>& frames, int most) {
   if (static_cast<int>(frames.size()) <= most) return;
   most = std::max(most / 2, 2);
@@ -48,22 +49,33 @@ void thin_out(std::vector<PathFrame>& frames, int most) {
   for (std::size_t k = 0; k + 1 < frames.size(); ++k) {
     if (frames[k].moved * (most - 1) >= whole * static_cast<double>(kept.size())) {
       kept.push_back(std::move(frames[k]));
+    } else if (kept.size() > 1 && kept.back().memory.size() == 0 && frames[k].memory.size() > 0) {
+      kept.back() = std::move(frames[k]);
     }
   }
   kept.push_back(std::move(frames.back()));
   frames = std::move(kept);
 }
 
-// Where memories take more room than there is, every other frame of those that have one loses it.
+// Leaves memories of so many numbers: of the first frame, the last, and between them evenly by the
+// way of the tiles.
 void forget_some(std::vector<PathFrame>& frames, Eigen::Index most) {
+  std::vector<PathFrame*> remembering;
   Eigen::Index numbers = 0;
-  for (const PathFrame& frame : frames) numbers += frame.memory.size();
-  if (numbers <= most) return;
-  bool keeps = false;
   for (PathFrame& frame : frames) {
     if (frame.memory.size() == 0) continue;
-    keeps = !keeps;
-    if (!keeps) frame.memory.resize(0);
+    remembering.push_back(&frame);
+    numbers += frame.memory.size();
+  }
+  while (numbers > most && remembering.size() > 2) {
+    std::size_t least = 1;
+    auto gap = [&](std::size_t k) { return remembering[k + 1]->moved - remembering[k - 1]->moved; };
+    for (std::size_t k = 2; k + 1 < remembering.size(); ++k) {
+      if (gap(k) < gap(least)) least = k;
+    }
+    numbers -= remembering[least]->memory.size();
+    remembering[least]->memory.resize(0);
+    remembering.erase(remembering.begin() + static_cast<std::ptrdiff_t>(least));
   }
 }
 

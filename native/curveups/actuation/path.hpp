@@ -15,8 +15,8 @@ struct PathOptions {
   bool reports = true;          // how far it is; else it can only be stopped
   double begun = 0, share = 1;  // of what it reports: where it begins, and its part of the whole
   const ContactWorld::PathState* from = nullptr;  // where an earlier path stood; it outlives this
-  bool remembers = false;                         // whether frames have a memory:
-  Eigen::Index most_remembered = 4'000'000;       // numbers of all together, 17 MB in a file
+  bool remembers = false;                         // whether frames have a memory
+  Eigen::Index most_remembered = 4'000'000;       // numbers of all memories: 17 MB of a file
 };
 
 struct PathFrame {

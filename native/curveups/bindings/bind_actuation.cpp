@@ -124,10 +124,9 @@ Eigen::VectorXd of_frames(const ActuatedDesign& found) {
   return Eigen::Map<const Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
 }
 
-py::list memories(const ActuatedDesign& found) {
-  py::list out;
-  for (const PathFrame& frame : found.path.frames) out.append(frame.memory);
-  if (!found.path.frames.empty()) out[out.size() - 1] = found.memory;
+std::vector<Eigen::VectorXd> memories(const ActuatedDesign& found) {
+  std::vector<Eigen::VectorXd> out;
+  for (const PathFrame& frame : found.path.frames) out.push_back(frame.memory);
   return out;
 }
 
@@ -154,8 +153,8 @@ void bind_actuation(py::module_& module) {
                              "Mean stretch ratio of the membranes between pins.")
       .def_property_readonly("memories", &memories,
                              "Of the path's frames: what a path that begins there needs to go on "
-                             "as it would have. Empty where there is no room for it, and of a "
-                             "piece with its surplus; the last one has it.")
+                             "as it would have. Empty where there is no room for it, but of the "
+                             "last one, and of a piece with its surplus.")
       .def_readonly("corners", &ActuatedDesign::corners,
                     "Front corners of the last frame, three rows a tile, fitted to the design, mm.")
       .def_readonly("deviation", &ActuatedDesign::deviation,
@@ -182,10 +181,9 @@ void bind_actuation(py::module_& module) {
       py::arg("hands") = true, py::arg("release") = "cut", py::arg("press") = std::vector<int>(),
       py::arg("force") = py::none(),
       "Lets a piece rise from flat, or from a frame of an earlier path. store: as in "
-      "verify_design. memory: of the path that ended at `begin`, or came by. answers: whether it "
-      "is asked at "
-      "which friction it arrives, and whether it "
-      "could come to rest elsewhere; a path from a frame has none of these. hands: with the "
+      "verify_design. memory: of a path that came by `begin`. answers: whether it is asked at "
+      "which friction it arrives, and whether it could come to rest elsewhere; a path from a "
+      "frame has none of these. hands: with the "
       "answers, what brings it home by hand where it does not arrive. release: how hands release "
       "a piece from the rings of its sheets: cut (out of both at once), together, front-first or "
       "back-first (with anchors and surplus, which are cut off last). press: the tiles that hands "

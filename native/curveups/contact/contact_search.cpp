@@ -218,7 +218,7 @@ std::vector<TouchingPair> find_touching(const std::vector<RigidBody>& bodies, co
                                         const std::vector<TouchingPair>& before) {
   std::vector<int> solid;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!bodies[i].faces.empty()) solid.push_back(static_cast<int>(i));
+    if (!bodies[i].is_point()) solid.push_back(static_cast<int>(i));
   }
   Points3 low(solid.size(), 3), high(solid.size(), 3);
   parallel_ranges(static_cast<int>(solid.size()), [&](int begin, int end) {

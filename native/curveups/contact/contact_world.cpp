@@ -92,7 +92,7 @@ void ContactWorld::make_pattern() {
 }
 
 // Bodies around a point depend on one another once it is eliminated: that they may touch costs
-// nothing, and the pattern need not change when they do.
+// little, and the pattern need not change when they do.
 void ContactWorld::couple_around_points() {
   std::vector<Coupling> couplings;
   for (const auto& energy : energies_) energy->couple(couplings);

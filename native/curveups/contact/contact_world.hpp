@@ -128,8 +128,6 @@ class ContactWorld {
   double force_unit(const Motions& given) const;
   void set_convex(bool convex);
   void factorize(const Poses& x, double weight, StepReport& report);
-  double residual(const Motions& gradient) const;
-  bool direction(const Motions& gradient, double weight, Motions& out);
   bool minimise(double weight, double scale, Poses& x, StepReport& report);
 
   std::vector<RigidBody> bodies_;

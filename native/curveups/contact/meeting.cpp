@@ -59,7 +59,7 @@ double relative_motion(const RigidBody& b, const RigidMotion& a0, const RigidMot
 bool could_pass(const std::vector<RigidBody>& bodies, const Poses& from, const Poses& to) {
   std::vector<int> solid;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!bodies[i].faces.empty()) solid.push_back(static_cast<int>(i));
+    if (!bodies[i].is_point()) solid.push_back(static_cast<int>(i));
   }
   const int count = static_cast<int>(solid.size());
   Points3 low(count, 3), high(count, 3);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Sparse symmetric matrices of W x W blocks, one block row for each block of unknowns (a tile, a
-// vertex): the one assembler of the project. The pattern is fixed by the pairs of blocks that
-// elements join; it orders the elimination, elements add to slots looked up once, and right-hand
-// sides and solutions come in the caller's numbering.
+// Sparse symmetric matrices of blocks of at most W x W, one block row for each block of unknowns (a
+// tile, a vertex): the one assembler of the project. The pattern is fixed by the pairs of blocks
+// that elements join; it orders the elimination, elements add to slots looked up once, and
+// right-hand sides and solutions come in the caller's numbering, W rows a block.
 #pragma once
 
 #include <array>
@@ -83,15 +83,15 @@ class BlockMatrix {
   double& diagonal(int block, int unknown) {
     return column(pattern_->diagonal(block), unknown)[unknown];
   }
-  // Adds a matrix of the same pattern.
+  // Adds a matrix of the same pattern and unknowns.
   void add(const BlockMatrix& other);
   double mean_diagonal() const;
 
   // Cholesky factorization with the diagonal entries d as d (1 + damping) + shift. False where the
   // matrix is not positive definite or not finite.
   bool factorize(double damping = 0, double shift = 0);
-  // By the last factorization, for one or more right-hand sides of W rows a block; zero for blocks
-  // that are not free.
+  // By the last factorization, for one or more right-hand sides of W rows a block; zero where
+  // there is no unknown.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
   // The matrix times x, in the caller's numbering as well.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const;

@@ -35,10 +35,13 @@ void expect_dense_solution(int narrow = W) {
   for (std::size_t k = 0; k < couplings.size(); ++k) {
     const auto [i, j] = couplings[k];
     if (i < 0 || i == held || j == held) continue;
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(W * count);
-    v.segment(W * i, unknowns[i]).setRandom();
-    v.segment(W * j, unknowns[j]).setRandom();
-    dense += v * v.transpose();
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(W * count), known = v;
+    v.segment<W>(W * i).setRandom();
+    v.segment<W>(W * j).setRandom();
+    for (int block : {i, j}) {
+      known.segment(W * block, unknowns[block]) = v.segment(W * block, unknowns[block]);
+    }
+    dense += known * known.transpose();
     auto outer = [&](int a, int b) -> typename BlockMatrix<W>::Block {
       return v.segment<W>(W * a) * v.segment<W>(W * b).transpose();
     };
