@@ -171,7 +171,7 @@ TEST(Surplus, EveryReleaseEndsCutOutWithItsEnergyAccounted) {
     ActuationOptions rest;
     rest.answers = false;
     rest.start = found.frames.back();
-    rest.memory = found.memory;
+    rest.memory = found.path.frames.back().memory;
     EXPECT_EQ(actuate_design(dome(), nullptr, rest, {}).path.steps, 0);
     ++which;
   }
@@ -240,7 +240,7 @@ TEST(Surplus, StoppedOnItsRingsItKeepsThePathSoFarWithoutMemory) {
   EXPECT_EQ(found.phases[0].name, "back off");
   EXPECT_FALSE(found.phases[0].end.at_rest);
   EXPECT_GT(found.frames.size(), 1u);
-  EXPECT_EQ(found.memory.size(), 0);
+  EXPECT_EQ(found.path.frames.back().memory.size(), 0);
   EXPECT_FALSE(found.arrives);
 }
 
