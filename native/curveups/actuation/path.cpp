@@ -19,7 +19,7 @@ constexpr double contact_width = 0.25;
 // A path whose energy falls by less than this part in so many steps, and that is not at rest, goes
 // round in circles: tips of bumps that slide off walls and onto them again.
 constexpr int stalled_steps = 60;
-constexpr double stalled_part = 1e-3;
+constexpr double stalled_part = 1e-4;
 // The same under weight, which is little beside what membranes store: a piece that settles on its
 // table is no circle.
 constexpr double stalled_part_resting = 1e-5;
