@@ -108,10 +108,10 @@ class BlockMatrix {
   Eigen::MatrixXd by_rank(const Eigen::MatrixXd& x, const Map& map) const;
 
   std::shared_ptr<const BlockPattern> pattern_;
-  std::vector<int>
-      row_;  // the first of each block, in the order of elimination; one more at the end
-  std::vector<int>
-      below_;  // per block below a diagonal one, how far it is below that one's first row
+  // The first row of each block, in the order of elimination; one more at the end.
+  std::vector<int> row_;
+  // Of each block below a diagonal one, how far it is below that one's first row.
+  std::vector<int> below_;
   SparseMatrix matrix_;
   SparseCholesky cholesky_{Ordering::as_given};
 };
