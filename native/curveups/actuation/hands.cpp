@@ -197,7 +197,7 @@ class HandSearch {
   // A trial begins as a path does, and ends alike whatever was tried before.
   void remember_jammed() {
     jammed_ = world_.path_state();
-    jammed_.convex = true;
+    jammed_.convex = 1;
     jammed_.state.weight = -1;
   }
 

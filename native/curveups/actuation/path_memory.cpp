@@ -9,7 +9,7 @@
 namespace curveups {
 namespace {
 
-constexpr double format = 1;           // of what follows
+constexpr double format = 2;           // of what follows
 constexpr double largest_place = 1e8;  // mm
 constexpr double any = std::numeric_limits<double>::infinity();
 
@@ -22,7 +22,7 @@ constexpr double any = std::numeric_limits<double>::infinity();
 template <class Numbers>
 void visit(Numbers& all, ContactWorld::PathState& path) {
   all.scalar(path.state.weight, -any, any);
-  all.flag(path.convex);
+  all.scalar(path.convex, 0, 1);
   all.count(path.state.poses);
   for (RigidMotion& pose : path.state.poses) {
     all.entries(pose.R, -2, 2);
@@ -65,7 +65,6 @@ struct Writer {
 
   void scalar(double& value, double, double) { out.push_back(value); }
   void integer(int& value) { out.push_back(value); }
-  void flag(bool& value) { out.push_back(value); }
   int checked(int rows) const { return rows; }
   template <class List>
   void count(List& list) {
@@ -93,11 +92,6 @@ struct Reader {
     const double number = next();
     if (!(number >= 0 && number <= 1e9) || number != std::floor(number)) refuse();
     value = static_cast<int>(number);
-  }
-  void flag(bool& value) {
-    int number = 0;
-    integer(number);
-    value = number != 0;
   }
   // No more than there are numbers left.
   int checked(int rows) const {

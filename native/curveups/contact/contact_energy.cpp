@@ -24,9 +24,11 @@ double hold(const Touch& touch, double stretch, double cap) {
 
 }  // namespace
 
-bool ContactEnergy::couple_pairs() {
-  std::vector<std::array<int, 2>> all;
-  for (const TouchingPair& pair : pairs) all.push_back(pair.body);
+bool ContactEnergy::couple_pairs(const std::vector<std::array<int, 2>>& others) {
+  std::vector<std::array<int, 2>> touching, all;
+  for (const TouchingPair& pair : pairs) touching.push_back(pair.body);
+  std::set_union(touching.begin(), touching.end(), others.begin(), others.end(),
+                 std::back_inserter(all));
   const bool news = !std::includes(coupled.begin(), coupled.end(), all.begin(), all.end());
   if (news) {
     const std::vector<std::array<int, 2>> before = std::move(coupled);
@@ -34,11 +36,12 @@ bool ContactEnergy::couple_pairs() {
     std::set_union(before.begin(), before.end(), all.begin(), all.end(),
                    std::back_inserter(coupled));
   }
-  for (TouchingPair& pair : pairs) {
-    pair.coupling = static_cast<int>(std::lower_bound(coupled.begin(), coupled.end(), pair.body) -
-                                     coupled.begin());
-  }
+  for (TouchingPair& pair : pairs) pair.coupling = coupling(pair.body);
   return news;
+}
+
+int ContactEnergy::coupling(const std::array<int, 2>& pair) const {
+  return static_cast<int>(std::lower_bound(coupled.begin(), coupled.end(), pair) - coupled.begin());
 }
 
 void ContactEnergy::couple(std::vector<Coupling>& couplings) const {

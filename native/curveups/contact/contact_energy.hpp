@@ -41,8 +41,11 @@ class ContactEnergy : public MotionEnergy {
   bool closing = false;
 
   std::string_view name() const override { return "contact"; }
-  // Lets all pairs have their place among those that are coupled. Whether there are new ones.
-  bool couple_pairs();
+  // Lets these (ascending) and all that touch have their place among the pairs that are coupled.
+  // Whether there are new ones.
+  bool couple_pairs(const std::vector<std::array<int, 2>>& others = {});
+  // The place of such a pair.
+  int coupling(const std::array<int, 2>& pair) const;
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
   double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,

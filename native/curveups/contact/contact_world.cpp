@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "curveups/contact/meeting.hpp"
 #include "curveups/core/checkpoint.hpp"
@@ -12,6 +13,9 @@
 namespace curveups {
 namespace {
 
+// The least part of what may be indefinite that second derivatives leave out where exact ones are.
+constexpr double least_convex = 0.05;
+
 double largest_row(const Motions& rows) {
   double largest = 0;
   for (int i = 0; i < rows.rows(); ++i) {
@@ -19,20 +23,6 @@ double largest_row(const Motions& rows) {
         {largest, rows.row(i).head<3>().squaredNorm(), rows.row(i).tail<3>().squaredNorm()});
   }
   return std::sqrt(largest);
-}
-
-// The motions that lead from one to the other.
-Motions between(const Poses& from, const Poses& to, double lever) {
-  Motions out(from.size(), 6);
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    out.row(i).head<3>() = (to[i].t - from[i].t).transpose();
-    const Eigen::Matrix3d turn = to[i].R * from[i].R.transpose();
-    const Vec3 axial(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
-    const double sine = 0.5 * axial.norm(), angle = std::atan2(sine, 0.5 * (turn.trace() - 1));
-    const double factor = sine > 1e-9 ? angle / (2 * sine) : 0.5;
-    out.row(i).tail<3>() = lever * factor * axial.transpose();
-  }
-  return out;
 }
 
 }  // namespace
@@ -93,7 +83,7 @@ void ContactWorld::make_pattern() {
 
 // Bodies around a point depend on one another once it is eliminated: that they may touch costs
 // little, and the pattern need not change when they do.
-void ContactWorld::couple_around_points() {
+std::vector<std::array<int, 2>> ContactWorld::pairs_around_points() const {
   std::vector<Coupling> couplings;
   for (const auto& energy : energies_) energy->couple(couplings);
   std::vector<std::vector<int>> around(bodies_.size());
@@ -102,7 +92,7 @@ void ContactWorld::couple_around_points() {
     const auto [point, body] = bodies_[i].is_point() ? std::pair(i, j) : std::pair(j, i);
     around[point].push_back(body);
   }
-  std::vector<std::array<int, 2>>& pairs = contacts_.coupled;
+  std::vector<std::array<int, 2>> pairs;
   for (const std::vector<int>& list : around) {
     for (int i : list) {
       for (int j : list) {
@@ -112,14 +102,15 @@ void ContactWorld::couple_around_points() {
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
 }
 
 void ContactWorld::search() {
   contacts_.pairs = find_touching(bodies_, poses_, options_.search, contacts_.pairs);
   searched_ = true;
   // The pattern and its order of elimination stay as long as no new pair touches.
-  if (!hessian_) couple_around_points();
-  if (contacts_.couple_pairs() || !hessian_) {
+  if (around_.empty()) around_ = pairs_around_points();
+  if (contacts_.couple_pairs(around_) || !hessian_) {
     places_.resize(bodies_.size(), 3);
     for (std::size_t i = 0; i < bodies_.size(); ++i) places_.row(i) = poses_[i].t.transpose();
     make_pattern();
@@ -163,7 +154,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
   double shift = 0;
   int iterations = 0, caps_taken = 0;
   while (true) {
-    const Motions so_far = between(poses_, x, lever);
+    const Motions so_far = motions_between(poses_, x, lever);
     // By an older factorization where that contracts well.
     const bool fresh = !factorized;
     g = given;
@@ -223,7 +214,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       Poses next = moved(x, part * way, lever);
       given_energy = given_gradient(next, given, nullptr);
       const double energy = given_energy + contacts_.value(next) +
-                            0.5 * weight * between(poses_, next, lever).squaredNorm();
+                            0.5 * weight * motions_between(poses_, next, lever).squaredNorm();
       if (energy <= now + 1e-4 * part * slope + blur || halved == 30) {
         x = std::move(next);
         break;
@@ -292,7 +283,7 @@ StepReport ContactWorld::step() {
   for (int attempt = 0;; ++attempt) {
     x = poses_;
     report.converged = minimise(weight_, scale, x, report);
-    report.motion = largest_row(between(poses_, x, options_.lever));
+    report.motion = largest_row(motions_between(poses_, x, options_.lever));
     if ((report.converged && report.motion <= 1.5 * options_.step_limit) || attempt == 4) break;
     weight_ *= 8;
   }
@@ -333,24 +324,40 @@ void ContactWorld::begin_path(const Pace& pace) {
   weight_ = -1;
 }
 
-void ContactWorld::set_convex(bool convex) {
+void ContactWorld::set_convex(double convex) {
   convex_ = convex;
   contacts_.convex = convex;
   for (const auto& energy : energies_) energy->convex = convex;
 }
 
-// Of the second derivatives at x: exact ones, or convex ones where those are indefinite.
-void ContactWorld::factorize(const Poses& x, double weight, StepReport& report) {
+// Of bodies that touch or are near, and of those around a point of a membrane.
+Drag ContactWorld::make_drag() const {
+  std::vector<std::array<int, 2>> near, all;
+  for (const TouchingPair& pair : contacts_.pairs) near.push_back(pair.body);
+  std::set_union(near.begin(), near.end(), around_.begin(), around_.end(), std::back_inserter(all));
+  std::vector<Drag::Pair> pairs;
+  for (const auto& [a, b] : all) {
+    if (bodies_[a].fixed || bodies_[b].fixed) continue;
+    pairs.push_back({{a, b}, first_.back() + contacts_.coupling({a, b})});
+  }
+  return {std::move(pairs), poses_, options_.lever, pace_.lone_drag};
+}
+
+// Of the second derivatives at x: as exact as they may be without being indefinite.
+void ContactWorld::factorize(const Poses& x, const Drag& drag, const Motions& so_far,
+                             StepReport& report) {
   Motions unused;
+  const double lone = weight_ * drag.lone();
   double extra = 0;  // a density that is not convex may need it all the same
-  for (++report.factorizations; !hessian_->factorize(0, weight + extra); ++report.factorizations) {
-    if (convex_) {
+  for (++report.factorizations; !hessian_->factorize(0, lone + extra); ++report.factorizations) {
+    if (convex_ == 1) {
       extra = std::max(4 * extra, 1e-4 * hessian_->mean_diagonal());
     } else {
-      set_convex(true);
+      set_convex(std::clamp(2 * convex_, least_convex, 1.0));
       gradient(x, unused, hessian_.get());
+      drag.derivatives(so_far, weight_, unused, hessian_.get());
     }
-    if (!(extra < 1e12 * (1 + weight))) {
+    if (!(extra < 1e12 * (1 + weight_))) {
       throw SolverFailure("the forces on bodies in contact are not finite",
                           "check the design's parameters");
     }
@@ -364,13 +371,18 @@ StepReport ContactWorld::advance() {
   double unit = 1;
   const double lever = options_.lever;
   report.before = report.energy = value(poses_);
-  const bool convex = convex_;
+  const double convex = convex_;
   set_convex(convex);
+  const Drag drag = make_drag();
+  auto stride = [&](const Motions& motions) {
+    return std::max(drag.furthest_apart(motions), largest_row(motions) / pace_.together);
+  };
   Poses x = poses_;
   int shortened = 0;
+  contacts_.careful = false;
   for (int iteration = 0;; ++iteration) {
     contacts_.set_caps(contacts_.caps_at(x));
-    const Motions so_far = between(poses_, x, lever);
+    const Motions so_far = motions_between(poses_, x, lever);
     const bool last = iteration == pace_.iterations;
     BlockMatrix<6>* hessian = last ? nullptr : hessian_.get();
     if (hessian) hessian->set_zero();
@@ -388,21 +400,21 @@ StepReport ContactWorld::advance() {
         return report;
       }
     }
-    now += 0.5 * weight_ * so_far.squaredNorm();
-    g += weight_ * so_far;
+    now += drag.derivatives(so_far, weight_, g, hessian);
     report.converged = largest_row(g) <= std::max(0.1 * report.residual, pace_.tolerance) * unit;
-    if (report.converged || last || largest_row(so_far) > pace_.step_limit) break;
+    if (report.converged || last || stride(so_far) > pace_.step_limit) break;
     ++report.iterations;
-    factorize(x, weight_, report);
+    factorize(x, drag, so_far, report);
     const Eigen::MatrixXd solved =
         hessian_->solve(-Eigen::Map<const Eigen::VectorXd>(g.data(), g.size()));
     const Motions way = Eigen::Map<const Motions>(solved.data(), g.rows(), 6);
     const double slope = g.cwiseProduct(way).sum(), blur = 1e-12 * (std::abs(now) + unit * lever);
-    double part = std::min(1.0, pace_.step_limit / std::max(largest_row(way), 1e-300));
+    double part = std::min(1.0, pace_.step_limit / std::max(stride(way), 1e-300));
     shortened += part < 1;
     Poses next = moved(x, part * way, lever);
-    for (int halved = 0; halved < 30; ++halved, ++shortened) {
-      const double moving = 0.5 * weight_ * between(poses_, next, lever).squaredNorm();
+    int halved = 0;
+    for (; halved < 30; ++halved, ++shortened) {
+      const double moving = drag.value(motions_between(poses_, next, lever), weight_);
       if (value(next) + moving <= now + 1e-4 * part * slope + blur &&
           !could_pass(bodies_, poses_, next)) {
         break;
@@ -410,6 +422,7 @@ StepReport ContactWorld::advance() {
       part /= 2;
       next = moved(x, part * way, lever);
     }
+    contacts_.careful = halved > 0;
     x = std::move(next);
     try {
       checkpoint();
@@ -418,7 +431,8 @@ StepReport ContactWorld::advance() {
       throw;
     }
   }
-  report.motion = largest_row(between(poses_, x, lever));
+  const Motions motions = motions_between(poses_, x, lever);
+  report.motion = largest_row(motions);
   report.weight = weight_;
   report.friction = contacts_.friction_work(x);
   contacts_.remember(x);
@@ -426,9 +440,9 @@ StepReport ContactWorld::advance() {
   searched_ = false;
   report.energy = value(poses_);
   // Steps grow where motion is slow, and hardly where a step was too long for its iterations.
-  weight_ *= std::clamp(1.25 * report.motion / pace_.step_limit, shortened > 1 ? 0.7 : 0.25, 4.0);
+  weight_ *= std::clamp(1.25 * stride(motions) / pace_.step_limit, shortened > 1 ? 0.7 : 0.25, 4.0);
   weight_ = std::max(weight_, 1e-7 * unit / pace_.step_limit);
-  set_convex(report.motion > 0.3 * pace_.step_limit);
+  set_convex(convex_ < least_convex ? 0 : convex_ / 1.4);
   ++steps_;
   return report;
 }

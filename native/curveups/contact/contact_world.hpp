@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "curveups/contact/contact_energy.hpp"
+#include "curveups/contact/drag.hpp"
 
 namespace curveups {
 
@@ -33,7 +34,10 @@ struct WorldOptions {
 
 // How bodies follow a path (ContactWorld::advance).
 struct Pace {
-  double step_limit = 1;    // mm: about how far a body may move in a step
+  // mm: about how far bodies beside one another may move against one another in a step, and how
+  // many times as far a body with those beside it.
+  double step_limit = 1, together = 6;
+  double lone_drag = 0.03;  // as Drag has it
   int iterations = 3;       // of Newton's method, a step
   double tolerance = 1e-3;  // forces left on bodies at rest, in the unit of forces
   SearchOptions search;     // on the way
@@ -87,7 +91,8 @@ class ContactWorld {
   // Throws Cancelled, with the poses as they were.
   StepReport step();
   // Follows a path at this pace from here on. The way matters, not only its end: an implicit Euler
-  // step of h = 1 / w, solved by a few iterations of Newton's method that never let energy rise
+  // step of h = 1 / w under a drag of w (drag.hpp), solved by a few iterations of Newton's method
+  // that never let energy rise
   // (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 1996, IV.7). Friction's
   // limits follow the normal forces from iteration to iteration. No body moves past another
   // (meeting.hpp). at_rest: forces balance under Coulomb's law, and nothing moved.
@@ -97,7 +102,7 @@ class ContactWorld {
   // elimination their rounding depends.
   struct PathState {
     State state;
-    bool convex = true;
+    double convex = 1;
     std::vector<std::array<int, 2>> coupled;
     Places places;  // none before the first step
   };
@@ -119,15 +124,16 @@ class ContactWorld {
 
  private:
   void search();
-  void couple_around_points();
+  std::vector<std::array<int, 2>> pairs_around_points() const;
+  Drag make_drag() const;
   void make_pattern();
   double gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
   double value(const Poses& poses) const;
   double given_gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
   void hold_fixed(Motions& gradient) const;
   double force_unit(const Motions& given) const;
-  void set_convex(bool convex);
-  void factorize(const Poses& x, double weight, StepReport& report);
+  void set_convex(double convex);
+  void factorize(const Poses& x, const Drag& drag, const Motions& so_far, StepReport& report);
   bool minimise(double weight, double scale, Poses& x, StepReport& report);
 
   std::vector<RigidBody> bodies_;
@@ -139,7 +145,9 @@ class ContactWorld {
   std::vector<int> first_;  // couplings of the energies, then those of contacts
   Places places_;           // of the bodies when the pattern was made
   std::unique_ptr<BlockMatrix<6>> hessian_;
-  bool searched_ = false, fresh_ = true, convex_ = false;
+  std::vector<std::array<int, 2>> around_;  // pairs around a point, once searched
+  bool searched_ = false, fresh_ = true;
+  double convex_ = 0;
   double weight_ = -1;
   double rounding_ = 0;  // N: forces smaller than this are rounding of positions
   int steps_ = 0;

@@ -19,9 +19,7 @@ double PointLoads::derivatives(const Poses& poses, double lever, Motions& gradie
     const Vec3 arm = pose.R * load.point;
     MotionDerivatives<1> out;
     out.gradient << -load.force, arm.cross(-load.force) / lever;
-    if (!convex) {
-      out.hessian.bottomRightCorner<3, 3>() = turn_curvature(-load.force, arm, lever);
-    }
+    out.hessian.bottomRightCorner<3, 3>() = (1 - convex) * turn_curvature(-load.force, arm, lever);
     out.add_to({load.body}, gradient, hessian, 0);
     sum -= load.force.dot(arm + pose.t);
   }
@@ -92,11 +90,12 @@ double PairLoads::derivatives(const Poses& poses, double lever, Motions& gradien
   parallel_gather<MotionDerivatives<2>>(
       static_cast<int>(pair.size()) - 1,
       [&](int k, MotionDerivatives<2>& out) {
-        out = of_pair(pair[k], pair[k + 1], poses, lever, hessian && !convex);
+        out = of_pair(pair[k], pair[k + 1], poses, lever, hessian != nullptr);
+        out.hessian *= 1 - convex;
       },
       [&](int k, const MotionDerivatives<2>& out) {
         sum += out.value;
-        out.add_to(loads[pair[k]].body, gradient, convex ? nullptr : hessian, first + k);
+        out.add_to(loads[pair[k]].body, gradient, hessian, first + k);
       });
   return sum;
 }

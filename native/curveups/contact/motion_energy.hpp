@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Energies of rigid bodies: functions of their poses. Derivatives are by the small motions that
-// follow a pose (rigid_body.hpp), so that no parametrization of rotations shows. What every such
-// energy is made of: points of a body in space, and points of a body as another body sees them.
+// follow a pose (rigid_body.hpp), so that no parametrization of rotations shows; second ones by
+// motions whose origins go straight, which differ from screws by what vanishes where forces
+// balance. What every such energy is made of: points of a body in space, and points of a body as
+// another body sees them.
 #pragma once
 
 #include <string_view>
@@ -23,9 +25,9 @@ class MotionEnergy {
   virtual double derivatives(const Poses& poses, double lever, Motions& gradient,
                              BlockMatrix<6>* hessian, int first) const = 0;
 
-  // Second derivatives without what may be indefinite in how forces turn with bodies. Descent
-  // far from a minimum, where exact ones lead nowhere.
-  bool convex = false;
+  // How much of what may be indefinite in how forces turn with bodies second derivatives leave out,
+  // 0 to 1. Descent far from a minimum, where exact ones lead nowhere.
+  double convex = 0;
 };
 
 // Derivatives of an element of K bodies by their motions, bodies one after another.
@@ -72,11 +74,11 @@ Eigen::Matrix3d positive_turn_curvature(const Vec3& force, const Vec3& arm, doub
 Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p);
 
 // Adds a function of that y to the derivatives of a pair of bodies. by_y, by_y_twice: its
-// derivatives by y (second ones only where `second`, and without the force's part where `convex`);
-// a, b: which of the pair they are, 0 and 1 or 1 and 0. Whatever the function, its forces and
-// torques on the two sum to zero.
+// derivatives by y (second ones only where `second`, without so much of the force's part as
+// `convex` says); a, b: which of the pair they are, 0 and 1 or 1 and 0. Whatever the function, its
+// forces and torques on the two sum to zero.
 void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a, int b,
                     const Vec3& p, const Vec3& by_y, const Eigen::Matrix3d& by_y_twice,
-                    double lever, bool second, bool convex, MotionDerivatives<2>& out);
+                    double lever, bool second, double convex, MotionDerivatives<2>& out);
 
 }  // namespace curveups

@@ -153,7 +153,9 @@ TEST(ActuatedDesign, NoTilePassesThroughAnother) {
     }
   }
   ASSERT_GT(tile, 0);
-  EXPECT_LT(largest, 0.005);
+  // Walls are springs: one that is 0.06 mm deep in another shares 2 % of its tile with it.
+  EXPECT_LT(found.path.deepest, 0.06);
+  EXPECT_LT(largest, 0.02);
 }
 
 TEST(ActuatedDesign, FromTheTargetAtFrictionItStays) {
@@ -200,10 +202,10 @@ TEST(ActuatedDesign, ARestingPieceIsOnItsTableAllTheWay) {
   const double table = lowest(bodies, still);
   // Corners are cut off where tiles would meet: the piece stands a little higher than this.
   for (const FrameRows& rows : found.frames) EXPECT_NEAR(lowest(bodies, rows), table, 0.3);
-  EXPECT_NEAR(lowest(bodies, found.frames.back()), table, 0.15);
+  EXPECT_NEAR(lowest(bodies, found.frames.back()), table, 0.05);
   design.parameters.gravity = "off";
   const ActuatedDesign free = actuate_design(design, nullptr, options, {});
-  EXPECT_GT(std::abs(lowest(bodies, free.frames.back()) - table), 0.3);
+  EXPECT_GT(std::abs(lowest(bodies, free.frames.front()) - table), 0.5);
 }
 
 TEST(ActuatedDesign, AnswersAreThoseOfThePathsThatTheyName) {
@@ -306,7 +308,7 @@ TEST(ActuatedDesign, APathGoesOnAsItWouldHave) {
 }
 
 TEST(ActuatedDesign, APathGoesOnFromAnyFrameThatItCameBy) {
-  const Design design = dome(0.3);
+  const Design design = dome(0.6);
   ActuationOptions options;
   options.answers = false;
   const ActuatedDesign whole = actuate_design(design, nullptr, options, {});
@@ -322,7 +324,9 @@ TEST(ActuatedDesign, APathGoesOnFromAnyFrameThatItCameBy) {
     // With another friction as well, it begins where the other came by.
     const ActuatedDesign slippery = actuate_design(dome(0.1), nullptr, options, {});
     EXPECT_EQ(slippery.frames.front(), whole.frames[k]);
-    EXPECT_LT(slippery.end.energy, found.end.energy);
+    if (2 * k < steps) {
+      EXPECT_LT(slippery.path.frames.back().friction, found.path.frames.back().friction);
+    }
   }
 }
 

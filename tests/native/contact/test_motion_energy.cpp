@@ -9,8 +9,17 @@
 namespace curveups::test {
 namespace {
 
+// Where each origin goes straight on.
+Poses straight(const Poses& poses, const Motions& motions, double lever) {
+  Poses out = moved(poses, motions, lever);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    out[i].t = poses[i].t + motions.row(i).head<3>().transpose();
+  }
+  return out;
+}
+
 // Derivatives by small motions: of first order against values, of second order against second
-// differences of values along the same motion.
+// differences of values along straight motions.
 void expect_derivatives(const MotionEnergy& energy, const Poses& poses) {
   SCOPED_TRACE(std::string(energy.name()));
   const double lever = 3;
@@ -28,8 +37,9 @@ void expect_derivatives(const MotionEnergy& energy, const Poses& poses) {
     const double h = 1e-6;
     EXPECT_NEAR(gradient.cwiseProduct(d).sum(), (along(h) - along(-h)) / (2 * h),
                 1e-6 * gradient.norm() * d.norm());
-    const double g = 2e-4;
-    const double second = (along(g) - 2 * along(0) + along(-g)) / (g * g);
+    auto straight_on = [&](double g) { return energy.value(straight(poses, g * d, lever)); };
+    const double g = 1e-4;
+    const double second = (straight_on(g) - 2 * straight_on(0) + straight_on(-g)) / (g * g);
     const Eigen::VectorXd flat = Eigen::Map<const Eigen::VectorXd>(d.data(), d.size());
     const double product = flat.dot(hessian.multiply(flat).col(0));
     EXPECT_NEAR(product, second, 1e-5 * (std::abs(product) + gradient.norm() * d.squaredNorm()));
@@ -99,18 +109,21 @@ TEST(MotionEnergy, ConvexSecondDerivativesNeverLeadUpwards) {
   std::vector<Coupling> couplings;
   pressed.energy.couple(couplings);
   const auto pattern = std::make_shared<const BlockPattern>(std::vector<char>(2, 1), couplings);
-  std::array<double, 2> lowest{};
-  for (bool convex : {false, true}) {
-    pressed.energy.convex = convex;
+  std::array<double, 3> lowest{};
+  std::array<Eigen::MatrixXd, 3> matrix;
+  for (int k = 0; k < 3; ++k) {
+    pressed.energy.convex = 0.5 * k;
     BlockMatrix<6> hessian(pattern);
     Motions gradient = Motions::Zero(2, 6);
     pressed.energy.derivatives(pressed.poses, 3, gradient, &hessian, 0);
-    const Eigen::MatrixXd dense = hessian.multiply(Eigen::MatrixXd::Identity(12, 12));
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(dense);
-    lowest[convex] = eigen.eigenvalues()(0) / eigen.eigenvalues()(11);
+    matrix[k] = hessian.multiply(Eigen::MatrixXd::Identity(12, 12));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix[k]);
+    lowest[k] = eigen.eigenvalues()(0) / eigen.eigenvalues()(11);
   }
   EXPECT_LT(lowest[0], -1e-6) << "nothing was indefinite: nothing was tested";
-  EXPECT_GT(lowest[1], -1e-12);
+  EXPECT_GT(lowest[1], lowest[0]);
+  EXPECT_GT(lowest[2], -1e-12);
+  EXPECT_LT((matrix[0] + matrix[2] - 2 * matrix[1]).norm(), 1e-12 * matrix[0].norm());
 }
 
 TEST(MotionEnergy, PositiveTurnCurvatureLacksTheNegativeEigenvalues) {
