@@ -4284,6 +4284,14 @@
       <translation>Ob das Stück von selbst in seine Form kommt, ist nicht bekannt: der Lauf wurde angehalten</translation>
     </message>
     <message>
+      <source>the frame that it begins at has no memory that this design can use: contacts forget what friction held, and it may end elsewhere than the path that came by there</source>
+      <translation>Das Bild, bei dem es anfängt, hat kein Gedächtnis, das zu diesem Entwurf passt: Kontakte vergessen, was die Reibung hielt, und es kann anderswo enden als der Lauf, der dort vorbeikam</translation>
+    </message>
+    <message>
+      <source>begin at a frame that has one</source>
+      <translation>bei einem Bild anfangen, das eines hat</translation>
+    </message>
+    <message>
       <source>whether it arrives is not known: the tiles do not come to rest</source>
       <translation>Ob das Stück von selbst in seine Form kommt, ist nicht bekannt: die Kacheln kommen nicht zur Ruhe</translation>
     </message>

@@ -85,6 +85,7 @@ def block_of(**changed):
     ({"trap": True}, ["actuation_jammed", "actuation_trapped"]),
     ({"trap": True, "sampled": [{"wedged": []}]}, ["actuation_jammed", "actuation_elsewhere"]),
     ({"reach_friction": 0.1}, ["actuation_jammed", "actuation_friction"]),
+    ({"contacts_anew": True}, ["actuation_jammed", "actuation_anew"]),
     ({"arrives": None, "trap": None}, ["actuation_restless"]),
     ({"arrives": None, "stopped": True}, ["actuation_stopped"])])
 def test_each_answer_has_its_words(changed, kinds):
@@ -507,12 +508,14 @@ def test_a_path_that_was_stopped_goes_on_as_it_would_have(risen, project, tmp_pa
     found = rest.run(asked_by("actuate"))[RISEN]
     assert found.block["steps"] == whole.block["steps"] - 3
     assert found.block["energy_n_mm"] == whole.block["energy_n_mm"]
-    # Others may have no memory.
+    assert "contacts_anew" not in found.block
+    # Others may have no memory, and the answer says so.
     frames = json.loads((tmp_path / "frames.json").read_text("utf-8"))
     del frames["frames"][3]["memory"]
     (tmp_path / "frames.json").write_text(json.dumps(frames), "utf-8")
-    start = actuation.read_start(f"{tmp_path / 'frames.json'}:3", 24)
-    assert start.memory is None and len(start.poses) == 24
+    rest.give(START, actuation.read_start(f"{tmp_path / 'frames.json'}:3", 24))
+    found = rest.run(asked_by("actuate"))[RISEN]
+    assert found.block["contacts_anew"] and "actuation_anew" in [one.kind for one in found.findings()]
 
 
 def test_a_path_that_ended_goes_on_from_its_last_frame(risen, curveups, tmp_path):

@@ -124,6 +124,9 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "actuation_elsewhere": "it would not arrive without friction either: it comes to rest {distance:.3g} mm "
                            "from where the actuated piece does",
     "actuation_friction": "friction holds it back: with a coefficient of {reach:.3g} it arrives",
+    "actuation_anew": ("the frame that it begins at has no memory that this design can use: contacts forget "
+                       "what friction held, and it may end elsewhere than the path that came by there",
+                       "begin at a frame that has one"),
     "actuation_restless": "whether it arrives is not known: the tiles do not come to rest",
     "actuation_stopped": "whether it arrives is not known: it was stopped",
     "hands_shaken": "shaken, it comes home: after {taps} taps it is {shortfall:.3g} mm from the shape that "

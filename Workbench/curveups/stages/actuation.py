@@ -18,6 +18,7 @@ from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
 
 HANDS = "Before hands press, from two sides. They press the tiles in red to their places, as the arrows show."
 MOST_PAIRS = 8    # that are named; the hardest
+_MEMORIES = "2"  # which ones: those of earlier versions are of no use
 MOST_TOUCHES = 6  # that are named; more are a matter of a former
 
 
@@ -150,7 +151,7 @@ def path_digest(design: Any) -> str:
     own, defaults = native.Parameters(design.parameters), native.Parameters()
     for name in ("friction_coefficient", "hold_tolerance"):
         own.set(name, defaults.get(name))
-    return digest(native.write_design(design.with_parameters(own)))
+    return digest(_MEMORIES, native.write_design(design.with_parameters(own)))
 
 
 def tiles_digest(design: Any) -> str:
@@ -167,6 +168,13 @@ def moved(points: np.ndarray, rows: np.ndarray) -> np.ndarray:
 
 def findings(block: Mapping[str, Any]) -> list[Finding]:
     """What a block says."""
+    found = _of_path(block)
+    if block.get("contacts_anew"):
+        found.append(Finding.about("actuation_anew"))
+    return found if block["arrives"] is None else found + _of_hands(block)
+
+
+def _of_path(block: Mapping[str, Any]) -> list[Finding]:
     if block["arrives"] is None:
         return [Finding.about("actuation_stopped" if block["stopped"] else "actuation_restless")]
     open_pairs = _pairs(block["open_contacts"])
@@ -184,7 +192,7 @@ def findings(block: Mapping[str, Any]) -> list[Finding]:
                                    distance=block["trap_distance_mm"], pairs=wedged))
     elif not block["arrives"] and block["reach_friction"] is not None:
         found.append(Finding.about("actuation_friction", reach=block["reach_friction"]))
-    return found + _of_hands(block)
+    return found
 
 
 def _of_hands(block: Mapping[str, Any]) -> list[Finding]:
@@ -235,7 +243,9 @@ def _run(inputs: Inputs, job: Job) -> Actuation:
         inputs.store.clear()
     frames = np.stack([*found.frames, *found.hand_frames])
     steps = np.maximum(np.abs(frames).max((0, 1)), 1e-9) / np.iinfo(np.int32).max
-    return Actuation(found.block, design, found.time, found.energy, found.friction, found.stretch,
+    from_file = start.poses is not None and start.begin != "target"
+    block = found.block | ({"contacts_anew": True} if from_file and memory is None else {})
+    return Actuation(block, design, found.time, found.energy, found.friction, found.stretch,
                      np.round(frames / steps).astype("<i4"), steps, len(found.hand_frames), found.hand_work,
                      found.memories)
 

@@ -109,9 +109,6 @@ class Actuation {
     if (!ended) compare(paths, held.surface);
     out.path = std::move(rising.path);
     out.end = rising.end;
-    if (rising.is_cut_out()) {
-      out.path.frames.back().memory = packed(rising.world.world->path_state());
-    }
     out.phases = std::move(rising.phases);
     if (surplus_) {
       out.surplus = {surplus_->anchor_count(), surplus_->box(), surplus_->window()};

@@ -27,7 +27,8 @@ constexpr double stalled_part_resting = 1e-5;
 Pace pace_of(const Parameters& parameters) {
   Pace pace;
   pace.step_limit = parameters.L / 7.5;
-  pace.search.reach = 1.5 * pace.step_limit;  // what a step may meet
+  // What a step may meet: could_pass holds what comes from further.
+  pace.search.reach = std::max(1.5 * pace.step_limit, 0.5 * parameters.H_body);
   pace.search.pair_stiffness = contact_width * parameters.tile_modulus;
   pace.search.face_margin = 0.01;
   return pace;

@@ -145,7 +145,7 @@ void bind_actuation(py::module_& module) {
       .def_property_readonly("hand_work", &of_frames<&PathFrame::hands>,
                              "What hands have put in until then, N mm; of all frames.")
       .def_property_readonly("time", &of_frames<&PathFrame::time>,
-                             "Of the frames, s, with a drag of 1 N s / mm on every tile.")
+                             "Of the frames, s, with a drag of 1 N s / mm between neighbours.")
       .def_property_readonly("energy", &of_frames<&PathFrame::energy>, "Stored, N mm.")
       .def_property_readonly("friction", &of_frames<&PathFrame::friction>,
                              "What friction has taken until then, N mm.")

@@ -13,7 +13,8 @@
 namespace curveups {
 namespace {
 
-// The least part of what may be indefinite that second derivatives leave out where exact ones are.
+// Where exact second derivatives are indefinite, they leave out at least this part of what may be
+// so.
 constexpr double least_convex = 0.05;
 
 double largest_row(const Motions& rows) {
@@ -81,22 +82,30 @@ void ContactWorld::make_pattern() {
       std::make_shared<const BlockPattern>(free, couplings, places_), unknowns);
 }
 
-// Bodies around a point depend on one another once it is eliminated: that they may touch costs
-// little, and the pattern need not change when they do.
-std::vector<std::array<int, 2>> ContactWorld::pairs_around_points() const {
+// Bodies that the energies join, and those around a point: these depend on one another once it is
+// eliminated, so that their places in the pattern cost little, and it need not change when they
+// touch.
+std::vector<std::array<int, 2>> ContactWorld::joined_pairs() const {
   std::vector<Coupling> couplings;
   for (const auto& energy : energies_) energy->couple(couplings);
+  std::vector<std::array<int, 2>> pairs;
+  auto join = [&](int i, int j) {
+    if (bodies_[i].can_touch(bodies_[j])) pairs.push_back({std::min(i, j), std::max(i, j)});
+  };
   std::vector<std::vector<int>> around(bodies_.size());
   for (const auto& [i, j] : couplings) {
-    if (i < 0 || j < 0 || bodies_[i].is_point() == bodies_[j].is_point()) continue;
-    const auto [point, body] = bodies_[i].is_point() ? std::pair(i, j) : std::pair(j, i);
-    around[point].push_back(body);
+    if (i < 0 || j < 0 || i == j || (bodies_[i].is_point() && bodies_[j].is_point())) continue;
+    if (!bodies_[i].is_point() && !bodies_[j].is_point()) {
+      join(i, j);
+    } else {
+      const auto [point, body] = bodies_[i].is_point() ? std::pair(i, j) : std::pair(j, i);
+      around[point].push_back(body);
+    }
   }
-  std::vector<std::array<int, 2>> pairs;
   for (const std::vector<int>& list : around) {
     for (int i : list) {
       for (int j : list) {
-        if (i < j && bodies_[i].can_touch(bodies_[j])) pairs.push_back({i, j});
+        if (i < j) join(i, j);
       }
     }
   }
@@ -107,10 +116,9 @@ std::vector<std::array<int, 2>> ContactWorld::pairs_around_points() const {
 
 void ContactWorld::search() {
   contacts_.pairs = find_touching(bodies_, poses_, options_.search, contacts_.pairs);
-  searched_ = true;
   // The pattern and its order of elimination stay as long as no new pair touches.
-  if (around_.empty()) around_ = pairs_around_points();
-  if (contacts_.couple_pairs(around_) || !hessian_) {
+  if (!joined_) joined_ = joined_pairs();
+  if (contacts_.couple_pairs(*joined_) || !hessian_) {
     places_.resize(bodies_.size(), 3);
     for (std::size_t i = 0; i < bodies_.size(); ++i) places_.row(i) = poses_[i].t.transpose();
     make_pattern();
@@ -123,6 +131,7 @@ void ContactWorld::search() {
   }
   for (const RigidMotion& pose : poses_) furthest = std::max(furthest, pose.t.norm());
   rounding_ = 1e-15 * stiffest * furthest;
+  searched_ = true;
 }
 
 double ContactWorld::value(const Poses& poses) const {
@@ -191,7 +200,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       contacts_.closing = false;
       double extra = shift;
       while (!hessian_->factorize(0, weight + extra)) {
-        extra = std::max(4 * extra, 1e-4 * hessian_->mean_diagonal());
+        extra = std::max(1e-4 * hessian_->mean_diagonal(), 4 * extra);
         if (!(extra < 1e12 * (1 + weight))) {
           throw SolverFailure("the forces on bodies in contact are not finite",
                               "check the design's parameters");
@@ -320,42 +329,43 @@ void ContactWorld::begin_path(const Pace& pace) {
   contacts_.forget_corners();
   contacts_.careful = false;
   searched_ = false;
-  convex_ = true;
+  convex_ = 1;
   weight_ = -1;
 }
 
 void ContactWorld::set_convex(double convex) {
-  convex_ = convex;
   contacts_.convex = convex;
   for (const auto& energy : energies_) energy->convex = convex;
 }
 
-// Of bodies that touch or are near, and of those around a point of a membrane.
+// Of bodies that touch or are near, and of those that the energies join. A fixed body's middle may
+// be far away.
 Drag ContactWorld::make_drag() const {
   std::vector<std::array<int, 2>> near, all;
   for (const TouchingPair& pair : contacts_.pairs) near.push_back(pair.body);
-  std::set_union(near.begin(), near.end(), around_.begin(), around_.end(), std::back_inserter(all));
+  std::set_union(near.begin(), near.end(), joined_->begin(), joined_->end(),
+                 std::back_inserter(all));
   std::vector<Drag::Pair> pairs;
   for (const auto& [a, b] : all) {
     if (bodies_[a].fixed || bodies_[b].fixed) continue;
     pairs.push_back({{a, b}, first_.back() + contacts_.coupling({a, b})});
   }
-  return {std::move(pairs), poses_, options_.lever, pace_.lone_drag};
+  return {pairs, poses_, options_.lever, pace_.lone_drag};
 }
 
 // Of the second derivatives at x: as exact as they may be without being indefinite.
-void ContactWorld::factorize(const Poses& x, const Drag& drag, const Motions& so_far,
-                             StepReport& report) {
+void ContactWorld::factorize(const Poses& x, const Drag& drag, double& convex, StepReport& report) {
   Motions unused;
   const double lone = weight_ * drag.lone();
   double extra = 0;  // a density that is not convex may need it all the same
   for (++report.factorizations; !hessian_->factorize(0, lone + extra); ++report.factorizations) {
-    if (convex_ == 1) {
-      extra = std::max(4 * extra, 1e-4 * hessian_->mean_diagonal());
+    if (convex == 1) {
+      extra = std::max(1e-4 * hessian_->mean_diagonal(), 4 * extra);
     } else {
-      set_convex(std::clamp(2 * convex_, least_convex, 1.0));
+      convex = std::clamp(2 * convex, least_convex, 1.0);
+      set_convex(convex);
       gradient(x, unused, hessian_.get());
-      drag.derivatives(so_far, weight_, unused, hessian_.get());
+      drag.derivatives(x, weight_, unused, hessian_.get());
     }
     if (!(extra < 1e12 * (1 + weight_))) {
       throw SolverFailure("the forces on bodies in contact are not finite",
@@ -371,18 +381,24 @@ StepReport ContactWorld::advance() {
   double unit = 1;
   const double lever = options_.lever;
   report.before = report.energy = value(poses_);
-  const double convex = convex_;
+  double convex = convex_;
   set_convex(convex);
   const Drag drag = make_drag();
-  auto stride = [&](const Motions& motions) {
-    return std::max(drag.furthest_apart(motions), largest_row(motions) / pace_.together);
+  // In step limits: of neighbours against one another, or of a body.
+  auto stride = [&](double apart, const Motions& motions) {
+    const double shift = std::sqrt(motions.leftCols<3>().rowwise().squaredNorm().maxCoeff());
+    const double turn = std::sqrt(motions.rightCols<3>().rowwise().squaredNorm().maxCoeff());
+    return std::max({apart / pace_.step_limit, shift / (pace_.together * pace_.step_limit),
+                     turn / (pace_.largest_turn * lever)});
+  };
+  auto covered = [&](const Poses& to) {
+    return stride(drag.furthest_apart(to), motions_between(poses_, to, lever));
   };
   Poses x = poses_;
   int shortened = 0;
   contacts_.careful = false;
   for (int iteration = 0;; ++iteration) {
     contacts_.set_caps(contacts_.caps_at(x));
-    const Motions so_far = motions_between(poses_, x, lever);
     const bool last = iteration == pace_.iterations;
     BlockMatrix<6>* hessian = last ? nullptr : hessian_.get();
     if (hessian) hessian->set_zero();
@@ -400,49 +416,45 @@ StepReport ContactWorld::advance() {
         return report;
       }
     }
-    now += drag.derivatives(so_far, weight_, g, hessian);
+    now += drag.derivatives(x, weight_, g, hessian);
     report.converged = largest_row(g) <= std::max(0.1 * report.residual, pace_.tolerance) * unit;
-    if (report.converged || last || stride(so_far) > pace_.step_limit) break;
+    if (report.converged || last || covered(x) > 1) break;
     ++report.iterations;
-    factorize(x, drag, so_far, report);
+    factorize(x, drag, convex, report);
     const Eigen::MatrixXd solved =
         hessian_->solve(-Eigen::Map<const Eigen::VectorXd>(g.data(), g.size()));
     const Motions way = Eigen::Map<const Motions>(solved.data(), g.rows(), 6);
     const double slope = g.cwiseProduct(way).sum(), blur = 1e-12 * (std::abs(now) + unit * lever);
-    double part = std::min(1.0, pace_.step_limit / std::max(stride(way), 1e-300));
+    const double whole = stride(drag.furthest_apart(x, way), way);
+    double part = std::min(1.0, 1 / std::max(whole, 1e-300));
     shortened += part < 1;
+    bool uphill = false;
     Poses next = moved(x, part * way, lever);
-    int halved = 0;
-    for (; halved < 30; ++halved, ++shortened) {
-      const double moving = drag.value(motions_between(poses_, next, lever), weight_);
-      if (value(next) + moving <= now + 1e-4 * part * slope + blur &&
-          !could_pass(bodies_, poses_, next)) {
-        break;
-      }
+    for (int halved = 0; halved < 30; ++halved, ++shortened) {
+      const bool rises = value(next) + drag.value(next, weight_) > now + 1e-4 * part * slope + blur;
+      if (!rises && !could_pass(bodies_, poses_, next)) break;
+      uphill |= rises;
       part /= 2;
       next = moved(x, part * way, lever);
     }
-    contacts_.careful = halved > 0;
+    contacts_.careful = uphill;
     x = std::move(next);
-    try {
-      checkpoint();
-    } catch (...) {  // it goes on as if this step had not begun
-      set_convex(convex);
-      throw;
-    }
+    checkpoint();
   }
+  const Finishing finishing;
   const Motions motions = motions_between(poses_, x, lever);
   report.motion = largest_row(motions);
   report.weight = weight_;
   report.friction = contacts_.friction_work(x);
+  const double distance = covered(x);
   contacts_.remember(x);
   poses_ = std::move(x);
   searched_ = false;
   report.energy = value(poses_);
   // Steps grow where motion is slow, and hardly where a step was too long for its iterations.
-  weight_ *= std::clamp(1.25 * stride(motions) / pace_.step_limit, shortened > 1 ? 0.7 : 0.25, 4.0);
+  weight_ *= std::clamp(1.25 * distance, shortened > 1 ? 0.7 : 0.25, 4.0);
   weight_ = std::max(weight_, 1e-7 * unit / pace_.step_limit);
-  set_convex(convex_ < least_convex ? 0 : convex_ / 1.4);
+  convex_ = convex < least_convex ? 0 : convex / 1.4;
   ++steps_;
   return report;
 }

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "curveups/contact/contact_energy.hpp"
 #include "curveups/contact/drag.hpp"
@@ -34,13 +35,15 @@ struct WorldOptions {
 
 // How bodies follow a path (ContactWorld::advance).
 struct Pace {
-  // mm: about how far bodies beside one another may move against one another in a step, and how
-  // many times as far a body with those beside it.
-  double step_limit = 1, together = 6;
-  double lone_drag = 0.03;  // as Drag has it
-  int iterations = 3;       // of Newton's method, a step
-  double tolerance = 1e-3;  // forces left on bodies at rest, in the unit of forces
-  SearchOptions search;     // on the way
+  // mm: about how far bodies beside one another may move against one another in a step.
+  double step_limit = 1;
+  // How many times as far a body may move with those beside it.
+  double together = 6;
+  double largest_turn = 0.5;  // of a body in an iteration, rad
+  double lone_drag = 0.03;    // as Drag has it
+  int iterations = 3;         // of Newton's method, a step
+  double tolerance = 1e-3;    // forces left on bodies at rest, in the unit of forces
+  SearchOptions search;       // on the way
 };
 
 struct StepReport {
@@ -124,7 +127,7 @@ class ContactWorld {
 
  private:
   void search();
-  std::vector<std::array<int, 2>> pairs_around_points() const;
+  std::vector<std::array<int, 2>> joined_pairs() const;
   Drag make_drag() const;
   void make_pattern();
   double gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
@@ -133,7 +136,7 @@ class ContactWorld {
   void hold_fixed(Motions& gradient) const;
   double force_unit(const Motions& given) const;
   void set_convex(double convex);
-  void factorize(const Poses& x, const Drag& drag, const Motions& so_far, StepReport& report);
+  void factorize(const Poses& x, const Drag& drag, double& convex, StepReport& report);
   bool minimise(double weight, double scale, Poses& x, StepReport& report);
 
   std::vector<RigidBody> bodies_;
@@ -145,7 +148,7 @@ class ContactWorld {
   std::vector<int> first_;  // couplings of the energies, then those of contacts
   Places places_;           // of the bodies when the pattern was made
   std::unique_ptr<BlockMatrix<6>> hessian_;
-  std::vector<std::array<int, 2>> around_;  // pairs around a point, once searched
+  std::optional<std::vector<std::array<int, 2>>> joined_;  // once searched
   bool searched_ = false, fresh_ = true;
   double convex_ = 0;
   double weight_ = -1;

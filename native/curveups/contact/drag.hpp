@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What resists motion along a path, from where a step begins: mostly that bodies beside one another
-// move against one another, as glue, membranes and walls do, and a little that a body moves at all,
-// as the air does. What moves as one, however far, moves easily, and a single body that runs away
-// does not. A quadratic function of motions.
+// The drag of a step along a path. Bodies beside one another resist each other's motion, as glue,
+// membranes and walls do, and the air resists each body a little. So what moves as one moves
+// easily, and a body alone does not run away. A function of poses, least where the step begins.
 #pragma once
 
 #include "curveups/contact/motion_energy.hpp"
 
 namespace curveups {
+
+// Motions that lead from one to the other, origins straight. Turns of less than half a circle.
+Motions motions_between(const Poses& from, const Poses& to, double lever);
 
 class Drag {
  public:
@@ -17,29 +19,35 @@ class Drag {
     int coupling;
   };
 
-  Drag() = default;
-  // lone: the part of a body by itself, over that of a pair.
-  Drag(std::vector<Pair> pairs, const Poses& from, double lever, double lone);
+  // lone: the drag on a body alone, over that between two.
+  Drag(const std::vector<Pair>& pairs, const Poses& from, double lever, double lone);
 
-  // How far two bodies beside one another move against one another, halfway between them, and turn:
-  // the largest, mm.
-  double furthest_apart(const Motions& motions) const;
-  // weight / 2 (sum |motion of a pair against one another|^2 + lone sum |motion of a body|^2), N
-  // mm, for a weight in N / mm.
-  double value(const Motions& motions, double weight) const;
-  // Adds to the gradient and, where it is not null, to the second derivatives, those of bodies by
-  // themselves excepted: weight * lone on the whole diagonal. Returns the value.
-  double derivatives(const Motions& motions, double weight, Motions& gradient,
+  // How far two bodies beside one another have moved against one another, halfway between them as
+  // the step begins, and turned (times the lever): the largest, mm.
+  double furthest_apart(const Poses& poses) const;
+  // The same for small motions from these poses.
+  double furthest_apart(const Poses& poses, const Motions& motions) const;
+  // weight / 2 (sum of the squares of what pairs have moved and turned against one another + lone
+  // |motions_between|^2), N mm, for a weight in N / mm.
+  double value(const Poses& poses, double weight) const;
+  // Adds to the gradient and, where it is not null, to the second derivatives: convex ones, without
+  // weight * lone, which the caller adds to the whole diagonal. Returns the value.
+  double derivatives(const Poses& poses, double weight, Motions& gradient,
                      BlockMatrix<6>* hessian) const;
   double lone() const { return lone_; }
 
  private:
-  using Relative = Eigen::Matrix<double, 6, 1>;
-  Relative relative(int pair, const Motions& motions) const;
+  struct Joint {
+    Pair pair;
+    std::array<Vec3, 2> point;  // halfway between the bodies, as each of them sees it
+    Eigen::Matrix3d turn;       // of the second body as the first one sees it
+  };
+  static Vec3 gap(const Joint& joint, const Poses& poses);
+  double squares(const Joint& joint, const Poses& poses) const;
 
-  std::vector<Pair> pairs_;
-  std::vector<Vec3> half_;  // from the first body to halfway to the second, over the lever
-  double lone_ = 1;
+  std::vector<Joint> joints_;
+  Poses from_;
+  double lever_, lone_;
 };
 
 }  // namespace curveups

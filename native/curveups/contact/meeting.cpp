@@ -33,6 +33,12 @@ double sag(const Eigen::Matrix3d& turn, double radius) {
   return radius * (1 - std::sqrt(std::clamp(0.25 * (1 + turn.trace()), 0.0, 1.0)));
 }
 
+// How far an origin that moves along a screw can be from its chord: the height of an arc.
+double screw_bulge(const Eigen::Matrix3d& turn, double shift) {
+  const double angle = std::acos(std::clamp(0.5 * (turn.trace() - 1), -1.0, 1.0));
+  return 0.5 * shift * std::tan(0.25 * angle);
+}
+
 struct Way {
   double shift = 0;   // of the origin, mm
   double chord = 0;   // of a point as it turns, over its distance from the origin
@@ -51,7 +57,8 @@ double relative_motion(const RigidBody& b, const RigidMotion& a0, const RigidMot
       radius = std::max({radius, start.norm(), p.norm()});
     }
   }
-  return furthest + sag(a1.R * a0.R.transpose(), radius) + sag(b1.R * b0.R.transpose(), radius);
+  const Eigen::Matrix3d before = a0.R.transpose() * b0.R, after = a1.R.transpose() * b1.R;
+  return furthest + sag(after * before.transpose(), radius);
 }
 
 }  // namespace
@@ -78,11 +85,11 @@ bool could_pass(const std::vector<RigidBody>& bodies, const Poses& from, const P
         }
       }
       const Eigen::Matrix3d turn = last.R * first.R.transpose();
-      const double bulge = sag(turn, radius);
+      const double shift = (last.t - first.t).norm();
+      const double bulge = sag(turn, radius) + screw_bulge(turn, shift);
       low.row(k) = (box.low.array() - bulge).matrix().transpose();
       high.row(k) = (box.high.array() + bulge).matrix().transpose();
-      way[k] = {(last.t - first.t).norm(), std::sqrt(std::max(0.0, 3 - turn.trace())), radius,
-                thickness(body)};
+      way[k] = {shift, std::sqrt(std::max(0.0, 3 - turn.trace())), radius, thickness(body)};
     }
   });
   const auto near = overlapping_boxes(low, high);

@@ -9,7 +9,7 @@ namespace curveups {
 
 // Whether, from one set of poses to the next, two bodies move beside one another by more than half
 // the thickness of the thinner one. What moves by less can't get through without being inside at
-// the end, where a search finds it. Motions go straight and turn evenly.
+// the end, where a search finds it. Bodies move along screws.
 bool could_pass(const std::vector<RigidBody>& bodies, const Poses& from, const Poses& to);
 
 }  // namespace curveups

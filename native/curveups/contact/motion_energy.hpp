@@ -25,8 +25,8 @@ class MotionEnergy {
   virtual double derivatives(const Poses& poses, double lever, Motions& gradient,
                              BlockMatrix<6>* hessian, int first) const = 0;
 
-  // How much of what may be indefinite in how forces turn with bodies second derivatives leave out,
-  // 0 to 1. Descent far from a minimum, where exact ones lead nowhere.
+  // Second derivatives leave out this part, 0 to 1, of what may be indefinite in them: of how
+  // forces turn with bodies. Descent far from a minimum, where exact ones lead nowhere.
   double convex = 0;
 };
 

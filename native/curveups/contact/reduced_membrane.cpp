@@ -174,8 +174,9 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
     out->gradient.segment<3>(at + 3) += turn[c].transpose() * force[c];
     if (!second) continue;
     out->hessian.block<3, 3>(at + 3, at + 3) +=
-        (1 - convex) * turn_curvature(force[c], arm[c], lever) +
-        convex * positive_turn_curvature(force[c], arm[c], lever);
+        convex == 0 ? turn_curvature(force[c], arm[c], lever)
+                    : Eigen::Matrix3d((1 - convex) * turn_curvature(force[c], arm[c], lever) +
+                                      convex * positive_turn_curvature(force[c], arm[c], lever));
   }
   if (!second) return sum;
   for (int c = 0; c < count; ++c) {

@@ -40,15 +40,13 @@ struct RigidBody {
 // Where each body is: the one pose type.
 using Poses = std::vector<RigidMotion>;
 
-// Motions, a row a body: how fast its origin starts to move (mm), and by how much it turns, a
-// rotation vector in world coordinates times `lever`, so that all six are lengths. Each is a screw:
-// bodies that turn as one about whatever axis stay as they are to one another.
+// Small motions, a row a body: how far its origin moves (mm), and by how much it turns, a rotation
+// vector in world coordinates times `lever`, so that all six are lengths.
 using Motions = BlockVector<6>;
 
-// The poses after these motions. Rows of zeros leave a pose as it is, bit by bit.
+// The poses after these motions, along screws: bodies that turn as one about whatever axis stay as
+// they are to one another. Rows of zeros leave a pose as it is, bit by bit.
 Poses moved(const Poses& poses, const Motions& motions, double lever);
-// The motions that lead from one to the other: the inverse, for turns of less than half a circle.
-Motions motions_between(const Poses& from, const Poses& to, double lever);
 
 // The skew-symmetric matrix S of v: S x = v x x.
 Eigen::Matrix3d skew(const Vec3& v);

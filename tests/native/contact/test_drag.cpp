@@ -36,54 +36,102 @@ double largest_difference(const Poses& a, const Poses& b) {
   return most;
 }
 
-TEST(Motions, LeadFromOnePoseToTheOther) {
+Drag some_drag(const Poses& from, double lone) {
+  return {{{{0, 1}, 0}, {{1, 2}, 1}, {{1, 3}, 2}}, from, lever, lone};
+}
+
+TEST(Motions, BodiesThatTurnAsOneStayAsTheyAreToOneAnother) {
   const Poses from = some_poses();
-  for (double size : {1e-9, 1e-5, 1e-3, 1.0, 5.0}) {
-    const Motions motions = size * Motions::Random(4, 6);
-    const Poses to = moved(from, motions, lever);
-    EXPECT_LT((motions_between(from, to, lever) - motions).norm(), 1e-7 * size + 1e-13) << size;
-    EXPECT_LT(largest_difference(moved(from, motions_between(from, to, lever), lever), to), 1e-11);
+  for (double angle : {1e-5, 1e-3, 0.5, 2.5}) {
+    // The velocity of each origin, about the common axis.
+    const Vec3 turn = angle * Vec3(1, 1, -2).normalized(), centre(-80, 20, 5);
+    Motions motions(4, 6);
+    for (int i = 0; i < 4; ++i) {
+      motions.row(i) << turn.cross(from[i].t - centre).transpose(), lever * turn.transpose();
+    }
+    EXPECT_LT(largest_difference(moved(from, motions, lever), turned(from, angle)), 1e-12) << angle;
   }
-  const Poses far = turned(from, 2.5);
-  EXPECT_LT(largest_difference(moved(from, motions_between(from, far, lever), lever), far), 1e-10);
 }
 
-TEST(Motions, HalfAWayOfBodiesThatTurnAsOneLeavesThemAsTheyAre) {
+TEST(Drag, HasExactDerivativesAwayFromWhereItBegan) {
   const Poses from = some_poses();
-  const Motions whole = motions_between(from, turned(from, 1.0), lever);
-  EXPECT_LT(largest_difference(moved(from, 0.5 * whole, lever), turned(from, 0.5)), 1e-12);
-}
-
-TEST(Drag, HasExactDerivatives) {
-  const Poses from = some_poses();
-  const std::vector<Coupling> couplings{{0, 1}, {1, 2}, {3, 1}};
+  const std::vector<Coupling> couplings{{0, 1}, {1, 2}, {1, 3}};
   BlockMatrix<6> hessian(std::make_shared<const BlockPattern>(std::vector<char>(4, 1), couplings));
-  const Drag drag({{{0, 1}, 0}, {{1, 2}, 1}, {{3, 1}, 2}}, from, lever, 0.03);
-  const Motions at = Motions::Random(4, 6), d = Motions::Random(4, 6);
-  Motions gradient = Motions::Zero(4, 6);
-  hessian.set_zero();
-  EXPECT_NEAR(drag.derivatives(at, 5, gradient, &hessian), drag.value(at, 5), 1e-12);
-  // Quadratic: differences are exact.
-  const double forward = drag.value(at + d, 5), backward = drag.value(at - d, 5);
-  EXPECT_NEAR(gradient.cwiseProduct(d).sum(), 0.5 * (forward - backward), 1e-10);
-  const Eigen::VectorXd flat = Eigen::Map<const Eigen::VectorXd>(d.data(), d.size());
-  const double second = flat.dot(hessian.multiply(flat).col(0)) + 5 * 0.03 * d.squaredNorm();
-  EXPECT_NEAR(second, forward - 2 * drag.value(at, 5) + backward, 1e-10);
+  const Drag drag = some_drag(from, 0.03);
+  for (double far : {0.0, 0.3}) {  // rad, and as one by far more
+    const Poses at = moved(turned(from, 3 * far), far * lever * Motions::Random(4, 6), lever);
+    const Motions d = Motions::Random(4, 6);
+    Motions gradient = Motions::Zero(4, 6);
+    hessian.set_zero();
+    EXPECT_NEAR(drag.derivatives(at, 5, gradient, &hessian), drag.value(at, 5), 1e-10);
+    auto along = [&](double h) { return drag.value(moved(at, h * d, lever), 5); };
+    const double h = 1e-5;
+    EXPECT_NEAR(gradient.cwiseProduct(d).sum(), (along(h) - along(-h)) / (2 * h),
+                1e-8 * (1 + gradient.norm()));
+    if (far > 0) continue;
+    const Eigen::VectorXd flat = Eigen::Map<const Eigen::VectorXd>(d.data(), d.size());
+    const double product = flat.dot(hessian.multiply(flat).col(0)) + 5 * 0.03 * d.squaredNorm();
+    const double g = 1e-3;
+    EXPECT_NEAR(product, (along(g) - 2 * along(0) + along(-g)) / (g * g), 1e-5 * product);
+  }
 }
 
-TEST(Drag, HardlyResistsWhatMovesAsOne) {
+TEST(Drag, OfNeighboursNeitherMovesNorTurnsThePiece) {
   const Poses from = some_poses();
-  const Drag drag({{{0, 1}, 0}, {{1, 2}, 1}, {{2, 3}, 2}}, from, lever, 0);
-  const Motions together = motions_between(from, turned(from, 0.3), lever);
-  EXPECT_GT(together.row(0).head<3>().norm(), 20);
-  EXPECT_LT(drag.furthest_apart(together), 1e-12);
-  EXPECT_LT(drag.value(together, 5), 1e-20);
+  const Poses at = moved(turned(from, 1), lever * Motions::Random(4, 6), lever);
+  Motions gradient = Motions::Zero(4, 6);
+  some_drag(from, 0).derivatives(at, 5, gradient, nullptr);
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 f = gradient.row(i).head<3>(), m = lever * gradient.row(i).tail<3>().transpose();
+    force += f;
+    torque += m + at[i].t.cross(f);
+  }
+  EXPECT_GT(gradient.norm(), 1);
+  EXPECT_LT(force.norm(), 1e-12 * gradient.norm());
+  EXPECT_LT(torque.norm(), 1e-10 * gradient.norm());
+}
+
+TEST(Drag, DoesNotResistWhatMovesAsOne) {
+  const Poses from = some_poses(), far = turned(from, 1.2);
+  const Drag drag = some_drag(from, 0);
+  EXPECT_GT((far[0].t - from[0].t).norm(), 50);
+  EXPECT_LT(drag.furthest_apart(far), 1e-6);
+  EXPECT_LT(drag.value(far, 5), 1e-11);
   // One that turns by 0.1 about halfway to its neighbour.
-  Motions alone = Motions::Zero(4, 6);
-  const Vec3 turn(0.06, 0, 0.08), to_half = 0.5 * (from[1].t - from[0].t);
-  alone.row(0) << -turn.cross(to_half).transpose(), lever * turn.transpose();
-  EXPECT_NEAR(drag.furthest_apart(alone), lever * 0.1, 1e-12);
-  EXPECT_NEAR(drag.value(alone, 5), 0.5 * 5 * 0.09, 1e-12);
+  Poses alone = from;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.1, Vec3(0.6, 0, 0.8)).matrix();
+  const Vec3 half = 0.5 * (from[0].t + from[1].t);
+  alone[0] = {turn * from[0].R, half + turn * (from[0].t - half)};
+  const double chord = 2 * lever * std::sin(0.05);
+  EXPECT_NEAR(drag.furthest_apart(alone), chord, 1e-9);
+  EXPECT_NEAR(drag.value(alone, 5), 0.5 * 5 * chord * chord, 1e-9);
+  const Motions little = 1e-6 * Motions::Random(4, 6);
+  EXPECT_NEAR(drag.furthest_apart(from, little) / drag.furthest_apart(moved(from, little, lever)),
+              1, 1e-3);
+}
+
+TEST(Drag, BodiesOnAPathGoFurtherTogetherThanOneBesideTheOther) {
+  const Pace pace;
+  for (bool together : {false, true}) {
+    Scene scene;
+    scene.add(box(10, 10, 2, {0, 0}), false);
+    scene.add(box(10, 10, 2, {10, 0}), false);
+    scene.load(0, {-1, 0, 0});
+    scene.load(1, {together ? -1.0 : 1.0, 0, 0});
+    auto world = scene.world(0.5);
+    world->begin_path(pace);
+    // Later, they are beside one another no more.
+    double furthest = world->advance().motion;
+    if (!together) {
+      EXPECT_GT(furthest, 0.2 * pace.step_limit);
+      EXPECT_LT(furthest, pace.step_limit);
+      continue;
+    }
+    for (int k = 0; k < 12; ++k) furthest = std::max(furthest, world->advance().motion);
+    EXPECT_GT(furthest, pace.together * pace.step_limit);
+    EXPECT_LE(furthest, 2 * pace.together * pace.step_limit * (1 + 1e-9));
+  }
 }
 
 }  // namespace
