@@ -1656,6 +1656,10 @@
       <translation>hinterer Zapfen</translation>
     </message>
     <message>
+      <source>begin at a frame that has one</source>
+      <translation>bei einem Bild anfangen, das eines hat</translation>
+    </message>
+    <message>
       <source>begin flat, with answers and hands, or name no tiles</source>
       <translation>flach beginnen, mit Antworten und Händen, oder keine Kacheln nennen</translation>
     </message>
@@ -3636,6 +3640,10 @@
       <translation>das Bild hat Lagen von {0} Kacheln, der Entwurf hat {1}</translation>
     </message>
     <message>
+      <source>the frame that it begins at has no memory that this design can use: contacts forget what friction held, and it may end elsewhere than the path that came by there</source>
+      <translation>Das Bild, bei dem es anfängt, hat kein Gedächtnis, das zu diesem Entwurf passt: Kontakte vergessen, was die Reibung hielt, und es kann anderswo enden als der Lauf, der dort vorbeikam</translation>
+    </message>
+    <message>
       <source>the frame's memory is not of this design</source>
       <translation>das Gedächtnis des Bildes gehört nicht zu diesem Entwurf</translation>
     </message>
@@ -4282,14 +4290,6 @@
     <message>
       <source>whether it arrives is not known: it was stopped</source>
       <translation>Ob das Stück von selbst in seine Form kommt, ist nicht bekannt: der Lauf wurde angehalten</translation>
-    </message>
-    <message>
-      <source>the frame that it begins at has no memory that this design can use: contacts forget what friction held, and it may end elsewhere than the path that came by there</source>
-      <translation>Das Bild, bei dem es anfängt, hat kein Gedächtnis, das zu diesem Entwurf passt: Kontakte vergessen, was die Reibung hielt, und es kann anderswo enden als der Lauf, der dort vorbeikam</translation>
-    </message>
-    <message>
-      <source>begin at a frame that has one</source>
-      <translation>bei einem Bild anfangen, das eines hat</translation>
     </message>
     <message>
       <source>whether it arrives is not known: the tiles do not come to rest</source>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The path of a piece from any poses of its tiles to where it comes to rest. It is overdamped, as
 // membranes are slow and tiles light: neighbours resist one another with a drag of 1 N s / mm
-// (contact/drag), and friction holds them as Coulomb's law says (ContactWorld::advance). Stored energy falls by what drag and friction
-// take. All tiles that touch are equally stiff, so that corners do not sink into one another.
+// (contact/drag), and friction holds them as Coulomb's law says (ContactWorld::advance). Stored
+// energy falls by what drag and friction take. All tiles that touch are equally stiff, so that
+// corners do not sink into one another.
 #pragma once
 
 #include "curveups/contact/tile_world.hpp"
