@@ -40,6 +40,8 @@ void visit(Numbers& all, ContactWorld::PathState& path) {
   for (TouchingPair& pair : path.state.pairs) {
     for (int& body : pair.body) all.integer(body);
     for (int& face : pair.face) all.integer(face);
+    for (int& face : pair.earlier) all.integer_or_none(face);
+    all.integer(pair.turns);
     all.count(pair.touches);
     for (Touch& touch : pair.touches) {
       all.integer(touch.of);
@@ -65,6 +67,7 @@ struct Writer {
 
   void scalar(double& value, double, double) { out.push_back(value); }
   void integer(int& value) { out.push_back(value); }
+  void integer_or_none(int& value) { out.push_back(value); }
   int checked(int rows) const { return rows; }
   template <class List>
   void count(List& list) {
@@ -92,6 +95,13 @@ struct Reader {
     const double number = next();
     if (!(number >= 0 && number <= 1e9) || number != std::floor(number)) refuse();
     value = static_cast<int>(number);
+  }
+  void integer_or_none(int& value) {
+    if (at < in.size() && in(at) == -1) {
+      value = static_cast<int>(next());
+    } else {
+      integer(value);
+    }
   }
   // No more than there are numbers left.
   int checked(int rows) const {

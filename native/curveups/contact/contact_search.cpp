@@ -79,18 +79,23 @@ class PairSearch {
 
   // No touches where the two are too far apart.
   TouchingPair run(const TouchingPair* before) const {
-    TouchingPair out{body_, {-1, -1}, {}, -1};
+    TouchingPair out{body_, {-1, -1}, {}};
     const std::array<Separation, 2> best = {best_face(of(0), at(0), of(1), at(1), options_.reach),
                                             best_face(of(1), at(1), of(0), at(0), options_.reach)};
     const int first = best[1].distance > best[0].distance + 1e-9 ? 1 : 0, second = 1 - first;
     if (best[first].distance > options_.reach) return out;
-    if (before && good(*before) && still_part(*before, best[first].distance)) return *before;
-    out.face[first] = best[first].face;
-    const BodySurface& reference = of(first).faces[out.face[first]];
-    out.face[second] = opposite_face(of(second), at(second), at(first).R * reference.normal);
-    if (out.face[second] < 0) return out;
+    if (before && still_part(*before, best[first].distance)) {
+      out.face = before->face;
+    } else {
+      out.face[first] = best[first].face;
+      const Vec3 normal = at(first).R * of(first).faces[out.face[first]].normal;
+      out.face[second] = opposite_face(of(second), at(second), normal);
+      if (out.face[second] < 0) return out;
+    }
     if (before && before->face == out.face && good(*before)) return *before;
+    if (before) remember_faces(*before, out);
 
+    const BodySurface& reference = of(first).faces[out.face[first]];
     const BodySurface& facing = of(second).faces[out.face[second]];
     take_tips(first, reference, facing, out);
     if (out.touches.empty()) clip_outlines(first, reference, facing, out);
@@ -118,13 +123,19 @@ class PairSearch {
   // Whether the faces that touched part the bodies nearly as well as the best do.
   bool still_part(const TouchingPair& pair, double best) const {
     if (!(options_.face_margin > 0)) return false;
+    const double margin = options_.face_margin * (1 << std::min(pair.turns, 5));
     for (int k = 0; k < 2; ++k) {
-      if (separation(of(k).faces[pair.face[k]], at(k), of(1 - k), at(1 - k)) >
-          best - options_.face_margin) {
+      if (separation(of(k).faces[pair.face[k]], at(k), of(1 - k), at(1 - k)) > best - margin) {
         return true;
       }
     }
     return false;
+  }
+
+  static void remember_faces(const TouchingPair& before, TouchingPair& out) {
+    const bool stay = out.face == before.face;
+    out.earlier = stay ? before.earlier : before.face;
+    out.turns = before.turns + (!stay && out.face == before.earlier);
   }
 
   void add(int who, const Vec3& point, const BodySurface& face, double stiffness,

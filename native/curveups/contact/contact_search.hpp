@@ -42,6 +42,9 @@ struct TouchingPair {
   std::array<int, 2> face;
   std::vector<Touch> touches;
   int coupling = -1;  // its number among the pairs that are coupled (ContactEnergy)
+  // The faces that touched before these, and how often they took turns with these.
+  std::array<int, 2> earlier = {-1, -1};
+  int turns = 0;
 };
 
 struct SearchOptions {
@@ -51,7 +54,8 @@ struct SearchOptions {
   // N / mm, of every pair whose outlines touch; 0: as the materials are, by the area that touches.
   double pair_stiffness = 0;
   // Faces that touched stay those that touch until others part the bodies better by more than this,
-  // mm: without it, bodies that touch in a corner could change faces for ever.
+  // mm, and by twice as much whenever two took turns (at most 32 times as much): without it, bodies
+  // that touch in a corner could change faces for ever.
   double face_margin = 0;
 };
 

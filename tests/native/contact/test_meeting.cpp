@@ -113,6 +113,30 @@ TEST(ContactSearch, FacesThatTouchedStayWithinTheMargin) {
   }
 }
 
+// The same, to and fro: each return to the faces before makes the pair slower to change.
+TEST(ContactSearch, FacesDoNotTakeTurnsForEver) {
+  Scene scene;
+  scene.add(box(10, 10, 10, {0, 0}), true);
+  scene.add(box(10, 10, 10, {9.9, 9.95}), false);
+  SearchOptions options;
+  for (double margin : {0.0, 0.005}) {
+    options.face_margin = margin;
+    auto pairs = find_touching(scene.bodies, scene.poses, options, {});
+    int changes = 0, late = 0;
+    for (int k = 0; k < 40; ++k) {
+      const double to = k % 2 ? -1 : 1;
+      scene.poses[1].t += to * Vec3(0.06, 0, -0.05);
+      const auto face = pairs[0].face;
+      pairs = find_touching(scene.bodies, scene.poses, options, pairs);
+      ASSERT_EQ(pairs.size(), 1u);
+      changes += pairs[0].face != face;
+      late += k >= 20 && pairs[0].face != face;
+    }
+    EXPECT_GE(changes, 2) << margin;
+    EXPECT_EQ(late, margin > 0 ? 0 : 20);
+  }
+}
+
 TEST(ContactSearch, PairsAreEquallyStiffWhereThatIsAskedFor) {
   Scene scene;
   scene.add(box(10, 10, 10, {0, 0}), true);
