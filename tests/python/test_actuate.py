@@ -39,7 +39,7 @@ FILES = {"frames.json", "frames.fold", "actuation.html", "small-cap-settled.step
 def risen(curveups, printed, tmp_path_factory):
     folder = tmp_path_factory.mktemp("risen")
     source = printed.folder / "design.json"
-    ran = curveups("actuate", source, "-o", folder, "--set", "bumps=none", "friction_coefficient=0.2")
+    ran = curveups("actuate", source, "-o", folder, "--set", "bumps=none", "friction_coefficient=0.6")
     read = {name: json.loads((folder / name).read_text("utf-8"))
             for name in ("actuation.json", "frames.json", "frames.fold")}
     design = native.read_design(source.read_text("utf-8"))
@@ -55,7 +55,7 @@ def test_the_answer_and_its_status_agree(risen):
     assert block["converged"] and risen.ran.status == (0 if block["arrives"] else 1)
     assert block["arrives"] == (block["shortfall_mm"] <= block["tolerance_mm"] and not block["open_contacts"])
     friction = [one["friction_coefficient"] for one in block["sampled"]]
-    assert friction[0] == 0 and friction[-1] == 0.2 and friction == sorted(friction)
+    assert friction[0] == 0 and friction[-1] == 0.6 and friction == sorted(friction)
     reached = [one["friction_coefficient"] for one in block["sampled"] if one["arrives"]]
     assert block["reach_friction"] == (max(reached) if reached else None)
     assert block["scan_frictionless"] == block["sampled"][0]["scan"]
@@ -145,7 +145,7 @@ def test_hands_go_on_where_the_path_ends(risen):
 
 def test_chosen_tiles_are_pressed_and_the_answer_says_how_far_that_leads(risen, curveups, tmp_path):
     ran = curveups("actuate", risen.source, "-o", tmp_path, "--press", "T00007, T00003", "--force", "1.5",
-                   "--set", "bumps=none", "friction_coefficient=0.2", "hold_tolerance=0.01")
+                   "--set", "bumps=none", "friction_coefficient=0.6", "hold_tolerance=0.01")
     answer, frames = (json.loads((tmp_path / name).read_text("utf-8"))
                       for name in ("actuation.json", "frames.json"))
     block, found = answer["actuation"], answer["actuation"]["by_hand"]
@@ -164,7 +164,7 @@ def test_chosen_tiles_are_pressed_and_the_answer_says_how_far_that_leads(risen, 
 
 def test_tiles_that_were_chosen_in_another_design_are_not_pressed(risen):
     parameters = native.Parameters(risen.design.parameters)
-    for name, value in {"bumps": "none", "friction_coefficient": 0.2, "hold_tolerance": 0.01}.items():
+    for name, value in {"bumps": "none", "friction_coefficient": 0.6, "hold_tolerance": 0.01}.items():
         parameters.set(name, value)
     project = Project.of_design(risen.design.with_parameters(parameters))
     project.give(START, ActuationStart(hands=True, press=(3,), of="another"))
@@ -206,7 +206,7 @@ def test_the_former_is_that_of_the_kit(risen):
 
 def test_without_hands_nothing_is_said_of_them(risen, curveups, tmp_path):
     curveups("actuate", risen.source, "-o", tmp_path, "--no-hands", "--set", "bumps=none",
-             "friction_coefficient=0.2")
+             "friction_coefficient=0.6")
     answer = json.loads((tmp_path / "actuation.json").read_text("utf-8"))
     assert "hands" not in answer["actuation"] and "hands" not in json.loads(
         (tmp_path / "frames.json").read_text("utf-8"))
@@ -309,7 +309,7 @@ def test_the_step_file_has_the_tiles_where_the_path_ends(risen):
 
 
 def test_a_frame_is_gone_on_from(risen, curveups, tmp_path):
-    ran = curveups("actuate", risen.source, "-o", tmp_path, "--set", "bumps=none", "friction_coefficient=0.2",
+    ran = curveups("actuate", risen.source, "-o", tmp_path, "--set", "bumps=none", "friction_coefficient=0.6",
                    "--from", f"{risen.folder / 'frames.json'}:1")
     answer = json.loads((tmp_path / "actuation.json").read_text("utf-8"))
     assert answer["actuation"]["converged"] and ran.status in (0, 1)
@@ -393,7 +393,7 @@ def project(risen):
     found = Project.of_design(risen.design)
     parameters = found.parameters
     parameters.set("bumps", "none")
-    parameters.set("friction_coefficient", 0.2)
+    parameters.set("friction_coefficient", 0.6)
     found.parameters = parameters
     found.give(START, ActuationStart(hands=True))
     found.run(asked_by("actuate"))
@@ -519,7 +519,7 @@ def test_a_path_that_was_stopped_goes_on_as_it_would_have(risen, project, tmp_pa
 
 
 def test_a_path_that_ended_goes_on_from_its_last_frame(risen, curveups, tmp_path):
-    curveups("actuate", risen.source, "-o", tmp_path, "--set", "bumps=none", "friction_coefficient=0.2",
+    curveups("actuate", risen.source, "-o", tmp_path, "--set", "bumps=none", "friction_coefficient=0.6",
              "--from", risen.folder / "frames.json")
     block = json.loads((tmp_path / "actuation.json").read_text("utf-8"))["actuation"]
     assert block["steps"] == 0 and block["energy_n_mm"] == risen.answer["actuation"]["energy_n_mm"]
@@ -533,7 +533,7 @@ def test_a_memory_that_is_damaged_is_refused(risen, curveups, tmp_path, spoil):
     data["frames"][-1]["memory"] = spoil(data["frames"][-1]["memory"])
     (tmp_path / "frames.json").write_text(json.dumps(data), "utf-8")
     ran = curveups("actuate", risen.source, "-o", tmp_path / "out", "--from", tmp_path / "frames.json",
-                   "--set", "bumps=none", "friction_coefficient=0.2")
+                   "--set", "bumps=none", "friction_coefficient=0.6")
     assert ran.status == 2 and ran.err.splitlines()[-1].startswith("curveups: error: "), ran.err
     assert not (tmp_path / "out").exists()
 
@@ -554,7 +554,7 @@ def test_a_stop_keeps_the_path_so_far(risen):
 def helped(risen, curveups, tmp_path_factory):
     folder = tmp_path_factory.mktemp("helped")
     ran = curveups("actuate", risen.source, "-o", folder, "--no-hands", "--try-changes",
-                   "--set", "bumps=none", "friction_coefficient=0.2")
+                   "--set", "bumps=none", "friction_coefficient=0.6")
     answer = json.loads((folder / "actuation.json").read_text("utf-8"))
     return SimpleNamespace(folder=folder, ran=ran, help=answer["actuation"].pop("help"), answer=answer)
 
@@ -566,7 +566,7 @@ def test_changes_are_tried_beside_the_same_path(risen, helped):
     for name in ("friction_coefficient", "d_gap_min", "H_body", "bumps"):
         assert [change for change in changed if list(change) == [name]], name
     before = {name: risen.design.parameters.get(name) for name in ("d_gap_min", "H_body")}
-    for name, value in (("friction_coefficient", 0.2), ("bumps", "none"), *before.items()):
+    for name, value in (("friction_coefficient", 0.6), ("bumps", "none"), *before.items()):
         assert all(change.get(name) != value for change in changed)
     assert len({json.dumps(change, sort_keys=True) for change in changed}) == len(changed)
     nearer = [one["what"] for one in helped.help
@@ -578,7 +578,7 @@ def test_a_change_is_judged_as_the_design_made_with_it_is(risen, helped):
     for name in ("friction_coefficient", "H_body"):
         said = next(one for one in helped.help if list(one["change"]) == [name])
         values = native.Parameters(risen.design.parameters)
-        for key, value in {"bumps": "none", "friction_coefficient": 0.2, **said["change"]}.items():
+        for key, value in {"bumps": "none", "friction_coefficient": 0.6, **said["change"]}.items():
             values.set(key, value)
         design = risen.design.with_parameters(values)
         if name == "H_body":
@@ -696,7 +696,7 @@ RELEASED = {"together": ["both off", "cut out"], "front-first": ["front off", "b
 
 def actuated_with(curveups, source, folder, *options, **more):
     ran = curveups("actuate", source, "-o", folder, *options, "--set", "bumps=none",
-                   "friction_coefficient=0.2", **more)
+                   "friction_coefficient=0.6", **more)
     assert ran.status in (0, 1), ran.err
     return [json.loads((folder / name).read_text("utf-8")) for name in ("actuation.json", "frames.json")]
 

@@ -66,7 +66,7 @@ def _legend(marks: Mapping[int, list[int]]) -> str:
         return ""
     seen = set().union(*marks.values())
     entries = "".join(f'<span style="color:hsl({hue[0]},{hue[1]}%,50%)">&#9632;</span> {what}, '
-                      for mark, (hue, what) in _MARKS.items() if mark in seen)
+                      for mark, (hue, what) in _MARKS.items() if mark in seen or 3 in seen)
     frames = ", ".join(str(frame + 1) for frame in marks)
     return f'<p class="note">{entries}where the piece comes to rest: frame {frames}</p>'
 
