@@ -86,15 +86,14 @@ double Drag::derivatives(const Poses& poses, double weight, Motions& gradient,
       [&](int k, MotionDerivatives<2>& out) {
         const Joint& joint = joints_[k];
         const auto& [a, b] = joint.pair.body;
-        const Eigen::Matrix3d &Ra = poses[a].R, &Rb = poses[b].R;
+        const Eigen::Matrix3d turn = poses[b].R * joint.turn.transpose() * poses[a].R.transpose();
         Eigen::Matrix<double, 3, 12> J;
         J << point_jacobian(poses[a], joint.point[0], lever_),
             -point_jacobian(poses[b], joint.point[1], lever_);
         out.value = squares(joint, poses);
         out.gradient = weight * J.transpose() * gap(joint, poses);
         // By turns of the first body the square of the chord changes along this.
-        const Vec3 turned =
-            -0.5 * weight * lever_ * axial(Rb * joint.turn.transpose() * Ra.transpose());
+        const Vec3 turned = -0.5 * weight * lever_ * axial(turn);
         out.gradient.segment<3>(3) += turned;
         out.gradient.segment<3>(9) -= turned;
         if (!hessian) return;
