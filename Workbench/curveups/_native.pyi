@@ -7,6 +7,7 @@ from typing import overload
 import numpy
 import numpy.typing
 COLOURS: dict
+MEMORY_FORMAT: int
 
 class ActuatedDesign:
     def __init__(self, *args, **kwargs) -> None: ...

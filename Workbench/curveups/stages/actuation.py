@@ -18,7 +18,6 @@ from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
 
 HANDS = "Before hands press, from two sides. They press the tiles in red to their places, as the arrows show."
 MOST_PAIRS = 8    # that are named; the hardest
-_MEMORIES = "2"  # which ones: those of earlier versions are of no use
 MOST_TOUCHES = 6  # that are named; more are a matter of a former
 
 
@@ -151,7 +150,7 @@ def path_digest(design: Any) -> str:
     own, defaults = native.Parameters(design.parameters), native.Parameters()
     for name in ("friction_coefficient", "hold_tolerance"):
         own.set(name, defaults.get(name))
-    return digest(_MEMORIES, native.write_design(design.with_parameters(own)))
+    return digest(native.MEMORY_FORMAT, native.write_design(design.with_parameters(own)))
 
 
 def tiles_digest(design: Any) -> str:

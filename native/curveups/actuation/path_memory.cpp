@@ -9,7 +9,6 @@
 namespace curveups {
 namespace {
 
-constexpr double format = 2;           // of what follows
 constexpr double largest_place = 1e8;  // mm
 constexpr double any = std::numeric_limits<double>::infinity();
 
@@ -40,7 +39,11 @@ void visit(Numbers& all, ContactWorld::PathState& path) {
   for (TouchingPair& pair : path.state.pairs) {
     for (int& body : pair.body) all.integer(body);
     for (int& face : pair.face) all.integer(face);
-    for (int& face : pair.earlier) all.integer_or_none(face);
+    for (int& face : pair.earlier) {
+      int number = face + 1;  // -1: none
+      all.integer(number);
+      face = number - 1;
+    }
     all.integer(pair.turns);
     all.count(pair.touches);
     for (Touch& touch : pair.touches) {
@@ -67,7 +70,6 @@ struct Writer {
 
   void scalar(double& value, double, double) { out.push_back(value); }
   void integer(int& value) { out.push_back(value); }
-  void integer_or_none(int& value) { out.push_back(value); }
   int checked(int rows) const { return rows; }
   template <class List>
   void count(List& list) {
@@ -95,13 +97,6 @@ struct Reader {
     const double number = next();
     if (!(number >= 0 && number <= 1e9) || number != std::floor(number)) refuse();
     value = static_cast<int>(number);
-  }
-  void integer_or_none(int& value) {
-    if (at < in.size() && in(at) == -1) {
-      value = static_cast<int>(next());
-    } else {
-      integer(value);
-    }
   }
   // No more than there are numbers left.
   int checked(int rows) const {
@@ -140,7 +135,7 @@ Eigen::VectorXd packed(ContactWorld::PathState state) {
   for (const TouchingPair& pair : state.state.pairs) touches += pair.touches.size();
   Writer all;
   all.out.reserve(32 * (touches + state.state.pairs.size() + state.state.poses.size()));
-  all.out.push_back(format);
+  all.out.push_back(memory_format);
   visit(all, state);
   return Eigen::Map<const Eigen::VectorXd>(all.out.data(),
                                            static_cast<Eigen::Index>(all.out.size()));
@@ -149,7 +144,7 @@ Eigen::VectorXd packed(ContactWorld::PathState state) {
 ContactWorld::PathState unpacked(const Eigen::VectorXd& numbers, const ContactWorld& world) {
   const std::vector<RigidBody>& bodies = world.bodies();
   Reader all{numbers};
-  if (all.next() != format) refuse();
+  if (all.next() != memory_format) refuse();
   ContactWorld::PathState path;
   visit(all, path);
   const std::size_t count = bodies.size();

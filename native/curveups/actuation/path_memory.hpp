@@ -7,6 +7,9 @@
 
 namespace curveups {
 
+// Of these numbers: others are of earlier versions.
+inline constexpr int memory_format = 3;
+
 // In the order in which the source writes them. Some are infinite.
 Eigen::VectorXd packed(ContactWorld::PathState state);
 

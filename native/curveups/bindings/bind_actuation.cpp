@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // From flat to shape: paths of a piece, and what they answer.
 #include "curveups/actuation/actuated_design.hpp"
+#include "curveups/actuation/path_memory.hpp"
 #include "curveups/bindings/bindings.hpp"
 #include "curveups/bindings/scan_block.hpp"
 
@@ -133,6 +134,7 @@ std::vector<Eigen::VectorXd> memories(const ActuatedDesign& found) {
 }  // namespace
 
 void bind_actuation(py::module_& module) {
+  module.attr("MEMORY_FORMAT") = memory_format;  // of the memories of frames
   py::class_<ActuatedDesign>(module, "ActuatedDesign", "How a design gets from flat to shape.")
       .def_readonly("arrives", &ActuatedDesign::arrives,
                     "Whether it arrives by itself; None without an answer.")

@@ -44,7 +44,7 @@ class ContactEnergy : public MotionEnergy {
   // Lets these (ascending) and all that touch have their place among the pairs that are coupled.
   // Whether there are new ones.
   bool couple_pairs(const std::vector<std::array<int, 2>>& others = {});
-  // The place of such a pair.
+  // The place of a pair that is coupled.
   int coupling(const std::array<int, 2>& pair) const;
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;

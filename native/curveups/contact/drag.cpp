@@ -7,26 +7,6 @@
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {
-namespace {
-
-Vec3 axial(const Eigen::Matrix3d& R) {
-  return {R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)};
-}
-
-}  // namespace
-
-Motions motions_between(const Poses& from, const Poses& to, double lever) {
-  Motions out(from.size(), 6);
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const Eigen::Matrix3d turn = to[i].R * from[i].R.transpose();
-    const Vec3 axis = axial(turn);
-    const double sine = 0.5 * axis.norm(), angle = std::atan2(sine, 0.5 * (turn.trace() - 1));
-    const double factor = sine > 1e-9 ? angle / (2 * sine) : 0.5;
-    out.row(i) << (to[i].t - from[i].t).transpose(), lever * factor * axis.transpose();
-  }
-  return out;
-}
-
 Drag::Drag(const std::vector<Pair>& pairs, const Poses& from, double lever, double lone)
     : from_(from), lever_(lever), lone_(lone) {
   joints_.reserve(pairs.size());
@@ -93,7 +73,7 @@ double Drag::derivatives(const Poses& poses, double weight, Motions& gradient,
         out.value = squares(joint, poses);
         out.gradient = weight * J.transpose() * gap(joint, poses);
         // By turns of the first body the square of the chord changes along this.
-        const Vec3 turned = -0.5 * weight * lever_ * axial(turn);
+        const Vec3 turned = -0.5 * weight * lever_ * twice_axial_vector(turn);
         out.gradient.segment<3>(3) += turned;
         out.gradient.segment<3>(9) -= turned;
         if (!hessian) return;

@@ -8,9 +8,6 @@
 
 namespace curveups {
 
-// Motions that lead from one to the other, origins straight. Turns of less than half a circle.
-Motions motions_between(const Poses& from, const Poses& to, double lever);
-
 class Drag {
  public:
   // Two bodies beside one another, and the number of their coupling in a matrix's pattern.

@@ -63,7 +63,7 @@ MotionDerivatives<2> PairLoads::of_pair(int begin, int end, const Poses& poses, 
   force = one.R * force;
   G = one.R * G * other.R.transpose();
   const Vec3 r = other.t - one.t;
-  const Vec3 torque(G(2, 1) - G(1, 2), G(0, 2) - G(2, 0), G(1, 0) - G(0, 1));  // sum a x f
+  const Vec3 torque = twice_axial_vector(G);  // sum a x f
   MotionDerivatives<2> out;
   out.value = -force.dot(r) - G.trace();
   out.gradient << force, (torque + r.cross(force)) / lever, -force, -torque / lever;

@@ -4,7 +4,6 @@
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {
-
 namespace {
 
 // How far a point moves that starts with this velocity and turns with it (R. M. Murray, Z. Li, S.
@@ -30,6 +29,22 @@ Poses moved(const Poses& poses, const Motions& motions, double lever) {
     Eigen::Quaterniond q =
         Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)) * Eigen::Quaterniond(poses[i].R);
     out[i].R = q.normalized().toRotationMatrix();
+  }
+  return out;
+}
+
+Vec3 twice_axial_vector(const Eigen::Matrix3d& M) {
+  return {M(2, 1) - M(1, 2), M(0, 2) - M(2, 0), M(1, 0) - M(0, 1)};
+}
+
+Motions motions_between(const Poses& from, const Poses& to, double lever) {
+  Motions out(from.size(), 6);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Eigen::Matrix3d turn = to[i].R * from[i].R.transpose();
+    const Vec3 axis = twice_axial_vector(turn);
+    const double sine = 0.5 * axis.norm(), angle = std::atan2(sine, 0.5 * (turn.trace() - 1));
+    const double factor = sine > 1e-9 ? angle / (2 * sine) : 0.5;
+    out.row(i) << (to[i].t - from[i].t).transpose(), lever * factor * axis.transpose();
   }
   return out;
 }

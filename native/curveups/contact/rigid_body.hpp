@@ -47,6 +47,11 @@ using Motions = BlockVector<6>;
 // The poses after these motions, along screws: bodies that turn as one about whatever axis stay as
 // they are to one another. Rows of zeros leave a pose as it is, bit by bit.
 Poses moved(const Poses& poses, const Motions& motions, double lever);
+// The motions that lead from one to the other, where origins go straight and turns are less than
+// half a circle.
+Motions motions_between(const Poses& from, const Poses& to, double lever);
+// Twice the axial vector of M's antisymmetric part; of a rotation, the axis times twice the sine.
+Vec3 twice_axial_vector(const Eigen::Matrix3d& M);
 
 // The skew-symmetric matrix S of v: S x = v x x.
 Eigen::Matrix3d skew(const Vec3& v);

@@ -126,6 +126,25 @@ TEST(MotionEnergy, ConvexSecondDerivativesNeverLeadUpwards) {
   EXPECT_LT((matrix[0] + matrix[2] - 2 * matrix[1]).norm(), 1e-12 * matrix[0].norm());
 }
 
+// Points that slip, as springs through their present force, are never softer than they are.
+TEST(MotionEnergy, CarefulSecondDerivativesBoundExactOnesFromAbove) {
+  Pressed pressed(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix());
+  std::vector<Coupling> couplings;
+  pressed.energy.couple(couplings);
+  const auto pattern = std::make_shared<const BlockPattern>(std::vector<char>(2, 1), couplings);
+  std::array<Eigen::MatrixXd, 2> matrix;
+  for (bool careful : {false, true}) {
+    pressed.energy.careful = careful;
+    BlockMatrix<6> hessian(pattern);
+    Motions gradient = Motions::Zero(2, 6);
+    pressed.energy.derivatives(pressed.poses, 3, gradient, &hessian, 0);
+    matrix[careful] = hessian.multiply(Eigen::MatrixXd::Identity(12, 12));
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> more(matrix[1] - matrix[0]);
+  EXPECT_GT(more.eigenvalues()(11), 1e-3 * matrix[0].norm()) << "nothing slips";
+  EXPECT_GT(more.eigenvalues()(0), -1e-12 * matrix[0].norm());
+}
+
 TEST(MotionEnergy, PositiveTurnCurvatureLacksTheNegativeEigenvalues) {
   const double lever = 3;
   const Vec3 arm(1, -2, 0.5), across = arm.unitOrthogonal();
