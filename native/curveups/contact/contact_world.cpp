@@ -431,9 +431,10 @@ StepReport ContactWorld::advance() {
     bool uphill = false;
     Poses next = moved(x, part * way, lever);
     for (int halved = 0; halved < 30; ++halved, ++shortened) {
-      const bool rises = value(next) + drag.value(next, weight_) > now + 1e-4 * part * slope + blur;
-      if (!rises && !could_pass(bodies_, poses_, next)) break;
-      uphill |= rises;
+      const bool falls =
+          value(next) + drag.value(next, weight_) <= now + 1e-4 * part * slope + blur;
+      if (falls && !could_pass(bodies_, poses_, next)) break;
+      uphill |= !falls;
       part /= 2;
       next = moved(x, part * way, lever);
     }
@@ -446,7 +447,7 @@ StepReport ContactWorld::advance() {
   report.motion = largest_row(motions);
   report.weight = weight_;
   report.friction = contacts_.friction_work(x);
-  const double distance = covered(x);
+  const double distance = stride(drag.furthest_apart(x), motions);
   contacts_.remember(x);
   poses_ = std::move(x);
   searched_ = false;
