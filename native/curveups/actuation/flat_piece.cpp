@@ -29,8 +29,7 @@ double lowest(const TileMesh& tiles, const Points3& centres, const Poses& poses,
     for (int c = 0; c < 3; ++c) {
       for (Side side : {Side::front, Side::back}) {
         const Vec2& p = tiles.corners(i, side)[c];
-        const Vec3 corner =
-            tiles.frame[i].to_world({p.x(), p.y(), side == Side::front ? 0 : -tiles.H_body});
+        const Vec3 corner = tiles.frame[i]({p.x(), p.y(), side == Side::front ? 0 : -tiles.H_body});
         least = std::min(least, up.dot(poses[i](corner - centres.row(i).transpose())));
       }
     }
@@ -46,7 +45,7 @@ Poses flat_tiles(const TileBodies& bodies) {
   Poses out;
   for (int i = 0; i < tiles.tile_count(); ++i) {
     const RigidMotion flat = flat_motion(bodies.poses, i, 0);
-    const RigidMotion actuated = actuated_motion(tiles.frame[i]);
+    const RigidMotion& actuated = tiles.frame[i];
     const Eigen::Matrix3d R = flat.R * actuated.R.transpose();
     out.push_back({R, flat.t + R * (centres.row(i).transpose() - actuated.t)});
   }

@@ -331,7 +331,7 @@ class HandSearch {
       Vec3 sum = Vec3::Zero(), normal = Vec3::Zero();
       for (int i : touch.tiles) {
         sum += fits[piece_of[i]].R.transpose() * ways.row(i).transpose().normalized();
-        normal += tiles_.frame[i].z;
+        normal += tiles_.normal(i);
       }
       touch.direction = sum.normalized();
       touch.outward = touch.direction.dot(normal.normalized());

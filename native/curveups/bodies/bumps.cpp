@@ -132,7 +132,7 @@ class Planner {
       if (!wall) return {};
       corners.clear();
       for (int i : wall->loop) {
-        corners.push_back(plane.to_plane(tiles_.frame[tile].to_world(plan_.body[tile].points[i])));
+        corners.push_back(plane.to_plane(tiles_.frame[tile](plan_.body[tile].points[i])));
       }
       common = intersection(common, convex_hull(corners));
     }
@@ -142,9 +142,9 @@ class Planner {
       // The slab ends beside the walls: caps stay below its top, so that it need not cut them.
       const double top = p_.H_pin - p_.support_drop - p_.bump_height - radius;
       for (int tile : contact.tile) {
-        const TileFrame& frame = tiles_.frame[tile];
-        const Vec2 slope(frame.z.dot(plane.u), frame.z.dot(plane.v));
-        common = clip(common, slope, top - frame.z.dot(plane.origin - frame.origin));
+        const Vec3 up = tiles_.normal(tile);
+        const Vec2 slope(up.dot(plane.u), up.dot(plane.v));
+        common = clip(common, slope, top - up.dot(plane.origin - tiles_.frame[tile].t));
       }
     }
     return common;
@@ -159,10 +159,10 @@ class Planner {
     const double length = (geometry_.patches[k].point[1] - plane.origin).norm();
     for (int s = 0; s < 2; ++s) {
       const int tile = contact.tile[s], wall = contact.side[s];
-      const TileFrame& frame = tiles_.frame[tile];
-      const Vec3 inward = -tiles_.wall_normal(tile, wall), start = frame.to_local(plane.origin);
-      const Vec3 u = frame.to_local(plane.origin + plane.u) - start;
-      const Vec3 v = frame.to_local(plane.origin + plane.v) - start;
+      const RigidMotion& frame = tiles_.frame[tile];
+      const Vec3 inward = -tiles_.wall_normal(tile, wall), start = frame.back(plane.origin);
+      const Vec3 u = frame.back(plane.origin + plane.u) - start;
+      const Vec3 v = frame.back(plane.origin + plane.v) - start;
       const Vec3 origin = start + plan_.recess(tile, wall) * inward;
       for (const BodyFace& face : plan_.body[tile].faces) {
         if (face.tag == body_tag::wall + wall) continue;
@@ -230,7 +230,7 @@ class Planner {
       if (!own && p_.bumps != "dimples") continue;
       const Shape shape = own ? shape_[k] : hollow;
       const Vec3 centre =
-          tiles_.frame[tile].to_local(centres_[k][i]) - plan_.recess(tile, wall) * normal;
+          tiles_.frame[tile].back(centres_[k][i]) - plan_.recess(tile, wall) * normal;
       caps.push_back(
           {wall, centre, own ? normal : Vec3(-normal), shape.radius, shape.height, own, k});
     }
@@ -366,8 +366,7 @@ std::vector<Points3> bump_tips(const BumpPlan& plan, const TileMesh& tiles) {
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (const WallCap& cap : plan.of_tile[i]) {
       if (hollowed[cap.contact]) continue;
-      of_contact[cap.contact].push_back(
-          tiles.frame[i].to_world(cap.centre + cap.height * cap.axis));
+      of_contact[cap.contact].push_back(tiles.frame[i](cap.centre + cap.height * cap.axis));
     }
   }
   std::vector<Points3> tips;

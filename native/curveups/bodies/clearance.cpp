@@ -119,8 +119,8 @@ PairFigure min_clearance_flat(const TileBodies& bodies) {
 PairFigure max_overlap_actuated(const TileBodies& bodies) {
   const TileMesh& tiles = bodies.geometry.tiles;
   const std::vector<Parts> parts = all_parts(bodies, [&](int i) {
-    return make_parts(bodies, i, tile_body(tiles, bodies.geometry.truncation, i),
-                      actuated_motion(tiles.frame[i]), false);
+    return make_parts(bodies, i, tile_body(tiles, bodies.geometry.truncation, i), tiles.frame[i],
+                      false);
   });
   const auto pairs = near_pairs(parts, 0);
   const std::vector<double> values = measure_pairs(pairs, [&](int i, int j) {

@@ -42,7 +42,7 @@ Parts make_parts(const DesignGeometry& geometry, int tile, double H_pin) {
       keep_behind(pin, plane.plane, z, z + H_pin);
     }
   }
-  const RigidMotion motion = actuated_motion(tiles.frame[tile]);
+  const RigidMotion& motion = tiles.frame[tile];
   for (ConvexBody& part : parts) part = moved(part, motion);
   return parts;
 }

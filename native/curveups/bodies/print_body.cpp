@@ -32,13 +32,6 @@ const Vec3& first_point(const PrintBody& body, const BodyLoop& loop) {
 
 }  // namespace
 
-RigidMotion actuated_motion(const TileFrame& frame) {
-  RigidMotion motion;
-  motion.R << frame.x, frame.y, frame.z;
-  motion.t = frame.origin;
-  return motion;
-}
-
 RigidMotion flat_motion(const FlatPoses& poses, int tile, double z) {
   const PlaneRotation turn(poses(tile, 2));
   RigidMotion motion;

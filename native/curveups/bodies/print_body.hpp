@@ -13,14 +13,6 @@
 
 namespace curveups {
 
-// A rigid motion; columns of R are the images of the axes.
-struct RigidMotion {
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  Vec3 t = Vec3::Zero();
-  Vec3 operator()(const Vec3& p) const { return R * p + t; }
-};
-
-RigidMotion actuated_motion(const TileFrame& frame);
 // Row `tile` of the poses, with the tile's front face at height z.
 RigidMotion flat_motion(const FlatPoses& poses, int tile, double z);
 

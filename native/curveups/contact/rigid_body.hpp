@@ -37,7 +37,7 @@ struct RigidBody {
   }
 };
 
-// Where each body is: the one pose type.
+// Where each body is.
 using Poses = std::vector<RigidMotion>;
 
 // Small motions, a row a body: how far its origin moves (mm), and by how much it turns, a rotation

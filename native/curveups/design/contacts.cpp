@@ -48,7 +48,7 @@ std::vector<ContactPatch> compute_contact_patches(const TileMesh& tiles,
     const Contact& contact = tiles.contacts[k];
     ContactPatch& patch = patches[k];
     const int i = contact.tile[0], t = contact.side[0];
-    const TileFrame& frame = tiles.frame[i];
+    const RigidMotion& frame = tiles.frame[i];
     const Vec3 start = tiles.mesh.V.row(tiles.mesh.F(i, t)),
                end = tiles.mesh.V.row(tiles.mesh.F(i, next3(t)));
     const double length = tiles.length(i, t);
@@ -56,9 +56,9 @@ std::vector<ContactPatch> compute_contact_patches(const TileMesh& tiles,
     const double half = 0.5 * tiles.dihedral(i, t);
     const Vec2 in = tiles.inward(i, t);
     const Vec3 down =
-        std::sin(half) * (in.x() * frame.x + in.y() * frame.y) - std::cos(half) * frame.z;
+        frame.R * Vec3(std::sin(half) * in.x(), std::sin(half) * in.y(), -std::cos(half));
     const double height = tiles.H_body / std::cos(half);
-    patch.normal = frame.direction_to_world(tiles.wall_normal(i, t));
+    patch.normal = frame.R * tiles.wall_normal(i, t);
     const int j = contact.tile[1], u = contact.side[1];
     const double at_start =
         std::max(slope_at(tiles, truncation, i, t, true), slope_at(tiles, truncation, j, u, false));

@@ -33,14 +33,14 @@ std::vector<double> corner_clearances(const TileMesh& tiles, const Array6& lower
   Vec3 normal = Vec3::Zero();
   for (int i : around) {
     const std::array<Vec2, 3> pin = pin_corners(tiles, i, side, lower.row(i).data());
-    const TileFrame& frame = tiles.frame[i];
+    const RigidMotion& frame = tiles.frame[i];
     for (int t = 0; t < 3; ++t) {
       if (tiles.mesh.F(i, t) != vertex) continue;
       const std::array<Vec2, 3>& c = tiles.corners(i, side);
       const Vec2 a = c[next3(t)] - c[t], b = c[prev3(t)] - c[t];
-      corners.push_back({frame.to_world(Vec3(c[t].x(), c[t].y(), face)),
-                         frame.to_world(Vec3(pin[t].x(), pin[t].y(), face + sign * H_pin))});
-      normal += sign * std::atan2(std::abs(wedge(a, b)), a.dot(b)) * frame.z;
+      corners.push_back({frame(Vec3(c[t].x(), c[t].y(), face)),
+                         frame(Vec3(pin[t].x(), pin[t].y(), face + sign * H_pin))});
+      normal += sign * std::atan2(std::abs(wedge(a, b)), a.dot(b)) * tiles.normal(i);
     }
   }
   normal.normalize();

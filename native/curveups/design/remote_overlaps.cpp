@@ -17,8 +17,8 @@ Corners world_corners(const TileMesh& tiles, int tile) {
   Corners corners;
   for (int t = 0; t < 3; ++t) {
     const Vec2 &f = tiles.front[tile][t], &b = tiles.back[tile][t];
-    corners[t] = tiles.frame[tile].to_world(Vec3(f.x(), f.y(), 0));
-    corners[t + 3] = tiles.frame[tile].to_world(Vec3(b.x(), b.y(), -tiles.H_body));
+    corners[t] = tiles.frame[tile](Vec3(f.x(), f.y(), 0));
+    corners[t + 3] = tiles.frame[tile](Vec3(b.x(), b.y(), -tiles.H_body));
   }
   return corners;
 }
@@ -46,10 +46,10 @@ bool apart(const std::array<Plane, 5>& planes, const Corners& other) {
 bool bodies_overlap(const TileMesh& tiles, const Truncation& truncation, int i, int j) {
   ConvexBody body = tile_body(tiles, truncation, i);
   const ConvexBody other = tile_body(tiles, truncation, j);
-  const TileFrame &to = tiles.frame[i], &from = tiles.frame[j];
+  const RigidMotion &to = tiles.frame[i], &from = tiles.frame[j];
   for (const BodyFace& face : other.faces) {
-    const Vec3 normal = to.direction_to_local(from.direction_to_world(face.plane.normal));
-    const Vec3 point = to.to_local(from.to_world(other.points[face.loop[0]]));
+    const Vec3 normal = to.R.transpose() * (from.R * face.plane.normal);
+    const Vec3 point = to.back(from(other.points[face.loop[0]]));
     clip(body, {normal, normal.dot(point)}, body_tag::cut);
     if (body.faces.empty()) return false;
   }
@@ -137,10 +137,10 @@ std::vector<std::array<int, 2>> near_pairs(const std::vector<Corners>& corners) 
 void bound_both(const TileMesh& tiles, const std::array<int, 2>& pair, const Plane& plane,
                 std::vector<std::vector<TruncationPlane>>& planes) {
   for (int s = 0; s < 2; ++s) {
-    const TileFrame& frame = tiles.frame[pair[s]];
+    const RigidMotion& frame = tiles.frame[pair[s]];
     const double sign = s == 0 ? 1.0 : -1.0;
-    const Vec3 normal = frame.direction_to_local(sign * plane.normal);
-    const double offset = sign * (plane.offset - plane.normal.dot(frame.origin));
+    const Vec3 normal = frame.R.transpose() * (sign * plane.normal);
+    const double offset = sign * (plane.offset - plane.normal.dot(frame.t));
     planes[pair[s]].push_back({{normal, offset}, pair[1 - s], -1, 4});
   }
 }
@@ -251,8 +251,8 @@ void separate_remote_front_pins(const TileMesh& tiles, double H_pin, Truncation&
   for (int i = 0; i < count; ++i) {
     for (int t = 0; t < 3; ++t) {
       const Vec2& p = tiles.front[i][t];
-      corners[i][t] = tiles.frame[i].to_world(Vec3(p.x(), p.y(), H_pin));
-      corners[i][t + 3] = tiles.frame[i].to_world(Vec3(p.x(), p.y(), 0));
+      corners[i][t] = tiles.frame[i](Vec3(p.x(), p.y(), H_pin));
+      corners[i][t + 3] = tiles.frame[i](Vec3(p.x(), p.y(), 0));
     }
   }
   Plane plane{Vec3::Zero(), 0};

@@ -23,14 +23,13 @@ void check_vertices(const TriangleMesh& mesh) {
   }
 }
 
-TileFrame make_frame(const TriangleMesh& mesh, int tile) {
+RigidMotion make_frame(const TriangleMesh& mesh, int tile) {
   const Vec3 a = mesh.V.row(mesh.F(tile, 0)), b = mesh.V.row(mesh.F(tile, 1)),
              c = mesh.V.row(mesh.F(tile, 2));
-  TileFrame frame;
-  frame.origin = a;
-  frame.x = (b - a).normalized();
-  frame.z = (b - a).cross(c - a).normalized();
-  frame.y = frame.z.cross(frame.x);
+  const Vec3 x = (b - a).normalized(), z = (b - a).cross(c - a).normalized();
+  RigidMotion frame;
+  frame.R << x, z.cross(x), z;
+  frame.t = a;
   return frame;
 }
 
@@ -89,7 +88,7 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
   for (int i = 0; i < count; ++i) {
     tiles.frame[i] = make_frame(mesh, i);
     for (int t = 0; t < 3; ++t) {
-      const Vec3 p = tiles.frame[i].to_local(mesh.V.row(mesh.F(i, t)));
+      const Vec3 p = tiles.frame[i].back(mesh.V.row(mesh.F(i, t)));
       tiles.front[i][t] = p.head<2>();
       tiles.length(i, t) = (mesh.V.row(mesh.F(i, next3(t))) - mesh.V.row(mesh.F(i, t))).norm();
     }
@@ -98,7 +97,7 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
     const MeshEdge& edge = tiles.topology.edges[e];
     if (edge.boundary()) continue;
     const Vec3 direction = Vec3(mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).normalized();
-    const Vec3 n0 = tiles.frame[edge.face[0]].z, n1 = tiles.frame[edge.face[1]].z;
+    const Vec3 n0 = tiles.normal(edge.face[0]), n1 = tiles.normal(edge.face[1]);
     const double dihedral = std::atan2(n0.cross(n1).dot(direction), n0.dot(n1));
     for (int s = 0; s < 2; ++s) {
       tiles.dihedral(edge.face[s], edge.side[s]) = dihedral;

@@ -7,25 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "curveups/core/rigid_motion.hpp"
 #include "curveups/geometry/triangle_mesh.hpp"
 
 namespace curveups {
 
 enum class Side { front = 0, back = 1 };
-
-// Local coordinates of a tile: origin at its front corner 0, x along its edge 0, z along the
-// outward (front) normal. The tile's body fills -H_body <= z <= 0.
-struct TileFrame {
-  Vec3 origin;
-  Vec3 x, y, z;
-  Vec3 to_world(const Vec3& p) const { return origin + p.x() * x + p.y() * y + p.z() * z; }
-  Vec3 to_local(const Vec3& p) const {
-    const Vec3 d = p - origin;
-    return {d.dot(x), d.dot(y), d.dot(z)};
-  }
-  Vec3 direction_to_world(const Vec3& d) const { return d.x() * x + d.y() * y + d.z() * z; }
-  Vec3 direction_to_local(const Vec3& d) const { return {d.dot(x), d.dot(y), d.dot(z)}; }
-};
 
 // Two tiles that touch when actuated: an interior, uncut edge.
 struct Contact {
@@ -41,8 +28,9 @@ struct TileMesh {
   std::vector<Contact> contacts;
   double H_body = 0;
 
-  // Per tile, all in the tile's frame.
-  std::vector<TileFrame> frame;
+  // Per tile, all but where it is in its own coordinates: the origin is its front corner 0, x runs
+  // along its edge 0, z along the outward (front) normal. Its body fills -H_body <= z <= 0.
+  std::vector<RigidMotion> frame;          // where it is
   std::vector<std::array<Vec2, 3>> front;  // front corners, counter-clockwise
   std::vector<std::array<Vec2, 3>> back;   // back corners before truncation
   Array3 length;                           // of front edges, mm
@@ -51,6 +39,7 @@ struct TileMesh {
   Array3 back_shift;  // how far each back edge lies inside the front one, mm: H_body tan(fold / 2)
   Eigen::VectorXd area;  // of front triangles, mm2
 
+  Vec3 normal(int tile) const { return frame[tile].R.col(2); }
   int tile_count() const { return static_cast<int>(mesh.F.rows()); }
   const std::array<Vec2, 3>& corners(int tile, Side side) const {
     return side == Side::front ? front[tile] : back[tile];

@@ -31,7 +31,7 @@ TileShapes tile_shapes(const TileMesh& tiles, double H_pin, const FlatCorners& T
   out.flat_pins.resize(T.rows() ? q.rows() : 0, Eigen::NoChange);
   parallel_ranges(count, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
-      const auto actuated = [&](const Vec3& p) { return tiles.frame[i].to_world(p); };
+      const auto actuated = [&](const Vec3& p) { return tiles.frame[i](p); };
       const PlaneRotation turn(T.rows() ? poses(i, 2) : 0.0);
       const auto flat = [&](const Vec3& p) {
         const Vec2 at = Vec2(poses(i, 0), poses(i, 1)) + turn * p.head<2>();

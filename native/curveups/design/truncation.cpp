@@ -25,8 +25,8 @@ struct Cone {
 };
 
 Cone back_cone(const TileMesh& tiles, int tile, int corner) {
-  const TileFrame& frame = tiles.frame[tile];
-  auto world = [&](const Vec3& d) { return frame.direction_to_world(d); };
+  const RigidMotion& frame = tiles.frame[tile];
+  auto world = [&](const Vec3& d) -> Vec3 { return frame.R * d; };
   auto flat = [&](const Vec2& d) { return world(Vec3(d.x(), d.y(), 0)); };
   const std::array<Vec2, 3>& front = tiles.front[tile];
   Cone cone;
@@ -34,7 +34,7 @@ Cone back_cone(const TileMesh& tiles, int tile, int corner) {
   cone.corner = corner;
   cone.wall = {world(tiles.wall_normal(tile, corner)),
                world(tiles.wall_normal(tile, prev3(corner)))};
-  cone.lid = frame.z;
+  cone.lid = tiles.normal(tile);
   cone.edge = {flat((front[next3(corner)] - front[corner]).normalized()),
                flat((front[prev3(corner)] - front[corner]).normalized())};
   cone.spine = cone.wall[0].cross(cone.wall[1]).normalized();
@@ -130,7 +130,7 @@ Split separate(const Cone& a, const Cone& b, double slack) {
 }
 
 Plane plane_in_frame(const TileMesh& tiles, const Cone& cone, const Vec3& normal) {
-  const Vec3 local = tiles.frame[cone.tile].direction_to_local(normal);
+  const Vec3 local = tiles.frame[cone.tile].R.transpose() * normal;
   return {local, local.head<2>().dot(tiles.front[cone.tile][cone.corner])};
 }
 

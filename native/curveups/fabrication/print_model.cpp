@@ -274,7 +274,7 @@ class Builder {
                                model_.q.row(i).data(), i, p().H_pin);
         body.piece = model_.piece_of_tile[i];
         bore(body, model_.joints.of_tile[i], model_.joints.radius, tiles().H_body, {});
-        move(body, actuated_motion(tiles().frame[i]));
+        move(body, tiles().frame[i]);
       }
     });
   }

@@ -82,7 +82,7 @@ std::vector<Foot> find_feet(const DesignGeometry& geometry, const Vec3& down, do
   double lowest = -1e300;
   for (int i = 0; i < geometry.tiles.tile_count(); ++i) {
     for (const Vec3& p : tile_body(geometry.tiles, geometry.truncation, i).points) {
-      corners.push_back({i, geometry.tiles.frame[i].to_world(p)});
+      corners.push_back({i, geometry.tiles.frame[i](p)});
       lowest = std::max(lowest, down.dot(corners.back().at));
     }
   }
@@ -137,9 +137,9 @@ Wrenches weights(const DesignGeometry& geometry, const FlatPoses& poses, const A
   const BumpPlan plan = plan_bumps(geometry, poses, p);
   const JointHoles joints = plan_joint_holes(geometry, plan, q, p);
   for (int i = 0; i < tiles.tile_count(); ++i) {
-    const TileFrame& frame = tiles.frame[i];
+    const RigidMotion& frame = tiles.frame[i];
     auto add = [&](double volume, const Vec3& place) {
-      out.add(i, volume, p.density, frame.to_world(place));
+      out.add(i, volume, p.density, frame(place));
     };
     add(volume(plan.body[i]), centroid(plan.body[i]));
     for (const WallCap& cap : plan.of_tile[i]) {

@@ -91,8 +91,7 @@ Points3 actuated_pin_corners(const TileMesh& tiles, const Array6& q, Side side, 
   for (int i = 0; i < tiles.tile_count(); ++i) {
     const std::array<Vec2, 3> local = pin_corners(tiles, i, side, q.row(i).data());
     for (int t = 0; t < 3; ++t) {
-      out.row(pin_corner_index(i, t)) =
-          tiles.frame[i].to_world({local[t].x(), local[t].y(), z}).transpose();
+      out.row(pin_corner_index(i, t)) = tiles.frame[i]({local[t].x(), local[t].y(), z}).transpose();
     }
   }
   return out;

@@ -77,7 +77,7 @@ GlueLoads glue_loads(const TileMesh& tiles, const Array6& q,
       if (tile < 0) continue;
       // The membrane pulls where its energy falls.
       const Vec3 pull = -m.state.gradient.row(v).transpose();
-      const Vec3 normal = outward * tiles.frame[tile].z;
+      const Vec3 normal = outward * tiles.normal(tile);
       const double lifting = pull.dot(normal);
       along[tile] += (pull - lifting * normal).norm();
       off[tile] += std::max(0.0, lifting);

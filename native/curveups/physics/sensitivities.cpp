@@ -74,9 +74,9 @@ void add_side(const DesignForces& forces, Side side, const CornerGradient& corne
                  back = (face[prev3(t)] - face[t]).normalized();
       const double sine = wedge(along, back);
       const Vec3 space = corner.actuated.row(c);
-      const TileFrame& frame = tiles.frame[i];
+      const Eigen::Matrix3d& R = tiles.frame[i].R;
       auto along_local = [&](const Vec2& d) {
-        return (flat.dot(turn * d) + space.dot(d.x() * frame.x + d.y() * frame.y)) / sine;
+        return (flat.dot(turn * d) + space.dot(R.leftCols<2>() * d)) / sine;
       };
       out.by_inset(i, inset_index(side, prev3(t))) += along_local(along);
       out.by_inset(i, inset_index(side, t)) += along_local(back);
@@ -191,7 +191,7 @@ class VertexPlaces {
         const double level = pin_top_level(local.tiles, side, H_pin);
         for (const Vec2& p : pin_corners(local.tiles, k, side, forces_.insets().row(tile).data())) {
           add(Vec2(origin + turn * p));
-          add(local.tiles.frame[k].to_world(Vec3(p.x(), p.y(), level)));
+          add(local.tiles.frame[k](Vec3(p.x(), p.y(), level)));
         }
       }
     }

@@ -61,14 +61,14 @@ std::vector<VertexEntry> rows_by_vertex(const LayoutModel& model, const LayoutSt
 
 Eigen::Matrix<double, 2, 3> centroid_by_corner(const TileMesh& tiles, int tile, int t) {
   // The frame's origin is corner 0, its x axis runs to corner 1.
-  const TileFrame& frame = tiles.frame[tile];
+  const RigidMotion& frame = tiles.frame[tile];
   const std::array<Vec2, 3>& front = tiles.front[tile];
   const Vec2 centroid = (front[0] + front[1] + front[2]) / 3;
   const double shift = 1.0 / 3 - (t == 0 ? 1.0 : 0.0), turn = t == 1 ? 1.0 : t == 0 ? -1.0 : 0.0;
-  const Eigen::RowVector3d turning = (turn / tiles.length(tile, 0)) * frame.y.transpose();
+  const Eigen::RowVector3d turning = (turn / tiles.length(tile, 0)) * frame.R.col(1).transpose();
   Eigen::Matrix<double, 2, 3> out;
-  out.row(0) = shift * frame.x.transpose() + centroid.y() * turning;
-  out.row(1) = shift * frame.y.transpose() - centroid.x() * turning;
+  out.row(0) = shift * frame.R.col(0).transpose() + centroid.y() * turning;
+  out.row(1) = shift * frame.R.col(1).transpose() - centroid.x() * turning;
   return out;
 }
 

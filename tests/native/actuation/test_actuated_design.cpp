@@ -142,8 +142,7 @@ TEST(ActuatedDesign, NoTilePassesThroughAnother) {
     std::vector<ConvexBody> placed;
     const auto motions = frame_motions(rows, tiles.tile_count());
     for (int i = 0; i < tiles.tile_count(); ++i) {
-      placed.push_back(
-          moved(moved(bodies.bumps.body[i], actuated_motion(tiles.frame[i])), motions[i]));
+      placed.push_back(moved(moved(bodies.bumps.body[i], tiles.frame[i]), motions[i]));
     }
     for (int i = 0; i < tiles.tile_count(); ++i) {
       tile = common_volume(placed[i], placed[i]);
@@ -181,7 +180,7 @@ double lowest(const TileBodies& bodies, const FrameRows& rows) {
       for (Side side : {Side::front, Side::back}) {
         const Vec2& p = tiles.corners(i, side)[c];
         const Vec3 corner(p.x(), p.y(), side == Side::front ? 0 : -tiles.H_body);
-        out = std::min(out, motions[i](tiles.frame[i].to_world(corner)).z());
+        out = std::min(out, motions[i](tiles.frame[i](corner)).z());
       }
     }
   }

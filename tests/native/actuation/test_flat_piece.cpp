@@ -22,7 +22,7 @@ TEST(FlatPiece, StandsWhereTheLayoutHasIt) {
       EXPECT_NEAR(there.y(), design.T(i, 2 * c + 1), 1e-9);
       EXPECT_NEAR(there.z(), 0, 1e-9);
     }
-    EXPECT_NEAR((flat[i].R * tiles.frame[i].z).z(), 1, 1e-12);  // fronts up
+    EXPECT_NEAR((flat[i].R * tiles.normal(i)).z(), 1, 1e-12);  // fronts up
   }
   EXPECT_NEAR(mean_stretch(bodies, flat), design.parameters.tau, 1e-9);
 }

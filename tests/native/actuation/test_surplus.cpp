@@ -188,8 +188,7 @@ double bulge(const Design& design, const FrameRows& rows) {
     const auto [a, b] = contact.tile;
     const Vec3 way =
         motions[b](centres.row(b).transpose()) - motions[a](centres.row(a).transpose());
-    sum +=
-        (motions[b].R * tiles.frame[b].z - motions[a].R * tiles.frame[a].z).dot(way.normalized());
+    sum += (motions[b].R * tiles.normal(b) - motions[a].R * tiles.normal(a)).dot(way.normalized());
   }
   return sum / static_cast<double>(tiles.contacts.size());
 }

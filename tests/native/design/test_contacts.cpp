@@ -17,8 +17,8 @@ TEST(Contacts, HingeOfTwoTilesTouchesInAFullRectangle) {
   EXPECT_EQ(patch.point_count, 4);
   // By symmetry the interface is the plane x = 0.
   EXPECT_NEAR(std::abs(patch.normal.x()), 1, 1e-12);
-  const Vec3 from = tiles.frame[tiles.contacts[0].tile[0]].to_world(Vec3(1, 1, 0)),
-             to = tiles.frame[tiles.contacts[0].tile[1]].to_world(Vec3(1, 1, 0));
+  const Vec3 from = tiles.frame[tiles.contacts[0].tile[0]](Vec3(1, 1, 0)),
+             to = tiles.frame[tiles.contacts[0].tile[1]](Vec3(1, 1, 0));
   EXPECT_GT(patch.normal.dot(to - from), 0);
   for (const Vec3& p : patch.point) EXPECT_NEAR(p.x(), 0, 1e-12);
   EXPECT_NEAR(patch.point[2].z(), -3 / std::cos(0.25), 1e-12);
@@ -41,7 +41,7 @@ TEST(Contacts, PatchesAreWhatBothWallsHaveInCommon) {
         const ConvexBody body = tile_body(tiles, truncation, tile);
         for (const Vec3& p : patches[k].polygon) {
           for (const BodyFace& face : body.faces) {
-            EXPECT_LE(face.plane.distance(tiles.frame[tile].to_local(p)), 2e-5);
+            EXPECT_LE(face.plane.distance(tiles.frame[tile].back(p)), 2e-5);
           }
         }
       }
@@ -59,7 +59,7 @@ TEST(Contacts, PatchesAreWhatBothWallsHaveInCommon) {
         for (int s = 0; s < 2; ++s) {
           const int tile = contact.tile[s];
           for (const BodyFace& face : tile_body(tiles, truncation, tile).faces) {
-            left |= face.plane.distance(tiles.frame[tile].to_local(p)) > 1e-4;
+            left |= face.plane.distance(tiles.frame[tile].back(p)) > 1e-4;
           }
         }
         EXPECT_TRUE(left);

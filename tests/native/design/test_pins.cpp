@@ -44,7 +44,7 @@ TEST(Pins, FoldsLimitInsetsAtPinLevel) {
   EXPECT_EQ(geometry.pin_bounds.lower(0, inset_index(Side::front, t)), p.p_min);
   EXPECT_EQ(geometry.pin_bounds.upper(0, inset_index(Side::front, next3(t))), p.p_max);
   // At those insets the pins' top edges really meet, and the chord touches the edge.
-  const TileFrame &a = geometry.tiles.frame[0], &b = geometry.tiles.frame[1];
+  const RigidMotion &a = geometry.tiles.frame[0], &b = geometry.tiles.frame[1];
   double q[6];
   std::fill(q, q + 6, 1.0);
   q[inset_index(Side::back, t)] = std::tan(0.8);
@@ -52,9 +52,9 @@ TEST(Pins, FoldsLimitInsetsAtPinLevel) {
   std::fill(q, q + 6, 1.0);
   q[inset_index(Side::back, contact.side[1])] = std::tan(0.8);
   const auto pin_b = pin_corners(geometry.tiles, 1, Side::back, q);
-  const Vec3 pa = a.to_world(Vec3(pin_a[t].x(), pin_a[t].y(), -4));
+  const Vec3 pa = a(Vec3(pin_a[t].x(), pin_a[t].y(), -4));
   const int u = contact.side[1];
-  const Vec3 pb = b.to_world(Vec3(pin_b[u].x(), pin_b[u].y(), -4));
+  const Vec3 pb = b(Vec3(pin_b[u].x(), pin_b[u].y(), -4));
   EXPECT_NEAR(pa.x(), 0, 1e-9);
   EXPECT_NEAR(pb.x(), 0, 1e-9);
 }

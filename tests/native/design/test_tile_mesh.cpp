@@ -30,8 +30,8 @@ TEST(TileMesh, WallsOfNeighboursLieInOneBisectorPlane) {
     const TileMesh tiles = make_tile_mesh(mesh, no_cuts, 3);
     for (const Contact& contact : tiles.contacts) {
       const int i = contact.tile[0], j = contact.tile[1];
-      const Vec3 a = tiles.frame[i].direction_to_world(tiles.wall_normal(i, contact.side[0]));
-      const Vec3 b = tiles.frame[j].direction_to_world(tiles.wall_normal(j, contact.side[1]));
+      const Vec3 a = tiles.frame[i].R * tiles.wall_normal(i, contact.side[0]);
+      const Vec3 b = tiles.frame[j].R * tiles.wall_normal(j, contact.side[1]);
       EXPECT_LT((a + b).norm(), 1e-12);
       // Both back edges lie in that plane.
       const Vec3 through = mesh.V.row(tiles.topology.edges[contact.edge].v[0]);
@@ -39,7 +39,7 @@ TEST(TileMesh, WallsOfNeighboursLieInOneBisectorPlane) {
         const int tile = contact.tile[s], t = contact.side[s];
         for (int corner : {t, next3(t)}) {
           const Vec2& p = tiles.back[tile][corner];
-          const Vec3 world = tiles.frame[tile].to_world(Vec3(p.x(), p.y(), -3));
+          const Vec3 world = tiles.frame[tile](Vec3(p.x(), p.y(), -3));
           EXPECT_NEAR(a.dot(world - through), 0, 1e-11);
         }
       }

@@ -17,9 +17,8 @@ double overlap(const TileMesh& tiles, const Truncation& truncation, int i, int j
   ConvexBody body = tile_body(tiles, truncation, i);
   const ConvexBody other = tile_body(tiles, truncation, j);
   for (const BodyFace& face : other.faces) {
-    const Vec3 normal =
-        tiles.frame[i].direction_to_local(tiles.frame[j].direction_to_world(face.plane.normal));
-    const Vec3 point = tiles.frame[i].to_local(tiles.frame[j].to_world(other.points[face.loop[0]]));
+    const Vec3 normal = tiles.frame[i].R.transpose() * (tiles.frame[j].R * face.plane.normal);
+    const Vec3 point = tiles.frame[i].back(tiles.frame[j](other.points[face.loop[0]]));
     clip(body, {normal, normal.dot(point)}, body_tag::cut);
     if (body.faces.empty()) return 0;
   }
@@ -30,7 +29,7 @@ double largest_overlap(const TileMesh& tiles, const Truncation& truncation) {
   double largest = 0;
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (int j = i + 1; j < tiles.tile_count(); ++j) {
-      if ((tiles.frame[i].origin - tiles.frame[j].origin).norm() > 30) continue;
+      if ((tiles.frame[i].t - tiles.frame[j].t).norm() > 30) continue;
       largest = std::max(largest, overlap(tiles, truncation, i, j));
     }
   }

@@ -100,7 +100,7 @@ TEST_P(JointHolesOf, ThePartnersOfAnEdgeCorrespond) {
         if (hole.joint == k) axes.push_back(hole.axis);
       }
       ASSERT_EQ(axes.size(), 1u);
-      mouth[s] = tiles.frame[joint.tile[s]].to_world(Vec3(axes[0].x(), axes[0].y(), 0));
+      mouth[s] = tiles.frame[joint.tile[s]](Vec3(axes[0].x(), axes[0].y(), 0));
     }
     // Mirror images in the plane that bisects the fold: the thread is square to the edge.
     EXPECT_NEAR((mouth[1] - mouth[0]).dot(b - a), 0, 1e-9);

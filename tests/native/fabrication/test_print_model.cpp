@@ -104,7 +104,7 @@ TEST(Bumps, InterleaveAndTouchTheFacingWallOnly) {
   std::vector<std::array<std::vector<CapSphere>, 2>> caps(tiles.contacts.size());
   std::vector<std::vector<Vec3>> centres(tiles.contacts.size());
   for (int i = 0; i < tiles.tile_count(); ++i) {
-    const RigidMotion motion = actuated_motion(tiles.frame[i]);
+    const RigidMotion motion = tiles.frame[i];
     for (const WallCap& cap : model.bumps.of_tile[i]) {
       const Contact& contact = tiles.contacts[cap.contact];
       const int s = contact.tile[0] == i ? 0 : 1;
@@ -113,7 +113,7 @@ TEST(Bumps, InterleaveAndTouchTheFacingWallOnly) {
       centres[cap.contact].push_back(motion(cap.centre));
       // The apex reaches the wall that faces it, and nothing more.
       const int other = contact.tile[1 - s];
-      const ConvexBody facing = moved(model.bumps.body[other], actuated_motion(tiles.frame[other]));
+      const ConvexBody facing = moved(model.bumps.body[other], tiles.frame[other]);
       EXPECT_NEAR(distance(caps[cap.contact][s].back(), facing), 0, 1e-9);
     }
   }

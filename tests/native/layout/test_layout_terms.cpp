@@ -126,7 +126,7 @@ TEST(LayoutTerms, EnergiesAreTheFormulasOfThePaper) {
       const auto flat_i = place(poses, i, local[0]), flat_j = place(poses, j, local[1]);
       const double z = side == Side::front ? p.H_pin : -p.H_body - p.H_pin;
       auto top = [&](int k, int tile, int n) {
-        return tiles.frame[tile].to_world(Vec3(local[k][n].x(), local[k][n].y(), z));
+        return tiles.frame[tile](Vec3(local[k][n].x(), local[k][n].y(), z));
       };
       const Vec3 p11 = top(0, i, t), p12 = top(0, i, next3(t)), p22 = top(1, j, next3(u));
       const double b = (p12 - p11).cross(p22 - p11).norm() / (p12 - p11).norm();
