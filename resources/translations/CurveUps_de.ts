@@ -761,12 +761,28 @@
       <translation>Dateien</translation>
     </message>
     <message>
+      <source>Friction</source>
+      <translation>Reibung</translation>
+    </message>
+    <message>
       <source>From flat to shape</source>
       <translation>Aus der Ebene in die Form</translation>
     </message>
     <message>
+      <source>Front over back</source>
+      <translation>Vorn gegen hinten</translation>
+    </message>
+    <message>
       <source>Glue</source>
       <translation>Kleber</translation>
+    </message>
+    <message>
+      <source>Glue strength</source>
+      <translation>Klebefestigkeit</translation>
+    </message>
+    <message>
+      <source>Growth in XY</source>
+      <translation>Zuwachs in XY</translation>
     </message>
     <message>
       <source>Layout</source>
@@ -845,6 +861,10 @@
       <translation>Latexfolien</translation>
     </message>
     <message>
+      <source>Shift of a half</source>
+      <translation>Versatz einer Hälfte</translation>
+    </message>
+    <message>
       <source>Solids</source>
       <translation>Volumenkörper</translation>
     </message>
@@ -853,12 +873,24 @@
       <translation>Standard</translation>
     </message>
     <message>
+      <source>Stretch</source>
+      <translation>Dehnung</translation>
+    </message>
+    <message>
+      <source>Stretch along Y</source>
+      <translation>Dehnung längs Y</translation>
+    </message>
+    <message>
       <source>Suggestions</source>
       <translation>Vorschläge</translation>
     </message>
     <message>
       <source>Support</source>
       <translation>Stützkörper</translation>
+    </message>
+    <message>
+      <source>Taper in XY</source>
+      <translation>Schräge in XY</translation>
     </message>
     <message>
       <source>Target</source>
@@ -871,6 +903,10 @@
     <message>
       <source>Tiles</source>
       <translation>Kacheln</translation>
+    </message>
+    <message>
+      <source>Turn of a half</source>
+      <translation>Drehung einer Hälfte</translation>
     </message>
     <message>
       <source>Verification</source>
@@ -6106,12 +6142,24 @@
       <translation>Beim Lösen zeichnen</translation>
     </message>
     <message>
+      <source>Each alone</source>
+      <translation>Jeweils allein</translation>
+    </message>
+    <message>
       <source>End now and keep the best so far</source>
       <translation>Jetzt aufhören und das bisher Beste behalten</translation>
     </message>
     <message>
       <source>End now and leave the design unchanged</source>
       <translation>Jetzt aufhören und den Entwurf unverändert lassen</translation>
+    </message>
+    <message>
+      <source>From</source>
+      <translation>Von</translation>
+    </message>
+    <message>
+      <source>How far each value may be off, all others as they are, until the shape or the glue does not hold; ≤ and ≥: nothing failed as far as was searched. Click a row to select the tiles that fail first</source>
+      <translation>Wie weit jeder Wert abweichen darf, alle anderen wie sie sind, bis die Form oder der Kleber nicht hält; ≤ und ≥: so weit gesucht wurde, versagte nichts. Klicken Sie auf eine Zeile, um die Kacheln auszuwählen, die zuerst versagen</translation>
     </message>
     <message>
       <source>Lay the tiles out flat, verify that the membranes hold the shape, and repair weak contacts</source>
@@ -6172,6 +6220,10 @@
     <message>
       <source>Time</source>
       <translation>Zeit</translation>
+    </message>
+    <message>
+      <source>To</source>
+      <translation>Bis</translation>
     </message>
     <message>
       <source>Use for New Designs</source>

@@ -143,7 +143,7 @@ def test_the_window_says_how_far_and_what_fails_first(cap_design):
     results = settled(cap_design, window=True)
     window = {one["parameter"]: one for one in results["settle"].report()["window"]}
     assert set(window) == {"stretch", "front_over_back", "xy_growth", "xy_taper", "half_shift",
-                           "half_turn", "friction_coefficient", "glue_strength"}
+                           "stretch_y", "half_turn", "friction_coefficient", "glue_strength"}
     for one in window.values():
         for end, fails, searched in (("low", "fails_low", 0), ("high", "fails_high", 1)):
             assert (one[end] is None) == (one[fails] is None), one

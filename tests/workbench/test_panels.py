@@ -13,12 +13,13 @@ import numpy as np
 import pytest
 import robot
 from curveups.features import document as designs
+from curveups.features.live import stored
 from curveups.window.overlay import legend
 from curveups.window.overlays import overlay_of
 from curveups.window.panels.panel import show
 from curveups.window.panels.solve import SolvePanel
-from robot import (click, display, fill, in_dialog, picture, QtCore, QtGui, settle, tidy, until,
-                   widget, window)
+from robot import (click, click_item, cut_off, display, fill, in_dialog, picture, QtCore, QtGui, settle, tidy,
+                   until, widget, window)
 from steps import in_units, LIVE, opened
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -237,3 +238,32 @@ def test_FreeCAD_can_be_quit_in_mid_run(elsewhere, tmp_path):
     left = tmp_path / "left"
     elsewhere(quit_in_mid_run, tmp_path / "pictures", left, window=True, ends=True)
     assert left.read_text("utf-8") == "[0] False False"
+
+
+def test_the_process_window_is_shown_until_the_design_changes(dome_document, pictures):
+    document, design = opened(dome_document)
+    design.Window = True
+    document.recompute()
+    panel = show(SolvePanel, design)
+    rows = panel.form.window
+    assert not rows.isVisible()
+    click(panel.form.verify)
+    until(lambda: rows.isVisible() and not LIVE.busy, 120, "the process window")
+    report = {one.parameter: one for one in stored(design).latest("settle").window}
+    assert rows.topLevelItemCount() == len(report)
+    for number, one in enumerate(report.values()):
+        item = rows.topLevelItem(number)
+        for column, (end, failure) in enumerate(zip(one.ends, one.failures), 1):
+            assert (item.text(column)[0] in "≤≥") == (end is None) == (item.toolTip(column) == ""), one
+    assert cut_off(panel.form) == []
+    picture("window")
+
+    # A click shows what fails first.
+    number, one = next((number, one) for number, one in enumerate(report.values())
+                       if any(failure and failure.tiles for failure in one.failures))
+    click_item(rows, rows.topLevelItem(number))
+    failing = sorted({tile for failure in one.failures if failure for tile in failure.tiles})
+    until(lambda: overlay_of(design).selected == failing, 10, "the tiles that fail first")
+    design.Tau = 2.9
+    document.recompute()
+    until(lambda: not rows.isVisible(), 10, "a window that is out of date to go")

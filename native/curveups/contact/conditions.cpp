@@ -57,7 +57,8 @@ void TileWorld::set(const Conditions& next) {
   conditions = next;
   for (int s = 0; s < 2; ++s) {
     ReducedMembrane& membrane = *membranes[s];
-    membrane.pull = membrane.stretch = 1;
+    membrane.pull = 1;
+    membrane.stretch.setOnes();
     if (moved) membrane.set_flat(designed.flat_corners[s]);
     const double before = size_of_forces(membrane, designed.start);
     membrane.pull = next.pull[s];

@@ -133,8 +133,8 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
   if (second) moves.setZero();
   double sum = 0;
   for (const Triangle& t : element.triangles) {
-    const Eigen::Matrix2d inverse = stretch * t.inverse;
-    const double weight = pull / (stretch * stretch) * t.weight;
+    const Eigen::Matrix2d inverse = t.inverse * stretch.asDiagonal();
+    const double weight = pull / stretch.prod() * t.weight;
     // F's columns are sums of the corners with these coefficients.
     Eigen::Matrix<double, 3, 2> coefficient;
     coefficient.bottomRows<2>() = inverse;

@@ -30,8 +30,10 @@ class ReducedMembrane : public MotionEnergy {
                   const std::vector<std::array<int, 3>>& triangles, double tau,
                   const MembraneMaterial& material);
 
-  // Factors on how hard it pulls and on how far it is stretched before tiles are glued to it.
-  double pull = 1, stretch = 1;
+  // Factors on how hard it pulls, and on how far it is stretched along x and y of the layout before
+  // tiles are glued to it.
+  double pull = 1;
+  Vec2 stretch = Vec2::Ones();
   // Other places of the pin corners in the layout. A triangle that they turn over pulls no more.
   void set_flat(const Points2& flat);
 

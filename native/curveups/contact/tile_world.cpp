@@ -121,7 +121,7 @@ class Builder {
     designed.interface = interface_points(tiles_, bodies_.geometry.patches);
     designed.normals.resize(count_, 3);
     for (int i = 0; i < count_; ++i) {
-      designed.normals.row(i) = actuated_motion(tiles_.frame[i]).R.col(2).transpose();
+      designed.normals.row(i) = tiles_.normal(i).transpose();
     }
     const Poses tiles(poses_.begin(), poses_.begin() + count_);
     BalanceSystem system = balance_of(designed.interface, tiles, designed.L);
@@ -172,7 +172,7 @@ class Builder {
         }
         const ConvexBody body = tile_body(tiles_, bodies_.geometry.truncation, i, recess);
         const Vec3 centre = centres_.row(i);
-        RigidMotion motion = actuated_motion(tiles_.frame[i]);
+        RigidMotion motion = tiles_.frame[i];
         motion.t -= centre;
         // A wall gives way as a layer of the material does, as deep as the tile's middle.
         const double depth = 2 * tiles_.area(i) / tiles_.length.row(i).sum();
@@ -343,7 +343,8 @@ TileWorld TileWorld::copy() const {
   std::array<std::unique_ptr<ReducedMembrane>, 2> reduced;
   for (int s = 0; s < 2; ++s) {
     reduced[s] = std::make_unique<ReducedMembrane>(*membranes[s]);
-    reduced[s]->pull = reduced[s]->stretch = 1;
+    reduced[s]->pull = 1;
+    reduced[s]->stretch.setOnes();
     reduced[s]->set_flat(designed.flat_corners[s]);
   }
   return make_world(designed, reduced, weight->loads, world->options());

@@ -14,9 +14,10 @@ namespace curveups {
 // What may differ from the design as it stands.
 struct Conditions {
   std::array<double, 2> pull = {1, 1};  // factors on how hard front and back membrane pull
-  double stretch = 1;                   // factor on how far both are stretched
-  double growth = 0;                    // mm by which every wall of the print has grown
-  double taper = 0;                     // mm by which walls have grown more at the front
+  // Factors on how far both are stretched along x and y of the layout.
+  Vec2 stretch = Vec2::Ones();
+  double growth = 0;  // mm by which every wall of the print has grown
+  double taper = 0;   // mm by which walls have grown more at the front
   // How half of the layout has moved when both membranes are glued to it: mm away from the other
   // half, degrees counter-clockwise about the layout's middle.
   double half_shift = 0, half_turn = 0;

@@ -302,5 +302,37 @@ TEST(KnownAnswers, ADiscLiftedInAStretchedSheetIsPulledBackAsByAMembraneUnderTen
   EXPECT_NEAR(-world.given_forces()(0, 2), expected, 0.02 * expected);
 }
 
+// A square sheet that lies as it was stretched, by more along y than along x, and pulls twice as
+// hard as its material: the neo-Hookean tensions along its sides.
+TEST(KnownAnswers, ASheetPullsByItsStretchesAlongXAndY) {
+  const double side = 8, tau = 2.5;
+  Points2 flat(4, 2);
+  flat << 0, 0, side, 0, side, side, 0, side;
+  std::vector<ReducedMembrane::SheetPoint> points;
+  Poses poses;
+  for (int v = 0; v < 4; ++v) {
+    points.push_back({v, Vec3::Zero()});
+    poses.push_back({Eigen::Matrix3d::Identity(), Vec3(flat(v, 0), flat(v, 1), 0)});
+  }
+  MembraneMaterial material;
+  material.constants.regularization = 0;
+  ReducedMembrane sheet(points, flat, {{0, 1, 2}, {0, 2, 3}}, tau, material);
+  sheet.pull = 2;
+  sheet.stretch = Vec2(0.9, 1.3);
+  Motions gradient = Motions::Zero(4, 6);
+  sheet.derivatives(poses, 1, gradient, nullptr, 0);
+  const Vec2 stretch = tau * sheet.stretch;
+  for (int k = 0; k < 2; ++k) {
+    const double own = stretch(k), other = stretch(1 - k);
+    const double expected = 2 * material.shear_modulus * material.thickness *
+                            (own - std::pow(own, -3) * std::pow(other, -2)) * side / other;
+    double pulled = 0;
+    for (int v = 0; v < 4; ++v) {
+      if (flat(v, k) > 0) pulled += gradient(v, k);
+    }
+    EXPECT_NEAR(pulled, expected, 1e-9 * expected) << k;
+  }
+}
+
 }  // namespace
 }  // namespace curveups::test

@@ -176,7 +176,10 @@ TEST(TileWorld, PullsAsHardAsItsConditionsSay) {
   ASSERT_GT(front.norm(), mean);
   // A membrane that is stretched further pulls harder; as it was, it pulls as it did.
   conditions = {};
-  conditions.stretch = 1.1;
+  conditions.stretch = Vec2(1, 1.1);
+  built.set(conditions);
+  EXPECT_GT(built.world->given_forces().leftCols<3>().norm(), 1.01 * both.leftCols<3>().norm());
+  conditions.stretch.setConstant(1.1);
   built.set(conditions);
   EXPECT_GT(built.world->given_forces().leftCols<3>().norm(), 1.01 * both.leftCols<3>().norm());
   built.set({});

@@ -14,15 +14,18 @@ import FreeCAD
 from ...base import profiles
 from ...features import properties
 from ...features.document import reasons_of
+from ...features.live import stored
 from ...features.status import OUT_OF_DATE
 from ...project.worker import Status
 from ...stages import label_of
+from ...stages.settle import Range
 from ...stages.sizes import AUTOMATIC
 from .. import runs
 from ..macro import call, named
 from ..notice import errors_shown, shown
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE
+from ..units import short, text_of
 from . import preferences
 from .check import choose_sizes
 from .curves import Curves
@@ -59,6 +62,18 @@ _STATES = (
     QT_TRANSLATE_NOOP("CurveUpsSolve", "empty"),
     QT_TRANSLATE_NOOP("CurveUpsSolve", "invalid"),
     QT_TRANSLATE_NOOP("CurveUpsSolve", "running"))
+# Of the process window: what may be off.
+_RANGES = {
+    "stretch": QT_TRANSLATE_NOOP("CurveUpsSolve", "Stretch"),
+    "stretch_y": QT_TRANSLATE_NOOP("CurveUpsSolve", "Stretch along Y"),
+    "front_over_back": QT_TRANSLATE_NOOP("CurveUpsSolve", "Front over back"),
+    "xy_growth": QT_TRANSLATE_NOOP("CurveUpsSolve", "Growth in XY"),
+    "xy_taper": QT_TRANSLATE_NOOP("CurveUpsSolve", "Taper in XY"),
+    "half_shift": QT_TRANSLATE_NOOP("CurveUpsSolve", "Shift of a half"),
+    "half_turn": QT_TRANSLATE_NOOP("CurveUpsSolve", "Turn of a half"),
+    "friction_coefficient": QT_TRANSLATE_NOOP("CurveUpsSolve", "Friction"),
+    "glue_strength": QT_TRANSLATE_NOOP("CurveUpsSolve", "Glue strength"),
+}
 DONE, RUNNING, WAITING = "✓", "▶", "·"
 
 
@@ -73,6 +88,7 @@ class SolvePanel(Panel):
         place = QtWidgets.QVBoxLayout(self.form.curves_place)
         place.setContentsMargins(0, 0, 0, 0)
         place.addWidget(self.curves)
+        self._ranges: Optional[tuple[Range, ...]] = None
         self._rows: Optional[ParameterRows] = None
         self._held: Optional[HeldTiles] = None
         self._began: dict[str, float] = {}
@@ -117,6 +133,11 @@ class SolvePanel(Panel):
         header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         header.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
         form.stages.setFixedHeight(8 * form.stages.fontMetrics().height())
+        header = form.window.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        header.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
+        form.window.itemSelectionChanged.connect(lambda: self._select_failing())
 
     def _runner(self, which: str) -> Callable[..., None]:
         return lambda *_: self.run(which)
@@ -257,6 +278,37 @@ class SolvePanel(Panel):
         self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"
                                   + (f"<br>{lines}" if lines else ""))
 
+        self._show_window()
+
+    def _show_window(self) -> None:
+        """The process window of the design as it is, where its run looked for one."""
+        tree, found = self.form.window, stored(self.design).latest("settle")
+        ranges = found.window if found and self.design.Status == "current" else ()
+        if ranges == self._ranges:
+            return
+        self._ranges = ranges
+        tree.clear()
+        for one in ranges:
+            texts = [f"{mark} {_value(one, searched)}" if end is None else _value(one, end)
+                     for mark, searched, end in zip("≤≥", one.searched, one.ends)]
+            item = QtWidgets.QTreeWidgetItem([translate("CurveUpsSolve", _RANGES[one.parameter]), *texts])
+            for column, failure in enumerate(one.failures, 1):
+                item.setTextAlignment(column, QtCore.Qt.AlignRight)
+                if failure:
+                    item.setToolTip(column, shown(self.design, failure, False))
+            item.setData(0, QtCore.Qt.UserRole, sorted({tile for failure in one.failures if failure
+                                                        for tile in failure.tiles}))
+            tree.addTopLevelItem(item)
+        tree.setVisible(bool(ranges))
+        tree.setFixedHeight(tree.header().sizeHint().height() + len(ranges) * tree.sizeHintForRow(0) + 4)
+
+    def _select_failing(self) -> None:
+        for item in self.form.window.selectedItems():
+            tiles = item.data(0, QtCore.Qt.UserRole)
+            self._overlay.select_tiles(tiles)
+            if tiles:
+                self._overlay.look_at(tiles)
+
     def _show_running(self, running: bool) -> None:
         form = self.form
         for which in ("solve", "verify", "repair"):
@@ -296,6 +348,13 @@ class SolvePanel(Panel):
             tree.scrollToItem(last)
         if last is not None and last.data(0, QtCore.Qt.UserRole) == stage:
             last.setText(1, f"{now - self._began[stage]:.1f} s")
+
+
+def _value(one: Range, value: float) -> str:
+    """Of a process window, with its unit."""
+    if one.unit == "%":
+        return f"{short(value)} %"
+    return text_of(value, {"degrees": "deg"}.get(one.unit, one.unit), max(map(abs, one.searched)))
 
 
 def _mark(item: Any, mark: str, stage: str) -> None:
