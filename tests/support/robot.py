@@ -52,8 +52,8 @@ def until(condition, seconds=30, what=""):
 
 
 def display(*arguments):
-    """Runs xdotool, at places in Qt's pixels. The window goes on meanwhile, as it answers the display; then it
-    has got all that was sent, which takes its time on a busy machine."""
+    """Runs xdotool, at places in Qt's pixels. The window goes on meanwhile, as it answers the display; in the
+    end it has got all that was sent, which takes its time on a busy machine."""
     if arguments[0] == "mousemove":
         ratio = window.devicePixelRatioF()
         arguments = ("mousemove", *(round(ratio * place) for place in arguments[1:3]), *arguments[3:])

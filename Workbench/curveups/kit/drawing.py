@@ -281,7 +281,7 @@ _METRICS = TextToPath()
 
 
 def draw(axes: Any, drawing: Drawing, scale: float = 1.0) -> None:
-    """scale: of letters, which are sized in points. The axes have limits already: nothing is measured for them."""
+    """On axes that have their limits: nothing is measured for these. scale: of letters, sized in points."""
     for layer, lines in drawing.lines.items():
         colour, _, width = LAYERS[layer]
         axes.add_collection(LineCollection(lines, colors=colour, linewidths=width, gid=layer), autolim=False)
