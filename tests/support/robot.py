@@ -52,13 +52,15 @@ def until(condition, seconds=30, what=""):
 
 
 def display(*arguments):
-    """Runs xdotool, at places in Qt's pixels. The window goes on meanwhile, as it answers the display."""
+    """Runs xdotool, at places in Qt's pixels. The window goes on meanwhile, as it answers the display; in the
+    end it has got all that was sent, which takes its time on a busy machine."""
     if arguments[0] == "mousemove":
         ratio = window.devicePixelRatioF()
         arguments = ("mousemove", *(round(ratio * place) for place in arguments[1:3]), *arguments[3:])
     running = subprocess.Popen(["xdotool", *map(str, arguments)])
     until(lambda: running.poll() is not None, 20, f"xdotool {arguments}")
     assert running.returncode == 0, arguments
+    QtGui.QApplication.sync()
     settle(80)
 
 

@@ -17,10 +17,10 @@ from running import PYTHON, dome, environment  # noqa: E402
 from sharing import shared  # noqa: E402
 
 
-def design_document(folder, *settings):
-    """The document that the command line makes of a dome of 54 tiles."""
+def design_document(folder, *settings, rings=3):
+    """The document that the command line makes of a dome, by default of 54 tiles."""
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "dome.obj").write_text(dome(3))
+    (folder / "dome.obj").write_text(dome(rings))
     done = subprocess.run([PYTHON, "-m", "curveups.cli", "design", folder / "dome.obj", "-o",
                            folder / "out", "--no-remesh", *settings], env=environment(),
                           capture_output=True, text=True)

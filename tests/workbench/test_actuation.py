@@ -185,7 +185,8 @@ def test_touches_and_changes_are_looked_for_by_the_mouse(dome_document, pictures
     overlay_of(design).select_tiles([])
     until(lambda: overlay_of(design).selected == [], 10, "no selection")
     click(form.chosen)
-    assert "no tile is selected" in form.line.text() and not LIVE.busy
+    until(lambda: "no tile is selected" in form.line.text(), 10, "why nothing is pressed")
+    assert not LIVE.busy
     overlay_of(design).select_tiles([4, 9])
     until(lambda: overlay_of(design).selected == [4, 9], 10, "the selection")
     click(form.chosen)

@@ -61,7 +61,7 @@ def marked():
 
 
 def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
-    made, design = example("mask", L=14, HBody=28)
+    made, design = example("half-sphere", L=14, HBody=33)
     before = design.Results
     press("CurveUps_Check")
     form = widget("CheckPanel")
@@ -98,7 +98,7 @@ def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
     click(form.use_thickness)
     until(lambda: LIVE.busy, 10, "the next check")
     at_rest()
-    assert 1 < design.HBody.Value < 28 and made.UndoNames[:2] == ["Check", "Use HBody"], made.UndoNames
+    assert 1 < design.HBody.Value < 33 and made.UndoNames[:2] == ["Check", "Use HBody"], made.UndoNames
     assert "<b>Feasible" in form.verdict.text() and not form.obstacles.isVisible(), form.verdict.text()
     assert len(overlay.scene.fields["Obstacles"].problems) == 0
     picture("feasible")
@@ -107,7 +107,7 @@ def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
     made.undo()
     made.undo()
     settle(500)
-    until(lambda: design.HBody.Value == 28 and "Not feasible" in form.verdict.text(), 5, "the check before")
+    until(lambda: design.HBody.Value == 33 and "Not feasible" in form.verdict.text(), 5, "the check before")
     design.HBody = 3
     made.recompute()
     until(lambda: "Out of date" in form.verdict.text() and not form.sizes.isEnabled(), 5, "that it is old")
@@ -203,7 +203,7 @@ def test_a_part_with_a_wall_is_taken_as_it_is_drawn(pictures):
 
     made = begin()
     outer, inner = Part.makeSphere(45), Part.makeSphere(40)
-    below = Part.makeBox(100, 100, 100, FreeCAD.Vector(-50, -50, -90))
+    below = Part.makeBox(100, 100, 100, FreeCAD.Vector(-50, -50, -115))
     bowl = made.addObject("Part::Feature", "Bowl")
     bowl.Shape = outer.cut(inner).common(below).removeSplitter()
     FreeCADGui.ActiveDocument.ActiveView.viewIsometric()

@@ -84,7 +84,7 @@ def test_a_check_is_german(pictures):
     """What it is doing, margins, and the native module's reasons and remedies."""
     FreeCADGui.setLocale("German")
     try:
-        made, design = example("mask", L=14, HBody=28)
+        made, design = example("half-sphere", L=14, HBody=33)
         press("CurveUps_Check")
         form, said = panel().form, set()
 

@@ -81,11 +81,11 @@ def test_a_macro_of_all_commands_replays_without_a_window(monkeypatch, tmp_path,
     design.ViewObject.doubleClicked()
     until(lambda: panel() is not None and panel().form.isVisible(), 10, "the panel")
     settle(500)
-    for group, name, value in (("Target", "L", "14"), ("Layout", "Tau", "2.9")):
+    for group, name, value in (("Target", "L", "20"), ("Layout", "Tau", "2.9")):
         panel().turn_to(group)
         settle(300)
         enter(panel().form, name, value)
-    until(lambda: (float(design.L), design.Tau) == (14, 2.9), 10, "values")
+    until(lambda: (float(design.L), design.Tau) == (20, 2.9), 10, "values")
     leave()
     for name in ("Cuts", "Check", "Solve"):
         press(f"CurveUps_{name}")
@@ -122,7 +122,7 @@ def test_a_macro_of_all_commands_replays_without_a_window(monkeypatch, tmp_path,
     assert sorted(os.listdir(tmp_path / "out")) == files
     assert (tmp_path / "kit" / "kit.json").exists()
     text = (tmp_path / "everything.FCMacro").read_text("utf-8")
-    for name in ("newDocument", "new_design", "L = 14", "Tau = 2.9", "check", "divide", "set_cuts", "solve",
+    for name in ("newDocument", "new_design", "L = 20", "Tau = 2.9", "check", "divide", "set_cuts", "solve",
                  "verify", "repair", "actuate", "build_solids", "report", "export", "kit", "restore"):
         assert name in text, (name, text)
 

@@ -13,7 +13,7 @@ from curveups.window import commands, qt
 from curveups.window.overlay import cameras
 from robot import (QtCore, QtGui, at_rest, choose, click, click_at, in_dialog, keys, menu_bar, menu_of,
                    on_screen, picture, press, report, settle, tree_entry, until, widget, window)
-from steps import LIVE, begin, click_edge, edge_at, example, leave, panel, point_in
+from steps import LIVE, begin, click_edge, edge_at, leave, opened, panel, point_in
 
 pytestmark = pytest.mark.freecad(window=True, timeout=600)
 
@@ -101,13 +101,12 @@ def pages(monkeypatch):
 
 
 @pytest.fixture
-def prepared(tmp_path):
-    """A design with solids, in a saved document."""
-    made, design = example(L=14)
-    made.saveAs(str(tmp_path / "saved.FCStd"))
-    for command in ("CurveUps_Solve", "CurveUps_BuildSolids"):
-        FreeCADGui.runCommand(command)
-        leave()
+def prepared(dome_document, tmp_path):
+    """A design with solids, in a saved document. The view shows its tiles."""
+    document, design = opened(dome_document)
+    document.saveAs(str(tmp_path / "saved.FCStd"))
+    FreeCADGui.runCommand("CurveUps_ShowActuated")
+    until(lambda: design.Visibility and design.ViewObject.Morph == 1, 10, "the tiles")
     return design
 
 
@@ -210,7 +209,7 @@ def test_the_first_layout_of_ones_own_part_comes_into_view(kind, pictures):
     FreeCADGui.Selection.addSelection(part)
     press("CurveUps_NewDesign")
     design = made.Design
-    design.L = 2.5
+    design.L = 4
     made.recompute()
     camera = look()
     # A run that is cancelled leaves all as it was. Such small tiles take longer than the way to the button.
@@ -220,7 +219,7 @@ def test_the_first_layout_of_ones_own_part_comes_into_view(kind, pictures):
     click(panel().form.cancel)
     at_rest()
     assert shown(part) and np.allclose(look(), camera, atol=1e-3)
-    design.L = 8
+    design.L = 12
     made.recompute()
     click(panel().form.solve)
     at_rest()

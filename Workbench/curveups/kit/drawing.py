@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import io
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any, Callable, Iterator, Sequence
 
 import ezdxf
@@ -269,6 +270,7 @@ def wrapped(text: str, room: float, size: float) -> list[str]:
     return lines
 
 
+@lru_cache(maxsize=1024)  # of each size of paper
 def _width(text: str, size: float) -> float:
     found = _METRICS.get_text_width_height_descent(text, _FONT, False)
     return float(found[0]) * size / 100 / POINT
@@ -279,14 +281,14 @@ _METRICS = TextToPath()
 
 
 def draw(axes: Any, drawing: Drawing, scale: float = 1.0) -> None:
-    """scale: of letters, which are sized in points."""
+    """On axes that have their limits: nothing is measured for these. scale: of letters, sized in points."""
     for layer, lines in drawing.lines.items():
         colour, _, width = LAYERS[layer]
-        axes.add_collection(LineCollection(lines, colors=colour, linewidths=width, gid=layer))
+        axes.add_collection(LineCollection(lines, colors=colour, linewidths=width, gid=layer), autolim=False)
     for layer, circles in drawing.circles.items():
         for x, y, radius in circles:
-            axes.add_patch(Circle((x, y), radius, fill=False, edgecolor=LAYERS[layer][0], linewidth=0.5,
-                                  gid=layer))
+            axes.add_artist(Circle((x, y), radius, fill=False, edgecolor=LAYERS[layer][0], linewidth=0.5,
+                                   gid=layer))
     for x, y, height, text in drawing.texts:
         axes.text(x, y, text, size=height * POINT * scale / CAPITALS, color=LAYERS["text"][0], clip_on=True,
                   bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0})  # over lines

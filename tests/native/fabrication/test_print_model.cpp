@@ -35,6 +35,8 @@ TEST_P(Shapes, AreSoundWithEveryKindOfBumpAndSupport) {
       p.bumps = bumps;
       p.support = support;
       test::SampleOptions o;
+      o.rows = 3;
+      o.columns = 4;
       o.kx = GetParam()[0];
       o.ky = GetParam()[1];
       SCOPED_TRACE(std::string(bumps) + " " + support);

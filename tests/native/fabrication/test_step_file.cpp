@@ -163,8 +163,7 @@ TEST_F(StepFile, HoldsEveryBodyByNameAndColourWithItsVolume) {
       p.bumps = bumps;
       p.support = support;
       test::SampleOptions o;
-      o.rows = 2;
-      o.columns = 3;
+      o.rows = o.columns = 2;
       const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
       for (const char* kind : {"tiles", "support", "anchors", "print", "actuated"}) {
         SCOPED_TRACE(std::string(bumps) + " " + support + " " + kind);
