@@ -354,7 +354,7 @@ def _value(one: Range, value: float) -> str:
     """Of a process window, with its unit."""
     if one.unit == "%":
         return f"{short(value)} %"
-    return text_of(value, {"degrees": "deg"}.get(one.unit, one.unit), max(map(abs, one.searched)))
+    return text_of(value, {"degrees": "deg"}.get(one.unit, one.unit), max(abs(end) for end in one.searched))
 
 
 def _mark(item: Any, mark: str, stage: str) -> None:
