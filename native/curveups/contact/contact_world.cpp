@@ -400,9 +400,9 @@ StepReport ContactWorld::advance() {
   for (int iteration = 0;; ++iteration) {
     contacts_.set_caps(contacts_.caps_at(x));
     // Limits that have risen grip more than the step has paid for, until it is balanced with them.
-    const bool last = iteration >= pace_.iterations &&
-                      (iteration == pace_.most_iterations ||
-                       value(x) - contacts_.friction_work(x) <= report.before);
+    const bool last =
+        iteration >= pace_.iterations && (iteration == pace_.most_iterations ||
+                                          value(x) - contacts_.friction_work(x) <= report.before);
     BlockMatrix<6>* hessian = last ? nullptr : hessian_.get();
     if (hessian) hessian->set_zero();
     double now = given_gradient(x, g, hessian);

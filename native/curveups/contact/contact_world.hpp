@@ -43,8 +43,8 @@ struct Pace {
   double lone_drag = 0.03;    // as Drag has it
   // Of Newton's method, a step; the most where energy would rise in it.
   int iterations = 3, most_iterations = 12;
-  double tolerance = 1e-3;    // forces left on bodies at rest, in the unit of forces
-  SearchOptions search;       // on the way
+  double tolerance = 1e-3;  // forces left on bodies at rest, in the unit of forces
+  SearchOptions search;     // on the way
 };
 
 struct StepReport {
