@@ -6158,8 +6158,8 @@
       <translation>Von</translation>
     </message>
     <message>
-      <source>How far each value may be off, all others as they are, until the shape or the glue does not hold; ≤ and ≥: nothing failed as far as was searched. Click a row to select the tiles that fail first</source>
-      <translation>Wie weit jeder Wert abweichen darf, alle anderen wie sie sind, bis die Form oder der Kleber nicht hält; ≤ und ≥: so weit gesucht wurde, versagte nichts. Klicken Sie auf eine Zeile, um die Kacheln auszuwählen, die zuerst versagen</translation>
+      <source>How far each value may be off, all others as they are, until the shape or the glue does not hold; ≤ and ≥: nothing failed as far as was searched. Click an end to select the tiles that fail first beyond it</source>
+      <translation>Wie weit jeder Wert abweichen darf, alle anderen wie sie sind, bis die Form oder der Kleber nicht hält; ≤ und ≥: so weit gesucht wurde, versagte nichts. Klicken Sie auf ein Ende, um die Kacheln auszuwählen, die jenseits davon zuerst versagen</translation>
     </message>
     <message>
       <source>Lay the tiles out flat, verify that the membranes hold the shape, and repair weak contacts</source>

@@ -23,6 +23,14 @@ def design():
     return native.Design("dome", parameters, V, F, found.T, found.q, NONE)
 
 
+@pytest.fixture(scope="module", autouse=True)
+def several_threads():
+    before = native.thread_count()
+    native.set_thread_count(2)
+    yield
+    native.set_thread_count(before)
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     return tmp_path_factory.mktemp("files")

@@ -4,7 +4,9 @@ works."""
 
 import importlib.util
 import json
+import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -122,3 +124,32 @@ def test_a_test_that_there_is_not_is_refused(word):
     ran = subprocess.run([ROOT / "tools" / "test", "--only", word], capture_output=True, text=True)
     assert ran.returncode == 2 and ran.stdout == ""
     assert f"there is no test {word}" in ran.stderr
+
+
+_RUNNER = """#!/bin/sh
+case "$*" in
+  *$FAILS*) sleep 1; echo "50% tests passed"; echo "== 1 failed in 1s =="; exit 1 ;;
+  *) echo "100% tests passed"; echo "== 1 passed in 1s ==" ;;
+esac
+"""
+
+
+@pytest.mark.parametrize("kind, fails", [("none", "nothing"), ("native", "build/test"), ("python", "tests/python"),
+                                         ("workbench", "tests/workbench")])
+def test_tests_fail_where_one_kind_does(tmp_path, kind, fails):
+    """The script runs them side by side."""
+    for folder in ("bin", "tools", "build", "tests/python", "tests/workbench"):
+        (tmp_path / folder).mkdir(parents=True)
+    shutil.copy(ROOT / "tools" / "test", tmp_path / "tools" / "test")
+    (tmp_path / "build" / "python.env").write_text(f"CURVEUPS_PYTHON={tmp_path}/bin/python\n")
+    for name in ("tests/python/test_a.py", "tests/workbench/test_b.py"):
+        (tmp_path / name).touch()
+    for name in ("bin/python", "bin/ctest", "tools/setup"):
+        (tmp_path / name).write_text(_RUNNER)
+        (tmp_path / name).chmod(0o755)
+    ran = subprocess.run([tmp_path / "tools" / "test"], capture_output=True, text=True, env={
+        **os.environ, "FAILS": fails, "PATH": f"{tmp_path}/bin:{os.environ['PATH']}"})
+    assert ran.returncode == (0 if kind == "none" else 1)
+    closing = dict(line.split(": ") for line in ran.stdout.splitlines()[-3:])
+    assert {name for name, said in closing.items() if said.startswith(("50%", "1 failed"))} == {kind} - {"none"}
+    assert set(closing) == {"native", "python", "workbench"}

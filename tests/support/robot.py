@@ -91,11 +91,12 @@ def scroll_to(widget, place):
         above = above.parentWidget()
 
 
-def click_item(tree, item):
+def click_item(tree, item, column=0):
     """Of a tree in a panel."""
     tree.scrollToItem(item)
-    scroll_to(tree.viewport(), tree.visualItemRect(item).center())
-    click_at(tree.viewport().mapToGlobal(tree.visualItemRect(item).center()))
+    place = tree.visualRect(tree.indexFromItem(item, column)).center()
+    scroll_to(tree.viewport(), place)
+    click_at(tree.viewport().mapToGlobal(place))
 
 
 def click(widget, times=1, button=1):

@@ -144,7 +144,8 @@ def test_a_run_that_is_cancelled_or_undone_leaves_nothing(pictures):
 
 def test_touches_and_changes_are_looked_for_by_the_mouse(dome_document, pictures):
     document, design = opened(dome_document)
-    design.Bumps, design.FrictionCoefficient = "none", 0.2
+    # So near to its shape no hand brings it: where it jams, and whether touches help, depend on rounding.
+    design.Bumps, design.FrictionCoefficient, design.HoldTolerance = "none", 0.2, "0.1 um"
     document.recompute()
     at_rest()
     press("CurveUps_Actuate")
@@ -154,7 +155,7 @@ def test_touches_and_changes_are_looked_for_by_the_mouse(dome_document, pictures
     frames, words = form.frame.maximum(), form.verdict.text()
     assert not form.hands.isChecked() and not form.press.isEnabled() and form.changes.isEnabled()
 
-    # With the box ticked the frames go on with what hands do, and the tiles that they press can be selected.
+    # With the box ticked the frames go on with what hands do.
     click(form.hands)
     click(form.run)
     at_rest(300)
@@ -162,9 +163,7 @@ def test_touches_and_changes_are_looked_for_by_the_mouse(dome_document, pictures
     found = stored(design).latest(RISEN)
     assert found.path_count == frames + 1 and "by hand" in form.at.text()
     assert form.verdict.text().startswith(words) and len(form.verdict.text()) > len(words)
-    click(form.press)
-    assert overlay_of(design).selected == found.pressed_tiles != []
-    assert picture("tiles-to-press") > 12
+    assert form.press.isEnabled() == bool(found.pressed_tiles)
 
     # What would help is said below the path, which stays as it is.
     before, words = corners(design), form.verdict.text()
@@ -194,6 +193,13 @@ def test_touches_and_changes_are_looked_for_by_the_mouse(dome_document, pictures
     until(lambda: stored(design).latest(RISEN).pressed_tiles == [4, 9] and ends(form), 60, "these")
     assert form.verdict.text() != words and cut_off(form) == []
     picture("press-selected-tiles")
+
+    # Those that hands press can be selected again.
+    overlay_of(design).select_tiles([])
+    until(lambda: overlay_of(design).selected == [], 10, "no selection")
+    click(form.press)
+    until(lambda: overlay_of(design).selected == [4, 9], 10, "the tiles that hands press")
+    assert picture("tiles-to-press") > 12
 
 
 def test_a_release_is_chosen_and_played(dome_document, pictures):

@@ -258,12 +258,19 @@ def test_the_process_window_is_shown_until_the_design_changes(dome_document, pic
     assert cut_off(panel.form) == []
     picture("window")
 
-    # A click shows what fails first.
-    number, one = next((number, one) for number, one in enumerate(report.values())
-                       if any(failure and failure.tiles for failure in one.failures))
-    click_item(rows, rows.topLevelItem(number))
-    failing = sorted({tile for failure in one.failures if failure for tile in failure.tiles})
-    until(lambda: overlay_of(design).selected == failing, 10, "the tiles that fail first")
-    design.Tau = 2.9
-    document.recompute()
-    until(lambda: not rows.isVisible(), 10, "a window that is out of date to go")
+    # A click on an end shows what fails first beyond it.
+    number, column, failure = next((number, column, failure) for number, one in enumerate(report.values())
+                                   for column, failure in enumerate(one.failures, 1)
+                                   if failure and failure.tiles)
+    click_item(rows, rows.topLevelItem(number), column)
+    until(lambda: overlay_of(design).selected == sorted(failure.tiles), 10, "the tiles that fail first")
+
+    # What settling alone reads makes the window out of date, and so does what the layout is made from.
+    for name, value in (("HoldTolerance", "0.2 mm"), ("Tau", 2.9)):
+        document.openTransaction("an edit")
+        setattr(design, name, value)
+        document.commitTransaction()
+        document.recompute()
+        until(lambda: not rows.isVisible(), 10, f"a window that {name} makes out of date to go")
+        document.undo()
+        until(lambda: rows.isVisible(), 10, "the window of the design as it was")

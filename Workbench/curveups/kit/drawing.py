@@ -270,7 +270,7 @@ def wrapped(text: str, room: float, size: float) -> list[str]:
     return lines
 
 
-@lru_cache(maxsize=1024)  # of each size of paper
+@lru_cache(maxsize=1024)  # the same words are measured for each size of paper
 def _width(text: str, size: float) -> float:
     found = _METRICS.get_text_width_height_descent(text, _FONT, False)
     return float(found[0]) * size / 100 / POINT

@@ -160,9 +160,9 @@ class Planner {
     for (int s = 0; s < 2; ++s) {
       const int tile = contact.tile[s], wall = contact.side[s];
       const RigidMotion& frame = tiles_.frame[tile];
-      const Vec3 inward = -tiles_.wall_normal(tile, wall), start = frame.back(plane.origin);
-      const Vec3 u = frame.back(plane.origin + plane.u) - start;
-      const Vec3 v = frame.back(plane.origin + plane.v) - start;
+      const Vec3 inward = -tiles_.wall_normal(tile, wall), start = frame.to_own(plane.origin);
+      const Vec3 u = frame.to_own(plane.origin + plane.u) - start;
+      const Vec3 v = frame.to_own(plane.origin + plane.v) - start;
       const Vec3 origin = start + plan_.recess(tile, wall) * inward;
       for (const BodyFace& face : plan_.body[tile].faces) {
         if (face.tag == body_tag::wall + wall) continue;
@@ -230,7 +230,7 @@ class Planner {
       if (!own && p_.bumps != "dimples") continue;
       const Shape shape = own ? shape_[k] : hollow;
       const Vec3 centre =
-          tiles_.frame[tile].back(centres_[k][i]) - plan_.recess(tile, wall) * normal;
+          tiles_.frame[tile].to_own(centres_[k][i]) - plan_.recess(tile, wall) * normal;
       caps.push_back(
           {wall, centre, own ? normal : Vec3(-normal), shape.radius, shape.height, own, k});
     }

@@ -395,14 +395,17 @@ StepReport ContactWorld::advance() {
     return stride(drag.furthest_apart(to), motions_between(poses_, to, lever));
   };
   Poses x = poses_;
+  // Limits of friction that have risen grip springs by more than the step has been given.
+  auto stores_more = [&] {
+    const double blur = 1e-12 * (std::abs(report.before) + unit * lever);
+    return value(x) - contacts_.friction_work(x) > report.before + blur;
+  };
   int shortened = 0;
   contacts_.careful = false;
   for (int iteration = 0;; ++iteration) {
     contacts_.set_caps(contacts_.caps_at(x));
-    // Limits that have risen grip more than the step has paid for, until it is balanced with them.
     const bool last =
-        iteration >= pace_.iterations && (iteration == pace_.most_iterations ||
-                                          value(x) - contacts_.friction_work(x) <= report.before);
+        iteration >= pace_.most_iterations || (iteration >= pace_.iterations && !stores_more());
     BlockMatrix<6>* hessian = last ? nullptr : hessian_.get();
     if (hessian) hessian->set_zero();
     double now = given_gradient(x, g, hessian);
@@ -421,7 +424,7 @@ StepReport ContactWorld::advance() {
     }
     now += drag.derivatives(x, weight_, g, hessian);
     report.converged = largest_row(g) <= std::max(0.1 * report.residual, pace_.tolerance) * unit;
-    if (report.converged || last || covered(x) > 1) break;
+    if (last || ((report.converged || covered(x) > 1) && !stores_more())) break;
     ++report.iterations;
     factorize(x, drag, convex, report);
     const Eigen::MatrixXd solved =

@@ -41,7 +41,7 @@ struct Pace {
   double together = 6;
   double largest_turn = 0.5;  // of a body in an iteration, rad
   double lone_drag = 0.03;    // as Drag has it
-  // Of Newton's method, a step; the most where energy would rise in it.
+  // Of Newton's method, a step, and where it would store more than before: then it goes on.
   int iterations = 3, most_iterations = 12;
   double tolerance = 1e-3;  // forces left on bodies at rest, in the unit of forces
   SearchOptions search;     // on the way

@@ -29,9 +29,7 @@ Eigen::Matrix3d positive_turn_curvature(const Vec3& force, const Vec3& arm, doub
           c * Eigen::Matrix3d::Identity());
 }
 
-Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p) {
-  return b.R.transpose() * (a(p) - b.t);
-}
+Vec3 seen_from(const RigidMotion& b, const RigidMotion& a, const Vec3& p) { return b.to_own(a(p)); }
 
 void add_seen_point(const Poses& poses, const std::array<int, 2>& bodies, int a, int b,
                     const Vec3& p, const Vec3& by_y, const Eigen::Matrix3d& by_y_twice,

@@ -85,7 +85,8 @@ std::vector<Axis> axes() {
       {"xy_growth",
        "mm",
        0,
-       // Bumps of 0.1 mm let go of one another, and tiles turn over, where walls shrink by more.
+       // Bumps of 0.1 mm let go of one another, and tiles turn over, where walls shrink by 0.02 mm
+       // at once.
        {{{-0.01, -0.02, -0.03, -0.04, -0.05, -0.06, -0.07, -0.08, -0.09, -0.1}, {0.02, 0.05, 0.1}}},
        with([](Conditions& c, double mm) { c.growth = mm; })},
       {"xy_taper",

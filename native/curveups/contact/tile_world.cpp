@@ -65,7 +65,7 @@ std::vector<PairLoad> shared_out(const Wrenches& wrenches, const Poses& tiles,
   for (int p = 0; p < system.point_count(); ++p) {
     const ContactPoint& point = system.points()[p];
     const RigidMotion &one = tiles[point.tile[0]], &other = tiles[point.tile[1]];
-    loads.push_back({point.tile, other.R.transpose() * (point.position - other.t),
+    loads.push_back({point.tile, other.to_own(point.position),
                      -(one.R.transpose() * (system.basis(p) * forces.force.row(p).transpose()))});
   }
   return loads;

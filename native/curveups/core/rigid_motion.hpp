@@ -11,7 +11,8 @@ struct RigidMotion {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   Vec3 t = Vec3::Zero();
   Vec3 operator()(const Vec3& p) const { return R * p + t; }
-  Vec3 back(const Vec3& p) const { return R.transpose() * (p - t); }
+  // From the world to the body's own coordinates.
+  Vec3 to_own(const Vec3& p) const { return R.transpose() * (p - t); }
 };
 
 }  // namespace curveups

@@ -49,7 +49,7 @@ bool bodies_overlap(const TileMesh& tiles, const Truncation& truncation, int i, 
   const RigidMotion &to = tiles.frame[i], &from = tiles.frame[j];
   for (const BodyFace& face : other.faces) {
     const Vec3 normal = to.R.transpose() * (from.R * face.plane.normal);
-    const Vec3 point = to.back(from(other.points[face.loop[0]]));
+    const Vec3 point = to.to_own(from(other.points[face.loop[0]]));
     clip(body, {normal, normal.dot(point)}, body_tag::cut);
     if (body.faces.empty()) return false;
   }

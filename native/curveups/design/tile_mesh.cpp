@@ -88,7 +88,7 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
   for (int i = 0; i < count; ++i) {
     tiles.frame[i] = make_frame(mesh, i);
     for (int t = 0; t < 3; ++t) {
-      const Vec3 p = tiles.frame[i].back(mesh.V.row(mesh.F(i, t)));
+      const Vec3 p = tiles.frame[i].to_own(mesh.V.row(mesh.F(i, t)));
       tiles.front[i][t] = p.head<2>();
       tiles.length(i, t) = (mesh.V.row(mesh.F(i, next3(t))) - mesh.V.row(mesh.F(i, t))).norm();
     }

@@ -28,8 +28,8 @@ struct TileMesh {
   std::vector<Contact> contacts;
   double H_body = 0;
 
-  // Per tile, all but where it is in its own coordinates: the origin is its front corner 0, x runs
-  // along its edge 0, z along the outward (front) normal. Its body fills -H_body <= z <= 0.
+  // Per tile. All but `frame` in the tile's own coordinates: the origin is its front corner 0, x
+  // runs along its edge 0, z along the outward (front) normal. Its body fills -H_body <= z <= 0.
   std::vector<RigidMotion> frame;          // where it is
   std::vector<std::array<Vec2, 3>> front;  // front corners, counter-clockwise
   std::vector<std::array<Vec2, 3>> back;   // back corners before truncation

@@ -122,7 +122,7 @@ std::vector<MembraneClearance> patch_clearances(const DesignGeometry& geometry,
           std::array<Vec3, 3> local;
           double lowest = 1e300;
           for (int c = 0; c < 3; ++c) {
-            local[c] = tiles.frame[tile].back(
+            local[c] = tiles.frame[tile].to_own(
                 membrane.state.x.row(membrane.mesh.triangles[t][c]).transpose());
             lowest = std::min(lowest, face->plane.distance(local[c]));
           }

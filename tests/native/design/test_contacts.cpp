@@ -41,7 +41,7 @@ TEST(Contacts, PatchesAreWhatBothWallsHaveInCommon) {
         const ConvexBody body = tile_body(tiles, truncation, tile);
         for (const Vec3& p : patches[k].polygon) {
           for (const BodyFace& face : body.faces) {
-            EXPECT_LE(face.plane.distance(tiles.frame[tile].back(p)), 2e-5);
+            EXPECT_LE(face.plane.distance(tiles.frame[tile].to_own(p)), 2e-5);
           }
         }
       }
@@ -59,7 +59,7 @@ TEST(Contacts, PatchesAreWhatBothWallsHaveInCommon) {
         for (int s = 0; s < 2; ++s) {
           const int tile = contact.tile[s];
           for (const BodyFace& face : tile_body(tiles, truncation, tile).faces) {
-            left |= face.plane.distance(tiles.frame[tile].back(p)) > 1e-4;
+            left |= face.plane.distance(tiles.frame[tile].to_own(p)) > 1e-4;
           }
         }
         EXPECT_TRUE(left);

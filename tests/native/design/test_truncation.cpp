@@ -18,7 +18,7 @@ double overlap(const TileMesh& tiles, const Truncation& truncation, int i, int j
   const ConvexBody other = tile_body(tiles, truncation, j);
   for (const BodyFace& face : other.faces) {
     const Vec3 normal = tiles.frame[i].R.transpose() * (tiles.frame[j].R * face.plane.normal);
-    const Vec3 point = tiles.frame[i].back(tiles.frame[j](other.points[face.loop[0]]));
+    const Vec3 point = tiles.frame[i].to_own(tiles.frame[j](other.points[face.loop[0]]));
     clip(body, {normal, normal.dot(point)}, body_tag::cut);
     if (body.faces.empty()) return 0;
   }

@@ -16,6 +16,7 @@ from ...features import properties
 from ...features.document import reasons_of
 from ...features.live import stored
 from ...features.status import OUT_OF_DATE
+from ...project.verdict import HOLDS
 from ...project.worker import Status
 from ...stages import label_of
 from ...stages.settle import Range
@@ -88,7 +89,7 @@ class SolvePanel(Panel):
         place = QtWidgets.QVBoxLayout(self.form.curves_place)
         place.setContentsMargins(0, 0, 0, 0)
         place.addWidget(self.curves)
-        self._ranges: Optional[tuple[Range, ...]] = None
+        self._ranges: Any = None  # that are shown, and in which schema of units
         self._rows: Optional[ParameterRows] = None
         self._held: Optional[HeldTiles] = None
         self._began: dict[str, float] = {}
@@ -137,7 +138,7 @@ class SolvePanel(Panel):
         header.setStretchLastSection(False)
         header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         header.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
-        form.window.itemSelectionChanged.connect(lambda: self._select_failing())
+        form.window.itemClicked.connect(self._select_failing)
 
     def _runner(self, which: str) -> Callable[..., None]:
         return lambda *_: self.run(which)
@@ -281,33 +282,35 @@ class SolvePanel(Panel):
         self._show_window()
 
     def _show_window(self) -> None:
-        """The process window of the design as it is, where its run looked for one."""
+        """The process window of the design as it is, where its run looked for one: only a design that holds
+        has one."""
         tree, found = self.form.window, stored(self.design).latest("settle")
-        ranges = found.window if found and self.design.Status == "current" else ()
-        if ranges == self._ranges:
+        ranges = found.window if found and self.design.Holds == HOLDS[True] else ()
+        shown_now = ranges, FreeCAD.Units.getSchema()
+        if shown_now == self._ranges:
             return
-        self._ranges = ranges
+        self._ranges = shown_now
         tree.clear()
         for one in ranges:
-            texts = [f"{mark} {_value(one, searched)}" if end is None else _value(one, end)
-                     for mark, searched, end in zip("≤≥", one.searched, one.ends)]
-            item = QtWidgets.QTreeWidgetItem([translate("CurveUpsSolve", _RANGES[one.parameter]), *texts])
-            for column, failure in enumerate(one.failures, 1):
+            item = QtWidgets.QTreeWidgetItem([translate("CurveUpsSolve",
+                                                        _RANGES.get(one.parameter, one.parameter))])
+            for column, (mark, end, searched, failure) in enumerate(
+                    zip("≤≥", one.ends, one.searched, one.failures), 1):
+                item.setText(column, f"{mark} {_value(one, searched)}" if end is None else _value(one, end))
                 item.setTextAlignment(column, QtCore.Qt.AlignRight)
                 if failure:
                     item.setToolTip(column, shown(self.design, failure, False))
-            item.setData(0, QtCore.Qt.UserRole, sorted({tile for failure in one.failures if failure
-                                                        for tile in failure.tiles}))
+                    item.setData(column, QtCore.Qt.UserRole, list(failure.tiles))
             tree.addTopLevelItem(item)
         tree.setVisible(bool(ranges))
         tree.setFixedHeight(tree.header().sizeHint().height() + len(ranges) * tree.sizeHintForRow(0) + 4)
 
-    def _select_failing(self) -> None:
-        for item in self.form.window.selectedItems():
-            tiles = item.data(0, QtCore.Qt.UserRole)
+    def _select_failing(self, item: Any, column: int) -> None:
+        """What fails first beyond the end that was clicked."""
+        tiles = item.data(column, QtCore.Qt.UserRole)
+        if tiles:
             self._overlay.select_tiles(tiles)
-            if tiles:
-                self._overlay.look_at(tiles)
+            self._overlay.look_at(tiles)
 
     def _show_running(self, running: bool) -> None:
         form = self.form
