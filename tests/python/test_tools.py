@@ -134,8 +134,8 @@ esac
 """
 
 
-@pytest.mark.parametrize("kind, fails", [("none", "nothing"), ("native", "build/test"), ("python", "tests/python"),
-                                         ("workbench", "tests/workbench")])
+@pytest.mark.parametrize("kind, fails", [("none", "nothing"), ("native", "build/test"),
+                                         ("python", "tests/python"), ("workbench", "tests/workbench")])
 def test_tests_fail_where_one_kind_does(tmp_path, kind, fails):
     """The script runs them side by side."""
     for folder in ("bin", "tools", "build", "tests/python", "tests/workbench"):
@@ -151,5 +151,6 @@ def test_tests_fail_where_one_kind_does(tmp_path, kind, fails):
         **os.environ, "FAILS": fails, "PATH": f"{tmp_path}/bin:{os.environ['PATH']}"})
     assert ran.returncode == (0 if kind == "none" else 1)
     closing = dict(line.split(": ") for line in ran.stdout.splitlines()[-3:])
-    assert {name for name, said in closing.items() if said.startswith(("50%", "1 failed"))} == {kind} - {"none"}
+    failed = {name for name, said in closing.items() if said.startswith(("50%", "1 failed"))}
+    assert failed == {kind} - {"none"}
     assert set(closing) == {"native", "python", "workbench"}
