@@ -862,7 +862,7 @@
     </message>
     <message>
       <source>Shift of a half</source>
-      <translation>Versatz einer Hälfte</translation>
+      <translation>Hälfte versetzt</translation>
     </message>
     <message>
       <source>Solids</source>
@@ -906,7 +906,7 @@
     </message>
     <message>
       <source>Turn of a half</source>
-      <translation>Drehung einer Hälfte</translation>
+      <translation>Hälfte gedreht</translation>
     </message>
     <message>
       <source>Verification</source>

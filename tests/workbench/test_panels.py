@@ -240,7 +240,15 @@ def test_FreeCAD_can_be_quit_in_mid_run(elsewhere, tmp_path):
     assert left.read_text("utf-8") == "[0] False False"
 
 
-def test_the_process_window_is_shown_until_the_design_changes(dome_document, pictures):
+@pytest.fixture
+def german():
+    """Whose texts are longer."""
+    FreeCADGui.setLocale("German")
+    yield
+    FreeCADGui.setLocale("English")
+
+
+def test_the_process_window_is_shown_until_the_design_changes(german, dome_document, pictures):
     document, design = opened(dome_document)
     design.Window = True
     document.recompute()

@@ -292,8 +292,9 @@ class SolvePanel(Panel):
         self._ranges = shown_now
         tree.clear()
         for one in ranges:
-            item = QtWidgets.QTreeWidgetItem([translate("CurveUpsSolve",
-                                                        _RANGES.get(one.parameter, one.parameter))])
+            name = translate("CurveUpsSolve", _RANGES.get(one.parameter, one.parameter))
+            item = QtWidgets.QTreeWidgetItem([name])
+            item.setToolTip(0, name)
             for column, (mark, end, searched, failure) in enumerate(
                     zip("≤≥", one.ends, one.searched, one.failures), 1):
                 item.setText(column, f"{mark} {_value(one, searched)}" if end is None else _value(one, end))
