@@ -905,6 +905,10 @@
       <translation>Kacheln</translation>
     </message>
     <message>
+      <source>Trial layout</source>
+      <translation>Probelayout</translation>
+    </message>
+    <message>
       <source>Turn of a half</source>
       <translation>Hälfte gedreht</translation>
     </message>
@@ -1622,6 +1626,18 @@
     <message>
       <source>a tolerance of {0} mm is out of range</source>
       <translation>eine Toleranz von {0} mm ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+      <source>a trial layout cleared the doubts of estimates: membranes pass over all tiles</source>
+      <translation>ein Probelayout hat die Zweifel der Schätzungen ausgeräumt: Die Membranen gehen über alle Kacheln hinweg</translation>
+    </message>
+    <message>
+      <source>a trial layout, made and repaired where estimates were in doubt, ends with this</source>
+      <translation>ein Probelayout, gemacht und repariert, wo Schätzungen unsicher waren, endet damit</translation>
+    </message>
+    <message>
+      <source>a trial layout, made where estimates were in doubt, was not repaired after {steps} steps: the estimates stand</source>
+      <translation>ein Probelayout, gemacht, wo Schätzungen unsicher waren, war nach {steps} Schritten nicht repariert: Es gelten die Schätzungen</translation>
     </message>
     <message>
       <source>a vertex does not have three numbers</source>
@@ -4156,6 +4172,10 @@
       <translation>das sind keine Bilder eines Wegs</translation>
     </message>
     <message>
+      <source>these sizes are estimates: check what you choose of them</source>
+      <translation>diese Größen sind Schätzungen: Was davon gewählt wird, ist zu prüfen</translation>
+    </message>
+    <message>
       <source>thin it out</source>
       <translation>ihn ausdünnen</translation>
     </message>
@@ -4644,8 +4664,8 @@
       <translation>{points} Kontaktpunkte drücken zu schwach: weniger als f_min = {f_min:.3g} N an {contacts:8}; der schwächste hat {least:.3g} N an {weakest}</translation>
     </message>
     <message>
-      <source>{sizes: or }, with which 'curveups check' finds nothing in the way</source>
-      <translation>{sizes: or }, womit „curveups check“ keine Hindernisse findet</translation>
+      <source>{sizes: or }, with which the estimates of 'curveups check' find nothing in the way</source>
+      <translation>{sizes: oder }, womit die Schätzungen von „curveups check“ nichts im Weg sehen</translation>
     </message>
     <message>
       <source>{sizes: }, with which it is valid: that was tried</source>

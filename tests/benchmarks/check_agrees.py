@@ -53,8 +53,9 @@ def judge(target: str, cuts: int, setting: Mapping[str, Any]) -> dict[str, Any]:
         project = Project(Path(target).stem, parameters, given, Path(target).name)
         if cuts:
             project.give("cut request", request.accept(project.run(("cut search",), job)["cut search"]))
-        found = project.run(("feasibility",), job)["feasibility"]
-        said.update(check=found.feasible, tiles=len(found.F),
+        checked = project.run(("trial layout",), job)
+        found = checked["trial layout"]
+        said.update(check=found.feasible, tiles=len(checked["feasibility"].F),
                     obstacles=sorted({one.obstacle for one in found.blocked}),
                     check_seconds=round(time.process_time() - begun, 1))
         results = project.run(("figures", "verification", "recheck", "clearances"), job)

@@ -256,4 +256,4 @@ def test_all_that_is_tried_shares_a_number_of_steps_of_repair():
     outer = Job()
     found = parameter_search.other_sizes(Inputs(native.Parameters(), {}, elsewhere=repaired_for_ever), outer)
     assert found.found is None and found.tried == 4 and not outer.stopped
-    assert taken == [parameter_search._REPAIR_STEPS + 1, 1, 1, 1]
+    assert taken == [parameter_search.REPAIR_STEPS + 1, 1, 1, 1]

@@ -138,14 +138,13 @@ def test_a_target_is_checked_and_sizes_that_do_are_taken(made):
     design.L, design.HBody = 14, 28
     found = actions.check(design)
     assert made.UndoNames[0] == "Check" and design.Verdict == "not judged", design.Verdict
-    blocked = found["feasibility"].blocked
-    assert blocked and not found["feasibility"].feasible
+    assert found["trial layout"].blocked and not found["trial layout"].feasible
     best = found["sizes"].H_body
     assert 1 < best < 28, best
     assert design.Target.Mesh.CountFacets == len(found["feasibility"].F)
     assert actions.check(design)["feasibility"] is not None
     design.HBody = best
-    assert actions.check(design)["feasibility"].feasible
+    assert actions.check(design)["trial layout"].feasible
 
     chosen = actions.choose_sizes(design, ("H_body",))
     assert made.UndoNames[0] == "Choose Sizes" and set(chosen) == {"H_body"}

@@ -384,7 +384,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "advice.sizes": "of {tried} other sizes that were tried, {sizes: or } does",
     "advice.no_sizes": "none of {tried} other sizes that were tried does",
     "advice.mend": "so does mend=on, which moves vertices by up to {moved:.2g} mm",
-    "advice.checked": "{sizes: or }, with which 'curveups check' finds nothing in the way",
+    "advice.checked": "{sizes: or }, with which the estimates of 'curveups check' find nothing in the way",
     "advice.auto": "H_body=auto and L=auto try them with mending, too",
     "advice.mend_surface": "set mend=on ({actions})",
     "size": "{name}={value:g}",
@@ -396,6 +396,10 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "check.clear": "nothing is in the way of any tile",
     "check.blocked": "{count} of {of} tiles can't be made ({at:6})",
     "check.likely": "{count} tiles are likely to fail ({at:6})",
+    "check.passed": "a trial layout cleared the doubts of estimates: membranes pass over all tiles",
+    "check.failed": "a trial layout, made and repaired where estimates were in doubt, ends with this",
+    "check.undecided": "a trial layout, made where estimates were in doubt, was not repaired after {steps} "
+                       "steps: the estimates stand",
     "check.no_L": "no L that was tried does with H_body = {H_body:g} mm",
     "check.L": "with H_body = {H_body:g} mm, L from {low:g} to {high:g} mm does",
     "check.no_H_body": "with L = {L:.4g} mm, no H_body does",
@@ -405,6 +409,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "check.H_pin": "with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin = {H_pin:g} mm does",
     "check.H_pin_down": "with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin down to {H_pin:g} mm does",
     "check.together": "with L = {L:.4g} mm, H_body = {H_body:g} mm and H_pin = {H_pin:g} mm together do",
+    "check.limits": "these sizes are estimates: check what you choose of them",
     "check.mend": "with mend=on, which moves vertices by up to {moved:.2g} mm, these sizes do",
 }
 

@@ -91,7 +91,7 @@ def check(options: Any, session: Session) -> int:
             write_check(results, options.output)
     for line in check_report.table(results):
         session.answer(line)
-    return VALID if results["feasibility"].feasible else NOT_VALID
+    return VALID if results["trial layout"].feasible else NOT_VALID
 
 
 def remesh(options: Any, session: Session) -> int:

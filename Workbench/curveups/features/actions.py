@@ -110,8 +110,8 @@ def divide(design: Any) -> Results:
 
 
 def check(design: Any) -> Results:
-    """What of the target can be tiles, before any layout, and sizes that would do: "feasibility" and
-    "sizes" of the results."""
+    """What of the target can be tiles, and sizes that would do: "feasibility", "trial layout" and "sizes" of
+    the results."""
     return _run("check", design)
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Sequence
 
 import numpy as np
 
@@ -12,7 +12,8 @@ from ..base.findings import Finding
 from ..base.sentences import ESTIMATE, MARGINS
 from ..project.project import Results
 from ..stages.advice import of_check
-from ..stages.feasibility import SAG, TOO_NARROW, TOO_SLACK, Feasibility
+from ..stages.feasibility import SAG, TOO_NARROW, TOO_SLACK, Obstacle
+from ..stages.trial import REPAIR_STEPS
 from . import html, tables
 
 FORMAT, VERSION = "curveups-check", 1
@@ -22,10 +23,11 @@ Row = tuple[str, str, str, str, str]
 def build_check(results: Results) -> dict[str, Any]:
     """check.json. Dihedral angles and their margins are in degrees; numbers that there are
     none of (no back face, no flat map) are NaN here and null in the file."""
-    found, sizes = results["feasibility"], results["sizes"]
+    found, sizes, tried = results["feasibility"], results["sizes"], results["trial layout"]
     get = results.parameters.get
     return {
-        "format": FORMAT, "version": VERSION, "name": results.name, "feasible": found.feasible,
+        "format": FORMAT, "version": VERSION, "name": results.name, "feasible": tried.feasible,
+        "trial": tried.shown or None,
         "L": get("L"), "H_body": get("H_body"), "H_pin": get("H_pin"),
         "tiles": [{"tile": i, "fold_margin": float(found.least_dihedral_margin[i]),
                    "back_scale": float(found.back_scale[i]),
@@ -39,7 +41,7 @@ def build_check(results: Results) -> dict[str, Any]:
                          found.contacts.tolist(), found.dihedral, found.dihedral_margin,
                          found.interface_share)],
         "blocked": [{"tile": one.tile, "why": str(one.why), "obstacle": one.obstacle, "certain": one.certain}
-                    for one in found.blocked],
+                    for one in tried.blocked],
         "trimmed": found.trimmed.tolist(), "overlapping": found.overlapping.tolist(),
         "pins_meeting": found.meeting.tolist(),
         "relieved_pin_sides": found.reached, "mending_would_move_mm": found.mending,
@@ -52,19 +54,21 @@ def build_check(results: Results) -> dict[str, Any]:
     }
 
 
-def verdict(found: Feasibility) -> list[Finding]:
+def verdict(results: Results) -> list[Finding]:
     """What is in the way."""
+    found = results["trial layout"]
     sure = sorted({one.tile for one in found.blocked if one.certain})
     likely = sorted({one.tile for one in found.blocked} - set(sure))
-    said = [Finding.about(kind, tiles, at=tuple(tiles), count=len(tiles), of=len(found.F))
+    said = [Finding.about(kind, tiles, at=tuple(tiles), count=len(tiles), of=len(results["feasibility"].F))
             for kind, tiles in (("check.blocked", sure), ("check.likely", likely)) if tiles]
-    return said or [Finding("check.clear")]
+    tried = [Finding.about(f"check.{found.shown}", steps=REPAIR_STEPS)] if found.shown else []
+    return [*(said or [Finding("check.clear")]), *tried]
 
 
 def rows(results: Results) -> list[Row]:
     """What is compared, the worst value, the tile that has it, what is wanted, how many tiles miss that."""
-    found = results["feasibility"]
-    short = {kind: len({one.tile for one in found.blocked if one.obstacle == kind})
+    found, blocked = results["feasibility"], results["trial layout"].blocked
+    short = {kind: len({one.tile for one in blocked if one.obstacle == kind})
              for kind in ("fold", "pin", "overlap", "closed", "membrane", "stretch")}
     least, floor, height = map(results.parameters.get, ("A_pin_min", "A_pin_floor", "H_pin"))
     with np.errstate(divide="ignore", invalid="ignore"):  # where not even the smallest pins hold a membrane
@@ -73,9 +77,9 @@ def rows(results: Results) -> list[Row]:
     table = [_row(found.least_dihedral_margin, "0", short["fold"]),
              _row(found.back_scale, "0", short["fold"]),
              *(_row(found.pin_area_margin[:, side] + least, f"{floor:g}",
-                    sum(one.is_at("pin", name) for one in found.blocked)) for side, name in sides),
+                    sum(one.is_at("pin", name) for one in blocked)) for side, name in sides),
              *(_row(found.membrane_clearance[:, side], f"{SAG * height:g} *",
-                    sum(one.is_at("membrane", name) for one in found.blocked)) for side, name in sides),
+                    sum(one.is_at("membrane", name) for one in blocked)) for side, name in sides),
              _row(low, f"{TOO_NARROW:g} *", short["stretch"]),
              _row(high, f"{TOO_SLACK:g} *", short["stretch"], True),
              (str(len(found.overlapping) + len(found.meeting)), "", "0", str(short["overlap"]))]
@@ -97,7 +101,7 @@ def advice(results: Results) -> list[Finding]:
 
 
 def _said(results: Results) -> list[str]:
-    return [", ".join(map(str, verdict(results["feasibility"]))), *map(str, advice(results))]
+    return [", ".join(map(str, verdict(results))), *map(str, advice(results))]
 
 
 HEAD = ("", "worst", "tile", "wanted", "tiles short")
@@ -114,22 +118,22 @@ def table(results: Results) -> list[str]:
 
 def build_page(results: Results) -> str:
     """check.html."""
-    found = results["feasibility"]
-    kind, word = ("valid", "Feasible") if found.feasible else ("invalid", "Not feasible")
+    found, blocked = results["feasibility"], results["trial layout"].blocked
+    kind, word = ("valid", "Feasible") if not blocked else ("invalid", "Not feasible")
     said = "".join(f"<li>{html.escape(line)}</li>" for line in _said(results))
     shown, note = html.pictures_or_note(
-        lambda: [html.view("blocked", V=found.V, F=found.F, marks=_marks(found))])
+        lambda: [html.view("blocked", V=found.V, F=found.F, marks=_marks(len(found.F), blocked))])
     parts = [f"<h1>{html.escape(results.title)}</h1>",
              f'<p><span class="verdict {kind}">{word}</span> &nbsp; {len(found.F)} tiles</p><ul>{said}</ul>',
              *note, *(html.picture(png, "The target from both sides: tiles that can't be made in red, those "
                                         "that are likely to fail in orange.") for png in shown),
              "<h2>Margins</h2>", tables.table(rows(results), HEAD), f'<p class="note">{ESTIMATE}</p>']
-    if found.blocked:
+    if blocked:
         parts += ["<h2>Obstacles</h2>",
                   tables.table([(tile_name(one.tile), str(one.why), "certain" if one.certain else "estimate")
-                                for one in found.blocked[:_MOST_LISTED]], ("Tile", "Why", ""))]
-        if len(found.blocked) > _MOST_LISTED:
-            parts.append(f'<p class="note">and {len(found.blocked) - _MOST_LISTED} more, in check.json</p>')
+                                for one in blocked[:_MOST_LISTED]], ("Tile", "Why", ""))]
+        if len(blocked) > _MOST_LISTED:
+            parts.append(f'<p class="note">and {len(blocked) - _MOST_LISTED} more, in check.json</p>')
     parts += ["<h2>Sizes tried</h2>",
               tables.table([(L, H_body, H_pin, tiles or None, feasible)
                             for L, H_body, H_pin, tiles, feasible in results["sizes"].tried],
@@ -140,9 +144,9 @@ def build_page(results: Results) -> str:
 _MOST_LISTED = 200
 
 
-def _marks(found: Feasibility) -> np.ndarray:
-    """M: 0, or 1 where a tile is likely to fail, 2 where it can't be made."""
-    marks = np.zeros(len(found.F), int)
-    for one in found.blocked:
+def _marks(count: int, blocked: Sequence[Obstacle]) -> np.ndarray:
+    """For each of so many tiles: 0, or 1 where it is likely to fail, 2 where it can't be made."""
+    marks = np.zeros(count, int)
+    for one in blocked:
         marks[one.tile] = max(marks[one.tile], 2 if one.certain else 1)
     return marks

@@ -3,14 +3,14 @@
 
 from . import (actuation, actuation_help, anchoring, clearances, cuts, design, deviation, division,
                feasibility, layout, parameter_search, pieces, pin_smoothing, repair, settle, sheets, sizes,
-               solids, suggestions, surface, target, target_smoothing, verification)
+               solids, suggestions, surface, target, target_smoothing, trial_layout, verification)
 
-STAGES = (surface.STAGE, target.STAGE, target_smoothing.STAGE, division.STAGE, feasibility.STAGE, sizes.STAGE,
-          cuts.STAGE, suggestions.SEARCH, pin_smoothing.STAGE, layout.STAGE, verification.OF_LAYOUT,
-          repair.STAGE, design.STAGE, design.FIGURES, deviation.STAGE, clearances.STAGE, verification.STAGE,
-          verification.RECHECK, pieces.STAGE, anchoring.STAGE, solids.BODIES, sheets.STAGE, solids.STAGE,
-          settle.STAGE, actuation.START, actuation.STAGE, actuation_help.STAGE, solids.CHECK,
-          parameter_search.STAGE, suggestions.STAGE)
+STAGES = (surface.STAGE, target.STAGE, target_smoothing.STAGE, division.STAGE, feasibility.STAGE,
+          trial_layout.STAGE, sizes.STAGE, cuts.STAGE, suggestions.SEARCH, pin_smoothing.STAGE, layout.STAGE,
+          verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, deviation.STAGE,
+          clearances.STAGE, verification.STAGE, verification.RECHECK, pieces.STAGE, anchoring.STAGE,
+          solids.BODIES, sheets.STAGE, solids.STAGE, settle.STAGE, actuation.START, actuation.STAGE,
+          actuation_help.STAGE, solids.CHECK, parameter_search.STAGE, suggestions.STAGE)
 
 BY_NAME = {stage.name: stage for stage in STAGES}
 VERDICT = verification.STAGE.name  # there is no verdict without it

@@ -57,7 +57,7 @@ def tried_sizes(sizes: Optional[Sizes], tried: int) -> tuple[Finding, ...]:
 
 
 def checked_sizes(options: Sequence[Sizes]) -> tuple[Finding, ...]:
-    """With which check finds nothing in the way."""
+    """With which the estimates of check find nothing in the way."""
     known = tuple(map(as_sizes, options))
     return (suggested(Finding.about("advice.checked", sizes=known)),) if known else ()
 
@@ -103,5 +103,7 @@ def of_check(sizes: Any, L: float, H_body: float, mending: Optional[float]) -> I
         yield Finding.about(kind, L=L, H_body=H_body, H_pin=sizes.H_pin)
     if sizes.together is not None:
         yield Finding.about("check.together", L=L, H_body=sizes.together[0], H_pin=sizes.together[1])
+    if sizes.estimated:
+        yield Finding("check.limits")
     if mending is not None:
         yield Finding.about("check.mend", moved=mending)

@@ -5,7 +5,7 @@ Folds, back faces, pins and overlaps of bodies are closed forms of the mesh, the
 refused by: what they block is certain. Where pins run into parts that face them, and where membranes cut
 into tiles or are slack, depends on the layout: that is estimated from pins that stand as near to corners
 as they may, and from the conformal map with which layouts begin. The limits of these estimates are those
-at which designs began to fail.
+at which designs began to fail. Near them a trial decides (trial_layout.py).
 """
 
 from __future__ import annotations
@@ -106,21 +106,24 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, jo
     return _margins(V, F, edges, parameters, reached)
 
 
-def sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
+def sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job,
+             sag: float = SAG) -> bool:
     """Whether `examine` finds nothing in the way that depends on sizes, after fairing where mending is on:
-    closed surfaces stay closed. Room for pins is only made where folds and other parts leave any."""
-    if _sizes_do(V, F, edges, parameters, job):
+    closed surfaces stay closed. Room for pins is only made where folds and other parts leave any. `sag`: the
+    part of H_pin by which membranes are to clear tiles."""
+    if _sizes_do(V, F, edges, parameters, job, sag):
         return True
-    return parameters.get("mend") == "on" and _mends(V, F, edges, parameters, job) is not None
+    return parameters.get("mend") == "on" and _mends(V, F, edges, parameters, job, sag) is not None
 
 
-def _mends(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> Optional[float]:
+def _mends(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job, sag: float = SAG
+           ) -> Optional[float]:
     """The largest movement (mm) by which fairing gives way to sizes; None where it does not."""
     if mostly_short(V, F, edges, parameters):
         return None
     made = smooth_target(V, F, parameters, job)
     largest = max(made.move, default=0.0)
-    return float(largest) if largest > 0 and _sizes_do(made.V, F, edges, parameters, job) else None
+    return float(largest) if largest > 0 and _sizes_do(made.V, F, edges, parameters, job, sag) else None
 
 
 def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> Optional[float]:
@@ -130,9 +133,9 @@ def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, jo
     return _mends(V, F, edges, parameters, Job(lambda _, fraction: job("trying mend=on", fraction)))
 
 
-def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> bool:
+def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job, sag: float) -> bool:
     def obstacles(V: np.ndarray) -> tuple[Feasibility, list[Obstacle]]:
-        found = _margins(V, F, edges, parameters, 0)
+        found = _margins(V, F, edges, parameters, 0, sag)
         return found, [one for one in found.blocked if one.obstacle != "closed"]
 
     if mostly_short(V, F, edges, parameters):
@@ -144,14 +147,15 @@ def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, 
         moving = np.isin(F, F[near]).any(axis=1)
         clearance = found.membrane_clearance.min(initial=np.inf)
         if (not all(moving[one.tile] for one in blocked) or (found.pin_area_margin < 0).mean() > MOST_SMALL
-                or clearance < SAG * parameters.get("H_pin") - MOST_CLEARED * found.L):
+                or clearance < sag * parameters.get("H_pin") - MOST_CLEARED * found.L):
             return False
         there, moved = smooth_for_pins(V, F, edges, parameters, job)
         return bool(moved) and not obstacles(there)[1]
     return not blocked
 
 
-def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, reached: int) -> Feasibility:
+def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, reached: int,
+             sag: float = SAG) -> Feasibility:
     margins = native.tile_margins(V, F, edges, parameters)
     maps = native.target_fields(V, F, edges, parameters)
     count, contacts = len(F), np.asarray(margins.contacts)
@@ -173,7 +177,7 @@ def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, r
     blocked += [*_without_pins(pin_area, parameters.get("A_pin_floor")), *_overlapping(overlapping),
                 *_facing(meeting)]
     blocked += [_obstacle("closed.tile", tile) for tile in np.flatnonzero(np.isnan(stretch))]
-    blocked += [*_cut_by_membranes(clearance, SAG * parameters.get("H_pin")),
+    blocked += [*cut_by_membranes(clearance, sag * parameters.get("H_pin")),
                 *_badly_stretched(stretch, ranges)]
     return Feasibility(
         V, F, float(native.mean_edge_length(V, F)), tuple(sorted(blocked, key=lambda one: one.tile)),
@@ -212,7 +216,7 @@ def _facing(pairs: np.ndarray) -> Iterator[Obstacle]:
         yield _obstacle("overlap.pins", a, certain=False, other=(int(b),))
 
 
-def _cut_by_membranes(clearance: np.ndarray, least: float) -> Iterator[Obstacle]:
+def cut_by_membranes(clearance: np.ndarray, least: float) -> Iterator[Obstacle]:
     with np.errstate(invalid="ignore"):
         low = np.argwhere(clearance < least)
     for tile, side in low:

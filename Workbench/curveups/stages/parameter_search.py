@@ -16,13 +16,11 @@ from .advice import Sizes as Options, checked_sizes, tried_sizes
 from .feasibility import sizes_do
 from .sizes import sizes_that_do, value_range
 from .stage import Inputs, Job, Result, Row, Stage
+from .trial import MOST_TILES, REPAIR_STEPS, trial
 
 # What is tried, as factors of what is set.
 _TRIED: tuple[dict[str, float], ...] = ({"H_pin": 1.25}, {"H_pin": 1.5}, {"H_body": 0.5},
                                         {"H_body": 0.4, "H_pin": 1.25})
-# Steps of repair for all that is tried: fillets that can be mended take some 20, and each takes up to half a
-# second. Without an end four trials took four times as long as the design.
-_REPAIR_STEPS, _MOST_TILES = 24, 1500
 Sizes = tuple[tuple[str, float], ...]
 
 
@@ -59,15 +57,15 @@ def _run(inputs: Inputs, job: Job) -> OtherSizes:
         return OtherSizes(checked=tuple(sizes_that_do(inputs, inputs["cut request"], job)[0]))
     cut = verification.blocks["physics"]["membrane_clearance_mm"] < 0
     # It takes a while: only for those who want their target made possible.
-    if not cut or inputs.parameters.get("mend") != "on" or len(inputs["target"].F) > _MOST_TILES:
+    if not cut or inputs.parameters.get("mend") != "on" or len(inputs["target"].F) > MOST_TILES:
         return OtherSizes()
     return other_sizes(inputs, job)
 
 
 def other_sizes(inputs: Inputs, job: Job) -> OtherSizes:
     """Higher pins and thinner tiles one after another, until the target becomes a valid design with one of
-    them. Where _REPAIR_STEPS are used up, those that are left have to do without repair."""
-    tried, steps = 0, [_REPAIR_STEPS]
+    them. Where REPAIR_STEPS are used up, those that are left have to do without repair."""
+    tried, steps = 0, [REPAIR_STEPS]
     for factors in _TRIED:
         sizes = tuple((name, float(f"{factor * inputs.parameters.get(name):.2g}"))
                       for name, factor in factors.items())
@@ -82,24 +80,11 @@ def _valid(inputs: Inputs, sizes: Sizes, job: Job, steps: list[int]) -> bool:
     """Whether a copy of the project says so before repair has taken the steps that are left."""
     if not job("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes)):
         raise Stopped
-
-    def count(stage: str, *_: object) -> None:
-        steps[0] -= stage == "repair"
-        candidate.stopped |= steps[0] < 0
-
-    candidate = Job(job, count)
-    assert inputs.elsewhere is not None
     try:
-        found = inputs.elsewhere(dict(sizes), ("verification",), candidate)
+        found = trial(inputs, dict(sizes), ("verification",), job, steps)
     except CurveUpsError:
         return False
-    except Stopped:
-        if job.stopped:
-            raise
-        return False
-    if job.stopped:
-        raise Stopped
-    return bool(not candidate.stopped and found["layout"].converged and found["verification"].valid)
+    return bool(found and found["layout"].converged and found["verification"].valid)
 
 
 STAGE = Stage("trials", ("target", "fairing", "cut request", "cuts", "verification", "clearances"),

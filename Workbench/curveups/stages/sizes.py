@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, Callable, Collection, Iterator, Optional, Sequence, TypeVar
 
@@ -18,9 +18,10 @@ from ..base.native import native, translated
 from .advice import Sizes, other_sizes
 from .cut_request import CutRequest
 from .division import all_cuts
-from .feasibility import mending, sizes_do
+from .feasibility import SAG, mending, sizes_do
 from .stage import Inputs, Job, Result, Stage, digest
 from .target import remesh
+from .trial_layout import FAILED
 
 # Lengths and heights of pins are tried up to this factor from the one that is set, lengths as long as that
 # makes no more tiles than these or than there are, and thicknesses up to so many lengths.
@@ -29,6 +30,7 @@ FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1000, 12, 2.0
 # paper's tiles have 3/7).
 MOST_CHOSEN, _THINNEST, _STOUTEST = 5000, 1 / 7, 3 / 7
 _Value = TypeVar("_Value")
+_ROUNDS = 3  # of sizes that do by estimates and are tried then
 _STRIDE = 6  # values of the series from one trial to the next, before the ends are narrowed down
 
 
@@ -56,13 +58,13 @@ class Candidate:
 
 class ParameterSearch:
     """Sizes on one surface (V, F, creases: what is remeshed). What can't be remeshed or has no tiles is not
-    feasible; only stopping ends the search."""
+    feasible; only stopping ends the search. `sag`: as sizes_do has it."""
 
     def __init__(self, V: np.ndarray, F: np.ndarray, cuts: CutRequest, parameters: Any, job: Job,
-                 creases: Optional[np.ndarray] = None):
+                 creases: Optional[np.ndarray] = None, sag: float = SAG):
         self._surface, self._creases, self._cuts = (V, F), creases, cuts
         self._outer, self._job, self._trying = job, Job(self._tell), ""
-        self._parameters = parameters
+        self._parameters, self._sag = parameters, sag
         self.thinnest = max(value_range("H_body")[0], parameters.get("p_floor"))  # that a printer makes
         self.made: dict[tuple[float, float, float], Candidate] = {}
         self._chord_errors: dict[float, float] = {}
@@ -88,6 +90,33 @@ class ParameterSearch:
             self._say(f"trying L = {L:g} mm, H_body = {H_body:g} mm, H_pin = {pin:g} mm")
             known = self.made[L, H_body, pin] = self._try(L, H_body, pin)
         return known
+
+    def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs) -> Optional[Sizes]:
+        """The sizes that `find` names by estimates, once a trial layout has nothing in their way. None
+        where it finds none, or none that does in _ROUNDS."""
+        for _ in range(_ROUNDS):
+            sizes = find()
+            if sizes is None:
+                return None
+            found = self._trial(sizes, inputs)
+            if found is None or found.feasible:
+                return sizes if found else None
+            L, H_body, H_pin = (dict(sizes).get(name, self._parameters.get(name))
+                                for name in ("L", "H_body", "H_pin"))
+            self.made[L, H_body, H_pin] = replace(self.made[L, H_body, H_pin], feasible=False)
+            if found.sag > self._sag:
+                self._sag = found.sag
+                self.made = {size: one for size, one in self.made.items() if not one.feasible}
+        return None
+
+    def _trial(self, sizes: Sizes, inputs: Inputs) -> Any:
+        assert inputs.elsewhere is not None
+        self._say("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes))
+        values, goals = {**dict(sizes), "mend": "off"}, ("trial layout",)
+        try:
+            return inputs.elsewhere(values, goals, self._job)["trial layout"]
+        except CurveUpsError:
+            return None
 
     def chord_error(self, L: float) -> float:
         """Largest distance of the surface from its facets, mm; NaN where it can't be remeshed."""
@@ -119,7 +148,7 @@ class ParameterSearch:
                 V, F, _ = self._mesh(L)
                 tiles = len(F)
                 edges = all_cuts(self._cuts, V, F, values, self._job)
-                feasible = sizes_do(V, F, edges, values, self._job)
+                feasible = sizes_do(V, F, edges, values, self._job, self._sag)
         except CurveUpsError:
             feasible = False
         return Candidate(L, H_body, H_pin, tiles, feasible)
@@ -202,7 +231,7 @@ class ParameterSearch:
         return values[first - _reach(values[first::-1], feasible)]
 
     def thinner_with_pins(self, L: float, H_body: float, alone: Optional[float]
-                          ) -> Optional[tuple[float, float]]:
+                          ) -> Optional[Sizes]:
         """The largest feasible thickness between `alone`, which does by itself (None: none does), and the
         one that is set, with pins lower in proportion, mm: between parts that face one another both are in
         the way. None where there is none."""
@@ -211,7 +240,7 @@ class ParameterSearch:
         sizes = [(thickness, max(least, math.floor(100 * H_pin * thickness / H_body) / 100))
                  for thickness in series(low, H_body) if low < thickness < H_body]
         found = _last(sizes, lambda size: self(L, *size).feasible)
-        return None if found < 0 else sizes[found]
+        return None if found < 0 else tuple(zip(("H_body", "H_pin"), sizes[found]))
 
 
 def _about(name: str, value: float) -> list[float]:
@@ -308,30 +337,31 @@ def _advice(inputs: Inputs, cuts: CutRequest, job: Job) -> str:
 
 
 def sizes_that_do(inputs: Inputs, cuts: CutRequest, job: Job) -> tuple[list[Sizes], int]:
-    """Those of thickness, length and height of pins that would do for inputs["target"] without mending, and
-    how many were tried."""
+    """Those of thickness, length and height of pins that would do for inputs["target"] without mending, by
+    estimates, and how many were tried."""
     target, L, H_body = inputs["target"], inputs.parameters.get("L"), inputs.parameters.get("H_body")
     search = _unmended_search(target, cuts, inputs.parameters, job)
-    found = {"H_body": search.largest_thickness(L, H_body)}
-    if _can_remesh(target, cuts):
-        found["L"] = search.nearest_length(L, H_body)
-    found["H_pin"] = search.least_pin(L, H_body)
-    options: list[Sizes] = [((name, value),) for name, value in found.items() if value is not None]
-    if found["H_pin"] is None and found.get("L") is None:
-        together = search.thinner_with_pins(L, H_body, found["H_body"])
-        options += [tuple(zip(("H_body", "H_pin"), together))] if together else []
-    return options, len(search.made)
+    thickness, pin = search.largest_thickness(L, H_body), search.least_pin(L, H_body)
+    length = search.nearest_length(L, H_body) if _can_remesh(target, cuts) else None
+    found = (_one("H_body", thickness), _one("L", length), _one("H_pin", pin),
+             search.thinner_with_pins(L, H_body, thickness) if pin is None and length is None else None)
+    return [one for one in found if one is not None], len(search.made)
 
 
-def _unmended_search(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> ParameterSearch:
+def _one(name: str, value: Optional[float]) -> Optional[Sizes]:
+    return None if value is None else ((name, value),)
+
+
+def _unmended_search(target: Any, cuts: CutRequest, parameters: Any, job: Job, sag: float = SAG
+                     ) -> ParameterSearch:
     """With mending a size takes up to ten seconds."""
     unmended = native.Parameters(parameters)
     unmended.set("mend", "off")
-    return _search(target, cuts, unmended, job)
+    return _search(target, cuts, unmended, job, sag)
 
 
-def _search(target: Any, cuts: CutRequest, parameters: Any, job: Job) -> ParameterSearch:
-    search = ParameterSearch(target.source_V, target.source_F, cuts, parameters, job, target.creases)
+def _search(target: Any, cuts: CutRequest, parameters: Any, job: Job, sag: float = SAG) -> ParameterSearch:
+    search = ParameterSearch(target.source_V, target.source_F, cuts, parameters, job, target.creases, sag)
     search.start_from(parameters.get("L"), target)
     return search
 
@@ -357,6 +387,7 @@ class Recommendation(Result):
     as_set: bool  # whether the sizes that are set do
     tried: tuple[tuple[float, float, float, int, bool], ...]  # L, H_body, H_pin, tiles, feasible
     together: Optional[tuple[float, float]] = None  # H_body and H_pin, where no other L or H_pin does
+    estimated: bool = True  # whether other sizes than those that are set do by estimates alone
 
     @property
     def content(self) -> str:
@@ -366,21 +397,35 @@ class Recommendation(Result):
 def _run(inputs: Inputs, job: Job) -> Recommendation:
     target, cuts = inputs["target"], inputs["cut request"]
     L, H_body = inputs.parameters.get("L"), inputs.parameters.get("H_body")
-    search = _unmended_search(target, cuts, inputs.parameters, job)
-    as_set = not {one.obstacle for one in inputs["feasibility"].blocked} - {"closed"}
+    search = _unmended_search(target, cuts, inputs.parameters, job, inputs["trial layout"].sag)
+    as_set = not {one.obstacle for one in inputs["trial layout"].blocked} - {"closed"}
     as_it_is = Candidate(L, H_body, inputs.parameters.get("H_pin"), len(target.F), as_set)
     search.made[L, H_body, as_it_is.H_pin] = as_it_is
     most = max(THICKEST * L, H_body)
-    thickness = search.largest_thickness(L, most)
+    remeshed = _can_remesh(target, cuts)
+
+    estimated = inputs["trial layout"].shown != FAILED
+
+    def named(find: Callable[[], Optional[Sizes]]) -> dict[str, float]:
+        """Where estimates were too hopeful of the sizes that are set, what is named instead is tried."""
+        return dict((find() if estimated else search.named(find, inputs)) or ())
+
+    def length() -> Optional[Sizes]:
+        ends = search.range_of_lengths(L, H_body) if remeshed else None
+        return ends and _one("L", min(max(L, ends[0]), ends[1]))
+
+    thickness = named(lambda: _one("H_body", search.largest_thickness(L, most))).get("H_body")
     if as_set:
         thickness = max(thickness or 0.0, H_body)
-    lengths = search.range_of_lengths(L, H_body) if _can_remesh(target, cuts) else None
-    pin = search.least_pin(L, H_body)
-    together = search.thinner_with_pins(L, H_body, thickness) if pin is None and lengths is None else None
+    lengths = search.range_of_lengths(L, H_body) if named(length) else None
+    pin = named(lambda: _one("H_pin", search.least_pin(L, H_body))).get("H_pin")
+    together = (named(lambda: search.thinner_with_pins(L, H_body, thickness))
+                if pin is None and lengths is None else {})
     tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in search.made.values())
-    return Recommendation(lengths, thickness, pin, most, as_set, tried, together)
+    return Recommendation(lengths, thickness, pin, most, as_set, tried,
+                          (together["H_body"], together["H_pin"]) if together else None, estimated)
 
 
-STAGE = Stage("sizes", ("target", "cut request", "feasibility"),
-              frozenset({"target", "pieces", "tiles", "layout", "repair"}), _run,
+STAGE = Stage("sizes", ("target", "cut request", "trial layout"),
+              frozenset({"target", "pieces", "tiles", "layout", "bodies", "physics", "repair"}), _run,
               label="Other sizes", asked_by=("check",))

@@ -105,11 +105,11 @@ class CheckPanel(Panel):
         if found is None:
             form.verdict.setText("")
             return
-        head = translate("CurveUps_Check", "Feasible") if found["feasibility"].feasible else translate(
+        head = translate("CurveUps_Check", "Feasible") if found["trial layout"].feasible else translate(
             "CurveUps_Check", "Not feasible")
         if not current:
             head = translate("CurveUps_Check", "Out of date: check again")
-        said = [shown(self.design, one) for one in words.verdict(found["feasibility"])]
+        said = [shown(self.design, one) for one in words.verdict(found)]
         form.verdict.setText(f"<b>{escape(head)}</b><br>{', '.join(said)}")
         self._fill_sizes(found)
         self._fill_margins(found)
@@ -143,7 +143,7 @@ class CheckPanel(Panel):
         self.form.note.setText(words_of(ESTIMATE))
 
     def _fill_obstacles(self, found: Results) -> None:
-        form, blocked = self.form, found["feasibility"].blocked
+        form, blocked = self.form, found["trial layout"].blocked
         form.obstacles.clear()
         for one in blocked[:_MOST]:
             why = shown(self.design, one.why, False)

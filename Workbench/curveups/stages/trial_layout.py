@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Makes a layout where the estimates of feasibility are in doubt, repairs and verifies it: how far a membrane
+passes from a tile only these tell."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Sequence
+
+import numpy as np
+
+from ..base.errors import CurveUpsError
+from ..base.findings import Finding
+from .feasibility import SAG, Feasibility, Obstacle, cut_by_membranes
+from .stage import Inputs, Job, Result, Stage, digest
+from .trial import MOST_TILES, REPAIR_STEPS, trial
+
+# Below this part of H_pin the clearance of membranes is in doubt: of 120 targets drawn at random none failed
+# by its membranes above 0.63.
+DOUBT = 0.75
+# Where a trial failed, other sizes have to give membranes more room than there was, by this part of H_pin.
+MORE = 0.1
+# Kinds of reasons of a design that feasibility is about; all others are of contact forces and glue.
+COVERED = frozenset({"not_laid_out", "gap", "pin_bounds", "pins_below_floor", "overlap", "bodies_meet",
+                     "bodies_overlap", "membrane.cuts"})
+# Nothing that is COVERED was in the way; something was; repair had not ended after REPAIR_STEPS, and the
+# estimates stand.
+PASSED, FAILED, UNDECIDED = "passed", "failed", "undecided"
+
+
+@dataclass(frozen=True)
+class TrialLayout(Result):
+    """`blocked`: as Feasibility has it, with what was found in place of estimates."""
+
+    blocked: tuple[Obstacle, ...]
+    shown: str = ""  # PASSED, FAILED or UNDECIDED; empty: no doubt, too many tiles, or no verification
+    sag: float = SAG  # the part of H_pin by which membranes of other sizes are to clear tiles
+
+    @property
+    def feasible(self) -> bool:
+        """Whether nothing is known or expected to be in the way; contact forces are not looked at."""
+        return not self.blocked
+
+    @property
+    def content(self) -> str:
+        return digest(self.blocked, self.shown, self.sag)
+
+
+def _run(inputs: Inputs, job: Job) -> TrialLayout:
+    found: Feasibility = inputs["feasibility"]
+    H_pin, clearance = inputs.parameters.get("H_pin"), found.membrane_clearance
+    doubtful = bool(found.blocked) or bool((clearance < DOUBT * H_pin).any())
+    if not (doubtful and found.possible and inputs.parameters.get("run_verification")
+            and len(found.F) <= MOST_TILES):
+        return TrialLayout(found.blocked)
+    try:
+        made = trial(inputs, {}, ("verification", "clearances"), job, [REPAIR_STEPS])
+    except CurveUpsError as error:
+        return _failed(inputs, [error.finding] if error.finding else [])
+    if made is None:
+        return TrialLayout(found.blocked, UNDECIDED)
+    if not made["verification"].judged or made["verification"].failure:
+        return TrialLayout(found.blocked)
+    reasons = [one for one in made.verdict.reasons if one.kind in COVERED]
+    return _failed(inputs, reasons) if reasons else TrialLayout((), PASSED)
+
+
+def _failed(inputs: Inputs, reasons: Sequence[Finding]) -> TrialLayout:
+    found: Feasibility = inputs["feasibility"]
+    H_pin, clearance = inputs.parameters.get("H_pin"), found.membrane_clearance
+    blocked = tuple(Obstacle(Finding.about(one.kind, [tile], **one.figures))
+                    for one in reasons for tile in one.tiles)
+    if not blocked:  # no tile is named: it is expected where membranes pass lowest
+        blocked = found.blocked or tuple(cut_by_membranes(clearance, DOUBT * H_pin))
+    return TrialLayout(tuple(sorted(blocked, key=lambda one: one.tile)), FAILED,
+                       _more(clearance / H_pin, blocked))
+
+
+def _more(clearance: np.ndarray, blocked: Sequence[Obstacle]) -> float:
+    """What membranes of other sizes should clear, in parts of H_pin, after these did not do."""
+    if not any(one.obstacle == "membrane" for one in blocked):
+        return SAG
+    return max(SAG, min(DOUBT, float(np.nanmin(clearance)) + MORE))
+
+
+STAGE = Stage("trial layout", ("target", "fairing", "division", "feasibility"),
+              frozenset({"target", "tiles", "layout", "bodies", "physics", "repair"}), _run,
+              label="Trial layout", asked_by=("check",), shown=True)
