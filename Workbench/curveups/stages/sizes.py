@@ -112,9 +112,9 @@ class ParameterSearch:
     def _trial(self, sizes: Sizes, inputs: Inputs) -> Any:
         assert inputs.elsewhere is not None
         self._say("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes))
-        values, goals = {**dict(sizes), "mend": "off"}, ("trial layout",)
+        values: dict[str, Any] = {**dict(sizes), "mend": "off"}
         try:
-            return inputs.elsewhere(values, goals, self._job)["trial layout"]
+            return inputs.elsewhere(values, ("trial layout",), self._job)["trial layout"]
         except CurveUpsError:
             return None
 

@@ -18,6 +18,8 @@ from .trial import MOST_TILES, REPAIR_STEPS, trial
 # Below this part of H_pin the clearance of membranes is in doubt: of 120 targets drawn at random none failed
 # by its membranes above 0.63.
 DOUBT = 0.75
+# Repair of tiles that are thicker than this part of their length takes seconds a step.
+STOUTEST = 1.0
 # Where a trial failed, other sizes have to give membranes more room than there was, by this part of H_pin.
 MORE = 0.1
 # Kinds of reasons of a design that feasibility is about; all others are of contact forces and glue.
@@ -33,7 +35,7 @@ class TrialLayout(Result):
     """`blocked`: as Feasibility has it, with what was found in place of estimates."""
 
     blocked: tuple[Obstacle, ...]
-    shown: str = ""  # PASSED, FAILED or UNDECIDED; empty: no doubt, too many tiles, or no verification
+    shown: str = ""  # PASSED, FAILED or UNDECIDED; empty: no doubt, tiles too many or stout, not verified
     sag: float = SAG  # the part of H_pin by which membranes of other sizes are to clear tiles
 
     @property
@@ -51,7 +53,7 @@ def _run(inputs: Inputs, job: Job) -> TrialLayout:
     H_pin, clearance = inputs.parameters.get("H_pin"), found.membrane_clearance
     doubtful = bool(found.blocked) or bool((clearance < DOUBT * H_pin).any())
     if not (doubtful and found.possible and inputs.parameters.get("run_verification")
-            and len(found.F) <= MOST_TILES):
+            and len(found.F) <= MOST_TILES and inputs.parameters.get("H_body") <= STOUTEST * found.L):
         return TrialLayout(found.blocked)
     try:
         made = trial(inputs, {}, ("verification", "clearances"), job, [REPAIR_STEPS])
