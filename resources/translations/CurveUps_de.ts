@@ -4665,7 +4665,7 @@
     </message>
     <message>
       <source>{sizes: or }, with which the estimates of 'curveups check' find nothing in the way</source>
-      <translation>{sizes: oder }, womit die Schätzungen von „curveups check“ nichts im Weg sehen</translation>
+      <translation>{sizes: or }, womit die Schätzungen von „curveups check“ nichts im Weg sehen</translation>
     </message>
     <message>
       <source>{sizes: }, with which it is valid: that was tried</source>
