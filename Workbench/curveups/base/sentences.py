@@ -409,7 +409,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "check.H_pin": "with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin = {H_pin:g} mm does",
     "check.H_pin_down": "with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin down to {H_pin:g} mm does",
     "check.together": "with L = {L:.4g} mm, H_body = {H_body:g} mm and H_pin = {H_pin:g} mm together do",
-    "check.limits": "these sizes are estimates: check what you choose of them",
+    "check.estimated": "these sizes are estimates: check what you choose of them",
     "check.mend": "with mend=on, which moves vertices by up to {moved:.2g} mm, these sizes do",
 }
 
