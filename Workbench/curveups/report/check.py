@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence
+from typing import Any, Sequence
 
 import numpy as np
 
@@ -14,7 +14,6 @@ from ..project.project import Results
 from ..stages.advice import of_check
 from ..stages.feasibility import SAG, TOO_NARROW, TOO_SLACK, Obstacle
 from ..stages.trial import REPAIR_STEPS
-from ..stages.trial_layout import FAILED
 from . import html, tables
 
 FORMAT, VERSION = "curveups-check", 1
@@ -45,7 +44,7 @@ def build_check(results: Results) -> dict[str, Any]:
                     for one in tried.blocked],
         "trimmed": found.trimmed.tolist(), "overlapping": found.overlapping.tolist(),
         "pins_meeting": found.meeting.tolist(),
-        "relieved_pin_sides": found.reached, "mending_would_move_mm": mending(results),
+        "relieved_pin_sides": found.reached, "mending_would_move_mm": sizes.mending,
         "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body,
                         "H_pin": sizes.H_pin,
                         "together": (dict(zip(("H_body", "H_pin"), sizes.together)) if sizes.together
@@ -95,16 +94,10 @@ def _row(values: np.ndarray, wanted: str, short: int, most: bool = False) -> tup
     return f"{values[worst]:.3g}", tile_name(worst), wanted, str(short)
 
 
-def mending(results: Results) -> Optional[float]:
-    """By how much mend=on would move vertices, mm; None where estimates see no help in it. They
-    tell nothing where a trial layout has failed."""
-    return None if results["trial layout"].shown == FAILED else results["feasibility"].mending
-
-
 def advice(results: Results) -> list[Finding]:
     """On sizes that would do, and on mending."""
     get = results.parameters.get
-    return list(of_check(results["sizes"], get("L"), get("H_body"), mending(results)))
+    return list(of_check(results["sizes"], get("L"), get("H_body")))
 
 
 def _said(results: Results) -> list[str]:

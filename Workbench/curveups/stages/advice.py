@@ -84,8 +84,8 @@ def for_joints(possible: Mapping[str, float], parameters: Any) -> Finding:
     return Finding.about("joint.set", options=options) if options else Finding("joint.other")
 
 
-def of_check(sizes: Any, L: float, H_body: float, mending: Optional[float]) -> Iterator[Finding]:
-    """On sizes (Recommendation) that would do for a target, and on mending (mm)."""
+def of_check(sizes: Any, L: float, H_body: float) -> Iterator[Finding]:
+    """On sizes (Recommendation) that would do for a target, and on mending."""
     if sizes.L is not None:
         if sizes.L != (L, L):
             yield Finding.about("check.L", H_body=H_body, low=sizes.L[0], high=sizes.L[1])
@@ -105,5 +105,5 @@ def of_check(sizes: Any, L: float, H_body: float, mending: Optional[float]) -> I
         yield Finding.about("check.together", L=L, H_body=sizes.together[0], H_pin=sizes.together[1])
     if sizes.estimated and (sizes.L or sizes.H_body or sizes.H_pin or sizes.together):
         yield Finding("check.estimated")
-    if mending is not None:
-        yield Finding.about("check.mend", moved=mending)
+    if sizes.mending is not None:
+        yield Finding.about("check.mend", moved=sizes.mending)

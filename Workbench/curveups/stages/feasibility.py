@@ -10,7 +10,7 @@ at which designs began to fail. Near them a trial decides (trial_layout.py).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Iterator, Optional
 
 import numpy as np
@@ -78,8 +78,6 @@ class Feasibility(Result):
     overlapping: np.ndarray       # pairs that no plane parts
     meeting: np.ndarray           # other pairs without a common vertex of which pins run into one another
     reached: int                  # pin sides for which vertices were moved
-    mending: Optional[float] = None  # mm, by how much mend=on would move vertices so that sizes do; None: it
-    #                                  is on, it would not help, or there is nothing to mend
 
     @property
     def feasible(self) -> bool:
@@ -127,7 +125,8 @@ def _mends(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job
 
 
 def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> Optional[float]:
-    """As Feasibility has it, of a target on which something is in the way."""
+    """By how much (mm) mend=on would move vertices of a target on which something is in the way so that
+    sizes do; None: it is on, or it would not help."""
     if parameters.get("mend") == "on":
         return None
     return _mends(V, F, edges, parameters, Job(lambda _, fraction: job("trying mend=on", fraction)))
@@ -245,10 +244,7 @@ def too_stretched(stretch: np.ndarray, ranges: np.ndarray) -> np.ndarray:
 def _run(inputs: Inputs, job: Job) -> Feasibility:
     V, edges, F = inputs["fairing"].V, inputs["division"].edges, inputs["target"].F
     job("checking tiles")
-    found = examine(V, F, edges, inputs.parameters, job)
-    if not {one.obstacle for one in found.blocked} - {"closed"}:
-        return found
-    return replace(found, mending=mending(V, F, edges, inputs.parameters, job))
+    return examine(V, F, edges, inputs.parameters, job)
 
 
 STAGE = Stage("feasibility", ("target", "fairing", "division"),

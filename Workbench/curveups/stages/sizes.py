@@ -30,7 +30,8 @@ FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1000, 12, 2.0
 # paper's tiles have 3/7).
 MOST_CHOSEN, _THINNEST, _STOUTEST = 5000, 1 / 7, 3 / 7
 _Value = TypeVar("_Value")
-_ROUNDS = 3  # of sizes that do by estimates and are tried then
+# How many of one kind that do by estimates are tried then; of lengths, each of which has another surface.
+_ROUNDS, _ROUNDS_OF_LENGTHS = 3, 1
 _STRIDE = 6  # values of the series from one trial to the next, before the ends are narrowed down
 
 
@@ -91,10 +92,10 @@ class ParameterSearch:
             known = self.made[L, H_body, pin] = self._try(L, H_body, pin)
         return known
 
-    def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs) -> Optional[Sizes]:
+    def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs, rounds: int) -> Optional[Sizes]:
         """The sizes that `find` names by estimates, once a trial layout has nothing in their way. None
-        where it finds none, or none that does in _ROUNDS."""
-        for _ in range(_ROUNDS):
+        where it finds none, or none that does in so many rounds."""
+        for _ in range(rounds):
             sizes = find()
             if sizes is None:
                 return None
@@ -388,10 +389,13 @@ class Recommendation(Result):
     tried: tuple[tuple[float, float, float, int, bool], ...]  # L, H_body, H_pin, tiles, feasible
     together: Optional[tuple[float, float]] = None  # H_body and H_pin, where no other L or H_pin does
     estimated: bool = True  # whether other sizes than those that are set do by estimates alone
+    # By how much mend=on would move vertices so that those that are set do, mm. None where it is on, would
+    # not help, or is not needed, and where a trial layout has failed: by estimates alone it looks hopeful.
+    mending: Optional[float] = None
 
     @property
     def content(self) -> str:
-        return digest(self.L, self.H_body, self.H_pin, self.together)
+        return digest(self.L, self.H_body, self.H_pin, self.together, self.mending)
 
 
 def _run(inputs: Inputs, job: Job) -> Recommendation:
@@ -406,9 +410,9 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
 
     estimated = inputs["trial layout"].shown != FAILED
 
-    def named(find: Callable[[], Optional[Sizes]]) -> dict[str, float]:
+    def named(find: Callable[[], Optional[Sizes]], rounds: int = _ROUNDS) -> dict[str, float]:
         """Where estimates were too hopeful of the sizes that are set, what is named instead is tried."""
-        return dict((find() if estimated else search.named(find, inputs)) or ())
+        return dict((find() if estimated else search.named(find, inputs, rounds)) or ())
 
     def length() -> Optional[Sizes]:
         ends = search.range_of_lengths(L, H_body) if remeshed else None
@@ -417,13 +421,17 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     thickness = named(lambda: _one("H_body", search.largest_thickness(L, most))).get("H_body")
     if as_set:
         thickness = max(thickness or 0.0, H_body)
-    lengths = search.range_of_lengths(L, H_body) if named(length) else None
+    lengths = search.range_of_lengths(L, H_body) if named(length, _ROUNDS_OF_LENGTHS) else None
     pin = named(lambda: _one("H_pin", search.least_pin(L, H_body))).get("H_pin")
     together = (named(lambda: search.thinner_with_pins(L, H_body, thickness))
                 if pin is None and lengths is None else {})
     tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in search.made.values())
+    moved = None
+    if estimated and not as_set:
+        edges = all_cuts(cuts, target.V, target.F, inputs.parameters, job)
+        moved = mending(target.V, target.F, edges, inputs.parameters, job)
     return Recommendation(lengths, thickness, pin, most, as_set, tried,
-                          (together["H_body"], together["H_pin"]) if together else None, estimated)
+                          (together["H_body"], together["H_pin"]) if together else None, estimated, moved)
 
 
 STAGE = Stage("sizes", ("target", "cut request", "trial layout"),

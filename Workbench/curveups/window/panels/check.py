@@ -118,7 +118,7 @@ class CheckPanel(Panel):
     def _fill_sizes(self, found: Results) -> None:
         form, get = self.form, found.parameters.get
         form.advice.setText("\n".join(shown(self.design, one, False) for one in words.advice(found)))
-        form.use_mending.setVisible(words.mending(found) is not None)
+        form.use_mending.setVisible(found["sizes"].mending is not None)
         for name, button in (("L", form.use_length), ("H_body", form.use_thickness),
                              ("H_pin", form.use_pin)):
             value = size_to_use(name, found)
