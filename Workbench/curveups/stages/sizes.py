@@ -390,7 +390,7 @@ class Recommendation(Result):
     together: Optional[tuple[float, float]] = None  # H_body and H_pin, where no other L or H_pin does
     estimated: bool = True  # whether other sizes than those that are set do by estimates alone
     # By how much mend=on would move vertices so that those that are set do, mm. None where it is on, would
-    # not help, or is not needed, and where a trial layout has failed: by estimates alone it looks hopeful.
+    # not help, or is not needed, and where a trial layout has failed: it is judged by estimates.
     mending: Optional[float] = None
 
     @property
