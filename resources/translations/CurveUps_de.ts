@@ -1141,6 +1141,10 @@
       <source>and {count} more</source>
       <translation>und {count} weitere</translation>
     </message>
+    <message>
+      <source>{values} by estimates: a trial layout with these sizes failed, and none smaller was found that does</source>
+      <translation>{values} nach Abschätzungen: Ein Probelayout mit diesen Größen ist gescheitert, und keine kleineren wurden gefunden, die gehen</translation>
+    </message>
   </context>
   <context>
     <name>CurveUps_ColourMaps</name>

@@ -2,6 +2,7 @@
 """Sizes that the program chooses: L and H_body as auto, a target scaled to a size."""
 
 import json
+import re
 from types import SimpleNamespace
 
 import numpy as np
@@ -28,6 +29,16 @@ def dome(radius=60.0, parts=30):
     return V, np.array(F, np.int32)
 
 
+def tent(height):
+    """A ridge between two tips, 16 mm long, on a square of 48 mm."""
+    steps = np.arange(-24, 25, 2.0)
+    V = np.array([(x, y, height * max(0.0, 1 - np.hypot(max(abs(x) - 8, 0), y) / 9))
+                  for y in steps for x in steps])
+    a = (25 * np.arange(24)[:, None] + np.arange(24)).reshape(-1)
+    F = np.stack([a, a + 1, a + 26, a, a + 26, a + 25], axis=1).reshape(-1, 3)
+    return V, F.astype(np.int32)
+
+
 def project(V, F, **values):
     parameters = native.Parameters()
     for name, value in values.items():
@@ -37,8 +48,9 @@ def project(V, F, **values):
 
 
 def chosen(of, *names):
-    target = of.run(("target",))["target"]
-    return sizes.choose(target, CutRequest(), of.parameters, names, Job(), "made")
+    made = sizes.choose(of.inputs(sizes.READS, Job()), names, Job())
+    assert not made.failed
+    return made.values
 
 
 def test_the_largest_length_within_fidelity():
@@ -66,6 +78,38 @@ def test_a_fidelity_out_of_reach_is_refused():
     V, F = dome(26 * 2 ** 0.5, 40)  # a steep rim
     with pytest.raises(CurveUpsError, match="no L does"):
         chosen(project(V, F, maximum_deviation=1e-3), "L")
+
+
+def test_a_trial_layout_overrules_estimates():
+    V, F = tent(7)
+    of, said = project(V, F[:, ::-1], L=10.0, maximum_deviation=3), []
+    job = Job(lambda what, _: said.append(what) or True)
+    made = sizes.choose(of.inputs(sizes.READS, job), ("L", "H_body"), job)
+    tried = [what for what in dict.fromkeys(said) if "H_body" in what and "H_pin" not in what]
+    assert len(tried) == 2 and not made.failed, (tried, made)
+    first, then = ([float(one) for one in re.findall(r"[\d.]+", what)] for what in tried)
+    assert then == [made.values["L"], made.values["H_body"]]
+    for (L, H_body), shown in ((first, "failed"), (then, "passed")):
+        of = project(V, F[:, ::-1], L=L, H_body=H_body)
+        assert of.run(("trial layout",))["trial layout"].shown == shown
+
+
+def test_where_trial_layouts_of_all_sizes_fail_the_choice_says_so(curveups, tmp_path):
+    """At this length no thickness lets the membranes clear the tips."""
+    V, F = tent(5)
+    for H_body in (4.1, 2.0, 0.6):
+        made = project(V, F, L=10.0, H_body=H_body).run(("trial layout",))["trial layout"]
+        assert made.shown == "failed"
+    of = project(V, F, L=10.0)
+    made = sizes.choose(of.inputs(sizes.READS, Job()), ("H_body",), Job())
+    assert made.failed and 10 / 7 <= made.values["H_body"] <= 30 / 7
+
+    target = tmp_path / "tent.obj"
+    target.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in V)
+                      + "".join(f"f {a} {b} {c}\n" for a, b, c in F + 1))
+    ran = curveups("check", target, "-o", tmp_path / "check", "--set", "L=10", "H_body=auto")
+    assert ran.status == 1 and f"H_body = {made.values['H_body']:g} mm is chosen" in ran.err, ran.err
+    assert "warning: a trial layout with these sizes failed, and none smaller was found" in ran.err, ran.err
 
 
 def test_auto_on_the_command_line(curveups, cap, tmp_path):

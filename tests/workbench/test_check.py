@@ -315,7 +315,7 @@ def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
 
 
 def test_a_height_of_pins_that_does_is_taken_over(pictures):
-    made, design = design_of_tent(L="12 mm", HPin="0.3 mm")
+    made, design = design_of_tent(L="12 mm", HPin="0.4 mm")
     press("CurveUps_Check")
     form = widget("CheckPanel")
     checking(form)
@@ -324,7 +324,7 @@ def test_a_height_of_pins_that_does_is_taken_over(pictures):
     click(form.use_pin)
     until(lambda: LIVE.busy, 10, "the next check")
     at_rest()
-    assert 0.3 < design.HPin.Value < 0.75 and made.UndoNames[:2] == ["Check", "Use HPin"], made.UndoNames
+    assert 0.4 < design.HPin.Value <= 1 and made.UndoNames[:2] == ["Check", "Use HPin"], made.UndoNames
     assert "<b>Feasible" in form.verdict.text() and not form.use_pin.isVisible(), form.verdict.text()
     picture("higher-pins")
     close_panel()

@@ -338,7 +338,7 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
     source = find_source(options.target, remesh=remesh, will_be_cut=will_be_cut)
     project = Project(safe_name(source.name), values, {"source": source, "cut request": cuts}, options.target)
     if automatic:
-        _choose_sizes(project, cuts, automatic, session)
+        _choose_sizes(project, automatic, session)
     return project
 
 
@@ -356,14 +356,16 @@ def _with_materials(given: Sequence[tuple[str, Any, str]]) -> list[tuple[str, An
     return of_materials + [row for row in given if row[0] not in MATERIALS]
 
 
-def _choose_sizes(project: Project, cuts: CutRequest, names: set[str], session: Session) -> None:
-    job = session.job
-    target = project.run(("target",), job)["target"]
-    values = project.parameters
+def _choose_sizes(project: Project, names: set[str], session: Session) -> None:
     with translated(project.where):
-        for name, value in sizes.choose(target, cuts, values, names, job, project.where).items():
-            values.set(name, value)
-            session.reporter.say(f"{name} = {value:g} mm is chosen")
+        chosen = sizes.choose(project.inputs(sizes.READS, session.job), names, session.job)
+    values = project.parameters
+    for name, value in chosen.values.items():
+        values.set(name, value)
+        session.reporter.say(f"{name} = {value:g} mm is chosen")
+    if chosen.failed:
+        session.reporter.say("warning: a trial layout with these sizes failed, and none smaller was found "
+                             "that does")
     project.parameters = values
 
 

@@ -123,20 +123,18 @@ def choose_sizes(design: Any, names: Collection[str] = sizes.AUTOMATIC) -> dict[
     if found is None:
         found = sizes_work(design, names)(Job())
     with transaction(design.Document, "Choose Sizes"):
-        for name, value in found.items():
+        for name, value in found.values.items():
             properties.write_parameter(design, name, value)
-    return found
+    return found.values
 
 
-def sizes_work(design: Any, names: Collection[str]) -> Callable[[Job], dict[str, float]]:
+def sizes_work(design: Any, names: Collection[str]) -> Callable[[Job], sizes.Chosen]:
     """The same for any thread; nothing is set."""
     refuse_bound(design, names)
     project = live.project_of(design).copy()
 
-    def work(job: Job) -> dict[str, float]:
-        target = project.run(("target",), job)["target"]
-        return sizes.choose(target, project.latest("cut request"), project.parameters, names, job,
-                            project.where)
+    def work(job: Job) -> sizes.Chosen:
+        return sizes.choose(project.inputs(sizes.READS, job), names, job)
 
     return work
 

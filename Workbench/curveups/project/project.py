@@ -152,6 +152,12 @@ class Project:
         twin._made.update(known)
         return twin.run(goals, job)
 
+    def inputs(self, names: Sequence[str], job: Job) -> Inputs:
+        """What a stage that reads these results would read."""
+        found = self.run(names, job)
+        return Inputs(self.parameters, {name: found[name] for name in names}, self._store, self.where,
+                      self.elsewhere)
+
     def forget_stopped(self) -> None:
         """Drops what was stopped before its end: asked for again, it is made anew."""
         with self._reading:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Callable, Collection, Iterator, Optional, Sequence, TypeVar
 
@@ -15,6 +15,7 @@ import numpy as np
 from ..base.parameters import parameter
 from ..base.errors import CurveUpsError, Stopped
 from ..base.native import native, translated
+from ..base.value import Value
 from .advice import Sizes, other_sizes
 from .cut_request import CutRequest
 from .division import all_cuts
@@ -30,8 +31,10 @@ FARTHEST, MOST_TILES, LEAST_TILES, THICKEST = 2.5, 1000, 12, 2.0
 # paper's tiles have 3/7).
 MOST_CHOSEN, _THINNEST, _STOUTEST = 5000, 1 / 7, 3 / 7
 _Value = TypeVar("_Value")
-# How many of one kind that do by estimates are tried then; of lengths, each of which has another surface.
+# How many of one kind that do by estimates are tried then, at most; of lengths, each of which has another
+# surface.
 _ROUNDS, _ROUNDS_OF_LENGTHS = 3, 1
+_SIZES, _NEAR = ("L", "H_body", "H_pin"), 0.14  # near: none of them by a larger factor, in its logarithm
 _STRIDE = 6  # values of the series from one trial to the next, before the ends are narrowed down
 
 
@@ -65,7 +68,8 @@ class ParameterSearch:
                  creases: Optional[np.ndarray] = None, sag: float = SAG):
         self._surface, self._creases, self._cuts = (V, F), creases, cuts
         self._outer, self._job, self._trying = job, Job(self._tell), ""
-        self._parameters, self._sag = parameters, sag
+        self._parameters, self._least_sag, self._sag = parameters, sag, sag
+        self._failed: list[np.ndarray] = []
         self.thinnest = max(value_range("H_body")[0], parameters.get("p_floor"))  # that a printer makes
         self.made: dict[tuple[float, float, float], Candidate] = {}
         self._chord_errors: dict[float, float] = {}
@@ -92,28 +96,33 @@ class ParameterSearch:
             known = self.made[L, H_body, pin] = self._try(L, H_body, pin)
         return known
 
-    def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs, rounds: int) -> Optional[Sizes]:
-        """The sizes that `find` names by estimates, once a trial layout has nothing in their way. None
-        where it finds none, or none that does in so many rounds."""
+    def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs, rounds: int = _ROUNDS
+              ) -> Optional[Sizes]:
+        """The sizes that `find` names by estimates, once no trial layout has failed with them. None where it
+        finds none, or so many in turn have failed. After one that fails those that are _NEAR are taken to
+        fail as well, and others of its kind have to give membranes more clearance."""
+        self._sag = self._least_sag
         for _ in range(rounds):
             sizes = find()
             if sizes is None:
                 return None
             found = self._trial(sizes, inputs)
-            if found is None or found.feasible:
+            if found is None or found.shown != FAILED:
                 return sizes if found else None
-            L, H_body, H_pin = (dict(sizes).get(name, self._parameters.get(name))
-                                for name in ("L", "H_body", "H_pin"))
-            self.made[L, H_body, H_pin] = replace(self.made[L, H_body, H_pin], feasible=False)
-            if found.sag > self._sag:
-                self._sag = found.sag
-                self.made = {size: one for size, one in self.made.items() if not one.feasible}
+            self._failed.append(self._all(sizes))
+            self._sag = max(self._sag, found.sag)
+            # What is not feasible stays so.
+            self.made = {size: one for size, one in self.made.items() if not one.feasible}
         return None
+
+    def _all(self, sizes: Sizes) -> np.ndarray:
+        """L, H_body and H_pin."""
+        return np.array([dict(sizes).get(name, self._parameters.get(name)) for name in _SIZES])
 
     def _trial(self, sizes: Sizes, inputs: Inputs) -> Any:
         assert inputs.elsewhere is not None
         self._say("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes))
-        values: dict[str, Any] = {**dict(sizes), "mend": "off"}
+        values: dict[str, Any] = {**dict(sizes), "mend": self._parameters.get("mend")}
         try:
             return inputs.elsewhere(values, ("trial layout",), self._job)["trial layout"]
         except CurveUpsError:
@@ -144,12 +153,14 @@ class ParameterSearch:
         for name, value in (("L", L), ("H_body", H_body), ("H_pin", H_pin)):
             values.set(name, value)
         tiles = 0
+        failed = any(np.all(np.abs(np.log(np.array([L, H_body, H_pin]) / one)) < _NEAR)
+                     for one in self._failed)
         try:
             with translated():
                 V, F, _ = self._mesh(L)
                 tiles = len(F)
                 edges = all_cuts(self._cuts, V, F, values, self._job)
-                feasible = sizes_do(V, F, edges, values, self._job, self._sag)
+                feasible = not failed and sizes_do(V, F, edges, values, self._job, self._sag)
         except CurveUpsError:
             feasible = False
         return Candidate(L, H_body, H_pin, tiles, feasible)
@@ -252,11 +263,12 @@ def _about(name: str, value: float) -> list[float]:
 
 
 def _nearest(values: Sequence[float], value: float, good: Callable[[float], bool]) -> Optional[float]:
-    """The good one nearest to `value`, which is one of them, of every _STRIDE-th; larger ones first."""
-    here = values.index(value)
-    for away in range(0, len(values), _STRIDE):
-        for place in (here + away, here - away):
-            if 0 <= place < len(values) and good(values[place]):
+    """The good one nearest to `value`, which is one of them, of every _STRIDE-th and both ends; larger ones
+    first."""
+    here, last = values.index(value), len(values) - 1
+    for away in range(0, last + _STRIDE, _STRIDE):
+        for place in (min(here + away, last), max(here - away, 0)):
+            if good(values[place]):
                 return values[place]
     return None
 
@@ -291,22 +303,46 @@ def value_range(name: str) -> tuple[float, float]:
 
 
 AUTOMATIC = ("L", "H_body")  # parameters that may be "auto"
+READS = ("target", "cut request")  # what they are chosen by
 
 
-def choose(target: Any, cuts: CutRequest, parameters: Any, names: Collection[str], job: Job,
-           where: str) -> dict[str, float]:
-    """The largest feasible values of those of AUTOMATIC that are named: lengths at which the surface stays
-    within `maximum_deviation` of its tiles, thicknesses up to _STOUTEST lengths. A length is looked for with
-    the thickness that is set or, where that is to be chosen, with _THINNEST lengths. Raises CurveUpsError
-    where there is none, and Stopped."""
-    found: dict[str, float] = {}
+@dataclass(frozen=True)
+class Chosen(Value):
+    """Values of parameters, mm. `failed`: a trial layout failed with them, and no smaller ones were found
+    that do."""
+
+    values: dict[str, float]
+    failed: bool
+
+
+def choose(inputs: Inputs, names: Collection[str], job: Job) -> Chosen:
+    """The largest feasible values of those of AUTOMATIC that are named, for inputs["target"] and
+    inputs["cut request"]: lengths at which the surface stays within `maximum_deviation` of its tiles,
+    thicknesses up to _STOUTEST lengths. A length is looked for with the thickness that is set or, where that
+    is to be chosen, with _THINNEST lengths. Where a trial layout fails with them, smaller ones are tried.
+    Raises CurveUpsError where there are none by estimates, and Stopped."""
+    target, cuts, parameters = inputs["target"], inputs["cut request"], inputs.parameters
+    if "L" in names and not _can_remesh(target, cuts):
+        raise CurveUpsError("L can't be auto where the mesh is given", inputs.where,
+                            "give cuts as polylines, or L as a number")
     search = _search(target, cuts, parameters, job)
-    L, H_body = parameters.get("L"), parameters.get("H_body")
+    largest = _largest(search, parameters, names, inputs.where)
+
+    def again() -> Optional[Sizes]:
+        try:
+            return tuple(_largest(search, parameters, names, inputs.where).items())
+        except CurveUpsError:
+            return None
+
+    found = search.named(again, inputs)
+    return Chosen(largest if found is None else dict(found), found is None)
+
+
+def _largest(search: ParameterSearch, parameters: Any, names: Collection[str], where: str
+             ) -> dict[str, float]:
+    found: dict[str, float] = {}
+    L, H_body, thin = parameters.get("L"), parameters.get("H_body"), search.thinnest
     if "L" in names:
-        if not _can_remesh(target, cuts):
-            raise CurveUpsError("L can't be auto where the mesh is given", where,
-                                "give cuts as polylines, or L as a number")
-        thin = search.thinnest
         thickness = (lambda L: max(_THINNEST * L, thin)) if "H_body" in names else (lambda L: H_body)
         L = found["L"] = search.largest_length(L, thickness, parameters.get("maximum_deviation"), where)
     if "H_body" in names:

@@ -227,8 +227,11 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
         call("actions.choose_sizes", named(obj), repr(names))
         obj.Document.recompute()
         values = ", ".join(f"{properties.property_name(name)} = {properties.shown(_row(name), value)}"
-                           for name, value in found.items())
-        show_line(translate("CurveUps_Check", "The largest that works: {values}", values=values))
+                           for name, value in found.values.items())
+        show_line(translate("CurveUps_Check", "{values} by estimates: a trial layout with these sizes "
+                            "failed, and none smaller was found that does", values=values)
+                  if found.failed else
+                  translate("CurveUps_Check", "The largest that works: {values}", values=values))
 
     with errors_shown(title):
         LIVE.start(design, Task(title, actions.sizes_work(design, names), finish, told=told))
