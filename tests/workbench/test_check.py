@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The check of a target, sizes that are chosen and profiles of printers, by mouse in a real window."""
 
-import math
 
 import FreeCAD
 import FreeCADGui
@@ -19,9 +18,8 @@ from steps import begin, example, in_units, LIVE, panel
 pytestmark = pytest.mark.freecad(window=True)
 
 
-def tent():
-    points = [(x, y, 9 * max(0.0, 1 - math.hypot(max(abs(x) - 8, 0.0), y) / 9))
-              for y in range(-24, 25, 2) for x in range(-24, 25, 2)]
+def roof():
+    points = [(x, y, 12 - abs(y) / 2) for y in range(-24, 25, 2) for x in range(-24, 25, 2)]
     found = []
     for row in range(24):
         for a in range(25 * row, 25 * row + 24):
@@ -29,10 +27,10 @@ def tent():
     return found
 
 
-def design_of_tent(**values):
+def design_of_roof(**values):
     made = begin()
-    given = made.addObject("Mesh::Feature", "Tent")
-    given.Mesh = Mesh.Mesh(tent())
+    given = made.addObject("Mesh::Feature", "Roof")
+    given.Mesh = Mesh.Mesh(roof())
     FreeCADGui.Selection.addSelection(given)
     press("CurveUps_NewDesign")
     given.ViewObject.Visibility = False
@@ -274,7 +272,7 @@ def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
     assert shown.endswith(", part2 mm-wide)"), shown
     sheet = "QWidget { background: #2b2b2b; color: #dddddd; }"
     QtGui.QApplication.instance().setStyleSheet(sheet)
-    made, design = design_of_tent(L="9 mm", HBody="9 mm", Fidelity="3 mm")
+    made, design = design_of_roof(L="9 mm", HBody="9 mm", Fidelity="3 mm")
     press("CurveUps_Check")
     form = widget("CheckPanel")
     checking(form)
@@ -315,7 +313,7 @@ def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
 
 
 def test_a_height_of_pins_that_does_is_taken_over(pictures):
-    made, design = design_of_tent(L="12 mm", HPin="0.4 mm")
+    made, design = design_of_roof(L="12 mm", HPin="0.2 mm")
     press("CurveUps_Check")
     form = widget("CheckPanel")
     checking(form)
@@ -324,7 +322,7 @@ def test_a_height_of_pins_that_does_is_taken_over(pictures):
     click(form.use_pin)
     until(lambda: LIVE.busy, 10, "the next check")
     at_rest()
-    assert 0.4 < design.HPin.Value <= 1 and made.UndoNames[:2] == ["Check", "Use HPin"], made.UndoNames
+    assert 0.2 < design.HPin.Value <= 0.5 and made.UndoNames[:2] == ["Check", "Use HPin"], made.UndoNames
     assert "<b>Feasible" in form.verdict.text() and not form.use_pin.isVisible(), form.verdict.text()
     picture("higher-pins")
     close_panel()

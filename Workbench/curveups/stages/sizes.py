@@ -69,7 +69,7 @@ class ParameterSearch:
         self._surface, self._creases, self._cuts = (V, F), creases, cuts
         self._outer, self._job, self._trying = job, Job(self._tell), ""
         self._parameters, self._least_sag, self._sag = parameters, sag, sag
-        self._failed: list[np.ndarray] = []
+        self._failed: list[tuple[np.ndarray, float]] = []  # with how near others are to be
         self.thinnest = max(value_range("H_body")[0], parameters.get("p_floor"))  # that a printer makes
         self.made: dict[tuple[float, float, float], Candidate] = {}
         self._chord_errors: dict[float, float] = {}
@@ -99,17 +99,18 @@ class ParameterSearch:
     def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs, rounds: int = _ROUNDS
               ) -> Optional[Sizes]:
         """The sizes that `find` names by estimates, once no trial layout has failed with them. None where it
-        finds none, or so many in turn have failed. After one that fails those that are _NEAR are taken to
-        fail as well, and others of its kind have to give membranes more clearance."""
+        finds none, or so many in turn have failed. After one that fails those near it are taken to fail as
+        well, from attempt to attempt twice as far, and others of its kind have to give membranes more
+        clearance."""
         self._sag = self._least_sag
-        for _ in range(rounds):
+        for attempt in range(rounds):
             sizes = find()
             if sizes is None:
                 return None
             found = self._trial(sizes, inputs)
             if found is None or found.shown != FAILED:
                 return sizes if found else None
-            self._failed.append(self._all(sizes))
+            self._failed.append((self._all(sizes), _NEAR * 2 ** attempt))
             self._sag = max(self._sag, found.sag)
             # What is not feasible stays so.
             self.made = {size: one for size, one in self.made.items() if not one.feasible}
@@ -153,8 +154,8 @@ class ParameterSearch:
         for name, value in (("L", L), ("H_body", H_body), ("H_pin", H_pin)):
             values.set(name, value)
         tiles = 0
-        failed = any(np.all(np.abs(np.log(np.array([L, H_body, H_pin]) / one)) < _NEAR)
-                     for one in self._failed)
+        failed = any(np.all(np.abs(np.log(np.array([L, H_body, H_pin]) / one)) < near)
+                     for one, near in self._failed)
         try:
             with translated():
                 V, F, _ = self._mesh(L)
