@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of Export, by the mouse: what it asks before it replaces, and what it opens afterwards."""
 
+import atexit
 import json
+import os
 import struct
 import threading
 import time
@@ -15,7 +17,7 @@ from curveups.report import exports
 from curveups.window import qt
 from robot import (QtCore, QtGui, choose, choose_file, click, click_at, close_panel, entry_of, fill,
                    in_dialog, keys, menu_bar, picture, press, report, settle, tree_entry, until, widget,
-                   write)
+                   window, write)
 from steps import LIVE, example, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -62,6 +64,23 @@ def test_the_report_of_another_design_is_not_replaced_without_asking(tmp_path, p
     close_panel()
 
 
+def lingering(late):
+    """A writer of files that goes on after its STL file until it is stopped. late: set by then."""
+    writer = exports._writer
+
+    def slow(model, kind, ending, job):
+        def write(path):
+            writer(model, kind, ending, job)(path)
+            if ending == "stl":
+                late.set()
+                while not job.stopped:
+                    time.sleep(0.01)
+
+        return write
+
+    return slow
+
+
 @pytest.mark.parametrize("end", ["cancel", "close"])
 def test_an_export_that_is_cut_off_leaves_what_was_there(dome_document, tmp_path, pictures, monkeypatch, end):
     """By Cancel, or as its document is closed: no new file stands beside a report of others."""
@@ -76,19 +95,8 @@ def test_an_export_that_is_cut_off_leaves_what_was_there(dome_document, tmp_path
     def held():
         return {path.name: path.read_bytes() for path in (tmp_path / "prints").iterdir()}
 
-    before, late, writer = held(), threading.Event(), exports._writer
-
-    def slow(model, kind, ending, job):
-        def write(path):
-            writer(model, kind, ending, job)(path)
-            if ending == "stl":
-                late.set()
-                while not job.stopped:
-                    time.sleep(0.01)
-
-        return write
-
-    monkeypatch.setattr(exports, "_writer", slow)
+    before, late = held(), threading.Event()
+    monkeypatch.setattr(exports, "_writer", lingering(late))
     fill(form.findChild(QtGui.QAbstractSpinBox, "deviation"), "0.02 mm")
     click(button)
     until(late.is_set, 120, "a file in the middle")
@@ -102,6 +110,45 @@ def test_an_export_that_is_cut_off_leaves_what_was_there(dome_document, tmp_path
     if end == "cancel":
         picture("cancelled")
         close_panel()
+
+
+def quit_in_mid_export(path, folder, left):
+    """Quits FreeCAD by its own window; the file `left` says how it ended."""
+    ended: list[int] = []
+    setattr(os, "_exit", ended.append)  # it is FreeCAD itself that ends here
+    document, design = opened(path)
+    document.Comment = "changed"  # FreeCAD asks
+    late = threading.Event()
+    exports._writer = lingering(late)
+    press("CurveUps_Export")
+    fill(widget("folder"), folder)
+    click(widget("write"))
+    until(late.is_set, 120, "a file in the middle")
+
+    def leave():
+        names = [thread.name for thread in threading.enumerate()]
+        with open(left, "w") as file:
+            file.write(f"{ended} {LIVE.busy} {'CurveUps' in names}")
+
+    atexit.register(leave)
+
+    def discard():
+        assert LIVE.busy and any(name.startswith(".") for name in os.listdir(folder))
+        box = QtGui.QApplication.activeModalWidget()
+        click(next(button for button in box.findChildren(QtGui.QPushButton)
+                   if "iscard" in button.text() or "without" in button.text().lower()))
+
+    in_dialog(window.close, discard)
+
+
+def test_FreeCAD_can_be_quit_in_mid_export(elsewhere, dome_document, tmp_path):
+    """By itself, to its very end: no thread is left, and no file beside a report of others."""
+    folder, left = tmp_path / "prints", tmp_path / "left"
+    folder.mkdir()
+    (folder / "report.json").write_text(theirs := json.dumps({"name": "Design", "valid": True}))
+    elsewhere(quit_in_mid_export, str(dome_document), str(folder), str(left), window=True, ends=True)
+    assert left.read_text("utf-8") == "[0] False False"
+    assert os.listdir(folder) == ["report.json"] and (folder / "report.json").read_text("utf-8") == theirs
 
 
 def test_files_under_the_names_of_another_design_are_not_replaced_without_asking(dome_document, tmp_path,
