@@ -1118,6 +1118,10 @@
       <translation>Veraltet: bitte erneut ermitteln</translation>
     </message>
     <message>
+      <source>The largest that works by estimates: {values}</source>
+      <translation>Die größten nach Schätzungen: {values}</translation>
+    </message>
+    <message>
       <source>The largest that works: {values}</source>
       <translation>Der größte Wert, der geht: {values}</translation>
     </message>
@@ -1142,8 +1146,8 @@
       <translation>und {count} weitere</translation>
     </message>
     <message>
-      <source>{values} by estimates: a trial layout with these sizes failed, and none smaller was found that does</source>
-      <translation>{values} nach Abschätzungen: Ein Probelayout mit diesen Größen ist gescheitert, und keine kleineren wurden gefunden, die gehen</translation>
+      <source>{values}: the largest by estimates. A trial layout with these sizes failed, and no smaller sizes were found that pass one.</source>
+      <translation>{values}: die größten nach Schätzungen. Ein Probelayout mit diesen Größen ist gescheitert, und keine kleineren wurden gefunden, mit denen eines gelingt.</translation>
     </message>
   </context>
   <context>

@@ -3,6 +3,7 @@
 
 import json
 import re
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,12 +11,14 @@ import pytest
 
 from curveups.targets.cad_files import Read
 from curveups.base.errors import CurveUpsError
+from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.project.project import Project
 from curveups.stages import feasibility, pin_smoothing, sizes
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Job
 from curveups.stages.surface import Source
+from curveups.stages.trial_layout import FAILED, PASSED, TrialLayout
 
 
 def dome(radius=60.0, parts=30):
@@ -49,7 +52,7 @@ def project(V, F, **values):
 
 def chosen(of, *names):
     made = sizes.choose(of.inputs(sizes.READS, Job()), names, Job())
-    assert not made.failed
+    assert made.trial != FAILED
     return made.values
 
 
@@ -86,7 +89,7 @@ def test_a_trial_layout_overrules_estimates():
     job = Job(lambda what, _: said.append(what) or True)
     made = sizes.choose(of.inputs(sizes.READS, job), ("L", "H_body"), job)
     tried = [what for what in dict.fromkeys(said) if "H_body" in what and "H_pin" not in what]
-    assert len(tried) == 2 and not made.failed, (tried, made)
+    assert len(tried) == 2 and made.trial == PASSED, (tried, made)
     first, then = ([float(one) for one in re.findall(r"[\d.]+", what)] for what in tried)
     assert then == [made.values["L"], made.values["H_body"]]
     for (L, H_body), shown in ((first, "failed"), (then, "passed")):
@@ -95,21 +98,109 @@ def test_a_trial_layout_overrules_estimates():
 
 
 def test_where_trial_layouts_of_all_sizes_fail_the_choice_says_so(curveups, tmp_path):
-    """At this length no thickness lets the membranes clear the tips."""
+    """At this length no thickness that is tried lets the membranes clear the tips."""
     V, F = tent(5)
     for H_body in (4.1, 2.0, 0.6):
         made = project(V, F, L=10.0, H_body=H_body).run(("trial layout",))["trial layout"]
         assert made.shown == "failed"
     of = project(V, F, L=10.0)
     made = sizes.choose(of.inputs(sizes.READS, Job()), ("H_body",), Job())
-    assert made.failed and 10 / 7 <= made.values["H_body"] <= 30 / 7
+    assert made.trial == FAILED and 10 / 7 <= made.values["H_body"] <= 30 / 7
 
     target = tmp_path / "tent.obj"
     target.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in V)
                       + "".join(f"f {a} {b} {c}\n" for a, b, c in F + 1))
     ran = curveups("check", target, "-o", tmp_path / "check", "--set", "L=10", "H_body=auto")
-    assert ran.status == 1 and f"H_body = {made.values['H_body']:g} mm is chosen" in ran.err, ran.err
-    assert "warning: a trial layout with these sizes failed, and none smaller was found" in ran.err, ran.err
+    assert ran.status == 1, ran.err
+    said = f"H_body = {made.values['H_body']:g} mm is chosen\nwarning: a trial layout with these sizes failed"
+    assert said in ran.err, ran.err
+
+
+@pytest.fixture
+def search(monkeypatch):
+    """Estimates find everything feasible; `tries` says what trial layouts find, by their parameters."""
+    monkeypatch.setattr(sizes, "sizes_do", lambda *given: True)
+    of = project(*dome(), L=8.0, H_body=3.0, H_pin=1.0)
+    inputs = of.inputs(sizes.READS, Job())
+
+    def made(tries):
+        def elsewhere(values, goals, job):
+            return {"trial layout": tries({name: values.get(name, of.parameters.get(name))
+                                           for name in ("L", "H_body", "H_pin")})}
+
+        return (sizes.ParameterSearch(inputs["target"].source_V, inputs["target"].source_F,
+                                      inputs["cut request"], of.parameters, Job()),
+                replace(inputs, elsewhere=elsewhere))
+
+    return made
+
+
+def failed():
+    return TrialLayout((feasibility.Obstacle(Finding.about("gap", [0])),), FAILED)
+
+
+def test_sizes_that_fail_are_left_out_of_their_kind_alone(search):
+    tried = []
+
+    def tries(values):
+        tried.append(values)
+        return TrialLayout((), PASSED) if values["H_pin"] == 0.4 else failed()
+
+    of, inputs = search(tries)
+    assert of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs) is None
+    thick = [values["H_body"] for values in tried]
+    assert len(thick) == 3 and thick[0] == 3
+    assert thick[0] / thick[1] > 1.15 and thick[1] / thick[2] > 1.15 ** 2
+    assert not any(of.tried[8.0, one, 1.0].feasible for one in thick)
+    # Heights are looked for from the start, however near to those of thicknesses that failed.
+    assert of.named(lambda: (("H_pin", of.least_pin(8, 3)),), inputs) == ((("H_pin", 0.4),), True)
+    assert [values["H_pin"] for values in tried[3:]] == [1.1, 1.3, 0.4] and of.tried[8.0, 3.0, 0.4].feasible
+
+
+def test_a_target_that_is_refused_with_some_sizes_is_tried_with_others(search):
+    def tries(values):
+        if values["H_body"] > 2:
+            raise CurveUpsError("no", "made", "")
+        return TrialLayout(())
+
+    of, inputs = search(tries)
+    found, passed = of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs)
+    assert dict(found)["H_body"] <= 2 and not passed  # no trial layout has been made
+
+
+def test_what_is_in_the_way_without_a_trial_is_none_that_does(search):
+    blocked = feasibility.Obstacle(Finding.about("gap", [0]))
+    of, inputs = search(lambda values: TrialLayout((blocked,)))
+    assert of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs) is None
+
+
+def test_ranges_end_at_values_that_were_found_bad():
+    values, bad = list(range(20)), {16, *range(12)}
+
+    def good(value):
+        return value not in bad
+
+    start = sizes._nearest(values, 10, good)
+    assert start == 19
+    low, high = (values[sizes._reach(values, 10, start, good, step)] for step in (-1, 1))
+    assert (low, high) == (17, 19)
+    assert sizes._nearest(values, 10, lambda value: value in (0, 19)) == 19
+    assert sizes._nearest(values, 10, lambda value: value == 0) == 0
+    assert sizes._nearest(values, 10, lambda value: False) is None
+
+
+def test_a_mesh_that_is_given_has_its_own_length():
+    V, F = dome(parts=30)  # sides of 1.7 to 2.4 mm
+    source = Source("made", stamp="made", remesh=False, read=lambda deflection, choice: Read(V, F))
+    of = Project("made", native.Parameters(), {"source": source, "cut request": CutRequest()}, "made")
+    L = of.run(("target",))["target"].own_length
+    assert 1.5 < L < 2.5 < of.parameters.get("L")
+    try:
+        H_body = sizes.choose(of.inputs(sizes.READS, Job()), ("H_body",), Job()).values["H_body"]
+    except CurveUpsError as error:
+        assert f"for L = {L:g} mm" in error.what
+    else:
+        assert H_body <= L * 3 / 7
 
 
 def test_auto_on_the_command_line(curveups, cap, tmp_path):

@@ -146,7 +146,7 @@ def test_a_target_is_checked_and_sizes_that_do_are_taken(made):
     design.HBody = best
     assert actions.check(design)["trial layout"].feasible
 
-    chosen = actions.choose_sizes(design, ("H_body",))
+    chosen = actions.choose_sizes(design, ("H_body",)).values
     assert made.UndoNames[0] == "Choose Sizes" and set(chosen) == {"H_body"}
     assert 0 < float(design.HBody) == chosen["H_body"] <= 3 / 7 * 14, chosen
     design.setExpression("L", "5 mm + 6 mm")
@@ -154,7 +154,7 @@ def test_a_target_is_checked_and_sizes_that_do_are_taken(made):
     assert "L follows an expression" in said, said
     design.setExpression("L", None)
     design.Fidelity = 0.6
-    chosen = actions.choose_sizes(design)
+    chosen = actions.choose_sizes(design).values
     assert (float(design.L), float(design.HBody)) == (chosen["L"], chosen["H_body"])
 
 

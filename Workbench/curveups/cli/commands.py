@@ -33,6 +33,7 @@ from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.solids import density_of
 from ..stages.stage import Job
 from ..stages.surface import find_source
+from ..stages.trial_layout import FAILED
 
 MOST_FORCE = 1e6  # N: of a hand; far more than one has, far less than numbers bear
 
@@ -363,9 +364,9 @@ def _choose_sizes(project: Project, names: set[str], session: Session) -> None:
     for name, value in chosen.values.items():
         values.set(name, value)
         session.reporter.say(f"{name} = {value:g} mm is chosen")
-    if chosen.failed:
-        session.reporter.say("warning: a trial layout with these sizes failed, and none smaller was found "
-                             "that does")
+    if chosen.trial == FAILED:
+        session.reporter.say("warning: a trial layout with these sizes failed, and no smaller sizes were "
+                             "found that pass one")
     project.parameters = values
 
 

@@ -115,17 +115,17 @@ def check(design: Any) -> Results:
     return _run("check", design)
 
 
-def choose_sizes(design: Any, names: Collection[str] = sizes.AUTOMATIC) -> dict[str, float]:
-    """Sets the length L of the tiles, their thickness H_body or both to what `auto` is on the command line:
-    the largest values that can be made and stay within `maximum_deviation` of the surface. Raises
-    CurveUpsError where there are none, or where an expression says what they are."""
+def choose_sizes(design: Any, names: Collection[str] = sizes.AUTOMATIC) -> sizes.Chosen:
+    """Sets the length L of the tiles, their thickness H_body or both to what `auto` is on the command line
+    (sizes.choose), and says what a trial layout with them has shown. Raises CurveUpsError where there are
+    none, or where an expression says what they are."""
     found = _made.pop(("choose_sizes", design.Document.Name, design.Name), None)
     if found is None:
         found = sizes_work(design, names)(Job())
     with transaction(design.Document, "Choose Sizes"):
         for name, value in found.values.items():
             properties.write_parameter(design, name, value)
-    return found.values
+    return found
 
 
 def sizes_work(design: Any, names: Collection[str]) -> Callable[[Job], sizes.Chosen]:

@@ -155,7 +155,7 @@ class Project:
     def inputs(self, names: Sequence[str], job: Job) -> Inputs:
         """What a stage that reads these results would read."""
         found = self.run(names, job)
-        return Inputs(self.parameters, {name: found[name] for name in names}, self._store, self.where,
+        return Inputs(found.parameters, {name: found[name] for name in names}, self._store, self.where,
                       self.elsewhere)
 
     def forget_stopped(self) -> None:

@@ -22,7 +22,7 @@ from .division import all_cuts
 from .feasibility import SAG, mending, sizes_do
 from .stage import Inputs, Job, Result, Stage, digest
 from .target import remesh
-from .trial_layout import FAILED
+from .trial_layout import FAILED, PASSED, TrialLayout
 
 # Lengths and heights of pins are tried up to this factor from the one that is set, lengths as long as that
 # makes no more tiles than these or than there are, and thicknesses up to so many lengths.
@@ -34,7 +34,10 @@ _Value = TypeVar("_Value")
 # How many of one kind that do by estimates are tried then, at most; of lengths, each of which has another
 # surface.
 _ROUNDS, _ROUNDS_OF_LENGTHS = 3, 1
-_SIZES, _NEAR = ("L", "H_body", "H_pin"), 0.14  # near: none of them by a larger factor, in its logarithm
+_SIZES = ("L", "H_body", "H_pin")
+# Sizes are near those of a trial that failed where none differs by a larger factor; of the next that fails by
+# its square.
+_NEAR = 1.15
 _STRIDE = 6  # values of the series from one trial to the next, before the ends are narrowed down
 
 
@@ -69,9 +72,11 @@ class ParameterSearch:
         self._surface, self._creases, self._cuts = (V, F), creases, cuts
         self._outer, self._job, self._trying = job, Job(self._tell), ""
         self._parameters, self._least_sag, self._sag = parameters, sag, sag
-        self._failed: list[tuple[np.ndarray, float]] = []  # with how near others are to be
         self.thinnest = max(value_range("H_body")[0], parameters.get("p_floor"))  # that a printer makes
-        self.made: dict[tuple[float, float, float], Candidate] = {}
+        self.tried: dict[tuple[float, ...], Candidate] = {}   # by L, H_body, H_pin
+        self._known: dict[tuple[float, ...], Candidate] = {}  # of these what holds for the next sizes, too
+        self._decided: dict[tuple[float, ...], Candidate] = {}  # by trial layouts
+        self._failed: list[tuple[np.ndarray, float]] = []  # L, H_body, H_pin; the factor of what is near
         self._chord_errors: dict[float, float] = {}
         corners = V[F]
         self._area = float(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0],
@@ -89,43 +94,55 @@ class ParameterSearch:
 
     def __call__(self, L: float, H_body: float, H_pin: Optional[float] = None) -> Candidate:
         """H_pin: else as it is set."""
-        pin = float(self._parameters.get("H_pin") if H_pin is None else H_pin)
-        known = self.made.get((L, H_body, pin))
-        if known is None:
-            self._say(f"trying L = {L:g} mm, H_body = {H_body:g} mm, H_pin = {pin:g} mm")
-            known = self.made[L, H_body, pin] = self._try(L, H_body, pin)
-        return known
+        size = (L, H_body, float(self._parameters.get("H_pin") if H_pin is None else H_pin))
+        known = self._decided.get(size) or self._known.get(size)
+        if known is not None:
+            return known
+        if any(np.all(np.abs(np.log(np.array(size) / one)) < math.log(factor))
+               for one, factor in self._failed):
+            return Candidate(*size, 0, False)
+        self._say("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in zip(_SIZES, size)))
+        self.tried[size] = self._known[size] = self._try(*size)
+        return self._known[size]
+
+    def decide(self, one: Candidate) -> None:
+        """Takes what came of a size otherwise, for good."""
+        size = (one.L, one.H_body, one.H_pin)
+        self.tried[size] = self._decided[size] = one
 
     def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs, rounds: int = _ROUNDS
-              ) -> Optional[Sizes]:
-        """The sizes that `find` names by estimates, once no trial layout has failed with them. None where it
-        finds none, or so many in turn have failed. After one that fails those near it are taken to fail as
-        well, from attempt to attempt twice as far, and others of its kind have to give membranes more
-        clearance."""
-        self._sag = self._least_sag
-        for attempt in range(rounds):
+              ) -> Optional[tuple[Sizes, bool]]:
+        """The sizes that `find` names by estimates and no trial layout has failed with, and whether one has
+        passed. None where it finds none, or so many in turn have failed. After one that fails, those near it
+        are left out, and others have to give membranes more clearance where that was the reason; what `find`
+        is next asks for has nothing to do with it."""
+        if self._failed:
+            self._failed, self._sag = [], self._least_sag
+            self._known.clear()
+        for attempt in range(1, rounds + 1):
             sizes = find()
             if sizes is None:
                 return None
             found = self._trial(sizes, inputs)
-            if found is None or found.shown != FAILED:
-                return sizes if found else None
-            self._failed.append((self._all(sizes), _NEAR * 2 ** attempt))
-            self._sag = max(self._sag, found.sag)
+            if found is not None and not _obstacles(found):
+                return sizes, found.shown == PASSED
+            L, H_body, H_pin = size = tuple(float(dict(sizes).get(name, self._parameters.get(name)))
+                                            for name in _SIZES)
+            self.decide(Candidate(L, H_body, H_pin, self(*size).tiles, False))
+            self._failed.append((np.array(size), _NEAR ** attempt))
+            self._sag = max(self._sag, found.sag if found else SAG)
             # What is not feasible stays so.
-            self.made = {size: one for size, one in self.made.items() if not one.feasible}
+            self._known = {one: made for one, made in self._known.items() if not made.feasible}
         return None
 
-    def _all(self, sizes: Sizes) -> np.ndarray:
-        """L, H_body and H_pin."""
-        return np.array([dict(sizes).get(name, self._parameters.get(name)) for name in _SIZES])
-
-    def _trial(self, sizes: Sizes, inputs: Inputs) -> Any:
+    def _trial(self, sizes: Sizes, inputs: Inputs) -> Optional[TrialLayout]:
+        """None where the project refuses the target with these sizes."""
         assert inputs.elsewhere is not None
         self._say("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes))
         values: dict[str, Any] = {**dict(sizes), "mend": self._parameters.get("mend")}
         try:
-            return inputs.elsewhere(values, ("trial layout",), self._job)["trial layout"]
+            found: TrialLayout = inputs.elsewhere(values, ("trial layout",), self._job)["trial layout"]
+            return found
         except CurveUpsError:
             return None
 
@@ -154,14 +171,12 @@ class ParameterSearch:
         for name, value in (("L", L), ("H_body", H_body), ("H_pin", H_pin)):
             values.set(name, value)
         tiles = 0
-        failed = any(np.all(np.abs(np.log(np.array([L, H_body, H_pin]) / one)) < near)
-                     for one, near in self._failed)
         try:
             with translated():
                 V, F, _ = self._mesh(L)
                 tiles = len(F)
                 edges = all_cuts(self._cuts, V, F, values, self._job)
-                feasible = not failed and sizes_do(V, F, edges, values, self._job, self._sag)
+                feasible = sizes_do(V, F, edges, values, self._job, self._sag)
         except CurveUpsError:
             feasible = False
         return Candidate(L, H_body, H_pin, tiles, feasible)
@@ -196,7 +211,7 @@ class ParameterSearch:
         place = int(np.argmin(np.abs(np.log(np.array(values) / guess))))
         while place > 0 and not near(values[place]):
             place = max(0, place - _STRIDE // 2)
-        last = place + _reach(values[place:], near) if near(values[place]) else -1
+        last = _reach(values, place, place, near, 1) if near(values[place]) else -1
         for place in range(last, -1, -1):
             if near(values[place]) and self(values[place], thickness(values[place])).feasible:
                 return values[place]
@@ -209,7 +224,7 @@ class ParameterSearch:
         return [value for value in _about("L", L) if value == L or LEAST_TILES <= self.tiles(value) <= most]
 
     def nearest_length(self, L: float, H_body: float) -> Optional[float]:
-        """The feasible length nearest to L of those tried, with every _STRIDE-th of the series."""
+        """The feasible length nearest to L, of every _STRIDE-th of the series and both ends."""
         # Fewer tiles first: that is quicker.
         return _nearest(self.lengths(L), L, lambda value: self(value, H_body).feasible)
 
@@ -223,8 +238,7 @@ class ParameterSearch:
         def feasible(value: float) -> bool:
             return self(value, H_body).feasible
 
-        low = values[first - _reach(values[first::-1], feasible)]
-        high = values[first + _reach(values[first:], feasible)]
+        low, high = (values[_reach(values, values.index(L), first, feasible, step)] for step in (-1, 1))
         return low, high
 
     def least_pin(self, L: float, H_body: float) -> Optional[float]:
@@ -240,8 +254,7 @@ class ParameterSearch:
         start = _nearest(values, H_pin, feasible)
         if start is None:
             return None
-        first = values.index(start)
-        return values[first - _reach(values[first::-1], feasible)]
+        return values[_reach(values, values.index(H_pin), values.index(start), feasible, -1)]
 
     def thinner_with_pins(self, L: float, H_body: float, alone: Optional[float]
                           ) -> Optional[Sizes]:
@@ -263,27 +276,30 @@ def _about(name: str, value: float) -> list[float]:
     return sorted([*(one for one in values if abs(one - value) > 0.01 * value), value])
 
 
+def _places(values: Sequence[float], here: int) -> list[int]:
+    """Where a search from place `here` looks first: every _STRIDE-th place, and both ends."""
+    return sorted({0, *range(here % _STRIDE, len(values), _STRIDE), len(values) - 1})
+
+
 def _nearest(values: Sequence[float], value: float, good: Callable[[float], bool]) -> Optional[float]:
-    """The good one nearest to `value`, which is one of them, of every _STRIDE-th and both ends; larger ones
-    first."""
-    here, last = values.index(value), len(values) - 1
-    for away in range(0, last + _STRIDE, _STRIDE):
-        for place in (min(here + away, last), max(here - away, 0)):
-            if good(values[place]):
-                return values[place]
-    return None
+    """The good one nearest to `value`, which is one of them, of those at _places; larger ones first."""
+    here = values.index(value)
+    places = sorted(_places(values, here), key=lambda place: (abs(place - here), -place))
+    return next((values[place] for place in places if good(values[place])), None)
 
 
-def _reach(values: Sequence[float], good: Callable[[float], bool]) -> int:
-    """How far values, of which the first is good, stay so: the place of the last one before a stride that
-    ends in a bad one, and of that stride the part that bisection finds."""
-    place = 0
-    while place + 1 < len(values):
-        ahead = min(place + _STRIDE, len(values) - 1)
-        if not good(values[ahead]):
-            return place + 1 + _last(values[place + 1:ahead], good)
-        place = ahead
-    return place
+def _reach(values: Sequence[float], here: int, first: int, good: Callable[[float], bool], step: int) -> int:
+    """How far values, of which that at place `first` is good, stay so, upwards (step 1) or downwards (-1):
+    the place of the last one before a bad one at one of the _places, and of that stride the part that
+    bisection finds."""
+    last = first
+    for place in _places(values, here)[::step]:
+        if (place - first) * step <= 0:
+            continue
+        if not good(values[place]):
+            return last + step * (1 + _last([values[k] for k in range(last + step, place, step)], good))
+        last = place
+    return last
 
 
 def _last(values: Sequence[_Value], good: Callable[[_Value], bool]) -> int:
@@ -309,19 +325,20 @@ READS = ("target", "cut request")  # what they are chosen by
 
 @dataclass(frozen=True)
 class Chosen(Value):
-    """Values of parameters, mm. `failed`: a trial layout failed with them, and no smaller ones were found
-    that do."""
+    """Values of parameters, mm, and what came of a trial layout with them: PASSED; FAILED, and no smaller
+    ones were found with which one did not fail; else empty: estimates alone choose."""
 
     values: dict[str, float]
-    failed: bool
+    trial: str
 
 
 def choose(inputs: Inputs, names: Collection[str], job: Job) -> Chosen:
     """The largest feasible values of those of AUTOMATIC that are named, for inputs["target"] and
     inputs["cut request"]: lengths at which the surface stays within `maximum_deviation` of its tiles,
     thicknesses up to _STOUTEST lengths. A length is looked for with the thickness that is set or, where that
-    is to be chosen, with _THINNEST lengths. Where a trial layout fails with them, smaller ones are tried.
-    Raises CurveUpsError where there are none by estimates, and Stopped."""
+    is to be chosen, with _THINNEST lengths. Where a trial layout fails with them, smaller ones are tried:
+    thicknesses, where both are to be chosen, unless membranes need another length. Raises CurveUpsError where
+    there are none by estimates, and Stopped."""
     target, cuts, parameters = inputs["target"], inputs["cut request"], inputs.parameters
     if "L" in names and not _can_remesh(target, cuts):
         raise CurveUpsError("L can't be auto where the mesh is given", inputs.where,
@@ -336,7 +353,10 @@ def choose(inputs: Inputs, names: Collection[str], job: Job) -> Chosen:
             return None
 
     found = search.named(again, inputs)
-    return Chosen(largest if found is None else dict(found), found is None)
+    if found is None:
+        return Chosen(largest, FAILED)
+    sizes, passed = found
+    return Chosen(dict(sizes), PASSED if passed else "")
 
 
 def _largest(search: ParameterSearch, parameters: Any, names: Collection[str], where: str
@@ -383,7 +403,12 @@ def sizes_that_do(inputs: Inputs, cuts: CutRequest, job: Job) -> tuple[list[Size
     length = search.nearest_length(L, H_body) if _can_remesh(target, cuts) else None
     found = (_one("H_body", thickness), _one("L", length), _one("H_pin", pin),
              search.thinner_with_pins(L, H_body, thickness) if pin is None and length is None else None)
-    return [one for one in found if one is not None], len(search.made)
+    return [one for one in found if one is not None], len(search.tried)
+
+
+def _obstacles(found: TrialLayout) -> set[str]:
+    """What is in the way of sizes: closed surfaces are evaluated as if they were cut open."""
+    return {one.obstacle for one in found.blocked} - {"closed"}
 
 
 def _one(name: str, value: Optional[float]) -> Optional[Sizes]:
@@ -425,7 +450,7 @@ class Recommendation(Result):
     as_set: bool  # whether the sizes that are set do
     tried: tuple[tuple[float, float, float, int, bool], ...]  # L, H_body, H_pin, tiles, feasible
     together: Optional[tuple[float, float]] = None  # H_body and H_pin, where no other L or H_pin does
-    estimated: bool = True  # whether other sizes than those that are set do by estimates alone
+    estimated: bool = True  # whether some other sizes than those that are set do by estimates alone
     # By how much mend=on would move vertices so that those that are set do, mm. None where it is on, would
     # not help, or is not needed, and where a trial layout has failed: it is judged by estimates.
     mending: Optional[float] = None
@@ -439,17 +464,20 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     target, cuts = inputs["target"], inputs["cut request"]
     L, H_body = inputs.parameters.get("L"), inputs.parameters.get("H_body")
     search = _unmended_search(target, cuts, inputs.parameters, job, inputs["trial layout"].sag)
-    as_set = not {one.obstacle for one in inputs["trial layout"].blocked} - {"closed"}
-    as_it_is = Candidate(L, H_body, inputs.parameters.get("H_pin"), len(target.F), as_set)
-    search.made[L, H_body, as_it_is.H_pin] = as_it_is
+    trial = inputs["trial layout"]
+    as_set = not _obstacles(trial)
+    search.decide(Candidate(L, H_body, inputs.parameters.get("H_pin"), len(target.F), as_set))
     most = max(THICKEST * L, H_body)
     remeshed = _can_remesh(target, cuts)
-
-    estimated = inputs["trial layout"].shown != FAILED
+    estimated = [trial.shown != FAILED]
 
     def named(find: Callable[[], Optional[Sizes]], rounds: int = _ROUNDS) -> dict[str, float]:
         """Where estimates were too hopeful of the sizes that are set, what is named instead is tried."""
-        return dict((find() if estimated else search.named(find, inputs, rounds)) or ())
+        if trial.shown != FAILED:
+            return dict(find() or ())
+        found, passed = search.named(find, inputs, rounds) or ((), True)
+        estimated.append(not passed)
+        return dict(found)
 
     def length() -> Optional[Sizes]:
         ends = search.range_of_lengths(L, H_body) if remeshed else None
@@ -462,13 +490,13 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     pin = named(lambda: _one("H_pin", search.least_pin(L, H_body))).get("H_pin")
     together = (named(lambda: search.thinner_with_pins(L, H_body, thickness))
                 if pin is None and lengths is None else {})
-    tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in search.made.values())
+    tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in search.tried.values())
     moved = None
-    if estimated and not as_set:
+    if trial.shown != FAILED and not as_set:
         edges = all_cuts(cuts, target.V, target.F, inputs.parameters, job)
         moved = mending(target.V, target.F, edges, inputs.parameters, job)
-    return Recommendation(lengths, thickness, pin, most, as_set, tried,
-                          (together["H_body"], together["H_pin"]) if together else None, estimated, moved)
+    both = (together["H_body"], together["H_pin"]) if together else None
+    return Recommendation(lengths, thickness, pin, most, as_set, tried, both, any(estimated), moved)
 
 
 STAGE = Stage("sizes", ("target", "cut request", "trial layout"),

@@ -16,6 +16,7 @@ from ...project.worker import Status
 from ...report import check as words
 from ...stages import asked_by
 from ...stages.sizes import Recommendation
+from ...stages.trial_layout import FAILED, PASSED
 from .. import runs
 from ..macro import assign, call, named
 from ..notice import errors_shown, show_line, shown, words_of
@@ -72,6 +73,9 @@ class CheckPanel(Panel):
     def check(self) -> None:
         """Starts the run, on the worker."""
         self._say("")
+        self._start()
+
+    def _start(self) -> None:
         with errors_shown(translate("CurveUps_Check", "Check")):
             runs.start("check", self.design)
 
@@ -193,7 +197,8 @@ class CheckPanel(Panel):
             self.check()
 
     def _choose(self) -> None:
-        choose_sizes(self.design, ("L", "H_body"), self.check)
+        self._say("")
+        choose_sizes(self.design, ("L", "H_body"), self._start)
 
     # What is going on.
 
@@ -228,13 +233,20 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
         obj.Document.recompute()
         values = ", ".join(f"{properties.property_name(name)} = {properties.shown(_row(name), value)}"
                            for name, value in found.values.items())
-        show_line(translate("CurveUps_Check", "{values} by estimates: a trial layout with these sizes "
-                            "failed, and none smaller was found that does", values=values)
-                  if found.failed else
-                  translate("CurveUps_Check", "The largest that works: {values}", values=values))
+        show_line(_line_of(found.trial, values))
 
     with errors_shown(title):
         LIVE.start(design, Task(title, actions.sizes_work(design, names), finish, told=told))
+
+
+def _line_of(trial: str, values: str) -> str:
+    """On sizes that are chosen, and what came of a trial layout with them (sizes.Chosen)."""
+    if trial == FAILED:
+        return translate("CurveUps_Check", "{values}: the largest by estimates. A trial layout with these "
+                         "sizes failed, and no smaller sizes were found that pass one.", values=values)
+    if trial == PASSED:
+        return translate("CurveUps_Check", "The largest that works: {values}", values=values)
+    return translate("CurveUps_Check", "The largest that works by estimates: {values}", values=values)
 
 
 def size_to_use(name: str, found: Results) -> Optional[float]:
