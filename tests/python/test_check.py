@@ -13,7 +13,7 @@ from curveups.targets.cad_files import Read
 from curveups.base.errors import CurveUpsError, Stopped
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.stages import feasibility, pin_smoothing, sizes, trial_layout
+from curveups.stages import feasibility, pin_smoothing, size_search, trial_layout
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.feasibility import examine
 from curveups.stages.stage import Job
@@ -345,7 +345,7 @@ def test_errors_of_design_with_mending_say_which_size_would_do_without():
 
 
 def test_series_are_round_and_ascending():
-    values = sizes.series(0.2, 14)
+    values = size_search.series(0.2, 14)
     assert values == sorted(set(values)) and values[0] >= 0.2 and values[-1] == 14
     assert all(len(f"{value:g}".replace(".", "").lstrip("0")) <= 2 for value in values)
     assert all(b / a < 1.2 for a, b in zip(values, values[1:]))

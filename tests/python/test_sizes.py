@@ -14,7 +14,7 @@ from curveups.base.errors import CurveUpsError
 from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.stages import feasibility, pin_smoothing, sizes
+from curveups.stages import feasibility, pin_smoothing, size_search, sizes
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Job
 from curveups.stages.surface import Source
@@ -119,7 +119,7 @@ def test_where_trial_layouts_of_all_sizes_fail_the_choice_says_so(curveups, tmp_
 @pytest.fixture
 def search(monkeypatch):
     """Estimates find everything feasible; `tries` says what trial layouts find, by their parameters."""
-    monkeypatch.setattr(sizes, "sizes_do", lambda *given: True)
+    monkeypatch.setattr(size_search, "sizes_do", lambda *given: True)
     of = project(*dome(), L=8.0, H_body=3.0, H_pin=1.0)
     inputs = of.inputs(sizes.READS, Job())
 
@@ -128,8 +128,8 @@ def search(monkeypatch):
             return {"trial layout": tries({name: values.get(name, of.parameters.get(name))
                                            for name in ("L", "H_body", "H_pin")})}
 
-        return (sizes.ParameterSearch(inputs["target"].source_V, inputs["target"].source_F,
-                                      inputs["cut request"], of.parameters, Job()),
+        return (size_search.SizeSearch(inputs["target"].source_V, inputs["target"].source_F,
+                                       inputs["cut request"], of.parameters, Job()),
                 replace(inputs, elsewhere=elsewhere))
 
     return made
@@ -180,13 +180,13 @@ def test_ranges_end_at_values_that_were_found_bad():
     def good(value):
         return value not in bad
 
-    start = sizes._nearest(values, 10, good)
+    start = size_search._nearest(values, 10, good)
     assert start == 19
-    low, high = (values[sizes._reach(values, 10, start, good, step)] for step in (-1, 1))
+    low, high = (values[size_search._reach(values, 10, start, good, step)] for step in (-1, 1))
     assert (low, high) == (17, 19)
-    assert sizes._nearest(values, 10, lambda value: value in (0, 19)) == 19
-    assert sizes._nearest(values, 10, lambda value: value == 0) == 0
-    assert sizes._nearest(values, 10, lambda value: False) is None
+    assert size_search._nearest(values, 10, lambda value: value in (0, 19)) == 19
+    assert size_search._nearest(values, 10, lambda value: value == 0) == 0
+    assert size_search._nearest(values, 10, lambda value: False) is None
 
 
 def test_a_mesh_that_is_given_has_its_own_length():

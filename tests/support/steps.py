@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What tests in the window begin with and wait for. This module is imported inside of FreeCAD alone."""
 
+import atexit
+import os
 import re
+import threading
 
 import FreeCAD
 import FreeCADGui
@@ -10,7 +13,8 @@ from curveups.window.commands.new_design import make_design
 from curveups.window.panels import panel as panels
 from curveups.window.overlays import overlay_of
 from curveups.window.run import LIVE
-from robot import QtGui, at_rest, close_panel, display, fill, on_screen, settle, tidy
+from robot import (QtGui, at_rest, click, close_panel, display, fill, in_dialog, on_screen, settle, tidy,
+                   window)
 
 # Words that no German text has, but names of files may.
 ENGLISH = re.compile(r"(?<![\w-])(the|tiles|are|back|front|face|lower|with|room|margin|checking|writing|of"
@@ -46,6 +50,29 @@ def opened(path):
     document.UndoMode = 1
     settle(500)
     return document, document.Design
+
+
+def quit_freecad(left, look=lambda: None):
+    """By its own window, whose document has changed, while something is at work: `look` at it while FreeCAD
+    asks. The file `left` says how FreeCAD ended: status, whether anything was at work, any thread of ours."""
+    ended: list[int] = []
+    setattr(os, "_exit", ended.append)  # it is FreeCAD itself that ends here
+
+    def leave():
+        names = [thread.name for thread in threading.enumerate()]
+        with open(left, "w") as file:
+            file.write(f"{ended} {LIVE.busy} {'CurveUps' in names}")
+
+    atexit.register(leave)
+
+    def discard():
+        assert LIVE.busy
+        look()
+        box = QtGui.QApplication.activeModalWidget()
+        click(next(button for button in box.findChildren(QtGui.QPushButton)
+                   if "iscard" in button.text() or "without" in button.text().lower()))
+
+    in_dialog(window.close, discard)
 
 
 def panel():

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of Export, by the mouse: what it asks before it replaces, and what it opens afterwards."""
 
-import atexit
 import json
 import os
 import struct
@@ -17,8 +16,8 @@ from curveups.report import exports
 from curveups.window import qt
 from robot import (QtCore, QtGui, choose, choose_file, click, click_at, close_panel, entry_of, fill,
                    in_dialog, keys, menu_bar, picture, press, report, settle, tree_entry, until, widget,
-                   window, write)
-from steps import LIVE, example, opened, panel
+                   write)
+from steps import LIVE, example, opened, panel, quit_freecad
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -113,11 +112,8 @@ def test_an_export_that_is_cut_off_leaves_what_was_there(dome_document, tmp_path
 
 
 def quit_in_mid_export(path, folder, left):
-    """Quits FreeCAD by its own window; the file `left` says how it ended."""
-    ended: list[int] = []
-    setattr(os, "_exit", ended.append)  # it is FreeCAD itself that ends here
-    document, design = opened(path)
-    document.Comment = "changed"  # FreeCAD asks
+    document, _ = opened(path)
+    document.Comment = "changed"
     late = threading.Event()
     exports._writer = lingering(late)
     press("CurveUps_Export")
@@ -125,20 +121,10 @@ def quit_in_mid_export(path, folder, left):
     click(widget("write"))
     until(late.is_set, 120, "a file in the middle")
 
-    def leave():
-        names = [thread.name for thread in threading.enumerate()]
-        with open(left, "w") as file:
-            file.write(f"{ended} {LIVE.busy} {'CurveUps' in names}")
+    def look():
+        assert any(name.startswith(".") for name in os.listdir(folder))
 
-    atexit.register(leave)
-
-    def discard():
-        assert LIVE.busy and any(name.startswith(".") for name in os.listdir(folder))
-        box = QtGui.QApplication.activeModalWidget()
-        click(next(button for button in box.findChildren(QtGui.QPushButton)
-                   if "iscard" in button.text() or "without" in button.text().lower()))
-
-    in_dialog(window.close, discard)
+    quit_freecad(left, look)
 
 
 def test_FreeCAD_can_be_quit_in_mid_export(elsewhere, dome_document, tmp_path):

@@ -2,9 +2,6 @@
 """What panels and legends follow besides the design: other designs, the unit schema, scripts; edits that
 are taken back all at once; FreeCAD that is quit in mid-run."""
 
-import atexit
-import os
-import threading
 from pathlib import Path
 
 import FreeCAD
@@ -18,9 +15,9 @@ from curveups.window.overlay import legend
 from curveups.window.overlays import overlay_of
 from curveups.window.panels.panel import show
 from curveups.window.panels.solve import SolvePanel
-from robot import (click, click_item, cut_off, display, fill, in_dialog, picture, QtCore, QtGui, settle, tidy,
-                   until, widget, window)
-from steps import in_units, LIVE, opened
+from robot import (click, click_item, cut_off, display, fill, picture, QtCore, QtGui, settle, tidy, until,
+                   widget)
+from steps import in_units, LIVE, opened, quit_freecad
 
 pytestmark = pytest.mark.freecad(window=True)
 
@@ -206,31 +203,12 @@ def test_a_script_that_asks_for_membranes_gets_them(dome_document, tmp_path, pic
 
 
 def quit_in_mid_run(pictures, left):
-    """Quits FreeCAD by its own window; the file `left` says how it ended."""
     robot.keep_pictures_in(pictures)
-    ended: list[int] = []
-    setattr(os, "_exit", ended.append)  # it is FreeCAD itself that ends here
     FreeCADGui.activateWorkbench("CurveUpsWorkbench")
     design = designs.new_design(FreeCAD.newDocument("Made"), "hyperboloid")
     show(SolvePanel, design).run("solve")
     until(lambda: LIVE._drawn >= 1, 120, "a picture of the run")
-    assert LIVE.busy
-
-    def leave():
-        names = [thread.name for thread in threading.enumerate()]
-        with open(left, "w") as file:
-            file.write(f"{ended} {LIVE.busy} {'CurveUps' in names}")
-
-    atexit.register(leave)
-
-    def discard():
-        # The document is not saved: FreeCAD asks, and the run goes on meanwhile.
-        assert LIVE.busy
-        box = QtGui.QApplication.activeModalWidget()
-        click(next(button for button in box.findChildren(QtGui.QPushButton)
-                   if "iscard" in button.text() or "without" in button.text().lower()))
-
-    in_dialog(window.close, discard)
+    quit_freecad(left)
 
 
 def test_FreeCAD_can_be_quit_in_mid_run(elsewhere, tmp_path):

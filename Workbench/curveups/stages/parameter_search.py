@@ -14,7 +14,8 @@ from ..base.findings import Finding
 from ..base.native import native
 from .advice import Sizes as Options, checked_sizes, tried_sizes
 from .feasibility import sizes_do
-from .sizes import sizes_that_do, value_range
+from .size_search import value_range
+from .sizes import sizes_that_do
 from .stage import Inputs, Job, Result, Row, Stage
 from .trial import MOST_TILES, REPAIR_STEPS, trial
 

@@ -44,6 +44,11 @@ class TrialLayout(Result):
         return not self.blocked
 
     @property
+    def sizes_do(self) -> bool:
+        """Whether nothing that depends on sizes is in the way: closed surfaces stay closed."""
+        return all(one.obstacle == "closed" for one in self.blocked)
+
+    @property
     def content(self) -> str:
         return digest(self.blocked, self.shown, self.sag)
 
