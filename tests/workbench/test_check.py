@@ -7,6 +7,7 @@ import Mesh
 import Part
 import pytest
 from curveups.features import actions
+from curveups.stages import sizes
 from curveups.window.overlay.colours import MARK
 from curveups.window.overlays import overlay_of
 from curveups.window.units import in_user_units
@@ -327,6 +328,24 @@ def test_a_height_of_pins_that_does_is_taken_over(pictures):
     picture("higher-pins")
     close_panel()
     assert report().count("error") == 0, report()
+
+
+def test_a_choice_whose_trial_layouts_fail_says_so(pictures, monkeypatch):
+    """The line stays while what was chosen is checked."""
+    monkeypatch.setattr(sizes.SizeSearch, "named", lambda *given, **more: None)
+    made, design = design_of_roof(L="12 mm", Fidelity="3 mm")
+    press("CurveUps_Check")
+    form = widget("CheckPanel")
+    checking(form)
+    click(form.choose)
+    until(lambda: "Choose Sizes" in made.UndoNames[:2], 60, "the sizes")
+    at_rest()
+    line = form.line.text()
+    assert line.startswith(f"L = {design.L.UserString}"), line
+    assert "A trial layout with these sizes failed" in line, line
+    assert made.UndoNames[0] == "Check", made.UndoNames
+    picture("failed-choice")
+    close_panel()
 
 
 def test_thickness_and_pins_that_do_together_are_taken_over(pictures):
