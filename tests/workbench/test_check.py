@@ -338,12 +338,10 @@ def test_a_choice_whose_trial_layouts_fail_says_so(pictures, monkeypatch):
     form = widget("CheckPanel")
     checking(form)
     click(form.choose)
-    until(lambda: "Choose Sizes" in made.UndoNames[:2], 60, "the sizes")
-    at_rest()
+    until(lambda: made.UndoNames[:2] == ["Check", "Choose Sizes"] and not LIVE.busy, 60, "the check of them")
     line = form.line.text()
     assert line.startswith(f"L = {design.L.UserString}"), line
     assert "A trial layout with these sizes failed" in line, line
-    assert made.UndoNames[0] == "Check", made.UndoNames
     picture("failed-choice")
     close_panel()
 
