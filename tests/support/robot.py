@@ -394,7 +394,9 @@ def on_screen(point, view=None):
     view = view or FreeCADGui.ActiveDocument.ActiveView
     place = getattr(view, "getPointOnViewport", None) or view.getPointOnScreen
     x, y = place(point)
-    area = window.findChild(QtGui.QMdiArea).activeSubWindow().findChild(QtGui.QGraphicsView)
+    views = window.findChild(QtGui.QMdiArea)
+    shown = views.activeSubWindow()  # kept while its child is used: PySide 2 may let go of both together
+    area = shown.findChild(QtGui.QGraphicsView)
     ratio = area.devicePixelRatioF()
     return area.mapToGlobal(QtCore.QPoint(int(x / ratio), area.height() - 1 - int(y / ratio)))
 
