@@ -20,7 +20,8 @@ from curveups.window.commands import new_design
 from curveups.window.commands.new_design import make_design
 from curveups.window.notice import show_error
 from curveups.window.overlays import overlay_of
-from robot import action, at_rest, click, fill, picture, press, QtGui, report, settle, tidy, until, widget
+from robot import (action, at_rest, click, fill, picture, press, QtCore, QtGui, report, settle, tidy, until,
+                   widget)
 from steps import begin, enter, example, in_units, LIVE, opened, panel
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -49,6 +50,8 @@ def test_an_example_is_solved_while_one_watches(pictures):
     assert all(text.startswith("\u2713") for text in shown), shown
     assert made.UndoNames[0] == "Solve", made.UndoNames
     assert "valid, holds" in panel().form.verdict.text() and design.Holds == "holds"
+    # At rest nothing moves: the window would be composed anew for each picture.
+    assert not panel().form.progress.findChildren(QtCore.QAbstractAnimation)
     made.undo()
     settle(300)
     assert design.Verdict == "not judged" and not list(design.Layout.Poses)

@@ -5,7 +5,6 @@ map of tiles."""
 from __future__ import annotations
 
 import io
-from functools import partial
 from html import escape
 from types import SimpleNamespace
 from typing import Any, Callable, Iterator, Mapping
@@ -107,19 +106,24 @@ def _cost(say: Language, number: int, one: Mapping[str, Any]) -> str:
                **{name: one[name] for name in ("hours", "price", "currency")})
 
 
-def _pictures(kit: Kit) -> dict[str, Callable[[], bytes]]:
-    """How the pictures of steps are drawn, by their names."""
-    design, block = kit.results.design, kit.report["sheets"]
-    return {"template": lambda: _drawn(template.template(kit.title, block, say=kit.say)),
-            "stretched": lambda: _drawn(template.template(kit.title, block, True, kit.say)),
-            "section": lambda: _drawn(section(kit)),
-            "frame": lambda: _drawn(frame(kit)),
-            "print": lambda: print_view(kit.prints, kit.printer["bed_mm"], say=kit.say),
-            "front": partial(pictures.flat_layout, design),
-            "back": lambda: pictures.flat_layout(_from_back(kit)),
-            "actuated": partial(pictures.actuated_view, design),
-            "trim": partial(trim_view, kit),
-            "map": lambda: _drawn(tile_map(kit))}
+def _shown(kit: Kit, name: str) -> bytes:
+    """A picture as PNG, drawn once for html and pdf."""
+    if name not in kit.pictures:
+        kit.pictures[name] = _PICTURES[name](kit)
+    return kit.pictures[name]
+
+
+_PICTURES: Mapping[str, Callable[[Kit], bytes]] = {
+    "template": lambda kit: _drawn(template.template(kit.title, kit.report["sheets"], say=kit.say)),
+    "stretched": lambda kit: _drawn(template.template(kit.title, kit.report["sheets"], True, kit.say)),
+    "section": lambda kit: _drawn(section(kit)),
+    "frame": lambda kit: _drawn(frame(kit)),
+    "print": lambda kit: print_view(kit.prints, kit.printer["bed_mm"], say=kit.say),
+    "front": lambda kit: pictures.flat_layout(kit.results.design),
+    "back": lambda kit: pictures.flat_layout(_from_back(kit)),
+    "actuated": lambda kit: pictures.actuated_view(kit.results.design),
+    "trim": trim_view,
+    "map": lambda kit: _drawn(tile_map(kit))}
 
 
 def _from_back(kit: Kit) -> Any:
@@ -135,18 +139,18 @@ def _drawn(one: drawing.Drawing) -> bytes:
 
 
 def _html(kit: Kit) -> bytes:
-    shown, say = _pictures(kit), kit.say
+    say = kit.say
     found = [f"<h1>{escape(_title(kit))}</h1>", table(parts(kit))]
     for number, step in enumerate(steps(kit.report, kit.results.parameters, say), 1):
         kit.go_on()
         found += [f"<h2>{number}. {escape(step.title)}</h2>", f"<p>{escape(step.text)}</p>"]
-        found += [picture(shown[step.picture](), "")] if step.picture else []
-    found += [f"<h2>{escape(say(_MAP))}</h2>", picture(shown["map"](), say(_OF_MAP, name=kit.name))]
+        found += [picture(_shown(kit, step.picture), "")] if step.picture else []
+    found += [f"<h2>{escape(say(_MAP))}</h2>", picture(_shown(kit, "map"), say(_OF_MAP, name=kit.name))]
     return page(kit.title, found, say.name).encode("utf-8")
 
 
 def _pdf(kit: Kit) -> bytes:
-    shown, say = _pictures(kit), kit.say
+    say = kit.say
 
     def pages() -> Iterator[Figure]:
         figure, canvas, top = _page(_title(kit))
@@ -155,11 +159,11 @@ def _pdf(kit: Kit) -> bytes:
         for number, step in enumerate(steps(kit.report, kit.results.parameters, say), 1):
             figure, canvas, top = _page(f"{number}. {step.title}")
             top = drawing.write(canvas, drawing.BORDER, top, [step.text], 11)
-            _show(figure, shown[step.picture](), top)
+            _show(figure, _shown(kit, step.picture), top)
             yield figure
         figure, canvas, top = _page(say(_MAP))
         top = drawing.write(canvas, drawing.BORDER, top, [say(_OF_MAP, name=kit.name)], 9.5)
-        _show(figure, shown["map"](), top)
+        _show(figure, _shown(kit, "map"), top)
         yield figure
 
     return drawing.book(pages(), kit.go_on)

@@ -15,9 +15,8 @@ from ezdxf.math import Vec2
 from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
-from matplotlib.font_manager import FontProperties
+from matplotlib.font_manager import FontProperties, findfont, get_font
 from matplotlib.patches import Circle
-from matplotlib.textpath import TextToPath
 
 from ..base.language import ENGLISH, Language
 from ..report import pictures  # noqa: F401 (sets matplotlib up for work without a display)
@@ -34,6 +33,9 @@ LAYERS = {"cut": ("#c62828", 1, 0.8), "grid": ("#2f6f9f", 5, 0.4), "control": ("
           "text": ("#2b2620", 7, 0.0)}
 POINT = 72 / INCH  # points of a mm
 CAPITALS = 0.73    # height of a capital letter, of the font's size
+
+
+Box = tuple[float, float, float, float]  # left, lower, width, height
 
 
 @dataclass
@@ -69,6 +71,22 @@ class Drawing:
     def centred(self, x: float, y: float, height: float, text: str) -> None:
         """Words around a point."""
         self.text(x - _width(text, height * POINT / CAPITALS) / 2, y - height / 2, height, text)
+
+    def within(self, part: Box) -> Drawing:
+        """What a part of it may show: all that reaches into its box, or may do so."""
+        def seen(low: Any, high: Any) -> bool:
+            x, y, width, height = part
+            return bool(low[0] < x + width and high[0] > x and low[1] < y + height and high[1] > y)
+
+        lines = {layer: [line for line in lines if seen(line.min(0), line.max(0))]
+                 for layer, lines in self.lines.items()}
+        circles = {layer: [(x, y, r) for x, y, r in circles if seen((x - r, y - r), (x + r, y + r))]
+                   for layer, circles in self.circles.items()}
+        # No letter is wider than twice the height of capitals.
+        texts = [(x, y, size, text) for x, y, size, text in self.texts
+                 if seen((x - size, y - size), (x + 2 * size * len(text), y + 2 * size))]
+        return Drawing(self.title, self.size, {layer: found for layer, found in lines.items() if found},
+                       {layer: found for layer, found in circles.items() if found}, texts)
 
 
 def svg(drawing: Drawing) -> bytes:
@@ -150,9 +168,9 @@ def book(figures: Iterator[Figure], go_on: Callable[[], object] = lambda: None) 
     return stream.getvalue()
 
 
-def tiles(drawing: Drawing, paper: str) -> list[tuple[int, int, tuple[float, float, float, float]]]:
-    """Column, row (of paper, from the top left) and part (x, y, width, height) of the drawing on each sheet
-    of paper; sheets without a line are left out."""
+def tiles(drawing: Drawing, paper: str) -> list[tuple[int, int, Box]]:
+    """Column, row (of paper, from the top left) and part of the drawing on each sheet of paper; sheets
+    without a line are left out."""
     width, height = PAPERS[paper][0] - 2 * BORDER, PAPERS[paper][1] - 2 * BORDER - FOOT
     columns, rows = (max(1, int(np.ceil((size - OVERLAP) / (room - OVERLAP))))
                      for size, room in zip(drawing.size, (width, height)))
@@ -160,19 +178,11 @@ def tiles(drawing: Drawing, paper: str) -> list[tuple[int, int, tuple[float, flo
     for row in range(rows):
         for column in range(columns):
             x = column * (width - OVERLAP)
-            y = drawing.size[1] - height - row * (height - OVERLAP)
-            if _holds(drawing, x, y, width, height):
-                found.append((column, row, (x, y, width, height)))
+            part = x, drawing.size[1] - height - row * (height - OVERLAP), width, height
+            shown = drawing.within(part)
+            if shown.lines or shown.circles:
+                found.append((column, row, part))
     return found
-
-
-def _holds(drawing: Drawing, x: float, y: float, width: float, height: float) -> bool:
-    """Whether a line or circle passes through a part of the drawing."""
-    boxes = [(line.min(0), line.max(0)) for lines in drawing.lines.values() for line in lines]
-    boxes += [(np.array([u - r, v - r]), np.array([u + r, v + r]))
-              for circles in drawing.circles.values() for u, v, r in circles]
-    return any(low[0] < x + width and high[0] > x and low[1] < y + height and high[1] > y
-               for low, high in boxes)
 
 
 def tiled_pdf(drawing: Drawing, notes: Sequence[str], go_on: Callable[[], object] = lambda: None,
@@ -215,7 +225,7 @@ def _cover(drawing: Drawing, paper: str, parts: Sequence[Any], notes: Sequence[s
     return figure
 
 
-def _part(drawing: Drawing, paper: str, number: int, count: int, part: tuple[int, int, Any], say: Language
+def _part(drawing: Drawing, paper: str, number: int, count: int, part: tuple[int, int, Box], say: Language
           ) -> Figure:
     width, height = PAPERS[paper]
     figure, page = sheet(width, height)
@@ -224,7 +234,7 @@ def _part(drawing: Drawing, paper: str, number: int, count: int, part: tuple[int
     inner.set_xlim(x, x + w)
     inner.set_ylim(y, y + h)
     inner.axis("off")
-    draw(inner, drawing)
+    draw(inner, drawing.within(part[2]))
     for u in (BORDER + OVERLAP / 2, width - BORDER - OVERLAP / 2):
         for v in (BORDER + FOOT + OVERLAP / 2, height - BORDER - OVERLAP / 2):
             page.plot([u - 4, u + 4], [v, v], color="#555555", linewidth=0.4)
@@ -270,14 +280,17 @@ def wrapped(text: str, room: float, size: float) -> list[str]:
     return lines
 
 
-@lru_cache(maxsize=1024)  # the same words are measured for each size of paper
 def _width(text: str, size: float) -> float:
-    found = _METRICS.get_text_width_height_descent(text, _FONT, False)
-    return float(found[0]) * size / 100 / POINT
+    """mm. Pairs that the font sets closer (kerning) are taken as any."""
+    return sum(map(_advance, text)) * size / POINT
 
 
-_FONT = FontProperties(size=100)
-_METRICS = TextToPath()
+@lru_cache(maxsize=None)
+def _advance(letter: str) -> float:
+    """How far the next letter begins, in parts of the font's size."""
+    font = get_font(findfont(FontProperties()))
+    font.set_size(100, 72)
+    return float(font.load_char(ord(letter)).linearHoriAdvance) / 65536 / 100
 
 
 def draw(axes: Any, drawing: Drawing, scale: float = 1.0) -> None:

@@ -42,6 +42,7 @@ class Kit:
     say: Language = ENGLISH
     prices: str = ""
     coupons: dict[str, Any] = field(default_factory=dict)  # native PrintModels that were made, by name
+    pictures: dict[str, bytes] = field(default_factory=dict)  # of the assembly's steps that were drawn
     _shell: Optional[tuple[Any, bytes]] = None  # the last that was made, of its model
 
     @property

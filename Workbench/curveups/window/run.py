@@ -25,6 +25,7 @@ from .qt import QtCore, QtWidgets, translate
 from .revealing import Reveal, follow_undo
 
 INTERVAL = 40  # ms between looks at the worker
+TELLING = 0.2  # s between words of how far it is: each has the whole window composed anew
 QUIT_SECONDS = 20.0  # that FreeCAD waits for a native call to see that it is stopped
 
 
@@ -55,6 +56,7 @@ class Live:
         self._task: Optional[Task] = None
         self._place = ("", "")  # document and object that the run is for
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
+        self._told = 0.0  # when the observers were
         self._reveal: Any = None
         self._drawing = False  # the document has the results; the picture follows
 
@@ -128,7 +130,8 @@ class Live:
             self._timer.stop()
         if not WORKER.busy:
             return
-        self._tell(True)
+        if time.perf_counter() >= self._told + TELLING:
+            self._tell(True)
         self._draw(WORKER.status())
 
     def _draw(self, status: Status) -> None:
@@ -200,6 +203,7 @@ class Live:
         return known.getObject(name) if known else None
 
     def _tell(self, goes_on: bool) -> None:
+        self._told = time.perf_counter()
         status = WORKER.status()
         what = words_of(status.what) if status.what else translate("CurveUpsSolve", label_of(status.stage))
         status = replace(status, what=what)

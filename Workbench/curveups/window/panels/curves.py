@@ -29,8 +29,9 @@ class Curves(QtWidgets.QLabel):
         curves = [(translate("CurveUpsCurves", "Energy"), "", _ENERGY, status.energies),
                   (translate("CurveUpsCurves", "Violation"), "mm", _VIOLATION, status.violations),
                   (translate("CurveUpsCurves", "Weak points"), "", _WEAK, status.weak_points)]
-        self._curves = [curve for curve in curves if len(curve[-1])]
-        self.update()
+        known, self._curves = self._curves, [curve for curve in curves if len(curve[-1])]
+        if self._curves != known:
+            self.update()
 
     def paintEvent(self, event: Any) -> None:
         painter = QtGui.QPainter(self)

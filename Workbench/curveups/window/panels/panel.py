@@ -122,12 +122,13 @@ class Panel(ABC):
         bar = getattr(self.form, "progress", None)
         if bar is None:
             return
-        bar.setMaximum(0 if running and status.fraction < 0 else 1000)
-        bar.setValue(int(1000 * min(max(status.fraction, 0.0), 1.0)) if running else 0)
-        bar.setTextVisible(running)
+        # Empty where nobody knows how far it is. Without a maximum, styles animate it, and go on when it has
+        # one again: FreeCAD has the whole window composed anew for each picture.
+        bar.setValue(int(100 * min(max(status.fraction, 0.0), 1.0)) if running else 0)
+        bar.setTextVisible(running and status.fraction >= 0)
         if hasattr(self.form, "doing"):
             what = translate("CurveUpsSolve", "stopping") if status.stopping else status.what
-            self.form.doing.setText(f"{what}, {status.seconds:.1f} s" if running else "")
+            self.form.doing.setText(f"{what}, {status.seconds:.0f} s" if running else "")
 
     def _say(self, text: str) -> None:
         """A line of rich text at the top."""

@@ -338,8 +338,10 @@ class SolvePanel(Panel):
         count = tree.topLevelItemCount()
         last = tree.topLevelItem(count - 1) if count else None
         stage = status.stage
-        if last is not None and (not goes_on or last.data(0, QtCore.Qt.UserRole) != stage):
+        if last is not None and last.text(0).startswith(RUNNING) and (
+                not goes_on or last.data(0, QtCore.Qt.UserRole) != stage):
             _mark(last, DONE, last.text(0)[2:])
+            last.setText(1, f"{now - self._began[last.data(0, QtCore.Qt.UserRole)]:.1f} s")
         if not goes_on or not stage:
             return
         if stage not in self._began:
@@ -351,7 +353,7 @@ class SolvePanel(Panel):
             tree.addTopLevelItem(last)
             tree.scrollToItem(last)
         if last is not None and last.data(0, QtCore.Qt.UserRole) == stage:
-            last.setText(1, f"{now - self._began[stage]:.1f} s")
+            last.setText(1, f"{now - self._began[stage]:.0f} s")
 
 
 def _value(one: Range, value: float) -> str:
