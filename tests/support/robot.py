@@ -396,7 +396,9 @@ def on_screen(point, view=None):
     x, y = place(point)
     views = window.findChild(QtGui.QMdiArea)
     shown = views.activeSubWindow()  # kept while its child is used: PySide 2 may let go of both together
-    area = shown.findChild(QtGui.QGraphicsView)
+    # The view fills this. PySide would keep what it knows of the QGraphicsView beyond its end, and take the
+    # next one at its address for that.
+    area = shown.widget()
     ratio = area.devicePixelRatioF()
     return area.mapToGlobal(QtCore.QPoint(int(x / ratio), area.height() - 1 - int(y / ratio)))
 
