@@ -152,8 +152,4 @@ std::string tile_names(const std::vector<int>& tiles, std::size_t most) {
   return listed(tiles, most, tile_name);
 }
 
-std::string pair_name(const std::array<int, 2>& tiles) {
-  return tile_name(tiles[0]) + "-" + tile_name(tiles[1]);
-}
-
 }  // namespace curveups

@@ -73,7 +73,5 @@ Edges contact_tiles(const TileMesh& tiles);
 std::string tile_name(int tile);
 // The first `most`, and how many more there are.
 std::string tile_names(const std::vector<int>& tiles, std::size_t most = 6);
-// As "T00001-T00002".
-std::string pair_name(const std::array<int, 2>& tiles);
 
 }  // namespace curveups

@@ -17,8 +17,6 @@ Vec3 reflect(const Vec3& u) { return {u.x(), -u.y(), -u.z()}; }
 
 }  // namespace
 
-double cone_margin(const Vec3& u) { return u.x() - u.tail<2>().norm(); }
-
 Vec3 cone_product(const Vec3& u, const Vec3& v) {
   Vec3 out;
   out.x() = u.dot(v);

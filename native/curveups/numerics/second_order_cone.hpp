@@ -7,9 +7,6 @@
 
 namespace curveups {
 
-// u0 - |(u1, u2)|: positive inside.
-double cone_margin(const Vec3& u);
-
 // Jordan product, and its inverse: the d with nu o d = r.
 Vec3 cone_product(const Vec3& u, const Vec3& v);
 Vec3 cone_divide(const Vec3& nu, const Vec3& r);
