@@ -2,6 +2,8 @@
 """The overlay in FreeCAD's window: its pictures, what the mouse does on it, and what outlives a document."""
 
 import dataclasses
+import gc
+import weakref
 
 import FreeCAD
 import FreeCADGui
@@ -438,3 +440,16 @@ def test_solids_and_membranes_come_when_they_are_asked_for(dome_document, monkey
     document.recompute()
     settle(300)
     assert overlay.scene.membranes == () and "Membrane stretch" not in overlay.fields()
+
+
+def test_it_goes_with_its_document(dome_document):
+    """Not when Python collects garbage: that would be a second where it has drawn 2500 tiles, in mid-run."""
+    document, *_, overlay = opened(dome_document)
+    seen = weakref.ref(overlay)
+    del _, overlay
+    gc.disable()
+    try:
+        FreeCAD.closeDocument(document.Name)
+        until(lambda: seen() is None, 5, "its end")
+    finally:
+        gc.enable()

@@ -59,7 +59,7 @@ class Overlay:
         self.folding: Any = None                       # what moves the tiles just now
         self.closed = False
         self._picture, self.legend = Picture(), Legend()
-        self._dragging = Dragging(self.legend, self.visible, self.set_range)
+        self._dragging: Optional[Dragging] = None
         self.node = self._picture.node
         self.node.addChild(self.legend.node)
         self._add_properties()
@@ -80,7 +80,10 @@ class Overlay:
     def close(self) -> None:
         """The design is gone."""
         self.scene, self._shown, self.closed = None, None, True
-        mouse.leave(self._document, self._dragging.taken)
+        if self._dragging is not None:
+            mouse.leave(self._document, self._dragging.taken)
+        # It holds the overlay: nodes would go when Python collects garbage, which takes long in mid-run.
+        self._dragging = None
         self._show_legend(None)
         self._tell()
 
@@ -163,6 +166,7 @@ class Overlay:
         self._waiting = False
         if not self.closed:
             mouse.watch(self._document)
+            self._dragging = self._dragging or Dragging(self.legend, self.visible, self.set_range)
             mouse.take(self._document, self._dragging.taken)
         try:
             if not self._iterating and (self._view.Visibility or self.observers):
