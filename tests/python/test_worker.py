@@ -4,6 +4,7 @@
 import gc
 import threading
 import time
+import weakref
 
 import numpy as np
 import pytest
@@ -192,6 +193,25 @@ def test_errors_arrive_as_what_they_are(worker, ended):
     worker.start_work(lambda job: native.read_design("{}"), ended.append)
     finish(worker)
     assert isinstance(ended[2].error, CurveUpsError) and ended[2].error.remedy
+
+
+def test_what_was_made_goes_with_the_last_who_needs_it(worker, monkeypatch):
+    """Solids of 2500 tiles take a second to go: not when Python collects garbage, in the next run."""
+    class Made:
+        pass
+
+    def work(job):
+        found = Made()
+        made.append(weakref.ref(found))
+        return found
+
+    made, kept = [], []
+    monkeypatch.setattr(gc, "collect", lambda *_: 0)
+    worker.start_work(work, lambda outcome: kept.append(outcome.value))
+    finish(worker)
+    assert made[0]() is kept[0]
+    kept.clear()
+    assert made[0]() is None
 
 
 @pytest.mark.parametrize("cancel", [False, True])

@@ -92,6 +92,9 @@ class _Run(threading.Thread):
             found = Outcome(error=error)
         except BaseException as error:  # a thread has nobody else to tell
             found = Outcome(error=CurveUpsError(f"unexpected {type(error).__name__}", "", "please report it"))
+        # The job and this hold one another: results would go when Python collects garbage, and take long.
+        self.job.progress = self.job.listen = None
+        del self._work
         self._ended = time.perf_counter()
         self.outcome = found
 
@@ -186,7 +189,7 @@ class Worker:
         if found is None:
             return
         self.status()
-        self._current = None
+        self._current = run.outcome = None
         run.on_done(found)
 
     def wait(self, seconds: float = 10.0) -> bool:
