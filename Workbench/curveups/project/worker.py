@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import gc
 import math
-import os
 import threading
 import time
 from dataclasses import dataclass
@@ -23,7 +22,7 @@ import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped
 from ..base.findings import Finding
-from ..base.native import native, translated
+from ..base.native import translated
 from ..stages.stage import Job
 from .project import Project
 
@@ -156,8 +155,6 @@ class Worker:
         if self._current is not None:
             raise CurveUpsError("CurveUps is at work already", "", "stop or cancel that first")
         before = self._last if self._is_alive() else None
-        if before is None:
-            _leave_a_core()
         gc.disable()
         _COLLECTING.add(self)
         self._current = self._last = _Run(work, on_done, before)
@@ -214,13 +211,6 @@ class Worker:
                 if count > most > 0]
         if full:
             gc.collect(full[-1])
-
-
-def _leave_a_core() -> None:
-    """To the window. Once: the number must not change while a loop of another worker runs."""
-    count = max(1, min(native.thread_count(), (os.cpu_count() or 2) - 1))
-    if native.thread_count() != count:
-        native.set_thread_count(count)
 
 
 WORKER = Worker()  # of the window's commands
