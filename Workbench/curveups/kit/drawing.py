@@ -33,8 +33,6 @@ LAYERS = {"cut": ("#c62828", 1, 0.8), "grid": ("#2f6f9f", 5, 0.4), "control": ("
           "text": ("#2b2620", 7, 0.0)}
 POINT = 72 / INCH  # points of a mm
 CAPITALS = 0.73    # height of a capital letter, of the font's size
-
-
 Box = tuple[float, float, float, float]  # left, lower, width, height
 
 

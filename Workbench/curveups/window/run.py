@@ -25,7 +25,7 @@ from .qt import QtCore, QtWidgets, translate
 from .revealing import Reveal, follow_undo
 
 INTERVAL = 40  # ms between looks at the worker
-TELLING = 0.2  # s between words of how far it is: each has the whole window composed anew
+TELLING = 0.2  # s between words of how far a stage is: each has the whole window composed anew
 QUIT_SECONDS = 20.0  # that FreeCAD waits for a native call to see that it is stopped
 
 
@@ -56,7 +56,7 @@ class Live:
         self._task: Optional[Task] = None
         self._place = ("", "")  # document and object that the run is for
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
-        self._told = 0.0  # when the observers were
+        self._told = ("", 0.0)  # of which stage the observers were last, and when
         self._reveal: Any = None
         self._drawing = False  # the document has the results; the picture follows
 
@@ -130,9 +130,10 @@ class Live:
             self._timer.stop()
         if not WORKER.busy:
             return
-        if time.perf_counter() >= self._told + TELLING:
+        status, (stage, when) = WORKER.status(), self._told
+        if status.stage != stage or time.perf_counter() >= when + TELLING:
             self._tell(True)
-        self._draw(WORKER.status())
+        self._draw(status)
 
     def _draw(self, status: Status) -> None:
         """The newest iterate; pictures that take long come more seldom."""
@@ -203,8 +204,8 @@ class Live:
         return known.getObject(name) if known else None
 
     def _tell(self, goes_on: bool) -> None:
-        self._told = time.perf_counter()
         status = WORKER.status()
+        self._told = status.stage, time.perf_counter()
         what = words_of(status.what) if status.what else translate("CurveUpsSolve", label_of(status.stage))
         status = replace(status, what=what)
         if not goes_on:
