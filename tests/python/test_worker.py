@@ -196,7 +196,7 @@ def test_errors_arrive_as_what_they_are(worker, ended):
 
 
 def test_what_was_made_goes_with_the_last_who_needs_it(worker, monkeypatch):
-    """Solids of 2500 tiles take a second to go: not when Python collects garbage, in the next run."""
+    """They go at once, not when Python collects garbage: those of 2500 tiles stop the window for a second."""
     class Made:
         pass
 

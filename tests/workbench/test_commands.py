@@ -50,7 +50,7 @@ def test_an_example_is_solved_while_one_watches(pictures):
     assert all(text.startswith("\u2713") for text in shown), shown
     assert made.UndoNames[0] == "Solve", made.UndoNames
     assert "valid, holds" in panel().form.verdict.text() and design.Holds == "holds"
-    # At rest nothing moves: the window would be composed anew for each picture.
+    # Nothing moves at rest: FreeCAD would compose its window anew for each picture.
     assert not panel().form.progress.findChildren(QtCore.QAbstractAnimation)
     made.undo()
     settle(300)

@@ -91,7 +91,7 @@ class _Run(threading.Thread):
             found = Outcome(error=error)
         except BaseException as error:  # a thread has nobody else to tell
             found = Outcome(error=CurveUpsError(f"unexpected {type(error).__name__}", "", "please report it"))
-        # The job and this hold one another: results would go when Python collects garbage, and take long.
+        # The job and this hold one another: results would stay until Python collects garbage, a long pause.
         self.job.progress = self.job.listen = None
         del self._work
         self._ended = time.perf_counter()

@@ -82,7 +82,7 @@ class Overlay:
         self.scene, self._shown, self.closed = None, None, True
         if self._dragging is not None:
             mouse.leave(self._document, self._dragging.taken)
-        # It holds the overlay: nodes would go when Python collects garbage, which takes long in mid-run.
+        # It holds the overlay, whose nodes would stay until Python collects garbage, in some later run.
         self._dragging = None
         self._show_legend(None)
         self._tell()
