@@ -3000,8 +3000,8 @@
       <translation>nichts am Teil hat {0} {1} {2}</translation>
     </message>
     <message>
-      <source>of {tried} other sizes that were tried, {sizes: or } does</source>
-      <translation>von {tried} anderen ausprobierten Größen genügt {sizes: or }</translation>
+      <source>of {tried} other sizes that were tried, {sizes: or } does by estimates ('curveups check' makes trial layouts)</source>
+      <translation>von {tried} anderen ausprobierten Größen genügt nach Schätzungen {sizes: or } ('curveups check' macht Probelayouts)</translation>
     </message>
     <message>
       <source>on a membrane mesh of half the size: {reason}</source>
@@ -4384,6 +4384,10 @@
       <translation>Ob die Form hält, ist nicht bekannt: {error}</translation>
     </message>
     <message>
+      <source>with H_body = {H_body:g} mm, L = {L:g} mm does</source>
+      <translation>Mit H_body = {H_body:g} mm genügt L = {L:g} mm</translation>
+    </message>
+    <message>
       <source>with H_body = {H_body:g} mm, L from {low:g} to {high:g} mm does</source>
       <translation>Mit H_body = {H_body:g} mm genügt L von {low:g} bis {high:g} mm</translation>
     </message>
@@ -4404,6 +4408,10 @@
       <translation>Mit L = {L:.4g} mm genügen H_body = {H_body:g} mm und H_pin = {H_pin:g} mm zusammen</translation>
     </message>
     <message>
+      <source>with L = {L:.4g} mm, H_body = {H_body:g} mm does</source>
+      <translation>Mit L = {L:.4g} mm genügt H_body = {H_body:g} mm</translation>
+    </message>
+    <message>
       <source>with L = {L:.4g} mm, H_body up to {H_body:g} mm and more does</source>
       <translation>Mit L = {L:.4g} mm genügt H_body bis {H_body:g} mm und mehr</translation>
     </message>
@@ -4412,8 +4420,8 @@
       <translation>Mit L = {L:.4g} mm genügt H_body bis {H_body:g} mm</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm, no H_body does</source>
-      <translation>Mit L = {L:.4g} mm genügt kein H_body</translation>
+      <source>with L = {L:.4g} mm, no H_body that was tried does</source>
+      <translation>Mit L = {L:.4g} mm genügt kein ausprobiertes H_body</translation>
     </message>
     <message>
       <source>with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance the tiles: {pull:.3g} N of pull would be needed, first at {contacts:8}{more}</source>

@@ -37,30 +37,47 @@ SETTINGS: dict[str, dict[str, Any]] = {
 LONGEST = 120.0  # seconds of processor time
 
 
-def judge(target: str, cuts: int, setting: Mapping[str, Any]) -> dict[str, Any]:
-    """Verdicts of check and design: yes, no, or None where it took too long; why not, and of which kinds the
-    design's reasons are."""
+def made(target: str, cuts: int, setting: Mapping[str, Any], job: Job) -> Project:
+    """A project that has nothing but its target, its parameters and its cuts."""
     parameters = native.Parameters()
     for name, value in {**BASE, **setting}.items():
         parameters.set(name, value)
+    request = CutRequest(suggested=cuts)
+    given = {"source": find_source(target, will_be_cut=cuts > 0), "cut request": request}
+    project = Project(Path(target).stem, parameters, given, Path(target).name)
+    if cuts:
+        project.give("cut request", request.accept(project.run(("cut search",), job)["cut search"]))
+    return project
+
+
+def designed(project: Project, job: Job) -> dict[str, Any]:
+    """The verdict of design; why not, and of which kinds the reasons are."""
+    results = project.run(("figures", "verification", "recheck", "clearances"), job)
+    reasons = results.verdict.reasons
+    return {"design": results.verdict.valid, "why": "; ".join(map(str, reasons[:1])),
+            "reasons": sorted({one.kind for one in reasons})}
+
+
+def job_of(begun: float) -> Job:
+    """Stops what takes longer than LONGEST."""
+    return Job(lambda what, fraction: time.process_time() - begun < LONGEST)
+
+
+def judge(target: str, cuts: int, setting: Mapping[str, Any]) -> dict[str, Any]:
+    """Verdicts of check and design: yes, no, or None where it took too long; why not, and of which kinds the
+    design's reasons are."""
     begun = time.process_time()
-    job = Job(lambda what, fraction: time.process_time() - begun < LONGEST)
+    job = job_of(begun)
     said: dict[str, Any] = {"check": False, "design": False, "tiles": None, "obstacles": [], "why": "",
                             "reasons": [], "check_seconds": None}
     try:
-        request = CutRequest(suggested=cuts)
-        given = {"source": find_source(target, will_be_cut=cuts > 0), "cut request": request}
-        project = Project(Path(target).stem, parameters, given, Path(target).name)
-        if cuts:
-            project.give("cut request", request.accept(project.run(("cut search",), job)["cut search"]))
+        project = made(target, cuts, setting, job)
         checked = project.run(("trial layout",), job)
         found = checked["trial layout"]
         said.update(check=found.feasible, tiles=len(checked["feasibility"].F),
                     obstacles=sorted({one.obstacle for one in found.blocked}),
                     check_seconds=round(time.process_time() - begun, 1))
-        results = project.run(("figures", "verification", "recheck", "clearances"), job)
-        said.update(design=results.verdict.valid, why="; ".join(map(str, results.verdict.reasons[:1])),
-                    reasons=sorted({one.kind for one in results.verdict.reasons}))
+        said.update(designed(project, job))
     except CurveUpsError as error:  # refused, by both where check is
         said.update(why=error.what, reasons=["refused"])
     if job.stopped:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What `curveups check` says beside what `curveups design` then finds, on targets drawn at random.
 
-    python tests/benchmarks/held_out.py FOLDER [--first SEED] [--count N] [--table]
+    python tests/benchmarks/held_out.py FOLDER [--first SEED] [--count N] [--table] [--named]
 
 A seed gives one target and the sizes of its tiles, so that a range of seeds is a set. Sets are kept apart by
 this rule: whoever works on the check may look at the seeds below 1000, and at no other. A range from 1000
@@ -11,7 +11,12 @@ resources/docs/feasibility.md.
 
 Check promises two things. "Feasible": the design ends without a reason of a kind that check covers
 (COVERED). "Not feasible": the design fails. FOLDER gets the targets, and verdicts.jsonl with a line a seed:
-run again, it goes on where it ended. Prints how often each promise was kept."""
+run again, it goes on where it ended. Prints how often each promise was kept.
+
+--named counts a third promise, into named.jsonl: what check names instead of sizes that do not do (another
+L, H_body or H_pin, H_body and H_pin together, or mend=on) does. Its targets are those of SHARP that a seed
+gives, without mending, with tiles up to as thick as they are long: else few need other sizes. Spent for the
+figure of resources/docs/feasibility.md are 4000 to 4199."""
 
 from __future__ import annotations
 
@@ -19,8 +24,9 @@ import argparse
 import json
 import math
 import sys
+import time
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, Optional
 
 import numpy as np
 
@@ -28,6 +34,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import check_agrees  # noqa: E402
 import shapes  # noqa: E402
+from curveups.base.errors import CurveUpsError  # noqa: E402
 from curveups.stages import trial_layout  # noqa: E402
 from thirty_targets import Surface, grid, sheet  # noqa: E402
 
@@ -140,6 +147,7 @@ def bent(random: Random) -> Surface:
 
 KINDS: tuple[Callable[[Random], Surface], ...] = (hills, waves, quadric, revolved, cap, twisted, creased, tip,
                                                   pleats, bent)
+SHARP = (waves, creased, tip, pleats, bent)
 
 
 COVERED = trial_layout.COVERED | {"refused"}  # kinds of reasons that check looks for
@@ -174,27 +182,95 @@ def counted(rows: list[dict[str, Any]]) -> list[str]:
             *(f"  seed {row['seed']}: refused ({', '.join(row['obstacles'])}), but valid" for row in wrong)]
 
 
+def judge_named(seed: int, folder: Path) -> Optional[dict[str, Any]]:
+    """What check names where the sizes that are set do not do, and what design then finds; None where the
+    seed's target is not of SHARP."""
+    if KINDS[int(np.random.default_rng(seed).integers(len(KINDS)))] not in SHARP:
+        return None
+    surface, values = draw(seed)
+    thick = np.random.default_rng([seed, 1]).uniform(0.45, 1.0)
+    values.update(H_body=round(values["L"] * float(thick), 2), mend="off")
+    path = _written(folder, seed, surface)
+    begun = time.process_time()
+    try:
+        job = check_agrees.job_of(begun)
+        sizes = check_agrees.made(path, 0, values, job).run(("sizes",), job)["sizes"]
+        seconds = round(time.process_time() - begun, 1)
+    except CurveUpsError as error:
+        return {"seed": seed, **values, "as_set": None, "why": error.what, "named": {}}
+    named = {name: {**option, **_designed(path, {**values, **option})}
+             for name, option in _options(sizes).items()}
+    return {"seed": seed, **values, "as_set": None if job.stopped else sizes.as_set,
+            "estimated": sizes.estimated, "check_seconds": seconds, "named": named}
+
+
+def _options(sizes: Any) -> dict[str, dict[str, Any]]:
+    if sizes.as_set:
+        return {}
+    found = {"L": {"L": sizes.L[0]} if sizes.L else None,
+             "H_body": {"H_body": sizes.H_body} if sizes.H_body else None,
+             "H_pin": {"H_pin": sizes.H_pin} if sizes.H_pin else None,
+             "together": dict(zip(("H_body", "H_pin"), sizes.together)) if sizes.together else None,
+             "mend": {"mend": "on"} if sizes.mending is not None else None}
+    return {name: option for name, option in found.items() if option}
+
+
+def _designed(path: str, values: dict[str, Any]) -> dict[str, Any]:
+    job = check_agrees.job_of(time.process_time())
+    try:
+        said = check_agrees.designed(check_agrees.made(path, 0, values, job), job)
+    except CurveUpsError as error:
+        return {"design": False, "why": error.what, "reasons": ["refused"]}
+    return {**said, "design": None if job.stopped else said["design"]}
+
+
+def counted_named(rows: list[dict[str, Any]]) -> list[str]:
+    without = [row for row in rows if row["as_set"] is False]
+    named = [(row, name, one) for row in without for name, one in row["named"].items()
+             if one["design"] is not None]
+    lines = [f"{len(rows)} targets, {len(without)} for which the sizes that are set do not do; "
+             f"for {sum(not row['named'] for row in without)} of these nothing is named"]
+    for kind in (*dict.fromkeys(name for _, name, _ in named), None):
+        of = [one for _, name, one in named if kind in (name, None)]
+        kept = sum(not COVERED & set(one["reasons"]) for one in of)
+        lines.append(f"{kind or 'all'}: kept {kept} of {len(of)}, {sum(one['design'] for one in of)} valid")
+    return lines + [f"  seed {row['seed']}, {name}: {one['why']}" for row, name, one in named
+                    if COVERED & set(one["reasons"])]
+
+
+def _written(folder: Path, seed: int, surface: Surface) -> str:
+    path = folder / f"{seed}.obj"
+    path.write_text(shapes.obj_text(*surface), encoding="utf-8")
+    return str(path)
+
+
+def judge(seed: int, folder: Path) -> dict[str, Any]:
+    surface, values = draw(seed)
+    return {"seed": seed, **values, **check_agrees.judge(_written(folder, seed, surface), 0, values)}
+
+
 def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     arguments.add_argument("folder", type=Path)
     arguments.add_argument("--first", type=int, default=0)
     arguments.add_argument("--count", type=int, default=100)
     arguments.add_argument("--table", action="store_true")
+    arguments.add_argument("--named", action="store_true")
     options = arguments.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
-    file = options.folder / "verdicts.jsonl"
+    file = options.folder / ("named.jsonl" if options.named else "verdicts.jsonl")
     rows = [json.loads(line) for line in file.read_text("utf-8").splitlines()] if file.exists() else []
     seeds = range(options.first, options.first + options.count)
     with file.open("a", encoding="utf-8") as out:
         for seed in seeds if not options.table else ():
             if any(row["seed"] == seed for row in rows):
                 continue
-            surface, values = draw(seed)
-            path = options.folder / f"{seed}.obj"
-            path.write_text(shapes.obj_text(*surface), encoding="utf-8")
-            rows.append({"seed": seed, **values, **check_agrees.judge(str(path), 0, values)})
-            print(json.dumps(rows[-1]), file=out, flush=True)
-    print(*counted([row for row in rows if row["seed"] in seeds]), sep="\n")
+            row = (judge_named if options.named else judge)(seed, options.folder)
+            if row:
+                rows.append(row)
+                print(json.dumps(row), file=out, flush=True)
+    count = counted_named if options.named else counted
+    print(*count([row for row in rows if row["seed"] in seeds]), sep="\n")
 
 
 if __name__ == "__main__":

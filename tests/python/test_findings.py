@@ -32,7 +32,8 @@ def test_a_sentence_names_what_its_figures_are():
     assert str(inner) == f"on a membrane mesh of half the size: {WEAK}"
     both = Finding.about("advice.sizes", tried=7, sizes=tuple(
         Finding.about("size", name=name, value=value) for name, value in (("L", 9.0), ("H_body", 2.5))))
-    assert str(both) == "of 7 other sizes that were tried, L=9 or H_body=2.5 does"
+    assert str(both) == ("of 7 other sizes that were tried, L=9 or H_body=2.5 does by estimates "
+                         "('curveups check' makes trial layouts)")
     many = Finding.about("thin_p_min", range(9), least=0.25, at=tuple(range(9)), printer="PolyJet", makes=0.6)
     assert "at T00001, T00002, T00003, T00004, T00005, T00006 and 3 more, below" in str(many)
     assert many.tiles == tuple(range(9))

@@ -18,7 +18,7 @@ from curveups.stages import feasibility, pin_smoothing, size_search, sizes
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Job
 from curveups.stages.surface import Source
-from curveups.stages.trial_layout import FAILED, PASSED, TrialLayout
+from curveups.stages.trial_layout import FAILED, PASSED, UNDECIDED, TrialLayout
 
 
 def dome(radius=60.0, parts=30):
@@ -126,7 +126,8 @@ def search(monkeypatch):
     def made(tries):
         def elsewhere(values, goals, job):
             return {"trial layout": tries({name: values.get(name, of.parameters.get(name))
-                                           for name in ("L", "H_body", "H_pin")})}
+                                           for name in ("L", "H_body", "H_pin")}),
+                    "feasibility": SimpleNamespace(possible=False, blocked=())}  # of which no trial is made
 
         return (size_search.SizeSearch(inputs["target"].source_V, inputs["target"].source_F,
                                        inputs["cut request"], of.parameters, Job()),
@@ -153,7 +154,7 @@ def test_sizes_that_fail_are_left_out_of_their_kind_alone(search):
     assert thick[0] / thick[1] > 1.15 and thick[1] / thick[2] > 1.15 ** 2
     assert not any(of.tried[8.0, one, 1.0].feasible for one in thick)
     # Heights are looked for from the start, however near to those of thicknesses that failed.
-    assert of.named(lambda: (("H_pin", of.least_pin(8, 3)),), inputs) == ((("H_pin", 0.4),), True)
+    assert of.named(lambda: (("H_pin", of.least_pin(8, 3)),), inputs) == ((("H_pin", 0.4),), PASSED)
     assert [values["H_pin"] for values in tried[3:]] == [1.1, 1.3, 0.4] and of.tried[8.0, 3.0, 0.4].feasible
 
 
@@ -164,8 +165,18 @@ def test_a_target_that_is_refused_with_some_sizes_is_tried_with_others(search):
         return TrialLayout(())
 
     of, inputs = search(tries)
-    found, passed = of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs)
-    assert dict(found)["H_body"] <= 2 and not passed  # no trial layout has been made
+    found, shown = of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs)
+    assert dict(found)["H_body"] <= 2 and shown == ""  # no trial layout has been made
+
+
+def test_what_is_undecided_comes_after_what_passes(search):
+    """Repair had not ended for the largest thickness."""
+    of, inputs = search(lambda values: TrialLayout((), UNDECIDED if values["H_body"] > 2 else PASSED))
+    found, shown = of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs)
+    assert dict(found)["H_body"] <= 2 and shown == PASSED
+    of, inputs = search(lambda values: TrialLayout((), UNDECIDED))
+    largest = (("H_body", 3.0),)
+    assert of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs) == (largest, UNDECIDED)
 
 
 def test_what_is_in_the_way_without_a_trial_is_none_that_does(search):

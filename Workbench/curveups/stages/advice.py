@@ -87,15 +87,19 @@ def for_joints(possible: Mapping[str, float], parameters: Any) -> Finding:
 def of_check(sizes: Any, L: float, H_body: float) -> Iterator[Finding]:
     """On sizes (Recommendation) that would do for a target, and on mending."""
     if sizes.L is not None:
-        if sizes.L != (L, L):
-            yield Finding.about("check.L", H_body=H_body, low=sizes.L[0], high=sizes.L[1])
+        low, high = sizes.L
+        if low < high:
+            yield Finding.about("check.L", H_body=H_body, low=low, high=high)
+        elif low != L:
+            yield Finding.about("check.L_alone", H_body=H_body, L=low)
     elif any(one[1] == H_body and not one[-1] for one in sizes.tried):
         yield Finding.about("check.no_L", H_body=H_body)
     if sizes.H_body is None:
         yield Finding.about("check.no_H_body", L=L)
     else:
-        more = sizes.H_body >= sizes.thickest
-        yield Finding.about("check.H_body_more" if more else "check.H_body", L=L, H_body=sizes.H_body)
+        kind = ("check.H_body_alone" if not sizes.as_set else
+                "check.H_body_more" if sizes.H_body >= sizes.thickest else "check.H_body")
+        yield Finding.about(kind, L=L, H_body=sizes.H_body)
     if sizes.H_pin is None:
         yield Finding.about("check.no_H_pin", L=L, H_body=H_body)
     else:

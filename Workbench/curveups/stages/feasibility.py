@@ -124,12 +124,13 @@ def _mends(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job
     return float(largest) if largest > 0 and _sizes_do(made.V, F, edges, parameters, job, sag) else None
 
 
-def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> Optional[float]:
+def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job,
+            sag: float = SAG) -> Optional[float]:
     """By how much (mm) mend=on would move vertices of a target on which something is in the way so that
-    sizes do; None: it is on, or it would not help."""
+    sizes do by estimates, `sag` as sizes_do has it; None: it is on, or it would not help."""
     if parameters.get("mend") == "on":
         return None
-    return _mends(V, F, edges, parameters, Job(lambda _, fraction: job("trying mend=on", fraction)))
+    return _mends(V, F, edges, parameters, Job(lambda _, fraction: job("trying mend=on", fraction)), sag)
 
 
 def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job, sag: float) -> bool:

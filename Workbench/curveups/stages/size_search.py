@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, Callable, Optional, Sequence, TypeVar
+from typing import Any, Callable, Mapping, Optional, Sequence, TypeVar
 
 import numpy as np
 
@@ -18,10 +18,10 @@ from ..base.native import native, translated
 from .advice import Sizes
 from .cut_request import CutRequest
 from .division import all_cuts
-from .feasibility import SAG, sizes_do
+from .feasibility import SAG, mending, sizes_do
 from .stage import Inputs, Job
 from .target import remesh
-from .trial_layout import PASSED, TrialLayout
+from .trial_layout import UNDECIDED, TrialLayout, decide
 
 # Lengths and heights of pins are tried up to this factor from the one that is set, lengths as long as that
 # makes no more tiles than these or than there are.
@@ -30,6 +30,8 @@ MOST_CHOSEN = 5000  # as long as there are no more tiles a length is chosen
 _Value = TypeVar("_Value")
 ROUNDS = 3  # how many of one kind that do by estimates are tried then, at most
 _SIZES = ("L", "H_body", "H_pin")
+# Parts of the thickness that is set, and of the height of pins.
+_TOGETHER = ((1 / 2, 1.0), (1 / 2, 1.5), (1 / 4, 1.0), (1 / 4, 1.5))
 # Sizes are near those of a trial that failed where none differs by a larger factor; of the next that fails by
 # its square.
 _NEAR = 1.15
@@ -106,21 +108,24 @@ class SizeSearch:
         self.tried[size] = self._decided[size] = one
 
     def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs, rounds: int = ROUNDS
-              ) -> Optional[tuple[Sizes, bool]]:
-        """The sizes that `find` names by estimates and no trial layout has failed with, and whether one has
-        passed. None where it finds none, or so many in turn have failed. After one that fails, those near it
-        are left out, and others have to give membranes more clearance where that was the reason; what `find`
-        is next asks for has nothing to do with it."""
+              ) -> Optional[tuple[Sizes, str]]:
+        """The sizes that `find` names by estimates and a trial layout does with, and what it has `shown`: the
+        first undecided ones where none does. None where `find` finds none, or so many in turn have failed.
+        After one that fails, those near it are left out, and others have to give membranes more clearance
+        where that was the reason; what `find` is next asks for has nothing to do with it."""
         if self._failed:
             self._failed, self._sag = [], self._least_sag
             self._known.clear()
+        undecided: Optional[Sizes] = None
         for attempt in range(1, rounds + 1):
             sizes = find()
             if sizes is None:
-                return None
+                break
             found = self._trial(sizes, inputs)
+            if found is not None and found.does:
+                return sizes, found.shown
             if found is not None and found.sizes_do:
-                return sizes, found.shown == PASSED
+                undecided = undecided or sizes
             L, H_body, H_pin = size = tuple(float(dict(sizes).get(name, self._parameters.get(name)))
                                             for name in _SIZES)
             self.decide(Candidate(L, H_body, H_pin, self(*size).tiles, False))
@@ -128,16 +133,44 @@ class SizeSearch:
             self._sag = max(self._sag, found.sag if found else SAG)
             # What is not feasible stays so.
             self._known = {one: made for one, made in self._known.items() if not made.feasible}
+        return undecided and (undecided, UNDECIDED)
+
+    def thinner_with_higher_pins(self, L: float, H_body: float, inputs: Inputs) -> Optional[Sizes]:
+        """The first of _TOGETHER, of the thickness that is set and the height of pins, that no trial layout
+        fails with; None where all do. Membranes clear thin tiles under high pins."""
+        H_pin, highest = self._parameters.get("H_pin"), value_range("H_pin")[1]
+        for thinner, higher in _TOGETHER:
+            body, pin = float(f"{thinner * H_body:.2g}"), float(f"{higher * H_pin:.3g}")
+            if body < self.thinnest or pin > highest:
+                continue
+            sizes = (("H_body", body), *((("H_pin", pin),) if higher > 1 else ()))
+            found = self._trial(sizes, inputs)
+            does = found is not None and found.does
+            self.decide(Candidate(L, body, pin, len(self._mesh(L)[1]), does))
+            if does:
+                return sizes
         return None
 
+    def mending(self, target: Any, edges: np.ndarray, inputs: Inputs) -> Optional[float]:
+        """By how much (mm) mend=on would move vertices so that the sizes that are set do: no trial layout
+        fails then. None: it is on, or would not help."""
+        moved = mending(target.V, target.F, edges, inputs.parameters, self._outer, self._least_sag)
+        found = None if moved is None else self._made({"mend": "on"}, inputs)
+        return moved if found is not None and found.does else None
+
     def _trial(self, sizes: Sizes, inputs: Inputs) -> Optional[TrialLayout]:
-        """None where the project refuses the target with these sizes."""
-        assert inputs.elsewhere is not None
         self._say("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes))
-        values: dict[str, Any] = {**dict(sizes), "mend": self._parameters.get("mend")}
+        return self._made({**dict(sizes), "mend": self._parameters.get("mend")}, inputs)
+
+    def _made(self, values: Mapping[str, Any], inputs: Inputs) -> Optional[TrialLayout]:
+        """A trial layout, where estimates are in no doubt as well: what is named are the last sizes that do.
+        None where the project refuses the target with these values."""
+        assert inputs.elsewhere is not None
         try:
-            found: TrialLayout = inputs.elsewhere(values, ("trial layout",), self._job)["trial layout"]
-            return found
+            made = inputs.elsewhere(values, ("trial layout",), self._job)
+            found: TrialLayout = made["trial layout"]
+            in_no_doubt = found.sizes_do and not found.shown
+            return decide(inputs, made["feasibility"], self._job, values) if in_no_doubt else found
         except CurveUpsError:
             return None
 

@@ -17,12 +17,14 @@ from .division import all_cuts
 from .feasibility import SAG, mending
 from .size_search import ROUNDS, Candidate, SizeSearch
 from .stage import Inputs, Job, Result, Stage, digest
-from .trial_layout import FAILED, PASSED
+from .trial_layout import FAILED, PASSED, UNDECIDED
 
 THICKEST = 2.0  # thicknesses are tried up to so many lengths
 _THINNEST, _STOUTEST = 1 / 7, 3 / 7  # thicknesses are chosen between these lengths; the paper has 3/7
 # How many lengths that do by estimates are tried then: each has another surface.
 _ROUNDS_OF_LENGTHS = 1
+
+_FACING = {"overlap", "bodies_overlap", "bodies_meet"}  # obstacles: parts that face one another
 
 AUTOMATIC = ("L", "H_body")  # parameters that may be "auto"
 READS = ("target", "cut request")  # what they are chosen by
@@ -60,8 +62,8 @@ def choose(inputs: Inputs, names: Collection[str], job: Job) -> Chosen:
     found = search.named(again, inputs)
     if found is None:
         return Chosen(largest, FAILED)
-    sizes, passed = found
-    return Chosen(dict(sizes), PASSED if passed else "")
+    sizes, shown = found
+    return Chosen(dict(sizes), shown if shown == PASSED else "")
 
 
 def _largest(search: SizeSearch, parameters: Any, names: Collection[str], where: str
@@ -136,12 +138,12 @@ def _can_remesh(target: Any, cuts: CutRequest) -> bool:
 
 @dataclass(frozen=True)
 class Recommendation(Result):
-    """Values that would do without mending, each of which was tried; those that are set may do with it.
-    `L`: the ends of a range of lengths with the thickness that is set; it holds the length that is set, or is
-    the nearest to it, and every value tried between its ends did. `H_body`: the largest thickness with the
-    length that is set. `H_pin`: the least height of pins with both that are set, where the set one does;
-    else that of the nearest range of heights that do. None where none of those tried did, or where the mesh
-    is given as it is. `thickest`: no larger ones were tried."""
+    """Values that would do without mending, each of which was tried; None where none of those tried did, or
+    where the mesh is given as it is. Where the sizes that are set do, these are limits by estimates: `L` has
+    the ends of the range of lengths around the one that is set, of which every value tried did; `H_body` is
+    the largest thickness, and no larger one than `thickest` was tried; `H_pin` is the least height of pins.
+    Where they do not, each is a single value that no trial layout fails with: the length that is nearest to
+    the one that is set (twice), the largest thickness and the nearest height of pins that were found."""
 
     L: Optional[tuple[float, float]]
     H_body: Optional[float]
@@ -149,10 +151,10 @@ class Recommendation(Result):
     thickest: float
     as_set: bool  # whether the sizes that are set do
     tried: tuple[tuple[float, float, float, int, bool], ...]  # L, H_body, H_pin, tiles, feasible
-    together: Optional[tuple[float, float]] = None  # H_body and H_pin, where no other L or H_pin does
+    together: Optional[tuple[float, float]] = None  # H_body and H_pin, where neither does by itself
     estimated: bool = True  # whether some other sizes than those that are set do by estimates alone
-    # By how much mend=on would move vertices so that those that are set do, mm. None where it is on, would
-    # not help, or is not needed, and where a trial layout has failed: it is judged by estimates.
+    # By how much mend=on would move vertices so that those that are set do, mm; no trial layout fails then.
+    # None where it is on, would not help, or is not needed.
     mending: Optional[float] = None
 
     @property
@@ -169,14 +171,16 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     search.decide(Candidate(L, H_body, inputs.parameters.get("H_pin"), len(target.F), as_set))
     most = max(THICKEST * L, H_body)
     remeshed = _can_remesh(target, cuts)
-    estimated = [trial.shown != FAILED]
+    estimated = [as_set]
 
     def named(find: Callable[[], Optional[Sizes]], rounds: int = ROUNDS) -> dict[str, float]:
-        """Where estimates were too hopeful of the sizes that are set, what is named instead is tried."""
-        if trial.shown != FAILED:
+        """What is named instead of sizes that do not do is tried; limits of those that do are estimates."""
+        if as_set:
             return dict(find() or ())
-        found, passed = search.named(find, inputs, rounds) or ((), True)
-        estimated.append(not passed)
+        found, shown = search.named(find, inputs, rounds) or ((), PASSED)
+        if shown == UNDECIDED:
+            return {}
+        estimated.append(shown != PASSED)
         return dict(found)
 
     def length() -> Optional[Sizes]:
@@ -186,15 +190,22 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     thickness = named(lambda: _one("H_body", search.largest_thickness(L, most))).get("H_body")
     if as_set:
         thickness = max(thickness or 0.0, H_body)
-    lengths = search.range_of_lengths(L, H_body) if named(length, _ROUNDS_OF_LENGTHS) else None
+    near = named(length, _ROUNDS_OF_LENGTHS).get("L")
+    lengths = None if near is None else search.range_of_lengths(L, H_body) if as_set else (near, near)
     pin = named(lambda: _one("H_pin", search.least_pin(L, H_body))).get("H_pin")
-    together = (named(lambda: search.thinner_with_pins(L, H_body, thickness))
-                if pin is None and lengths is None else {})
+    together: dict[str, float] = {}
+    if not as_set and pin is None and lengths is None:
+        if any(one.obstacle in _FACING for one in trial.blocked):
+            together = named(lambda: search.thinner_with_pins(L, H_body, thickness))
+        if thickness is None and not together:
+            together = dict(search.thinner_with_higher_pins(L, H_body, inputs) or ())
+        if "H_pin" not in together:
+            thickness = together.pop("H_body", thickness)
     tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in search.tried.values())
     moved = None
-    if trial.shown != FAILED and not as_set:
+    if not as_set:
         edges = all_cuts(cuts, target.V, target.F, inputs.parameters, job)
-        moved = mending(target.V, target.F, edges, inputs.parameters, job)
+        moved = search.mending(target, edges, inputs)
     both = (together["H_body"], together["H_pin"]) if together else None
     return Recommendation(lengths, thickness, pin, most, as_set, tried, both, any(estimated), moved)
 

@@ -5,7 +5,8 @@ passes from a tile only these tell."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Sequence
+from types import MappingProxyType
+from typing import Any, Mapping, Sequence
 
 import numpy as np
 
@@ -49,32 +50,45 @@ class TrialLayout(Result):
         return all(one.obstacle == "closed" for one in self.blocked)
 
     @property
+    def does(self) -> bool:
+        """Whether sizes do, and repair had come to its end where a trial was needed."""
+        return self.sizes_do and self.shown != UNDECIDED
+
+    @property
     def content(self) -> str:
         return digest(self.blocked, self.shown, self.sag)
 
 
 def _run(inputs: Inputs, job: Job) -> TrialLayout:
     found: Feasibility = inputs["feasibility"]
-    H_pin, clearance = inputs.parameters.get("H_pin"), found.membrane_clearance
-    doubtful = bool(found.blocked) or bool((clearance < DOUBT * H_pin).any())
-    if not (doubtful and found.possible and inputs.parameters.get("run_verification")
-            and len(found.F) <= MOST_TILES and inputs.parameters.get("H_body") <= STOUTEST * found.L):
+    low = found.membrane_clearance < DOUBT * inputs.parameters.get("H_pin")
+    return decide(inputs, found, job) if found.blocked or low.any() else TrialLayout(())
+
+
+def decide(inputs: Inputs, found: Feasibility, job: Job, values: Mapping[str, Any] = MappingProxyType({})
+           ) -> TrialLayout:
+    """What a trial layout shows with these values of parameters, of which `found` is; estimates alone where
+    none can be made."""
+    def get(name: str) -> Any:
+        return values.get(name, inputs.parameters.get(name))
+
+    if not (found.possible and get("run_verification") and len(found.F) <= MOST_TILES
+            and get("H_body") <= STOUTEST * found.L):
         return TrialLayout(found.blocked)
     try:
-        made = trial(inputs, {}, ("verification", "clearances"), job, [REPAIR_STEPS])
+        made = trial(inputs, values, ("verification", "clearances"), job, [REPAIR_STEPS])
     except CurveUpsError as error:
-        return _failed(inputs, [error.finding] if error.finding else [])
+        return _failed(found, get("H_pin"), [error.finding] if error.finding else [])
     if made is None:
         return TrialLayout(found.blocked, UNDECIDED)
     if not made["verification"].judged or made["verification"].failure:
         return TrialLayout(found.blocked)
     reasons = [one for one in made.verdict.reasons if one.kind in COVERED]
-    return _failed(inputs, reasons) if reasons else TrialLayout((), PASSED)
+    return _failed(found, get("H_pin"), reasons) if reasons else TrialLayout((), PASSED)
 
 
-def _failed(inputs: Inputs, reasons: Sequence[Finding]) -> TrialLayout:
-    found: Feasibility = inputs["feasibility"]
-    H_pin, clearance = inputs.parameters.get("H_pin"), found.membrane_clearance
+def _failed(found: Feasibility, H_pin: float, reasons: Sequence[Finding]) -> TrialLayout:
+    clearance = found.membrane_clearance
     blocked = tuple(Obstacle(Finding.about(one.kind, [tile], **one.figures))
                     for one in reasons for tile in one.tiles)
     if not blocked:  # no tile is named: it is expected where membranes pass lowest
