@@ -133,7 +133,7 @@ class SizeSearch:
             self._sag = max(self._sag, found.sag if found else SAG)
             # What is not feasible stays so.
             self._known = {one: made for one, made in self._known.items() if not made.feasible}
-        return undecided and (undecided, UNDECIDED)
+        return (undecided, UNDECIDED) if undecided else None
 
     def thinner_with_higher_pins(self, L: float, H_body: float, inputs: Inputs) -> Optional[Sizes]:
         """The first of _TOGETHER, of the thickness that is set and the height of pins, that no trial layout
