@@ -470,8 +470,8 @@
       <translation>Lesen, warum sich Kacheln nicht machen lassen oder wohl nicht halten. Ein Klick auf einen Eintrag führt hin</translation>
     </message>
     <message>
-      <source>Set mend to on, which moves vertices of the target until these sizes work, and check again (one step of undo)</source>
-      <translation>mend auf on setzen und die Machbarkeit neu ermitteln: das verschiebt Ecken der Zielfläche, bis diese Größen gehen (ein Schritt beim Rückgängigmachen)</translation>
+      <source>Set mend to on, which moves vertices of the target until the present sizes work, and check again (one step of undo)</source>
+      <translation>mend auf on setzen und die Machbarkeit neu ermitteln: das verschiebt Ecken der Zielfläche, bis die eingestellten Größen gehen (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
       <source>Set the height of the pins and check again (one step of undo)</source>
@@ -482,8 +482,8 @@
       <translation>Die Länge der Kacheln setzen und die Machbarkeit neu ermitteln (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
-      <source>Set the thickness of the tiles and check again (one step of undo)</source>
-      <translation>Die Dicke der Kacheln setzen und die Machbarkeit neu ermitteln (ein Schritt beim Rückgängigmachen)</translation>
+      <source>Set the thickness of the tiles, with the height of the pins where both are named, and check again (one step of undo)</source>
+      <translation>Die Dicke der Kacheln setzen, mit der Höhe der Pins, wo beide genannt sind, und die Machbarkeit neu ermitteln (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
       <source>Sizes that work</source>
@@ -1134,8 +1134,8 @@
       <translation>{name} übernehmen</translation>
     </message>
     <message>
-      <source>Use {name} = {value}</source>
-      <translation>{name} = {value} setzen</translation>
+      <source>Use {sizes}</source>
+      <translation>{sizes} setzen</translation>
     </message>
     <message>
       <source>Worst</source>
@@ -2908,10 +2908,6 @@
       <translation>kein L genügt, das die Kacheln innerhalb von {0} mm der Fläche hält</translation>
     </message>
     <message>
-      <source>no L that was tried does with H_body = {H_body:g} mm</source>
-      <translation>Mit H_body = {H_body:g} mm genügt kein ausprobiertes L</translation>
-    </message>
-    <message>
       <source>no back face: its folds are too sharp for tiles of this thickness</source>
       <translation>keine Rückseite: ihre Falten sind zu scharf für Kacheln dieser Dicke</translation>
     </message>
@@ -4176,12 +4172,12 @@
       <translation>der Speicher reicht nicht</translation>
     </message>
     <message>
-      <source>these are no frames</source>
-      <translation>das sind keine Bilder eines Wegs</translation>
+      <source>these are estimates: check what you choose of them</source>
+      <translation>das sind Schätzungen: Was davon gewählt wird, ist zu prüfen</translation>
     </message>
     <message>
-      <source>these sizes are estimates: check what you choose of them</source>
-      <translation>diese Größen sind Schätzungen: Was davon gewählt wird, ist zu prüfen</translation>
+      <source>these are no frames</source>
+      <translation>das sind keine Bilder eines Wegs</translation>
     </message>
     <message>
       <source>thin it out</source>
@@ -4392,6 +4388,10 @@
       <translation>Mit H_body = {H_body:g} mm genügt L von {low:g} bis {high:g} mm</translation>
     </message>
     <message>
+      <source>with H_body = {H_body:g} mm, no L was found that does</source>
+      <translation>Mit H_body = {H_body:g} mm wurde kein L gefunden, das genügt</translation>
+    </message>
+    <message>
       <source>with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin = {H_pin:g} mm does</source>
       <translation>Mit L = {L:.4g} mm und H_body = {H_body:g} mm genügt H_pin = {H_pin:g} mm</translation>
     </message>
@@ -4400,8 +4400,8 @@
       <translation>Mit L = {L:.4g} mm und H_body = {H_body:g} mm genügt H_pin bis hinab zu {H_pin:g} mm</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm and H_body = {H_body:g} mm, no H_pin that was tried does</source>
-      <translation>Mit L = {L:.4g} mm und H_body = {H_body:g} mm genügt kein ausprobiertes H_pin</translation>
+      <source>with L = {L:.4g} mm and H_body = {H_body:g} mm, no H_pin was found that does</source>
+      <translation>Mit L = {L:.4g} mm und H_body = {H_body:g} mm wurde kein H_pin gefunden, das genügt</translation>
     </message>
     <message>
       <source>with L = {L:.4g} mm, H_body = {H_body:g} mm and H_pin = {H_pin:g} mm together do</source>
@@ -4420,8 +4420,8 @@
       <translation>Mit L = {L:.4g} mm genügt H_body bis {H_body:g} mm</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm, no H_body that was tried does</source>
-      <translation>Mit L = {L:.4g} mm genügt kein ausprobiertes H_body</translation>
+      <source>with L = {L:.4g} mm, no H_body was found that does</source>
+      <translation>Mit L = {L:.4g} mm wurde kein H_body gefunden, das genügt</translation>
     </message>
     <message>
       <source>with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance the tiles: {pull:.3g} N of pull would be needed, first at {contacts:8}{more}</source>
@@ -4432,8 +4432,8 @@
       <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte die Kacheln im Gleichgewicht: {pull:.3g} N Zug wären nötig, zuerst an {contacts:8}{more}</translation>
     </message>
     <message>
-      <source>with mend=on, which moves vertices by up to {moved:.2g} mm, these sizes do</source>
-      <translation>Mit mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt, genügen diese Größen</translation>
+      <source>with mend=on, which moves vertices by up to {moved:.2g} mm, the sizes that are set do</source>
+      <translation>Mit mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt, genügen die eingestellten Größen</translation>
     </message>
     <message>
       <source>working</source>

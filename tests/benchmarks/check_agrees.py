@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any, Mapping, Optional
 
 import thirty_targets as thirty
-from curveups.base.errors import CurveUpsError
+from curveups.base.errors import CurveUpsError, Stopped
 from curveups.base.native import native
 from curveups.project.project import Project
 from curveups.stages.cut_request import CutRequest
@@ -80,6 +80,8 @@ def judge(target: str, cuts: int, setting: Mapping[str, Any]) -> dict[str, Any]:
         said.update(designed(project, job))
     except CurveUpsError as error:  # refused, by both where check is
         said.update(why=error.what, reasons=["refused"])
+    except Stopped:
+        pass
     if job.stopped:
         said["design"] = None
     return {**said, "seconds": round(time.process_time() - begun, 1)}

@@ -16,7 +16,7 @@ run again, it goes on where it ended. Prints how often each promise was kept.
 --named counts a third promise, into named.jsonl: what check names instead of sizes that do not do (another
 L, H_body or H_pin, H_body and H_pin together, or mend=on) does. Its targets are those of SHARP that a seed
 gives, without mending, with tiles up to as thick as they are long: else few need other sizes. Spent for the
-figure of resources/docs/feasibility.md are 4000 to 4199."""
+figure of resources/docs/feasibility.md are 4200 to 4399, and 4000 to 4199 for an earlier one."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import check_agrees  # noqa: E402
 import shapes  # noqa: E402
-from curveups.base.errors import CurveUpsError  # noqa: E402
+from curveups.base.errors import CurveUpsError, Stopped  # noqa: E402
 from curveups.stages import trial_layout  # noqa: E402
 from thirty_targets import Surface, grid, sheet  # noqa: E402
 
@@ -196,11 +196,11 @@ def judge_named(seed: int, folder: Path) -> Optional[dict[str, Any]]:
         job = check_agrees.job_of(begun)
         sizes = check_agrees.made(path, 0, values, job).run(("sizes",), job)["sizes"]
         seconds = round(time.process_time() - begun, 1)
-    except CurveUpsError as error:
-        return {"seed": seed, **values, "as_set": None, "why": error.what, "named": {}}
+    except (CurveUpsError, Stopped) as error:
+        return {"seed": seed, **values, "as_set": None, "why": str(error), "named": {}}
     named = {name: {**option, **_designed(path, {**values, **option})}
              for name, option in _options(sizes).items()}
-    return {"seed": seed, **values, "as_set": None if job.stopped else sizes.as_set,
+    return {"seed": seed, **values, "as_set": sizes.as_set,
             "estimated": sizes.estimated, "check_seconds": seconds, "named": named}
 
 
@@ -221,6 +221,8 @@ def _designed(path: str, values: dict[str, Any]) -> dict[str, Any]:
         said = check_agrees.designed(check_agrees.made(path, 0, values, job), job)
     except CurveUpsError as error:
         return {"design": False, "why": error.what, "reasons": ["refused"]}
+    except Stopped:
+        return {"design": None, "why": "", "reasons": []}
     return {**said, "design": None if job.stopped else said["design"]}
 
 
@@ -228,8 +230,9 @@ def counted_named(rows: list[dict[str, Any]]) -> list[str]:
     without = [row for row in rows if row["as_set"] is False]
     named = [(row, name, one) for row in without for name, one in row["named"].items()
              if one["design"] is not None]
-    lines = [f"{len(rows)} targets, {len(without)} for which the sizes that are set do not do; "
-             f"for {sum(not row['named'] for row in without)} of these nothing is named"]
+    lines = [f"{len(rows)} targets, {sum(row['as_set'] is None for row in rows)} without an answer",
+             f"the sizes that are set do not do for {len(without)}, and for "
+             f"{sum(not row['named'] for row in without)} of these nothing is named"]
     for kind in (*dict.fromkeys(name for _, name, _ in named), None):
         of = [one for _, name, one in named if kind in (name, None)]
         kept = sum(not COVERED & set(one["reasons"]) for one in of)

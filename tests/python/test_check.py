@@ -99,7 +99,7 @@ def test_a_sound_target(curveups, cap, tmp_path):
     assert found["recommended"]["L"] is None  # the mesh was to be taken as it is
     assert found["recommended"]["H_body"] >= 3
     assert "nothing is in the way" in ran.out and "H_body up to" in ran.out
-    assert found["trial"] is None and "these sizes are estimates" in ran.out
+    assert found["trial"] is None and "these are estimates" in ran.out
     page = (tmp_path / "out" / "check.html").read_text(encoding="utf-8")
     assert "Feasible" in page and "data:image/png;base64," in page
     assert not (tmp_path / "out" / "design.json").exists()

@@ -371,13 +371,14 @@ def test_thickness_and_pins_that_do_together_are_taken_over(pictures):
     assert "Not feasible" in form.verdict.text(), form.verdict.text()
     assert "together do" in form.advice.text(), form.advice.text()
     picture("together")
-    for button, name in ((form.use_thickness, "HBody"), (form.use_pin, "HPin")):
-        before = getattr(design, name).Value
-        assert name in button.text(), button.text()
-        click(button)
-        until(lambda: LIVE.busy, 10, "the next check")
-        at_rest()
-        assert getattr(design, name).Value < before
+    before = design.HBody.Value, design.HPin.Value
+    text = form.use_thickness.text()
+    assert text.startswith("Use HBody = ") and ", HPin = " in text and not form.use_pin.isVisible(), text
+    click(form.use_thickness)
+    until(lambda: LIVE.busy, 10, "the next check")
+    at_rest()
+    assert design.HBody.Value < before[0] and design.HPin.Value < before[1]
+    assert made.UndoNames[:2] == ["Check", "Use HBody, HPin"], made.UndoNames
     assert "<b>Feasible" in form.verdict.text(), (form.verdict.text(), form.advice.text())
     assert design.HBody.Value + 2 * design.HPin.Value < 3.001 and design.HBody.Value > 1
     close_panel()

@@ -401,19 +401,19 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "check.failed": "a trial layout, made and repaired where estimates were in doubt, ends with this",
     "check.undecided": "a trial layout, made where estimates were in doubt, was not repaired after {steps} "
                        "steps: the estimates stand",
-    "check.no_L": "no L that was tried does with H_body = {H_body:g} mm",
+    "check.no_L": "with H_body = {H_body:g} mm, no L was found that does",
     "check.L": "with H_body = {H_body:g} mm, L from {low:g} to {high:g} mm does",
     "check.L_alone": "with H_body = {H_body:g} mm, L = {L:g} mm does",
-    "check.no_H_body": "with L = {L:.4g} mm, no H_body that was tried does",
+    "check.no_H_body": "with L = {L:.4g} mm, no H_body was found that does",
     "check.H_body_alone": "with L = {L:.4g} mm, H_body = {H_body:g} mm does",
     "check.H_body": "with L = {L:.4g} mm, H_body up to {H_body:g} mm does",
     "check.H_body_more": "with L = {L:.4g} mm, H_body up to {H_body:g} mm and more does",
-    "check.no_H_pin": "with L = {L:.4g} mm and H_body = {H_body:g} mm, no H_pin that was tried does",
+    "check.no_H_pin": "with L = {L:.4g} mm and H_body = {H_body:g} mm, no H_pin was found that does",
     "check.H_pin": "with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin = {H_pin:g} mm does",
     "check.H_pin_down": "with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin down to {H_pin:g} mm does",
     "check.together": "with L = {L:.4g} mm, H_body = {H_body:g} mm and H_pin = {H_pin:g} mm together do",
-    "check.estimated": "these sizes are estimates: check what you choose of them",
-    "check.mend": "with mend=on, which moves vertices by up to {moved:.2g} mm, these sizes do",
+    "check.estimated": "these are estimates: check what you choose of them",
+    "check.mend": "with mend=on, which moves vertices by up to {moved:.2g} mm, the sizes that are set do",
 }
 
 SENTENCES: Mapping[str, tuple[str, str]] = {

@@ -137,7 +137,8 @@ def build_page(results: Results) -> str:
     parts += ["<h2>Sizes tried</h2>",
               tables.table([(L, H_body, H_pin, tiles or None, feasible)
                             for L, H_body, H_pin, tiles, feasible in results["sizes"].tried],
-                           ("L, mm", "H_body, mm", "H_pin, mm", "Tiles", "Feasible"))]
+                           ("L, mm", "H_body, mm", "H_pin, mm", "Tiles", "Feasible")),
+              '<p class="note">By estimates, and by trial layouts of what was to be named.</p>']
     return html.page(results.title, parts)
 
 

@@ -107,7 +107,8 @@ def of_check(sizes: Any, L: float, H_body: float) -> Iterator[Finding]:
         yield Finding.about(kind, L=L, H_body=H_body, H_pin=sizes.H_pin)
     if sizes.together is not None:
         yield Finding.about("check.together", L=L, H_body=sizes.together[0], H_pin=sizes.together[1])
-    if sizes.estimated and (sizes.L or sizes.H_body or sizes.H_pin or sizes.together):
-        yield Finding("check.estimated")
-    if sizes.mending is not None:
+    mends = sizes.mending is not None
+    if mends:
         yield Finding.about("check.mend", moved=sizes.mending)
+    if sizes.estimated and (sizes.L or sizes.H_body or sizes.H_pin or sizes.together or mends):
+        yield Finding("check.estimated")

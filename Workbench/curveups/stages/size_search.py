@@ -21,6 +21,7 @@ from .division import all_cuts
 from .feasibility import SAG, mending, sizes_do
 from .stage import Inputs, Job
 from .target import remesh
+from .trial import REPAIR_STEPS
 from .trial_layout import UNDECIDED, TrialLayout, decide
 
 # Lengths and heights of pins are tried up to this factor from the one that is set, lengths as long as that
@@ -30,8 +31,10 @@ MOST_CHOSEN = 5000  # as long as there are no more tiles a length is chosen
 _Value = TypeVar("_Value")
 ROUNDS = 3  # how many of one kind that do by estimates are tried then, at most
 _SIZES = ("L", "H_body", "H_pin")
-# Parts of the thickness that is set, and of the height of pins.
-_TOGETHER = ((1 / 2, 1.0), (1 / 2, 1.5), (1 / 4, 1.0), (1 / 4, 1.5))
+# Parts of the thickness and of the height of pins that are set.
+_THINNER = ((1 / 2, 1.0), (1 / 2, 1.5), (1 / 4, 1.0), (1 / 4, 1.5))
+# Steps of repair for all trial layouts of a search: what needs more is undecided then.
+_MOST_STEPS = 10 * REPAIR_STEPS
 # Sizes are near those of a trial that failed where none differs by a larger factor; of the next that fails by
 # its square.
 _NEAR = 1.15
@@ -73,6 +76,7 @@ class SizeSearch:
         self.tried: dict[tuple[float, ...], Candidate] = {}   # by L, H_body, H_pin
         self._known: dict[tuple[float, ...], Candidate] = {}  # of these what holds for the next sizes, too
         self._decided: dict[tuple[float, ...], Candidate] = {}  # by trial layouts
+        self._steps = _MOST_STEPS
         self._failed: list[tuple[np.ndarray, float]] = []  # L, H_body, H_pin; the factor of what is near
         self._chord_errors: dict[float, float] = {}
         corners = V[F]
@@ -109,10 +113,10 @@ class SizeSearch:
 
     def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs, rounds: int = ROUNDS
               ) -> Optional[tuple[Sizes, str]]:
-        """The sizes that `find` names by estimates and a trial layout does with, and what it has `shown`: the
-        first undecided ones where none does. None where `find` finds none, or so many in turn have failed.
-        After one that fails, those near it are left out, and others have to give membranes more clearance
-        where that was the reason; what `find` is next asks for has nothing to do with it."""
+        """The sizes that `find` names by estimates and with which a trial layout does, and what it has
+        `shown`. Where none does, the first undecided ones; None where `find` finds none, or so many in turn
+        have failed. After one that fails, those near it are left out, and others have to give membranes more
+        clearance where that was the reason. What the next `find` asks for has nothing to do with it."""
         if self._failed:
             self._failed, self._sag = [], self._least_sag
             self._known.clear()
@@ -124,55 +128,60 @@ class SizeSearch:
             found = self._trial(sizes, inputs)
             if found is not None and found.does:
                 return sizes, found.shown
-            if found is not None and found.sizes_do:
-                undecided = undecided or sizes
             L, H_body, H_pin = size = tuple(float(dict(sizes).get(name, self._parameters.get(name)))
                                             for name in _SIZES)
-            self.decide(Candidate(L, H_body, H_pin, self(*size).tiles, False))
+            if found is not None and found.sizes_do:
+                undecided = undecided or sizes
+            else:
+                self.decide(Candidate(L, H_body, H_pin, self(*size).tiles, False))
             self._failed.append((np.array(size), _NEAR ** attempt))
             self._sag = max(self._sag, found.sag if found else SAG)
             # What is not feasible stays so.
             self._known = {one: made for one, made in self._known.items() if not made.feasible}
         return (undecided, UNDECIDED) if undecided else None
 
-    def thinner_with_higher_pins(self, L: float, H_body: float, inputs: Inputs) -> Optional[Sizes]:
-        """The first of _TOGETHER, of the thickness that is set and the height of pins, that no trial layout
-        fails with; None where all do. Membranes clear thin tiles under high pins."""
+    def much_thinner(self, L: float, H_body: float, inputs: Inputs) -> Optional[tuple[Sizes, str]]:
+        """The first of _THINNER with which a trial layout does, and what it has shown; None where there is
+        none. Membranes clear thin tiles under high pins."""
         H_pin, highest = self._parameters.get("H_pin"), value_range("H_pin")[1]
-        for thinner, higher in _TOGETHER:
-            body, pin = float(f"{thinner * H_body:.2g}"), float(f"{higher * H_pin:.3g}")
-            if body < self.thinnest or pin > highest:
+        for thinner, higher in _THINNER:
+            body = float(f"{thinner * H_body:.2g}")
+            pin = H_pin if higher == 1 else float(f"{higher * H_pin:.3g}")
+            if body < self.thinnest or pin > highest or (L, body, pin) in self._decided:
                 continue
             sizes = (("H_body", body), *((("H_pin", pin),) if higher > 1 else ()))
             found = self._trial(sizes, inputs)
             does = found is not None and found.does
             self.decide(Candidate(L, body, pin, len(self._mesh(L)[1]), does))
-            if does:
-                return sizes
+            if found is not None and does:
+                return sizes, found.shown
         return None
 
-    def mending(self, target: Any, edges: np.ndarray, inputs: Inputs) -> Optional[float]:
-        """By how much (mm) mend=on would move vertices so that the sizes that are set do: no trial layout
-        fails then. None: it is on, or would not help."""
-        moved = mending(target.V, target.F, edges, inputs.parameters, self._outer, self._least_sag)
+    def mending(self, target: Any, edges: np.ndarray, inputs: Inputs) -> Optional[tuple[float, str]]:
+        """By how much (mm) mend=on would move vertices so that a trial layout does with the sizes that are
+        set, and what it has shown. None: mend=on is set, or would not help."""
+        self._say("trying mend=on")
+        moved = mending(target.V, target.F, edges, inputs.parameters, self._job, self._least_sag)
         found = None if moved is None else self._made({"mend": "on"}, inputs)
-        return moved if found is not None and found.does else None
+        return (moved, found.shown) if moved is not None and found is not None and found.does else None
 
     def _trial(self, sizes: Sizes, inputs: Inputs) -> Optional[TrialLayout]:
         self._say("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes))
         return self._made({**dict(sizes), "mend": self._parameters.get("mend")}, inputs)
 
     def _made(self, values: Mapping[str, Any], inputs: Inputs) -> Optional[TrialLayout]:
-        """A trial layout, where estimates are in no doubt as well: what is named are the last sizes that do.
-        None where the project refuses the target with these values."""
+        """Makes a trial layout, also where estimates are in no doubt. None where the project refuses the
+        target with these values."""
         assert inputs.elsewhere is not None
+        steps = [min(REPAIR_STEPS, self._steps)]
+        self._steps -= steps[0]
         try:
-            made = inputs.elsewhere(values, ("trial layout",), self._job)
-            found: TrialLayout = made["trial layout"]
-            in_no_doubt = found.sizes_do and not found.shown
-            return decide(inputs, made["feasibility"], self._job, values) if in_no_doubt else found
+            found = inputs.elsewhere(values, ("feasibility",), self._job)["feasibility"]
+            return decide(inputs, found, self._job, values, steps)
         except CurveUpsError:
             return None
+        finally:
+            self._steps += max(0, steps[0])
 
     def chord_error(self, L: float) -> float:
         """Largest distance of the surface from its facets, mm; NaN where it can't be remeshed."""
@@ -269,10 +278,10 @@ class SizeSearch:
         low, high = (values[_reach(values, values.index(L), first, feasible, step)] for step in (-1, 1))
         return low, high
 
-    def least_pin(self, L: float, H_body: float) -> Optional[float]:
-        """The lower end of the range of feasible heights of pins that holds the one that is set, or of the
-        nearest one; it was tried. Membranes clear tiles under high pins; beside sharp folds high pins run
-        into one another."""
+    def height_of_pins(self, L: float, H_body: float) -> Optional[float]:
+        """The lower end of the range of feasible heights of pins that holds the one that is set, else the
+        near end of the nearest range; it was tried. Membranes clear tiles under high pins; beside sharp folds
+        high pins run into one another."""
         H_pin = self._parameters.get("H_pin")
         values = _about("H_pin", H_pin)
 
@@ -282,7 +291,8 @@ class SizeSearch:
         start = _nearest(values, H_pin, feasible)
         if start is None:
             return None
-        return values[_reach(values, values.index(H_pin), values.index(start), feasible, -1)]
+        step = 1 if start < H_pin else -1
+        return values[_reach(values, values.index(H_pin), values.index(start), feasible, step)]
 
     def thinner_with_pins(self, L: float, H_body: float, alone: Optional[float]
                           ) -> Optional[Sizes]:

@@ -106,7 +106,7 @@ def sizes_that_do(inputs: Inputs, cuts: CutRequest, job: Job) -> tuple[list[Size
     estimates, and how many were tried."""
     target, L, H_body = inputs["target"], inputs.parameters.get("L"), inputs.parameters.get("H_body")
     search = _unmended_search(target, cuts, inputs.parameters, job)
-    thickness, pin = search.largest_thickness(L, H_body), search.least_pin(L, H_body)
+    thickness, pin = search.largest_thickness(L, H_body), search.height_of_pins(L, H_body)
     length = search.nearest_length(L, H_body) if _can_remesh(target, cuts) else None
     found = (_one("H_body", thickness), _one("L", length), _one("H_pin", pin),
              search.thinner_with_pins(L, H_body, thickness) if pin is None and length is None else None)
@@ -142,8 +142,8 @@ class Recommendation(Result):
     where the mesh is given as it is. Where the sizes that are set do, these are limits by estimates: `L` has
     the ends of the range of lengths around the one that is set, of which every value tried did; `H_body` is
     the largest thickness, and no larger one than `thickest` was tried; `H_pin` is the least height of pins.
-    Where they do not, each is a single value that no trial layout fails with: the length that is nearest to
-    the one that is set (twice), the largest thickness and the nearest height of pins that were found."""
+    Where they do not, each is a single value that no trial layout fails with: the length (twice) and the
+    height of pins that are nearest to what is set, and the largest thickness, of those that were found."""
 
     L: Optional[tuple[float, float]]
     H_body: Optional[float]
@@ -151,7 +151,7 @@ class Recommendation(Result):
     thickest: float
     as_set: bool  # whether the sizes that are set do
     tried: tuple[tuple[float, float, float, int, bool], ...]  # L, H_body, H_pin, tiles, feasible
-    together: Optional[tuple[float, float]] = None  # H_body and H_pin, where neither does by itself
+    together: Optional[tuple[float, float]] = None  # H_body and H_pin, which may do better than either
     estimated: bool = True  # whether some other sizes than those that are set do by estimates alone
     # By how much mend=on would move vertices so that those that are set do, mm; no trial layout fails then.
     # None where it is on, would not help, or is not needed.
@@ -165,23 +165,24 @@ class Recommendation(Result):
 def _run(inputs: Inputs, job: Job) -> Recommendation:
     target, cuts = inputs["target"], inputs["cut request"]
     L, H_body = inputs.parameters.get("L"), inputs.parameters.get("H_body")
-    search = _unmended_search(target, cuts, inputs.parameters, job, inputs["trial layout"].sag)
     trial = inputs["trial layout"]
+    search = _unmended_search(target, cuts, inputs.parameters, job, trial.sag)
     as_set = trial.sizes_do
     search.decide(Candidate(L, H_body, inputs.parameters.get("H_pin"), len(target.F), as_set))
     most = max(THICKEST * L, H_body)
     remeshed = _can_remesh(target, cuts)
     estimated = [as_set]
 
+    def noted(found: Optional[tuple[Any, str]]) -> Any:
+        """What was found, unless it is undecided; notes whether it is so by estimates alone."""
+        if found is None or found[1] == UNDECIDED:
+            return None
+        estimated.append(found[1] != PASSED)
+        return found[0]
+
     def named(find: Callable[[], Optional[Sizes]], rounds: int = ROUNDS) -> dict[str, float]:
         """What is named instead of sizes that do not do is tried; limits of those that do are estimates."""
-        if as_set:
-            return dict(find() or ())
-        found, shown = search.named(find, inputs, rounds) or ((), PASSED)
-        if shown == UNDECIDED:
-            return {}
-        estimated.append(shown != PASSED)
-        return dict(found)
+        return dict((find() if as_set else noted(search.named(find, inputs, rounds))) or ())
 
     def length() -> Optional[Sizes]:
         ends = search.range_of_lengths(L, H_body) if remeshed else None
@@ -192,20 +193,20 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
         thickness = max(thickness or 0.0, H_body)
     near = named(length, _ROUNDS_OF_LENGTHS).get("L")
     lengths = None if near is None else search.range_of_lengths(L, H_body) if as_set else (near, near)
-    pin = named(lambda: _one("H_pin", search.least_pin(L, H_body))).get("H_pin")
+    pin = named(lambda: _one("H_pin", search.height_of_pins(L, H_body))).get("H_pin")
     together: dict[str, float] = {}
     if not as_set and pin is None and lengths is None:
         if any(one.obstacle in _FACING for one in trial.blocked):
             together = named(lambda: search.thinner_with_pins(L, H_body, thickness))
         if thickness is None and not together:
-            together = dict(search.thinner_with_higher_pins(L, H_body, inputs) or ())
+            together = dict(noted(search.much_thinner(L, H_body, inputs)) or ())
         if "H_pin" not in together:
             thickness = together.pop("H_body", thickness)
     tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in search.tried.values())
     moved = None
     if not as_set:
         edges = all_cuts(cuts, target.V, target.F, inputs.parameters, job)
-        moved = search.mending(target, edges, inputs)
+        moved = noted(search.mending(target, edges, inputs))
     both = (together["H_body"], together["H_pin"]) if together else None
     return Recommendation(lengths, thickness, pin, most, as_set, tried, both, any(estimated), moved)
 

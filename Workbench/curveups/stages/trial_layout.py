@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes a layout where the estimates of feasibility are in doubt, repairs and verifies it: how far a membrane
-passes from a tile only these tell."""
+"""Makes a layout where the estimates of feasibility are in doubt, and of other sizes that are to be named;
+repairs and verifies it. How far a membrane passes from a tile only these tell."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Any, Mapping, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -36,7 +36,9 @@ class TrialLayout(Result):
     """`blocked`: as Feasibility has it, with what was found in place of estimates."""
 
     blocked: tuple[Obstacle, ...]
-    shown: str = ""  # PASSED, FAILED or UNDECIDED; empty: no doubt, tiles too many or stout, not verified
+    # PASSED, FAILED or UNDECIDED; empty: no doubt, something certain in the way, tiles too many or stout, or
+    # not verified.
+    shown: str = ""
     sag: float = SAG  # the part of H_pin by which membranes of other sizes are to clear tiles
 
     @property
@@ -51,7 +53,7 @@ class TrialLayout(Result):
 
     @property
     def does(self) -> bool:
-        """Whether sizes do, and repair had come to its end where a trial was needed."""
+        """Whether sizes do, and repair had come to its end where a trial was made."""
         return self.sizes_do and self.shown != UNDECIDED
 
     @property
@@ -65,10 +67,10 @@ def _run(inputs: Inputs, job: Job) -> TrialLayout:
     return decide(inputs, found, job) if found.blocked or low.any() else TrialLayout(())
 
 
-def decide(inputs: Inputs, found: Feasibility, job: Job, values: Mapping[str, Any] = MappingProxyType({})
-           ) -> TrialLayout:
+def decide(inputs: Inputs, found: Feasibility, job: Job, values: Mapping[str, Any] = MappingProxyType({}),
+           steps: Optional[list[int]] = None) -> TrialLayout:
     """What a trial layout shows with these values of parameters, of which `found` is; estimates alone where
-    none can be made."""
+    none can be made. steps: of repair, from which those that it takes are taken off."""
     def get(name: str) -> Any:
         return values.get(name, inputs.parameters.get(name))
 
@@ -76,7 +78,7 @@ def decide(inputs: Inputs, found: Feasibility, job: Job, values: Mapping[str, An
             and get("H_body") <= STOUTEST * found.L):
         return TrialLayout(found.blocked)
     try:
-        made = trial(inputs, values, ("verification", "clearances"), job, [REPAIR_STEPS])
+        made = trial(inputs, values, ("verification", "clearances"), job, steps or [REPAIR_STEPS])
     except CurveUpsError as error:
         return _failed(found, get("H_pin"), [error.finding] if error.finding else [])
     if made is None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from html import escape
 from textwrap import fill
-from typing import Any, Optional
+from typing import Any, Mapping, Optional
 
 from ...base.errors import CurveUpsError, tile_name
 from ...base.sentences import ESTIMATE, MARGINS
@@ -53,7 +53,7 @@ class CheckPanel(Panel):
         form.use_length.clicked.connect(lambda *_: self._use("L"))
         form.use_thickness.clicked.connect(lambda *_: self._use("H_body"))
         form.use_pin.clicked.connect(lambda *_: self._use("H_pin"))
-        form.use_mending.clicked.connect(lambda *_: self._set("mend", "on"))
+        form.use_mending.clicked.connect(lambda *_: self._set({"mend": "on"}))
         form.choose.clicked.connect(lambda *_: self._choose())
         form.margins.itemSelectionChanged.connect(lambda: self._show_margin())
         form.obstacles.itemSelectionChanged.connect(lambda: self._go())
@@ -125,12 +125,11 @@ class CheckPanel(Panel):
         form.use_mending.setVisible(found["sizes"].mending is not None)
         for name, button in (("L", form.use_length), ("H_body", form.use_thickness),
                              ("H_pin", form.use_pin)):
-            value = size_to_use(name, found)
-            button.setVisible(value is not None and not properties.same(value, get(name)))
-            if value is not None:
-                button.setText(translate("CurveUps_Check", "Use {name} = {value}",
-                                         name=properties.property_name(name),
-                                         value=properties.shown(_row(name), value)))
+            sizes = sizes_to_use(name, found)
+            button.setVisible(any(not properties.same(value, get(name)) for name, value in sizes.items()))
+            button.setText(translate("CurveUps_Check", "Use {sizes}", sizes=", ".join(
+                f"{properties.property_name(name)} = {properties.shown(_row(name), value)}"
+                for name, value in sizes.items())))
 
     def _fill_margins(self, found: Results) -> None:
         tree = self.form.margins
@@ -182,17 +181,17 @@ class CheckPanel(Panel):
             self._overlay.look_at(tiles)
 
     def _use(self, name: str) -> None:
-        """Takes a size over, one step of undo, and checks it."""
-        if self._found is None:
-            return
-        self._set(name, size_to_use(name, self._found))
+        """Takes over what a size's button offers, one step of undo, and checks it."""
+        if self._found is not None:
+            self._set(sizes_to_use(name, self._found))
 
-    def _set(self, name: str, value: Any) -> None:
-        called = properties.property_name(name)
+    def _set(self, values: Mapping[str, Any]) -> None:
+        called = ", ".join(map(properties.property_name, values))
         with errors_shown(translate("CurveUps_Check", "Check")):
-            actions.refuse_bound(self.design, (name,))
+            actions.refuse_bound(self.design, tuple(values))
             with transaction(self.design.Document, translate("CurveUps_Check", "Use {name}", name=called)):
-                assign(self.design, called, value)
+                for name, value in values.items():
+                    assign(self.design, properties.property_name(name), value)
                 self.design.Document.recompute()
             self.check()
 
@@ -249,20 +248,16 @@ def _line_of(trial: str, values: str) -> str:
     return translate("CurveUps_Check", "The largest that works by estimates: {values}", values=values)
 
 
-def size_to_use(name: str, found: Results) -> Optional[float]:
-    """What is offered for L, H_body or H_pin where those that are set do not do: the feasible length that is
-    nearest to the one that is set, the largest thickness, the nearest height of pins; thickness and height
-    together where none of these does by itself."""
+def sizes_to_use(name: str, found: Results) -> dict[str, float]:
+    """What the button of L, H_body or H_pin offers where the sizes that are set do not do. Where H_body and
+    H_pin do together, the button of H_body offers both."""
     sizes: Recommendation = found["sizes"]
     if sizes.as_set:
-        return None
-    if name != "L":
-        together = sizes.together or (sizes.H_body, sizes.H_pin)
-        return together[name == "H_pin"]
-    if sizes.L is None:
-        return None
-    low, high = sizes.L
-    return min(max(found.parameters.get("L"), low), high)
+        return {}
+    if sizes.together and name != "L":
+        return dict(zip(("H_body", "H_pin"), sizes.together)) if name == "H_body" else {}
+    value = {"L": sizes.L and sizes.L[0], "H_body": sizes.H_body, "H_pin": sizes.H_pin}[name]
+    return {} if value is None else {name: value}
 
 
 def _row(name: str) -> Any:
