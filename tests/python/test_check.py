@@ -316,11 +316,11 @@ def test_errors_of_design_say_which_size_would_do_by_estimates():
 def test_a_design_that_is_not_valid_names_the_sizes_that_check_does(curveups, tmp_path):
     """A trough that is bent so narrowly that pins inside of it have too little room."""
     def point(u, v):
-        straight, radius = 20.0, 5.6
+        straight, radius = 12.0, 5.6
         s = u * (2 * straight + math.pi * radius) - straight
         angle = min(max(s / radius, 0.0), math.pi)
         along = min(s, 0.0) + max(s - math.pi * radius, 0.0)
-        return along * math.cos(angle) + radius * math.sin(angle), 30 * v, radius * math.cos(angle)
+        return along * math.cos(angle) + radius * math.sin(angle), 16 * v, radius * math.cos(angle)
 
     V = np.array([point(i / 80, j / 16) for i in range(81) for j in range(17)])
     F = [(a, a + 17, a + 18) for a in range(80 * 17) if a % 17 < 16]
