@@ -2824,6 +2824,10 @@
       <translation>diese Messung berichtigen</translation>
     </message>
     <message>
+      <source>mend=on does by estimates, and moves vertices by up to {moved:.2g} mm</source>
+      <translation>nach Schätzungen genügt mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt</translation>
+    </message>
+    <message>
       <source>mending left these tiles with too little room for pins or under membranes</source>
       <translation>Das Ausbessern ließ diesen Kacheln zu wenig Platz für Zapfen oder unter Membranen</translation>
     </message>
@@ -3458,10 +3462,6 @@
     <message>
       <source>smoothing the target</source>
       <translation>Zielfläche glätten</translation>
-    </message>
-    <message>
-      <source>so does mend=on, which moves vertices by up to {moved:.2g} mm</source>
-      <translation>ebenso mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt</translation>
     </message>
     <message>
       <source>solids are not sound: {solids:; }</source>

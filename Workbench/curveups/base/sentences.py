@@ -384,7 +384,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "advice.sizes": "of {tried} other sizes that were tried, {sizes: or } does by estimates "
                     "('curveups check' makes trial layouts)",
     "advice.no_sizes": "none of {tried} other sizes that were tried does",
-    "advice.mend": "so does mend=on, which moves vertices by up to {moved:.2g} mm",
+    "advice.mend": "mend=on does by estimates, and moves vertices by up to {moved:.2g} mm",
     "advice.checked": "{sizes: or }, with which the estimates of 'curveups check' find nothing in the way",
     "advice.auto": "H_body=auto and L=auto try them with mending, too",
     "advice.mend_surface": "set mend=on ({actions})",
