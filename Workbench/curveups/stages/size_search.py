@@ -106,17 +106,17 @@ class SizeSearch:
         self.tried[size] = self._known[size] = self._try(*size)
         return self._known[size]
 
-    def decide(self, one: Candidate) -> None:
+    def record(self, one: Candidate) -> None:
         """Takes what came of a size otherwise, for good."""
         size = (one.L, one.H_body, one.H_pin)
         self.tried[size] = self._decided[size] = one
 
     def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs, rounds: int = ROUNDS
               ) -> Optional[tuple[Sizes, str]]:
-        """The sizes that `find` names by estimates and with which a trial layout does, and what it has
-        `shown`. Where none does, the first undecided ones; None where `find` finds none, or so many in turn
-        have failed. After one that fails, those near it are left out, and others have to give membranes more
-        clearance where that was the reason. What the next `find` asks for has nothing to do with it."""
+        """The sizes that `find` names by estimates and that pass a trial layout, and what that has `shown`.
+        Where none pass, the first undecided ones; None where `find` finds none, or so many have failed. After
+        some that fail, those near them are left out, and others have to give membranes more clearance where
+        that was the reason. What the next `find` asks for has nothing to do with it."""
         if self._failed:
             self._failed, self._sag = [], self._least_sag
             self._known.clear()
@@ -133,7 +133,7 @@ class SizeSearch:
             if found is not None and found.sizes_do:
                 undecided = undecided or sizes
             else:
-                self.decide(Candidate(L, H_body, H_pin, self(*size).tiles, False))
+                self.record(Candidate(L, H_body, H_pin, self(*size).tiles, False))
             self._failed.append((np.array(size), _NEAR ** attempt))
             self._sag = max(self._sag, found.sag if found else SAG)
             # What is not feasible stays so.
@@ -141,8 +141,8 @@ class SizeSearch:
         return (undecided, UNDECIDED) if undecided else None
 
     def much_thinner(self, L: float, H_body: float, inputs: Inputs) -> Optional[tuple[Sizes, str]]:
-        """The first of _THINNER with which a trial layout does, and what it has shown; None where there is
-        none. Membranes clear thin tiles under high pins."""
+        """The first of _THINNER that pass a trial layout, and what it has shown; None where none do.
+        Membranes clear thin tiles under high pins."""
         H_pin, highest = self._parameters.get("H_pin"), value_range("H_pin")[1]
         for thinner, higher in _THINNER:
             body = float(f"{thinner * H_body:.2g}")
@@ -152,14 +152,14 @@ class SizeSearch:
             sizes = (("H_body", body), *((("H_pin", pin),) if higher > 1 else ()))
             found = self._trial(sizes, inputs)
             does = found is not None and found.does
-            self.decide(Candidate(L, body, pin, len(self._mesh(L)[1]), does))
+            self.record(Candidate(L, body, pin, len(self._mesh(L)[1]), does))
             if found is not None and does:
                 return sizes, found.shown
         return None
 
     def mending(self, target: Any, edges: np.ndarray, inputs: Inputs) -> Optional[tuple[float, str]]:
-        """By how much (mm) mend=on would move vertices so that a trial layout does with the sizes that are
-        set, and what it has shown. None: mend=on is set, or would not help."""
+        """By how much (mm) mend=on would move vertices so that the sizes that are set pass a trial layout,
+        and what it has shown. None: mend=on is set, or would not help."""
         self._say("trying mend=on")
         moved = mending(target.V, target.F, edges, inputs.parameters, self._job, self._least_sag)
         found = None if moved is None else self._made({"mend": "on"}, inputs)

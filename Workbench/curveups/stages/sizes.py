@@ -168,7 +168,7 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     trial = inputs["trial layout"]
     search = _unmended_search(target, cuts, inputs.parameters, job, trial.sag)
     as_set = trial.sizes_do
-    search.decide(Candidate(L, H_body, inputs.parameters.get("H_pin"), len(target.F), as_set))
+    search.record(Candidate(L, H_body, inputs.parameters.get("H_pin"), len(target.F), as_set))
     most = max(THICKEST * L, H_body)
     remeshed = _can_remesh(target, cuts)
     estimated = [as_set]
