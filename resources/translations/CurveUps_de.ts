@@ -3784,6 +3784,10 @@
       <translation>die Listen der Abwicklung wurden von Hand geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
     </message>
     <message>
+      <source>the least force exceeds f_min = {f_min:.3g} N by less than its error at {contacts:8}, on a refined mesh as well: lower mesh_size to find out on which side it is</source>
+      <translation>bei {contacts:8} liegt die kleinste Kraft um weniger als ihren Fehler über f_min = {f_min:.3g} N, auch auf einem verfeinerten Netz: ein kleineres mesh_size zeigt, auf welcher Seite sie liegt</translation>
+    </message>
+    <message>
       <source>the list of cuts has an odd number of vertices</source>
       <translation>die Liste der Schnitte hat eine ungerade Anzahl von Punkten</translation>
     </message>

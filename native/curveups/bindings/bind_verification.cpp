@@ -37,6 +37,7 @@ py::dict physics_block(const PhysicsFigures& f) {
   out["normal_force_error"] = f.normal_force_error;
   out["largest_normal_force_error"] = f.largest_normal_force_error;
   out["least_force_error"] = f.least_force_error;
+  out["refined_tiles"] = f.refined_tiles;
   out["membrane_clearance_mm"] = f.clearance_mm;
   out["mean_tile_force"] = f.mean_tile_force;
   return out;

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/core/parallel.hpp"
 #include "curveups/physics/membrane_figures.hpp"
 #include "curveups/physics/verdict.hpp"
 
@@ -68,19 +69,23 @@ Loosening loosen_pins(const DesignGeometry& geometry, const SolvedDesign& solved
     out.f_min = state.f_min_ratio * std::max(0.0, state.forces.normal_mean);
     // What is left must press the tiles together by more than cone programs tell from nothing.
     bool holds = state.forces.normal_mean > UnilateralOptions{}.tolerance * force_scale(solved);
-    auto floor_at = [&](Touching where, BalanceSystem system) {
-      const UnilateralResult& found = find_floor(state, where, system, progress);
-      const bool reached = found.solve.status == SolveStatus::converged &&
-                           floor_is_reached(found.largest_floor, out.f_min, force_scale(state));
-      holds = holds && reached;
-      out.largest_floor =
-          std::min(out.largest_floor.value_or(found.largest_floor), found.largest_floor);
+    const Progress serial = one_at_a_time(progress);
+    auto look_for_floor = [&](Touching where, std::vector<ContactPoint> points) {
+      BalanceSystem system = make_balance_system(geometry, design.parameters, std::move(points));
+      find_floor(state, where, system, serial);
     };
     const std::vector<ContactPoint> corners = contact_corners(geometry, design.parameters);
-    floor_at(Touching::at_corners, make_balance_system(geometry, design.parameters, corners));
-    if (std::any_of(tips.begin(), tips.end(), [](const Points3& at) { return at.rows() > 0; })) {
-      floor_at(Touching::at_tips, make_balance_system(geometry, design.parameters,
-                                                      tie_to_corners(corners, tips).points));
+    parallel_tasks({[&] { look_for_floor(Touching::at_corners, corners); },
+                    [&] {
+                      if (!any_tips(tips)) return;
+                      look_for_floor(Touching::at_tips, tie_to_corners(corners, tips).points);
+                    }});
+    for (const std::optional<UnilateralResult>& found : state.floor) {
+      if (!found) continue;
+      holds = holds && found->solve.status == SolveStatus::converged &&
+              floor_is_reached(found->largest_floor, out.f_min, force_scale(state));
+      out.largest_floor =
+          std::min(out.largest_floor.value_or(found->largest_floor), found->largest_floor);
     }
     out.holds = holds;
   } catch (const SolverFailure&) {  // no equilibrium without these pins

@@ -25,8 +25,11 @@ std::uint64_t key(int a, int b) {
 // many edges of that size fit into a length: I(r) = integral of dr / h, and its inverse.
 class Grading {
  public:
-  explicit Grading(const MembraneMeshOptions& o)
-      : c_(o.at_corner), g_(o.growth), h_(o.largest), bend_((h_ - c_) / g_) {}
+  Grading(const MembraneMeshOptions& o, int halvings)
+      : c_(std::ldexp(o.at_corner, -halvings)),
+        g_(o.growth),
+        h_(std::ldexp(o.largest, -halvings)),
+        bend_((h_ - c_) / g_) {}
   double size(double r) const { return std::min(h_, c_ + g_ * r); }
   double edges(double r) const {
     const double graded = std::log1p(g_ * std::min(r, bend_) / c_) / g_;
@@ -51,6 +54,36 @@ class Grading {
 
  private:
   double c_, g_, h_, bend_;
+};
+
+// The size fields of all patches, by how often sizes are halved there.
+class Gradings {
+ public:
+  Gradings(const MembraneDomain& domain, const MembraneMeshOptions& options) {
+    for (const MembranePatch& patch : domain.patches) {
+      int halvings = 0;
+      if (!options.halvings.empty()) {
+        for (int tile : tiles_of(patch)) halvings = std::max(halvings, options.halvings[tile]);
+      }
+      of_patch_.push_back(halvings);
+      while (static_cast<int>(by_halvings_.size()) <= halvings) {
+        by_halvings_.emplace_back(options, static_cast<int>(by_halvings_.size()));
+      }
+      for (std::size_t i = 0; i < patch.corners.size(); ++i) {
+        int& of_side =
+            of_side_[key(patch.corners[i], patch.corners[(i + 1) % patch.corners.size()])];
+        of_side = std::max(of_side, halvings);
+      }
+    }
+  }
+  const Grading& in_patch(std::size_t patch) const { return by_halvings_[of_patch_[patch]]; }
+  // The finer one of the patches on the side between two pin corners.
+  const Grading& on_side(int a, int b) const { return by_halvings_[of_side_.at(key(a, b))]; }
+
+ private:
+  std::vector<Grading> by_halvings_;
+  std::vector<int> of_patch_;
+  std::unordered_map<std::uint64_t, int> of_side_;
 };
 
 // Mean-value coordinates of a point strictly inside a simple polygon.
@@ -86,7 +119,7 @@ struct SharedVertices {
 };
 
 SharedVertices make_shared_vertices(const MembraneDomain& domain, const Points2& flat,
-                                    const Grading& grading, MembraneMesh& mesh) {
+                                    const Gradings& gradings, MembraneMesh& mesh) {
   SharedVertices shared;
   shared.at_corner.assign(3 * domain.tile_count, -1);
   for (const MembranePatch& patch : domain.patches) {
@@ -106,7 +139,7 @@ SharedVertices make_shared_vertices(const MembraneDomain& domain, const Points2&
       if (!fresh) continue;
       const int low = std::min(a, b), high = std::max(a, b);
       const double length = (flat.row(low) - flat.row(high)).norm();
-      for (double t : grading.fractions(length)) {
+      for (double t : gradings.on_side(a, b).fractions(length)) {
         it->second.push_back(mesh.vertex_count());
         const bool glued = low / 3 == high / 3 && !domain.is_loose(low / 3);
         push_vertex(mesh, {low, high}, {1 - t, t}, glued ? low / 3 : -1);
@@ -212,13 +245,13 @@ MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& fla
   check_patches(domain, flat);
   require_few_triangles(domain, flat, options);
   if (!keep_going(progress, "meshing membranes")) throw Cancelled();
-  const Grading grading(options);
+  const Gradings gradings(domain, options);
   MembraneMesh mesh;
-  const SharedVertices shared = make_shared_vertices(domain, flat, grading, mesh);
+  const SharedVertices shared = make_shared_vertices(domain, flat, gradings, mesh);
   std::vector<MeshedPatch> patches(domain.patches.size());
   parallel_ranges(static_cast<int>(patches.size()), [&](int begin, int end) {
     for (int p = begin; p < end; ++p) {
-      patches[p] = mesh_patch(domain.patches[p], flat, shared, mesh, grading);
+      patches[p] = mesh_patch(domain.patches[p], flat, shared, mesh, gradings.in_patch(p));
     }
   });
   for (std::size_t p = 0; p < patches.size(); ++p) {

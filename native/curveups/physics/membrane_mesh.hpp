@@ -20,6 +20,8 @@ struct MembraneMeshOptions {
   double at_corner = 1.2;
   double growth = 0.8;
   double largest = 2.8;
+  // Per tile how often sizes are halved in the patches at its pin; empty: nowhere.
+  std::vector<int> halvings;
 };
 
 // Weighted pin corners of one vertex: [start[v], start[v + 1]) of corner and weight.

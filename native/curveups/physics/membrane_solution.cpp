@@ -36,7 +36,8 @@ namespace {
 
 MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses& poses,
                                 const Array6& q, const Parameters& parameters, Side side,
-                                const std::vector<int>& loose, const Progress& progress) {
+                                const std::vector<int>& loose, const std::vector<int>& halvings,
+                                const Progress& progress) {
   const TileMesh& tiles = geometry.tiles;
   const std::string what = side == Side::front ? "front membrane" : "back membrane";
   const MembraneMaterial material = membrane_material(parameters, side);
@@ -47,8 +48,9 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
   SolvedMembrane& coarse = out.coarse;
   coarse.flat_corners = flat_pin_corners(tiles, poses, q, side);
   coarse.actuated_corners = out.pin_corners;
-  coarse.mesh = make_membrane_mesh(out.domain, coarse.flat_corners,
-                                   membrane_mesh_options(parameters), progress);
+  MembraneMeshOptions sizes = membrane_mesh_options(parameters);
+  sizes.halvings = halvings;
+  coarse.mesh = make_membrane_mesh(out.domain, coarse.flat_corners, sizes, progress);
   coarse.equilibrium = std::make_unique<MembraneEquilibrium>(
       coarse.mesh, vertex_positions(coarse.mesh.weights, coarse.flat_corners), parameters.tau,
       material);
@@ -77,12 +79,13 @@ MembraneSolution solve_membrane(const DesignGeometry& geometry, const FlatPoses&
 std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const FlatPoses& poses, const Array6& q,
                                                 const Parameters& parameters,
-                                                const Progress& progress, const LoosePins& loose) {
+                                                const Progress& progress, const LoosePins& loose,
+                                                const std::vector<int>& halvings) {
   const Progress serial = one_at_a_time(progress);
   std::array<MembraneSolution, 2> out;
   auto solve = [&](Side side) {
     const int s = static_cast<int>(side);
-    out[s] = solve_membrane(geometry, poses, q, parameters, side, loose[s], serial);
+    out[s] = solve_membrane(geometry, poses, q, parameters, side, loose[s], halvings, serial);
   };
   parallel_tasks({[&] { solve(Side::front); }, [&] { solve(Side::back); }});
   return out;

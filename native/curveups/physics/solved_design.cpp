@@ -7,6 +7,9 @@
 namespace curveups {
 namespace {
 
+// How often the mesh is refined around undecided points.
+constexpr int most_halvings = 2;
+
 template <class Matrix>
 bool same(const Matrix& a, const Matrix& b) {
   return a.rows() == b.rows() && a == b;
@@ -27,15 +30,75 @@ Wrenches sum_wrenches(const std::array<MembraneSolution, 2>& membranes, const Po
 }
 
 // Half of what the extrapolation changes: on the designs it was compared with finer meshes on, the
-// extrapolated normal forces were within a fifth of it.
-void estimate_error(const Points3& fine_forces, SolvedDesign& solved) {
+// extrapolated normal forces were within a fifth of it. Returns the error of each point, N.
+Eigen::ArrayXd estimate_error(const Points3& fine_forces, SolvedDesign& solved) {
   const ContactForces& forces = solved.forces;
   const Eigen::ArrayXd force = forces.force.col(0).array(),
                        error = 0.5 * (force - fine_forces.col(0).array()).abs();
-  if (error.size() == 0 || !(forces.normal_mean > 0)) return;
+  if (error.size() == 0 || !(forces.normal_mean > 0)) return error;
   solved.normal_force_error = error.mean() / forces.normal_mean;
   solved.largest_normal_force_error = error.maxCoeff() / forces.normal_mean;
   solved.least_force_error = error_of_least(force, error) / forces.normal_mean;
+  return error;
+}
+
+// Points that exceed f_min by less than their error, where all points reach it.
+std::vector<int> undecided_points(const SolvedDesign& solved, const Eigen::ArrayXd& error) {
+  std::vector<int> out;
+  const double f_min = solved.f_min_ratio * solved.forces.normal_mean;
+  if (error.size() == 0 || solved.forces.normal_min < f_min) return out;
+  for (int p = 0; p < error.size(); ++p) {
+    if (solved.forces.force(p, 0) - error(p) < f_min) out.push_back(p);
+  }
+  return out;
+}
+
+// The tiles of these contacts and all that touch them: the membranes around these decide on most of
+// a point's force.
+std::vector<int> tiles_around(const TileMesh& tiles, const std::vector<std::array<int, 2>>& pairs) {
+  std::vector<char> at(tiles.tile_count(), 0), around = at;
+  for (const std::array<int, 2>& pair : pairs) at[pair[0]] = at[pair[1]] = 1;
+  for (const Contact& contact : tiles.contacts) {
+    const auto [a, b] = contact.tile;
+    if (at[a] || at[b]) around[a] = around[b] = 1;
+  }
+  std::vector<int> out;
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    if (around[i]) out.push_back(i);
+  }
+  return out;
+}
+
+SolvedDesign solve_on_mesh(const DesignGeometry& geometry, const Design& design,
+                           const Progress& progress, const LoosePins& loose,
+                           const std::vector<int>& halvings) {
+  const Parameters& parameters = design.parameters;
+  SolvedDesign solved;
+  solved.design = design;
+  const FlatPoses poses = fit_poses(geometry.tiles, design.T);
+  solved.membranes =
+      solve_membranes(geometry, poses, design.q, parameters, progress, loose, halvings);
+  const Points3 centres = tile_centres(geometry.tiles);
+  const Wrenches fine = sum_wrenches(solved.membranes, centres, &MembraneSolution::forces);
+  solved.elastic = extrapolate<Wrenches>(
+      fine, sum_wrenches(solved.membranes, centres, &MembraneSolution::coarse_forces));
+  const Wrenches weight = weights(geometry, poses, design.q, parameters);
+  solved.carried = carry(geometry, weight, parameters);
+  const Wrenches others = weight + solved.carried.table;
+  solved.loads = solved.elastic + others;
+  BalanceSystem system = make_balance_system(geometry, parameters);
+  solved.forces = solve_contact_forces(system, solved.loads);
+  const Eigen::ArrayXd error =
+      estimate_error(solve_contact_forces(system, fine + others).force, solved);
+  solved.f_min_ratio =
+      std::max({parameters.f_min_ratio, solved.normal_force_error, solved.least_force_error});
+  for (int point : undecided_points(solved, error)) {
+    const std::array<int, 2>& pair = system.points()[point].tile;
+    if (solved.undecided.empty() || solved.undecided.back() != pair) {
+      solved.undecided.push_back(pair);
+    }
+  }
+  return solved;
 }
 
 }  // namespace
@@ -69,24 +132,15 @@ BalanceSystem make_balance_system(const DesignGeometry& geometry, const Paramete
 
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
                           const Progress& progress, const LoosePins& loose) {
-  const Parameters& parameters = design.parameters;
-  SolvedDesign solved;
-  solved.design = design;
-  const FlatPoses poses = fit_poses(geometry.tiles, design.T);
-  solved.membranes = solve_membranes(geometry, poses, design.q, parameters, progress, loose);
-  const Points3 centres = tile_centres(geometry.tiles);
-  const Wrenches fine = sum_wrenches(solved.membranes, centres, &MembraneSolution::forces);
-  solved.elastic = extrapolate<Wrenches>(
-      fine, sum_wrenches(solved.membranes, centres, &MembraneSolution::coarse_forces));
-  const Wrenches weight = weights(geometry, poses, design.q, parameters);
-  solved.carried = carry(geometry, weight, parameters);
-  const Wrenches others = weight + solved.carried.table;
-  solved.loads = solved.elastic + others;
-  BalanceSystem system = make_balance_system(geometry, parameters);
-  solved.forces = solve_contact_forces(system, solved.loads);
-  estimate_error(solve_contact_forces(system, fine + others).force, solved);
-  solved.f_min_ratio =
-      std::max({parameters.f_min_ratio, solved.normal_force_error, solved.least_force_error});
+  SolvedDesign solved = solve_on_mesh(geometry, design, progress, loose, {});
+  if (!loose[0].empty() || !loose[1].empty()) return solved;
+  std::vector<int> halvings(geometry.tiles.tile_count(), 0);
+  for (int round = 0; round < most_halvings && !solved.undecided.empty(); ++round) {
+    for (int tile : tiles_around(geometry.tiles, solved.undecided)) ++halvings[tile];
+    solved = solve_on_mesh(geometry, design, progress, {}, halvings);
+    solved.refined_tiles = static_cast<int>(halvings.size()) -
+                           static_cast<int>(std::count(halvings.begin(), halvings.end(), 0));
+  }
   return solved;
 }
 

@@ -27,6 +27,10 @@ struct SolvedDesign {
   // Estimated error of normal forces by the mesh, relative to their mean: mean over the points,
   // largest, and of the least normal force.
   double normal_force_error = 0, largest_normal_force_error = 0, least_force_error = 0;
+  // Contacts with a point that exceeds f_min by less than its error, ascending, where all points
+  // reach f_min; and the tiles around which the mesh was refined for such points.
+  std::vector<std::array<int, 2>> undecided;
+  int refined_tiles = 0;
   double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the error where larger
   // What find_floor found, by Touching.
   std::array<std::optional<UnilateralResult>, 2> floor;
@@ -39,8 +43,11 @@ struct SolvedDesign {
 // its error, which the mean of the errors does not. Same sizes; 0 without forces.
 double error_of_least(const Eigen::ArrayXd& force, const Eigen::ArrayXd& error);
 
-// geometry: make_geometry's of the design. loose: pins that have let go of their membrane. Throws
-// what solve_membranes and solve_contact_forces throw, Cancelled.
+// Where all points reach f_min, but some by less than their error, the membranes are solved again
+// on a mesh of half the size around the tiles of these contacts and their neighbours, at most
+// twice. geometry: make_geometry's of the design. loose: pins that have let go of their membrane;
+// least squares decides nothing then, and no mesh is refined. Throws what solve_membranes and
+// solve_contact_forces throw, Cancelled.
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
                           const Progress& progress, const LoosePins& loose = {});
 

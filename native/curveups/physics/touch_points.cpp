@@ -2,6 +2,7 @@
 #include "curveups/physics/touch_points.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 
 namespace curveups {
 namespace {
@@ -29,6 +30,10 @@ TouchPoints::Tie tie_tip(const std::vector<ContactPoint>& corners, int first, in
 }
 
 }  // namespace
+
+bool any_tips(const std::vector<Points3>& tips) {
+  return std::any_of(tips.begin(), tips.end(), [](const Points3& at) { return at.rows() > 0; });
+}
 
 TouchPoints tie_to_corners(const std::vector<ContactPoint>& corners,
                            const std::vector<Points3>& tips) {

@@ -28,6 +28,9 @@ struct TouchPoints {
   std::vector<Tie> tie;
 };
 
+// Whether bumps stand on some contact. tips: per contact.
+bool any_tips(const std::vector<Points3>& tips);
+
 // corners: contact points at the corners of interfaces, those of a contact side by side. tips: per
 // contact n x 3 (world); 0 x 3: nothing stands there, and the contact touches at its corners.
 TouchPoints tie_to_corners(const std::vector<ContactPoint>& corners,

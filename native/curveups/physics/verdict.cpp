@@ -47,6 +47,10 @@ void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
   say(in.parameters.gravity == "held" ? "in_the_air.held" : "in_the_air", in.carried.in_the_air);
   say("tips_over", in.carried.tipping);
   if (in.floor_from_mesh) report.warnings.push_back({"coarse_mesh"});
+  if (!in.undecided.empty()) {
+    report.warnings.push_back(
+        {"undecided", tiles_of(in.undecided), {{"f_min", f.f_min}, {"contacts", in.undecided}}});
+  }
 }
 
 // What one unilateral problem lacks, to which `more` is added; nothing where it reaches f_min.

@@ -32,9 +32,10 @@ struct VerdictInput {
   const UnilateralResult* tips;  // null without bumps
   const BalanceSystem* tips_system;
   std::array<MembraneClearance, 2> clearance;
-  std::array<std::vector<int>, 2> slack_tiles;  // front, back: beside slack membrane
-  std::vector<std::array<int, 2>> crossing;     // tiles where a sheet would lie on itself
-  bool floor_from_mesh;                         // f_min is the mesh's error, not f_min_ratio
+  std::array<std::vector<int>, 2> slack_tiles;       // front, back: beside slack membrane
+  std::vector<std::array<int, 2>> crossing;          // tiles where a sheet would lie on itself
+  bool floor_from_mesh;                              // f_min is the mesh's error, not f_min_ratio
+  const std::vector<std::array<int, 2>>& undecided;  // of SolvedDesign
   const Parameters& parameters;
   const Carried& carried;
   const Loosening& loosening;

@@ -190,6 +190,7 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   report.physics.normal_force_error = solved.normal_force_error;
   report.physics.largest_normal_force_error = solved.largest_normal_force_error;
   report.physics.least_force_error = solved.least_force_error;
+  report.physics.refined_tiles = solved.refined_tiles;
   const std::array<std::vector<int>, 2> slack_tiles =
       describe_membranes(solved.membranes, tile_centres(tiles), parameters.L, report);
 
@@ -209,7 +210,7 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   }
 
   std::optional<BalanceSystem> tips_system;
-  if (std::any_of(tips.begin(), tips.end(), [](const Points3& at) { return at.rows() > 0; })) {
+  if (any_tips(tips)) {
     tips_system.emplace(make_balance_system(
         geometry, parameters, tie_to_corners(contact_corners(geometry, parameters), tips).points));
   }
@@ -226,7 +227,7 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   give_verdict(
       {system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
        slack_tiles, crossing_sheets(tiles, design), solved.f_min_ratio > parameters.f_min_ratio,
-       parameters, solved.carried, report.loosening},
+       solved.undecided, parameters, solved.carried, report.loosening},
       report);
   if (store) store->put(std::move(solved));
   return report;

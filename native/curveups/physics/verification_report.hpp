@@ -28,6 +28,7 @@ struct PhysicsFigures {
   double normal_force_error = 0;  // estimated, mean over the points, relative to normal_mean
   double largest_normal_force_error = 0;
   double least_force_error = 0;  // of the least normal force (error_of_least), likewise relative
+  int refined_tiles = 0;         // around which the mesh was refined (solve_design)
   double clearance_mm = 0;       // membranes to bodies
   double mean_tile_force = 0;    // N
 };

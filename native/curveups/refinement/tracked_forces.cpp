@@ -45,8 +45,7 @@ UnilateralResult TrackedForces::unilateral(const DesignGeometry& geometry, const
 void TrackedForces::plan_tips(const DesignGeometry& geometry, const FlatPoses& poses) {
   const std::vector<Points3> tips =
       bump_tips(plan_bumps(geometry, poses, parameters_), geometry.tiles);
-  has_tips_ =
-      std::any_of(tips.begin(), tips.end(), [](const Points3& at) { return at.rows() > 0; });
+  has_tips_ = any_tips(tips);
   if (has_tips_) touch_ = tie_to_corners(contact_corners(geometry, parameters_), tips);
 }
 

@@ -111,6 +111,87 @@ TEST(MembraneMesh, RefinementIsNestedAndKeepsAreaAndPins) {
   }
 }
 
+// Points of each patch's triangles, in their order.
+std::vector<std::vector<Vec2>> triangles_by_patch(const Flat& flat, const MembraneMesh& mesh) {
+  const Points2 at = vertex_positions(mesh.weights, flat.corners);
+  std::vector<std::vector<Vec2>> out(flat.domain.patches.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int v : mesh.triangles[t]) out[mesh.patch[t]].push_back(at.row(v).transpose());
+  }
+  return out;
+}
+
+TEST(MembraneMesh, HalvesSizesAroundChosenTilesOnly) {
+  const Flat flat = make_flat(spread_design(hexagon(3, test::cap_height), 1.4, 1.0), Side::front);
+  const int chosen = 20;
+  MembraneMeshOptions finer;
+  finer.halvings.assign(flat.tiles.tile_count(), 0);
+  finer.halvings[chosen] = 1;
+  const MembraneMesh mesh = make_membrane_mesh(flat.domain, flat.corners, finer);
+  const auto before = triangles_by_patch(flat, make_membrane_mesh(flat.domain, flat.corners, {})),
+             after = triangles_by_patch(flat, mesh);
+  auto at_chosen = [&](const MembranePatch& patch) {
+    const std::vector<int> tiles = tiles_of(patch);
+    return std::find(tiles.begin(), tiles.end(), chosen) != tiles.end();
+  };
+  auto has_side = [](const MembranePatch& patch, int a, int b) {
+    const std::size_t n = patch.corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (patch.corners[i] == a && patch.corners[(i + 1) % n] == b) return true;
+    }
+    return false;
+  };
+  double coarse_edge = 0, fine_edge = 0;
+  int halved = 0, kept = 0;
+  for (std::size_t p = 0; p < after.size(); ++p) {
+    const MembranePatch& patch = flat.domain.patches[p];
+    if (at_chosen(patch)) {
+      ++halved;
+      for (std::size_t k = 0; k < after[p].size(); ++k) {
+        const std::size_t next = k % 3 == 2 ? k - 2 : k + 1;
+        fine_edge = std::max(fine_edge, (after[p][next] - after[p][k]).norm());
+      }
+      for (std::size_t k = 0; k < before[p].size(); ++k) {
+        const std::size_t next = k % 3 == 2 ? k - 2 : k + 1;
+        coarse_edge = std::max(coarse_edge, (before[p][next] - before[p][k]).norm());
+      }
+      EXPECT_GT(after[p].size(), 2 * before[p].size());
+      continue;
+    }
+    bool beside = false;
+    for (const MembranePatch& other : flat.domain.patches) {
+      if (!at_chosen(other)) continue;
+      for (std::size_t i = 0; i < patch.corners.size(); ++i) {
+        beside |= has_side(other, patch.corners[(i + 1) % patch.corners.size()], patch.corners[i]);
+      }
+    }
+    if (beside) continue;
+    ++kept;
+    EXPECT_EQ(after[p], before[p]) << p;
+  }
+  EXPECT_EQ(halved, 6);  // three contacts and three vertices
+  EXPECT_GT(kept, 60);
+  EXPECT_LT(fine_edge, 0.7 * coarse_edge);
+  // Sides between patches of two sizes have the same vertices on either side.
+  std::map<std::pair<int, int>, int> sides;
+  for (const auto& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[next3(k)];
+      sides[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : 100;
+    }
+  }
+  double area = 0, patches = 0;
+  for (const std::vector<Vec2>& points : after) {
+    for (std::size_t k = 0; k < points.size(); k += 3) {
+      area += 0.5 * wedge(Vec2(points[k + 1] - points[k]), Vec2(points[k + 2] - points[k]));
+    }
+  }
+  for (const MembranePatch& patch : flat.domain.patches)
+    patches += polygon_area(patch, flat.corners);
+  EXPECT_NEAR(area, patches, 1e-9 * patches);
+  for (const auto& [edge, count] : sides) EXPECT_TRUE(count == 1 || count == 100 || count == 101);
+}
+
 TEST(MembraneMesh, IsTheSameWithOneThreadAndTwo) {
   const Flat flat = make_flat(spread_design(hexagon(4, test::cap_height), 1.4, 1.0), Side::front);
   const int threads = thread_count();

@@ -247,6 +247,62 @@ TEST(Verify, TheErrorBehindFMinIsThatOfTheLeastForce) {
               std::max(low.physics.least_force_error, low.physics.normal_force_error), 1e-12);
 }
 
+// f_min just below the least force: the mesh alone does not tell whether that reaches it.
+TEST(Verify, TheMeshIsRefinedWhereALeastForceIsNotDecided) {
+  Design design = dome();
+  const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
+  auto solve = [&](double f_min_ratio, double mesh_size) {
+    Design other = design;
+    other.parameters.f_min_ratio = f_min_ratio;
+    other.parameters.mesh_size = mesh_size;
+    return solve_design(geometry, other, {});
+  };
+  const double h = design.parameters.mesh_size;
+  const SolvedDesign plain = solve(0.1, h), fine = solve(0.1, h / 4);
+  EXPECT_EQ(plain.refined_tiles, 0);
+  EXPECT_TRUE(plain.undecided.empty());
+  const int weakest = plain.forces.weakest_point;
+  const double least = plain.forces.normal_min / plain.forces.normal_mean;
+  ASSERT_GT(least, 0.1 + plain.least_force_error);
+  const double close = least - 0.5 * plain.least_force_error;
+  const SolvedDesign refined = solve(close, h);
+  EXPECT_GT(refined.refined_tiles, 4);
+  EXPECT_LT(refined.refined_tiles, geometry.tiles.tile_count() / 2);
+  const double truth = fine.forces.force(weakest, 0);
+  EXPECT_LT(std::abs(refined.forces.force(weakest, 0) - truth),
+            refined.least_force_error * refined.forces.normal_mean);
+  EXPECT_LT(refined.least_force_error, 0.8 * plain.least_force_error);
+  // Balance needs no particular mesh.
+  EXPECT_LT(refined.forces.imbalance, 1e-9);
+  // Points below f_min decide by themselves: nothing is refined.
+  EXPECT_EQ(solve(1.05 * least, h).refined_tiles, 0);
+}
+
+TEST(Verify, AWarningNamesContactsThatStayUndecided) {
+  Design design = dome();
+  VerificationReport r = verify_design(design, {}, {});
+  EXPECT_EQ(r.physics.refined_tiles, 0);
+  EXPECT_EQ(find_kind(r.warnings, "undecided"), nullptr);
+  // From f_min a little below the least force of the mesh that this leads to.
+  for (int round = 0; round < 6 && !find_kind(r.warnings, "undecided"); ++round) {
+    design.parameters.f_min_ratio =
+        0.9999 * r.contact_forces.normal_min / r.contact_forces.normal_mean;
+    r = verify_design(design, {}, {});
+  }
+  const Finding* undecided = find_kind(r.warnings, "undecided");
+  ASSERT_NE(undecided, nullptr);
+  EXPECT_GT(r.physics.refined_tiles, 4);
+  EXPECT_EQ(r.contact_forces.points_below_f_min, 0);
+  const Finding::Pairs contacts = std::get<Finding::Pairs>(undecided->figures.at("contacts"));
+  double least = 1e9;
+  for (int k = 0; k < r.contact_tiles.rows(); ++k) {
+    const std::array<int, 2> pair = {r.contact_tiles(k, 0), r.contact_tiles(k, 1)};
+    if (std::find(contacts.begin(), contacts.end(), pair) == contacts.end()) continue;
+    least = std::min(least, r.contact_normal_min(k));
+  }
+  EXPECT_EQ(least, r.contact_forces.normal_min);
+}
+
 // Glue on a pin carries what the sheet pulls along its outline.
 TEST(Verify, GlueIsLoadedAlongPinsAndSaidWhereItIsWeak) {
   Design design = dome();
