@@ -198,7 +198,7 @@ def judge_named(seed: int, folder: Path) -> Optional[dict[str, Any]]:
         seconds = round(time.process_time() - begun, 1)
     except (CurveUpsError, Stopped) as error:
         return {"seed": seed, **values, "as_set": None, "why": str(error), "named": {}}
-    named = {name: {**option, **_designed(path, {**values, **option})}
+    named = {name: {**option, "said_valid": name not in sizes.beyond, **_designed(path, {**values, **option})}
              for name, option in _options(sizes).items()}
     return {"seed": seed, **values, "as_set": sizes.as_set,
             "estimated": sizes.estimated, "check_seconds": seconds, "named": named}
@@ -237,6 +237,8 @@ def counted_named(rows: list[dict[str, Any]]) -> list[str]:
         of = [one for _, name, one in named if kind in (name, None)]
         kept = sum(not COVERED & set(one["reasons"]) for one in of)
         lines.append(f"{kind or 'all'}: kept {kept} of {len(of)}, {sum(one['design'] for one in of)} valid")
+    sound = [one for _, _, one in named if one["said_valid"]]
+    lines.append(f"said to be valid: {sum(one['design'] for one in sound)} of {len(sound)}")
     return lines + [f"  seed {row['seed']}, {name}: {one['why']}" for row, name, one in named
                     if COVERED & set(one["reasons"])]
 

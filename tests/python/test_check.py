@@ -142,6 +142,25 @@ def test_where_estimates_are_in_doubt_a_trial_layout_decides():
     assert said["trial layout"].sag > feasibility.SAG
 
 
+def test_check_says_where_a_trial_layout_is_not_valid_all_the_same(curveups, tmp_path):
+    """Glue that bears nothing is none of the obstacles that check looks for."""
+    path = tmp_path / "tip.obj"
+    path.write_text(obj(*tip()))
+    ran = curveups("check", path, "--no-remesh", "-o", tmp_path / "check", "--set", "glue_strength=0.05")
+    assert ran.status == 0, ran.err
+    said = json.loads((tmp_path / "check" / "check.json").read_text("utf-8"))
+    assert said["feasible"] and said["trial"] == "passed" and len(said["trial_not_valid"]) == 1
+    line = f"the design of that layout is not valid all the same: {said['trial_not_valid'][0]}"
+    assert line in ran.out and "MPa of shear" in line
+    ran = curveups("design", path, "--no-remesh", "-o", tmp_path / "design", "--no-solids", "--set",
+                   "glue_strength=0.05")
+    report = json.loads((tmp_path / "design" / "report.json").read_text("utf-8"))
+    assert ran.status == 1 and said["trial_not_valid"][0] in report["reasons"]
+    sound = curveups("check", path, "--no-remesh", "-o", tmp_path / "sound")
+    assert "all the same" not in sound.out
+    assert json.loads((tmp_path / "sound" / "check.json").read_text("utf-8"))["trial_not_valid"] == []
+
+
 def test_a_trial_that_needs_not_decide_leaves_estimates_as_they_are(monkeypatch):
     flat = project(*sheet(lambda x, y: 0.0)).run(("feasibility", "trial layout"))
     assert flat["trial layout"] == trial_layout.TrialLayout(())

@@ -154,8 +154,8 @@ def test_sizes_that_fail_are_left_out_of_their_kind_alone(search):
     assert thick[0] / thick[1] > 1.15 and thick[1] / thick[2] > 1.15 ** 2
     assert not any(of.tried[8.0, one, 1.0].feasible for one in thick)
     # Heights are looked for from the start, however near to those of thicknesses that failed.
-    found, shown = of.named(lambda: (("H_pin", of.height_of_pins(8, 3)),), inputs)
-    assert [values["H_pin"] for values in tried[3:]] == [1.1, 1.3, 0.95] and shown == PASSED
+    found, layout = of.named(lambda: (("H_pin", of.height_of_pins(8, 3)),), inputs)
+    assert [values["H_pin"] for values in tried[3:]] == [1.1, 1.3, 0.95] and layout.shown == PASSED
     # The near end of what is below.
     assert found == (("H_pin", 0.95),) and of.tried[8.0, 3.0, 0.95].feasible
 
@@ -167,18 +167,38 @@ def test_a_target_that_is_refused_with_some_sizes_is_tried_with_others(search):
         return TrialLayout(())
 
     of, inputs = search(tries)
-    found, shown = of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs)
-    assert dict(found)["H_body"] <= 2 and shown == ""  # no trial layout has been made
+    found, layout = of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs)
+    assert dict(found)["H_body"] <= 2 and layout.shown == ""  # no trial layout has been made
 
 
 def test_what_is_undecided_comes_after_what_passes(search):
     """Repair had not ended for the largest thickness."""
     of, inputs = search(lambda values: TrialLayout((), UNDECIDED if values["H_body"] > 2 else PASSED))
-    found, shown = of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs)
-    assert dict(found)["H_body"] <= 2 and shown == PASSED
+    found, layout = of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs)
+    assert dict(found)["H_body"] <= 2 and layout.shown == PASSED
     of, inputs = search(lambda values: TrialLayout((), UNDECIDED))
     largest = (("H_body", 3.0),)
-    assert of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs) == (largest, UNDECIDED)
+    found = of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs)
+    assert found == (largest, TrialLayout((), UNDECIDED))
+
+
+def test_valid_designs_come_before_those_that_only_lie_flat(search):
+    glue = TrialLayout((), PASSED, beyond=(Finding("no_pressure"),))
+    of, inputs = search(lambda values: glue if values["H_body"] > 2 else TrialLayout((), PASSED))
+
+    def largest():
+        return (("H_body", of.largest_thickness(8, 3)),)
+
+    found, layout = of.named(largest, inputs)
+    assert dict(found)["H_body"] <= 2 and not layout.beyond
+    # The largest where none is valid, and after undecided ones.
+    of, inputs = search(lambda values: TrialLayout((), UNDECIDED) if values["H_body"] > 2.9 else glue)
+    found, layout = of.named(largest, inputs)
+    assert 2 < dict(found)["H_body"] < 2.9 and layout == glue
+    of, inputs = search(lambda values: TrialLayout((), PASSED) if values["H_pin"] > 1 else glue)
+    assert of.much_thinner(8, 3, inputs) == ((("H_body", 1.5), ("H_pin", 1.5)), TrialLayout((), PASSED))
+    of, inputs = search(lambda values: glue if values["H_body"] < 1 else failed())
+    assert of.much_thinner(8, 3, inputs) == ((("H_body", 0.75),), glue)
 
 
 def test_what_is_in_the_way_without_a_trial_is_none_that_does(search):

@@ -392,6 +392,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "advice.mend_surface": "set mend=on ({actions})",
     "size": "{name}={value:g}",
     "size.both": "H_body={H_body:g} with H_pin={H_pin:g}",
+    "size.mend": "mend=on",
     "joint.relayout": "compute the layout with joint=holes, so that pins make room",
     "joint.set": "set {options: or }, so that pins can make room; or raise L or lower H_body",
     "joint.other": "raise L or lower H_body",
@@ -403,6 +404,8 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "check.failed": "a trial layout, made and repaired where estimates were in doubt, ends with this",
     "check.undecided": "a trial layout, made where estimates were in doubt, was not repaired after {steps} "
                        "steps: the estimates stand",
+    "check.passed_beyond": "the design of that layout is not valid all the same: {reasons:; }",
+    "check.beyond": "with {sizes} a design is not valid all the same: {reasons:; }",
     "check.no_L": "with H_body = {H_body:g} mm, no L was found that does",
     "check.L": "with H_body = {H_body:g} mm, L from {low:g} to {high:g} mm does",
     "check.L_alone": "with H_body = {H_body:g} mm, L = {L:g} mm does",

@@ -27,7 +27,7 @@ def build_check(results: Results) -> dict[str, Any]:
     get = results.parameters.get
     return {
         "format": FORMAT, "version": VERSION, "name": results.name, "feasible": tried.feasible,
-        "trial": tried.shown or None,
+        "trial": tried.shown or None, "trial_not_valid": list(map(str, tried.beyond)),
         "L": get("L"), "H_body": get("H_body"), "H_pin": get("H_pin"),
         "tiles": [{"tile": i, "fold_margin": float(found.least_dihedral_margin[i]),
                    "back_scale": float(found.back_scale[i]),
@@ -48,7 +48,8 @@ def build_check(results: Results) -> dict[str, Any]:
         "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body,
                         "H_pin": sizes.H_pin,
                         "together": (dict(zip(("H_body", "H_pin"), sizes.together)) if sizes.together
-                                     else None)},
+                                     else None),
+                        "not_valid": {name: list(map(str, why)) for name, why in sizes.beyond.items()}},
         "tried": [{"L": L, "H_body": H_body, "H_pin": H_pin, "tiles": tiles, "feasible": feasible}
                   for L, H_body, H_pin, tiles, feasible in sizes.tried],
     }
@@ -62,7 +63,8 @@ def verdict(results: Results) -> list[Finding]:
     said = [Finding.about(kind, tiles, at=tuple(tiles), count=len(tiles), of=len(results["feasibility"].F))
             for kind, tiles in (("check.blocked", sure), ("check.likely", likely)) if tiles]
     tried = [Finding.about(f"check.{found.shown}", steps=REPAIR_STEPS)] if found.shown else []
-    return [*(said or [Finding("check.clear")]), *tried]
+    beyond = [Finding.about("check.passed_beyond", reasons=found.beyond)] if found.beyond else []
+    return [*(said or [Finding("check.clear")]), *tried, *beyond]
 
 
 def rows(results: Results) -> list[Row]:

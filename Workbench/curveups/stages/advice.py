@@ -110,5 +110,16 @@ def of_check(sizes: Any, L: float, H_body: float) -> Iterator[Finding]:
     mends = sizes.mending is not None
     if mends:
         yield Finding.about("check.mend", moved=sizes.mending)
+    for name, reasons in sizes.beyond.items():
+        yield Finding.about("check.beyond", sizes=_named(sizes, name), reasons=reasons)
     if sizes.estimated and (sizes.L or sizes.H_body or sizes.H_pin or sizes.together or mends):
         yield Finding("check.estimated")
+
+
+def _named(sizes: Any, name: str) -> Finding:
+    """What a Recommendation has by this name."""
+    if name == "mend":
+        return Finding("size.mend")
+    if name == "together":
+        return as_sizes(tuple(zip(("H_body", "H_pin"), sizes.together)))
+    return as_sizes(((name, sizes.L[0] if name == "L" else getattr(sizes, name)),))

@@ -22,7 +22,7 @@ from .feasibility import SAG, mending, sizes_do
 from .stage import Inputs, Job
 from .target import remesh
 from .trial import REPAIR_STEPS
-from .trial_layout import UNDECIDED, TrialLayout, decide
+from .trial_layout import TrialLayout, decide
 
 # Lengths and heights of pins are tried up to this factor from the one that is set, lengths as long as that
 # makes no more tiles than these or than there are.
@@ -112,37 +112,39 @@ class SizeSearch:
         self.tried[size] = self._decided[size] = one
 
     def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs, rounds: int = ROUNDS
-              ) -> Optional[tuple[Sizes, str]]:
-        """The sizes that `find` names by estimates and that pass a trial layout, and what that has `shown`.
-        Where none pass, the first undecided ones; None where `find` finds none, or so many have failed. After
-        some that fail, those near them are left out, and others have to give membranes more clearance where
-        that was the reason. What the next `find` asks for has nothing to do with it."""
+              ) -> Optional[tuple[Sizes, TrialLayout]]:
+        """The first sizes that `find` names by estimates and whose trial layout is a valid design, and that
+        layout. Else the first that pass, or those that are undecided; None where `find` finds none, or so
+        many have failed. After each that is not valid, those near it are left out, and others have to give
+        membranes more clearance where that was the reason. What the next `find` asks for has nothing to do
+        with it."""
         if self._failed:
             self._failed, self._sag = [], self._least_sag
             self._known.clear()
-        undecided: Optional[Sizes] = None
+        best: Optional[tuple[Sizes, TrialLayout]] = None
         for attempt in range(1, rounds + 1):
             sizes = find()
             if sizes is None:
                 break
             found = self._trial(sizes, inputs)
-            if found is not None and found.does:
-                return sizes, found.shown
+            if found is not None and found.does and not found.beyond:
+                return sizes, found
             L, H_body, H_pin = size = tuple(float(dict(sizes).get(name, self._parameters.get(name)))
                                             for name in _SIZES)
             if found is not None and found.sizes_do:
-                undecided = undecided or sizes
+                best = best if best and best[1].does >= found.does else (sizes, found)
             else:
                 self.record(Candidate(L, H_body, H_pin, self(*size).tiles, False))
             self._failed.append((np.array(size), _NEAR ** attempt))
             self._sag = max(self._sag, found.sag if found else SAG)
             # What is not feasible stays so.
             self._known = {one: made for one, made in self._known.items() if not made.feasible}
-        return (undecided, UNDECIDED) if undecided else None
+        return best
 
-    def much_thinner(self, L: float, H_body: float, inputs: Inputs) -> Optional[tuple[Sizes, str]]:
-        """The first of _THINNER that pass a trial layout, and what it has shown; None where none do.
-        Membranes clear thin tiles under high pins."""
+    def much_thinner(self, L: float, H_body: float, inputs: Inputs) -> Optional[tuple[Sizes, TrialLayout]]:
+        """The first of _THINNER whose trial layout is a valid design, else the first that pass, and that
+        layout; None where none do. Membranes clear thin tiles under high pins."""
+        best: Optional[tuple[Sizes, TrialLayout]] = None
         H_pin, highest = self._parameters.get("H_pin"), value_range("H_pin")[1]
         for thinner, higher in _THINNER:
             body = float(f"{thinner * H_body:.2g}")
@@ -154,16 +156,19 @@ class SizeSearch:
             does = found is not None and found.does
             self.record(Candidate(L, body, pin, len(self._mesh(L)[1]), does))
             if found is not None and does:
-                return sizes, found.shown
-        return None
+                best = best or (sizes, found)
+                if not found.beyond:
+                    return sizes, found
+        return best
 
-    def mending(self, target: Any, edges: np.ndarray, inputs: Inputs) -> Optional[tuple[float, str]]:
+    def mending(self, target: Any, edges: np.ndarray, inputs: Inputs
+                ) -> Optional[tuple[float, TrialLayout]]:
         """By how much (mm) mend=on would move vertices so that the sizes that are set pass a trial layout,
-        and what it has shown. None: mend=on is set, or would not help."""
+        and that. None: mend=on is set, or would not help."""
         self._say("trying mend=on")
         moved = mending(target.V, target.F, edges, inputs.parameters, self._job, self._least_sag)
         found = None if moved is None else self._made({"mend": "on"}, inputs)
-        return (moved, found.shown) if moved is not None and found is not None and found.does else None
+        return (moved, found) if moved is not None and found is not None and found.does else None
 
     def _trial(self, sizes: Sizes, inputs: Inputs) -> Optional[TrialLayout]:
         self._say("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes))

@@ -5,10 +5,11 @@ of a design advise them. size_search.py finds them."""
 from __future__ import annotations
 
 from contextlib import contextmanager
-from dataclasses import dataclass
-from typing import Any, Callable, Collection, Iterator, Optional
+from dataclasses import dataclass, field
+from typing import Any, Callable, Collection, Iterator, Mapping, Optional
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding
 from ..base.native import native, translated
 from ..base.value import Value
 from .advice import Sizes, other_sizes
@@ -17,7 +18,7 @@ from .division import all_cuts
 from .feasibility import SAG, mending
 from .size_search import ROUNDS, Candidate, SizeSearch
 from .stage import Inputs, Job, Result, Stage, digest
-from .trial_layout import FAILED, PASSED, UNDECIDED
+from .trial_layout import FAILED, PASSED, UNDECIDED, TrialLayout
 
 THICKEST = 2.0  # thicknesses are tried up to so many lengths
 _THINNEST, _STOUTEST = 1 / 7, 3 / 7  # thicknesses are chosen between these lengths; the paper has 3/7
@@ -62,8 +63,8 @@ def choose(inputs: Inputs, names: Collection[str], job: Job) -> Chosen:
     found = search.named(again, inputs)
     if found is None:
         return Chosen(largest, FAILED)
-    sizes, shown = found
-    return Chosen(dict(sizes), shown if shown == PASSED else "")
+    sizes, layout = found
+    return Chosen(dict(sizes), PASSED if layout.shown == PASSED else "")
 
 
 def _largest(search: SizeSearch, parameters: Any, names: Collection[str], where: str
@@ -156,10 +157,13 @@ class Recommendation(Result):
     # By how much mend=on would move vertices so that those that are set do, mm; no trial layout fails then.
     # None where it is on, would not help, or is not needed.
     mending: Optional[float] = None
+    # Why trial layouts of what is named are not valid all the same, by "L", "H_body", "H_pin", "together" and
+    # "mend": valid ones were looked for, and not found.
+    beyond: Mapping[str, tuple[Finding, ...]] = field(default_factory=dict)
 
     @property
     def content(self) -> str:
-        return digest(self.L, self.H_body, self.H_pin, self.together, self.mending)
+        return digest(self.L, self.H_body, self.H_pin, self.together, self.mending, self.beyond)
 
 
 def _run(inputs: Inputs, job: Job) -> Recommendation:
@@ -171,44 +175,51 @@ def _run(inputs: Inputs, job: Job) -> Recommendation:
     search.record(Candidate(L, H_body, inputs.parameters.get("H_pin"), len(target.F), as_set))
     most = max(THICKEST * L, H_body)
     remeshed = _can_remesh(target, cuts)
-    estimated = [as_set]
+    estimated, beyond = [as_set], {}
 
-    def noted(found: Optional[tuple[Any, str]]) -> Any:
-        """What was found, unless it is undecided; notes whether it is so by estimates alone."""
-        if found is None or found[1] == UNDECIDED:
+    def noted(name: str, found: Optional[tuple[Any, TrialLayout]]) -> Any:
+        """What was found, unless it is undecided; notes whether it is so by estimates alone, and why its
+        design is not valid."""
+        if found is None or found[1].shown == UNDECIDED:
             return None
-        estimated.append(found[1] != PASSED)
-        return found[0]
+        value, layout = found
+        estimated.append(layout.shown != PASSED)
+        if layout.beyond:
+            beyond[name] = layout.beyond
+        return value
 
-    def named(find: Callable[[], Optional[Sizes]], rounds: int = ROUNDS) -> dict[str, float]:
+    def named(name: str, find: Callable[[], Optional[Sizes]], rounds: int = ROUNDS) -> dict[str, float]:
         """What is named instead of sizes that do not do is tried; limits of those that do are estimates."""
-        return dict((find() if as_set else noted(search.named(find, inputs, rounds))) or ())
+        return dict((find() if as_set else noted(name, search.named(find, inputs, rounds))) or ())
 
     def length() -> Optional[Sizes]:
         ends = search.range_of_lengths(L, H_body) if remeshed else None
         return ends and _one("L", min(max(L, ends[0]), ends[1]))
 
-    thickness = named(lambda: _one("H_body", search.largest_thickness(L, most))).get("H_body")
+    thickness = named("H_body", lambda: _one("H_body", search.largest_thickness(L, most))).get("H_body")
     if as_set:
         thickness = max(thickness or 0.0, H_body)
-    near = named(length, _ROUNDS_OF_LENGTHS).get("L")
+    near = named("L", length, _ROUNDS_OF_LENGTHS).get("L")
     lengths = None if near is None else search.range_of_lengths(L, H_body) if as_set else (near, near)
-    pin = named(lambda: _one("H_pin", search.height_of_pins(L, H_body))).get("H_pin")
+    pin = named("H_pin", lambda: _one("H_pin", search.height_of_pins(L, H_body))).get("H_pin")
     together: dict[str, float] = {}
     if not as_set and pin is None and lengths is None:
         if any(one.obstacle in _FACING for one in trial.blocked):
-            together = named(lambda: search.thinner_with_pins(L, H_body, thickness))
+            together = named("together", lambda: search.thinner_with_pins(L, H_body, thickness))
         if thickness is None and not together:
-            together = dict(noted(search.much_thinner(L, H_body, inputs)) or ())
-        if "H_pin" not in together:
-            thickness = together.pop("H_body", thickness)
+            together = dict(noted("together", search.much_thinner(L, H_body, inputs)) or ())
+        if together and "H_pin" not in together:
+            thickness = together.pop("H_body")
+            if "together" in beyond:
+                beyond["H_body"] = beyond.pop("together")
     tried = tuple((one.L, one.H_body, one.H_pin, one.tiles, one.feasible) for one in search.tried.values())
     moved = None
     if not as_set:
         edges = all_cuts(cuts, target.V, target.F, inputs.parameters, job)
-        moved = noted(search.mending(target, edges, inputs))
+        moved = noted("mend", search.mending(target, edges, inputs))
     both = (together["H_body"], together["H_pin"]) if together else None
-    return Recommendation(lengths, thickness, pin, most, as_set, tried, both, any(estimated), moved)
+    return Recommendation(lengths, thickness, pin, most, as_set, tried, both, any(estimated), moved,
+                          beyond)
 
 
 STAGE = Stage("sizes", ("target", "cut request", "trial layout"),

@@ -40,6 +40,8 @@ class TrialLayout(Result):
     # not verified.
     shown: str = ""
     sag: float = SAG  # the part of H_pin by which membranes of other sizes are to clear tiles
+    # Why the design of a trial that PASSED is not valid all the same: contact forces and glue.
+    beyond: tuple[Finding, ...] = ()
 
     @property
     def feasible(self) -> bool:
@@ -58,7 +60,7 @@ class TrialLayout(Result):
 
     @property
     def content(self) -> str:
-        return digest(self.blocked, self.shown, self.sag)
+        return digest(self.blocked, self.shown, self.sag, self.beyond)
 
 
 def _run(inputs: Inputs, job: Job) -> TrialLayout:
@@ -86,7 +88,9 @@ def decide(inputs: Inputs, found: Feasibility, job: Job, values: Mapping[str, An
     if not made["verification"].judged or made["verification"].failure:
         return TrialLayout(found.blocked)
     reasons = [one for one in made.verdict.reasons if one.kind in COVERED]
-    return _failed(found, get("H_pin"), reasons) if reasons else TrialLayout((), PASSED)
+    if reasons:
+        return _failed(found, get("H_pin"), reasons)
+    return TrialLayout((), PASSED, beyond=tuple(made.verdict.reasons))
 
 
 def _failed(found: Feasibility, H_pin: float, reasons: Sequence[Finding]) -> TrialLayout:
