@@ -1149,6 +1149,10 @@
       <source>{values}: the largest by estimates. A trial layout with these sizes failed, and no smaller sizes were found that pass one.</source>
       <translation>{values}: die größten nach Schätzungen. Ein Probelayout mit diesen Größen ist gescheitert, und keine kleineren wurden gefunden, mit denen eines gelingt.</translation>
     </message>
+    <message>
+      <source>{values}: tiles can be made, but the design is not valid, and no smaller sizes were found with which it is. {why}</source>
+      <translation>{values}: Kacheln sind möglich, aber der Entwurf ist nicht gültig, und es fanden sich keine kleineren Maße, mit denen er es ist. {why}</translation>
+    </message>
   </context>
   <context>
     <name>CurveUps_ColourMaps</name>
@@ -2256,6 +2260,10 @@
       <translation>geben Sie eine Zahl über 0 N an, höchstens {0} N</translation>
     </message>
     <message>
+      <source>give a number of at least 0 for every tile, or none</source>
+      <translation>für jede Kachel eine Zahl von mindestens 0 angeben, oder keine</translation>
+    </message>
+    <message>
       <source>give a number, 0 or more, as hour=2.5</source>
       <translation>eine Zahl ab 0 angeben, etwa hour=2.5</translation>
     </message>
@@ -2800,6 +2808,10 @@
       <translation>Membran</translation>
     </message>
     <message>
+      <source>membrane mesh sizes must be halved as often as a number of each tile says</source>
+      <translation>wie oft die Maße des Membrannetzes halbiert werden, muss je Kachel eine Zahl sagen</translation>
+    </message>
+    <message>
       <source>membrane mesh sizes must be positive, the largest at least that at corners</source>
       <translation>Größen des Membrannetzes müssen positiv sein, die größte mindestens so groß wie die an Ecken</translation>
     </message>
@@ -2822,6 +2834,10 @@
     <message>
       <source>mend this measurement</source>
       <translation>diese Messung berichtigen</translation>
+    </message>
+    <message>
+      <source>mend=on</source>
+      <translation>mend=on</translation>
     </message>
     <message>
       <source>mend=on does by estimates, and moves vertices by up to {moved:.2g} mm</source>
@@ -3600,6 +3616,10 @@
       <translation>Der Entwurf ist {state}: {reasons:; }</translation>
     </message>
     <message>
+      <source>the design of that layout is not valid all the same: {reasons:; }</source>
+      <translation>der Entwurf dieser Abwicklung ist trotzdem nicht gültig: {reasons:; }</translation>
+    </message>
+    <message>
       <source>the design was not verified</source>
       <translation>Der Entwurf wurde nicht geprüft</translation>
     </message>
@@ -3784,8 +3804,8 @@
       <translation>die Listen der Abwicklung wurden von Hand geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
     </message>
     <message>
-      <source>the least force exceeds f_min = {f_min:.3g} N by less than its error at {contacts:8}, on a refined mesh as well: lower mesh_size to find out on which side it is</source>
-      <translation>bei {contacts:8} liegt die kleinste Kraft um weniger als ihren Fehler über f_min = {f_min:.3g} N, auch auf einem verfeinerten Netz: ein kleineres mesh_size zeigt, auf welcher Seite sie liegt</translation>
+      <source>the least force exceeds f_min = {f_min:.3g} N by less than its error at {contacts:8}: lower mesh_size to find out on which side it is</source>
+      <translation>bei {contacts:8} liegt die kleinste Kraft um weniger als ihren Fehler über f_min = {f_min:.3g} N: ein kleineres mesh_size zeigt, auf welcher Seite sie liegt</translation>
     </message>
     <message>
       <source>the list of cuts has an odd number of vertices</source>
@@ -4438,6 +4458,10 @@
     <message>
       <source>with mend=on, which moves vertices by up to {moved:.2g} mm, the sizes that are set do</source>
       <translation>Mit mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt, genügen die eingestellten Größen</translation>
+    </message>
+    <message>
+      <source>with {sizes} a design is not valid all the same: {reasons:; }</source>
+      <translation>mit {sizes} ist ein Entwurf trotzdem nicht gültig: {reasons:; }</translation>
     </message>
     <message>
       <source>working</source>

@@ -198,7 +198,8 @@ def judge_named(seed: int, folder: Path) -> Optional[dict[str, Any]]:
         seconds = round(time.process_time() - begun, 1)
     except (CurveUpsError, Stopped) as error:
         return {"seed": seed, **values, "as_set": None, "why": str(error), "named": {}}
-    named = {name: {**option, "said_valid": name not in sizes.beyond, **_designed(path, {**values, **option})}
+    named = {name: {**option, "said_valid": not sizes.estimated and name not in sizes.beyond,
+                    **_designed(path, {**values, **option})}
              for name, option in _options(sizes).items()}
     return {"seed": seed, **values, "as_set": sizes.as_set,
             "estimated": sizes.estimated, "check_seconds": seconds, "named": named}

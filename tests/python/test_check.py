@@ -4,6 +4,7 @@
 import json
 import math
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import cad
@@ -11,9 +12,11 @@ import numpy as np
 import pytest
 from curveups.targets.cad_files import Read
 from curveups.base.errors import CurveUpsError, Stopped
+from curveups.base.findings import Finding
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.stages import feasibility, pin_smoothing, size_search, trial_layout
+from curveups.report import check
+from curveups.stages import advice, asked_by, feasibility, pin_smoothing, size_search, trial_layout
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.feasibility import examine
 from curveups.stages.stage import Job
@@ -159,6 +162,38 @@ def test_check_says_where_a_trial_layout_is_not_valid_all_the_same(curveups, tmp
     sound = curveups("check", path, "--no-remesh", "-o", tmp_path / "sound")
     assert "all the same" not in sound.out
     assert json.loads((tmp_path / "sound" / "check.json").read_text("utf-8"))["trial_not_valid"] == []
+
+
+def test_check_says_which_of_the_sizes_that_it_names_give_no_valid_design(monkeypatch):
+    weak = trial_layout.TrialLayout((), "passed", beyond=(Finding("no_pressure"),))
+    monkeypatch.setattr(size_search, "decide", lambda inputs, found, job, values, steps: weak)
+    found = project(*cone(1.1)).run(asked_by("check"))
+    sizes = found["sizes"]
+    assert not sizes.as_set and (sizes.L, sizes.H_body, sizes.together) == (None, None, None)
+    assert set(sizes.beyond) == {"H_pin", "mend"}
+    said = [str(one) for one in check.advice(found)]
+    why = str(Finding("no_pressure"))
+    for name in (f"H_pin={sizes.H_pin:g}", "mend=on"):
+        assert f"with {name} a design is not valid all the same: {why}" in said
+    assert check.build_check(found)["recommended"]["not_valid"] == {"H_pin": [why], "mend": [why]}
+    more = replace(sizes, L=(9.0, 9.0), H_body=2.0, beyond={"L": weak.beyond, "H_body": weak.beyond})
+    said = [str(one) for one in advice.of_check(more, 7.0, 3.0)]
+    for name in ("L=9", "H_body=2"):
+        assert f"with {name} a design is not valid all the same: {why}" in said
+
+    # Nothing works by itself, and thinner tiles do with higher pins alone.
+    def thin_tiles(inputs, found, job, values, steps):
+        assert steps
+        if values.get("mend") == "on" or values.get("H_body", 3.0) > 1.5 or values.get("H_pin", 1.0) < 1.5:
+            return trial_layout.TrialLayout(found.blocked or (blocked,), "failed")
+        return weak
+
+    blocked = feasibility.Obstacle(Finding.about("gap", [0]))
+    monkeypatch.setattr(size_search, "decide", thin_tiles)
+    found = project(*cone(1.1)).run(asked_by("check"))
+    sizes = found["sizes"]
+    assert sizes.together == (1.5, 1.5) and set(sizes.beyond) == {"together"}
+    assert any("with H_body=1.5 with H_pin=1.5 a design" in str(one) for one in check.advice(found))
 
 
 def test_a_trial_that_needs_not_decide_leaves_estimates_as_they_are(monkeypatch):

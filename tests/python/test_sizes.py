@@ -97,6 +97,25 @@ def test_a_trial_layout_overrules_estimates():
         assert of.run(("trial layout",))["trial layout"].shown == shown
 
 
+def test_the_choice_says_where_no_design_is_valid(monkeypatch):
+    weak = TrialLayout((), PASSED, beyond=(Finding("no_pressure"),))
+    tried = []
+
+    def chosen(thickest_valid):
+        def decide(inputs, found, job, values, steps):
+            tried.append(values["H_body"])
+            return weak if values["H_body"] > thickest_valid else TrialLayout((), PASSED)
+
+        monkeypatch.setattr(size_search, "decide", decide)
+        return sizes.choose(project(*dome(), L=8.0).inputs(sizes.READS, Job()), ("H_body",), Job())
+
+    made = chosen(0.0)
+    assert len(tried) == 3 and made.values["H_body"] == tried[0] > tried[1] > tried[2]
+    assert made.trial == PASSED and made.beyond == weak.beyond
+    made = chosen(tried[1])
+    assert made.values["H_body"] == tried[1] == tried[-1] and not made.beyond
+
+
 def test_where_trial_layouts_of_all_sizes_fail_the_choice_says_so(curveups, tmp_path):
     """At this length no thickness that is tried lets the membranes clear the tips."""
     V, F = tent(5)

@@ -59,8 +59,8 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                  "stands",
     "coarse_mesh": "f_min is the estimated error of the membrane mesh, which is more than f_min_ratio asks "
                    "for: lower mesh_size",
-    "undecided": "the least force exceeds f_min = {f_min:.3g} N by less than its error at {contacts:8}, on a "
-                 "refined mesh as well: lower mesh_size to find out on which side it is",
+    "undecided": "the least force exceeds f_min = {f_min:.3g} N by less than its error at {contacts:8}: "
+                 "lower mesh_size to find out on which side it is",
     "no_balance": "with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: {pull:.3g} "
                   "N of pull would be needed, first at {contacts:8}{more}",
     "no_balance.tips": "with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance "

@@ -114,10 +114,10 @@ class SizeSearch:
     def named(self, find: Callable[[], Optional[Sizes]], inputs: Inputs, rounds: int = ROUNDS
               ) -> Optional[tuple[Sizes, TrialLayout]]:
         """The first sizes that `find` names by estimates and whose trial layout is a valid design, and that
-        layout. Else the first that pass, or those that are undecided; None where `find` finds none, or so
-        many have failed. After each that is not valid, those near it are left out, and others have to give
-        membranes more clearance where that was the reason. What the next `find` asks for has nothing to do
-        with it."""
+        layout. Else the first that pass, those of which no trial can be made, or those that are undecided;
+        None where `find` finds none, or so many have failed. After each that is not valid, those near it are
+        left out, and others have to give membranes more clearance where that was the reason. What the next
+        `find` asks for has nothing to do with it."""
         if self._failed:
             self._failed, self._sag = [], self._least_sag
             self._known.clear()
@@ -128,7 +128,7 @@ class SizeSearch:
                 break
             found = self._trial(sizes, inputs)
             if found is not None and found.does and not found.beyond:
-                return sizes, found
+                return best if best and best[1].does and not found.shown else (sizes, found)
             L, H_body, H_pin = size = tuple(float(dict(sizes).get(name, self._parameters.get(name)))
                                             for name in _SIZES)
             if found is not None and found.sizes_do:

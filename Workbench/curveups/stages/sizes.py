@@ -34,19 +34,21 @@ READS = ("target", "cut request")  # what they are chosen by
 @dataclass(frozen=True)
 class Chosen(Value):
     """Values of parameters, mm, and what came of a trial layout with them: PASSED; FAILED, and no smaller
-    ones were found with which one did not fail; else empty: estimates alone choose."""
+    ones were found with which one did not fail; else empty: estimates alone choose. beyond: as TrialLayout
+    has it; then no smaller ones were found whose design is valid."""
 
     values: dict[str, float]
     trial: str
+    beyond: tuple[Finding, ...] = ()
 
 
 def choose(inputs: Inputs, names: Collection[str], job: Job) -> Chosen:
     """The largest feasible values of those of AUTOMATIC that are named, for inputs["target"] and
     inputs["cut request"]: lengths at which the surface stays within `maximum_deviation` of its tiles,
     thicknesses up to _STOUTEST lengths. A length is looked for with the thickness that is set or, where that
-    is to be chosen, with _THINNEST lengths. Where a trial layout fails with them, smaller ones are tried:
-    thicknesses, where both are to be chosen, unless membranes need another length. Raises CurveUpsError where
-    there are none by estimates, and Stopped."""
+    is to be chosen, with _THINNEST lengths. Where a trial layout fails with them or is no valid design,
+    smaller ones are tried: thicknesses, where both are to be chosen, unless membranes need another length.
+    Raises CurveUpsError where there are none by estimates, and Stopped."""
     target, cuts, parameters = inputs["target"], inputs["cut request"], inputs.parameters
     if "L" in names and not _can_remesh(target, cuts):
         raise CurveUpsError("L can't be auto where the mesh is given", inputs.where,
@@ -64,7 +66,7 @@ def choose(inputs: Inputs, names: Collection[str], job: Job) -> Chosen:
     if found is None:
         return Chosen(largest, FAILED)
     sizes, layout = found
-    return Chosen(dict(sizes), PASSED if layout.shown == PASSED else "")
+    return Chosen(dict(sizes), PASSED if layout.shown == PASSED else "", layout.beyond)
 
 
 def _largest(search: SizeSearch, parameters: Any, names: Collection[str], where: str
@@ -158,7 +160,7 @@ class Recommendation(Result):
     # None where it is on, would not help, or is not needed.
     mending: Optional[float] = None
     # Why trial layouts of what is named are not valid all the same, by "L", "H_body", "H_pin", "together" and
-    # "mend": valid ones were looked for, and not found.
+    # "mend". Of H_body, H_pin and both together valid ones were looked for, and not found.
     beyond: Mapping[str, tuple[Finding, ...]] = field(default_factory=dict)
 
     @property

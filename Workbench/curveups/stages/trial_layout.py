@@ -11,7 +11,7 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding
+from ..base.findings import Finding, unique
 from .feasibility import SAG, Feasibility, Obstacle, cut_by_membranes
 from .stage import Inputs, Job, Result, Stage, digest
 from .trial import MOST_TILES, REPAIR_STEPS, trial
@@ -40,7 +40,7 @@ class TrialLayout(Result):
     # not verified.
     shown: str = ""
     sag: float = SAG  # the part of H_pin by which membranes of other sizes are to clear tiles
-    # Why the design of a trial that PASSED is not valid all the same: contact forces and glue.
+    # Why the design is not valid though all tiles can be made: contact forces and glue, most often.
     beyond: tuple[Finding, ...] = ()
 
     @property
@@ -80,17 +80,18 @@ def decide(inputs: Inputs, found: Feasibility, job: Job, values: Mapping[str, An
             and get("H_body") <= STOUTEST * found.L):
         return TrialLayout(found.blocked)
     try:
-        made = trial(inputs, values, ("verification", "clearances"), job, steps or [REPAIR_STEPS])
+        made = trial(inputs, values, ("verification", "clearances", "pieces"), job, steps or [REPAIR_STEPS])
     except CurveUpsError as error:
         return _failed(found, get("H_pin"), [error.finding] if error.finding else [])
     if made is None:
         return TrialLayout(found.blocked, UNDECIDED)
-    if not made["verification"].judged or made["verification"].failure:
+    if not made["verification"].judged:
         return TrialLayout(found.blocked)
-    reasons = [one for one in made.verdict.reasons if one.kind in COVERED]
-    if reasons:
-        return _failed(found, get("H_pin"), reasons)
-    return TrialLayout((), PASSED, beyond=tuple(made.verdict.reasons))
+    reasons = unique([reason for result in made.values() for reason in result.reasons()])
+    if made["verification"].failure:
+        return TrialLayout(found.blocked, beyond=reasons)
+    covered = [one for one in reasons if one.kind in COVERED]
+    return _failed(found, get("H_pin"), covered) if covered else TrialLayout((), PASSED, beyond=reasons)
 
 
 def _failed(found: Feasibility, H_pin: float, reasons: Sequence[Finding]) -> TrialLayout:

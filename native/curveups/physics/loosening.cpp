@@ -61,7 +61,7 @@ Loosening loosen_pins(const DesignGeometry& geometry, const SolvedDesign& solved
     do {
       ++out.rounds;
       if (!most_hang(geometry.tiles, out.pins)) return out;
-      state = solve_design(geometry, design, progress, out.pins);
+      state = solve_without_pins(geometry, solved, out.pins, progress);
     } while (add(
         overloaded_pins(glue_loads(geometry.tiles, design.q, state.membranes, design.parameters)),
         out.pins));
@@ -75,11 +75,16 @@ Loosening loosen_pins(const DesignGeometry& geometry, const SolvedDesign& solved
       find_floor(state, where, system, serial);
     };
     const std::vector<ContactPoint> corners = contact_corners(geometry, design.parameters);
-    parallel_tasks({[&] { look_for_floor(Touching::at_corners, corners); },
-                    [&] {
-                      if (!any_tips(tips)) return;
-                      look_for_floor(Touching::at_tips, tie_to_corners(corners, tips).points);
-                    }});
+    bool answered = true;
+    try {
+      parallel_tasks({[&] { look_for_floor(Touching::at_corners, corners); },
+                      [&] {
+                        if (!any_tips(tips)) return;
+                        look_for_floor(Touching::at_tips, tie_to_corners(corners, tips).points);
+                      }});
+    } catch (const SolverFailure&) {
+      answered = false;
+    }
     for (const std::optional<UnilateralResult>& found : state.floor) {
       if (!found) continue;
       holds = holds && found->solve.status == SolveStatus::converged &&
@@ -87,7 +92,7 @@ Loosening loosen_pins(const DesignGeometry& geometry, const SolvedDesign& solved
       out.largest_floor =
           std::min(out.largest_floor.value_or(found->largest_floor), found->largest_floor);
     }
-    out.holds = holds;
+    out.holds = holds && answered;
   } catch (const SolverFailure&) {  // no equilibrium without these pins
   }
   return out;

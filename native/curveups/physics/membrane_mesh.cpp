@@ -30,6 +30,7 @@ class Grading {
         g_(o.growth),
         h_(std::ldexp(o.largest, -halvings)),
         bend_((h_ - c_) / g_) {}
+  double largest() const { return h_; }
   double size(double r) const { return std::min(h_, c_ + g_ * r); }
   double edges(double r) const {
     const double graded = std::log1p(g_ * std::min(r, bend_) / c_) / g_;
@@ -169,18 +170,18 @@ void check_patches(const MembraneDomain& domain, const Points2& flat) {
 // Work without end where the layout's lengths and those of the mesh have different units, or a tile
 // was put far away from its neighbours.
 void require_few_triangles(const MembraneDomain& domain, const Points2& flat,
-                           const MembraneMeshOptions& options) {
+                           const Gradings& gradings, const MembraneMeshOptions& options) {
   double triangles = 0;
-  for (const MembranePatch& patch : domain.patches) {
-    const std::vector<Vec2> points = outline(patch, flat);
+  for (std::size_t p = 0; p < domain.patches.size(); ++p) {
+    const std::vector<Vec2> points = outline(domain.patches[p], flat);
+    const double largest = gradings.in_patch(p).largest();
     double area = 0, round = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec2 &a = points[i], &b = points[(i + 1) % points.size()];
       area += 0.5 * wedge(a - points[0], b - points[0]);
       round += (b - a).norm();
     }
-    triangles +=
-        area / (std::sqrt(3.0) / 4 * options.largest * options.largest) + round / options.largest;
+    triangles += area / (std::sqrt(3.0) / 4 * largest * largest) + round / largest;
   }
   if (triangles < most_triangles) return;
   throw InvalidInput("a membrane would need about " +
@@ -239,13 +240,19 @@ MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& fla
     throw InvalidInput("membrane mesh sizes must be positive, the largest at least that at corners",
                        "give 0 < at_corner <= largest and growth > 0");
   }
+  const std::vector<int>& halvings = options.halvings;
+  if (!halvings.empty() && (halvings.size() != static_cast<std::size_t>(domain.tile_count) ||
+                            *std::min_element(halvings.begin(), halvings.end()) < 0)) {
+    throw InvalidInput("membrane mesh sizes must be halved as often as a number of each tile says",
+                       "give a number of at least 0 for every tile, or none");
+  }
   if (!flat.allFinite()) {
     throw InvalidInput("the layout holds a number that is not finite", "give finite coordinates");
   }
   check_patches(domain, flat);
-  require_few_triangles(domain, flat, options);
-  if (!keep_going(progress, "meshing membranes")) throw Cancelled();
   const Gradings gradings(domain, options);
+  require_few_triangles(domain, flat, gradings, options);
+  if (!keep_going(progress, "meshing membranes")) throw Cancelled();
   MembraneMesh mesh;
   const SharedVertices shared = make_shared_vertices(domain, flat, gradings, mesh);
   std::vector<MeshedPatch> patches(domain.patches.size());

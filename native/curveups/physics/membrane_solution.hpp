@@ -53,8 +53,8 @@ MembraneMaterial membrane_material(const Parameters& parameters, Side side);
 // Tiles whose pins have let go of a membrane, front and back, ascending.
 using LoosePins = std::array<std::vector<int>, 2>;
 
-// Front and back, at once where there are threads; calls of progress come one at a time. halvings:
-// see MembraneMeshOptions. Throws
+// Front and back, at once where there are threads; calls of progress come one at a time.
+// halvings: as MembraneMeshOptions have it. Throws
 // what make_membrane_mesh throws, and Cancelled.
 std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const FlatPoses& poses, const Array6& q,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "curveups/core/errors.hpp"
+
 namespace curveups {
 namespace {
 
@@ -42,11 +44,13 @@ Eigen::ArrayXd estimate_error(const Points3& fine_forces, SolvedDesign& solved) 
   return error;
 }
 
-// Points that exceed f_min by less than their error, where all points reach it.
+// Points that exceed f_min by less than their error, where all push as hard as is asked for. f_min
+// itself may be larger than that by the error.
 std::vector<int> undecided_points(const SolvedDesign& solved, const Eigen::ArrayXd& error) {
   std::vector<int> out;
-  const double f_min = solved.f_min_ratio * solved.forces.normal_mean;
-  if (error.size() == 0 || solved.forces.normal_min < f_min) return out;
+  const double asked = solved.design.parameters.f_min_ratio * solved.forces.normal_mean,
+               f_min = solved.f_min_ratio * solved.forces.normal_mean;
+  if (error.size() == 0 || solved.forces.normal_min < asked) return out;
   for (int p = 0; p < error.size(); ++p) {
     if (solved.forces.force(p, 0) - error(p) < f_min) out.push_back(p);
   }
@@ -75,6 +79,7 @@ SolvedDesign solve_on_mesh(const DesignGeometry& geometry, const Design& design,
   const Parameters& parameters = design.parameters;
   SolvedDesign solved;
   solved.design = design;
+  solved.halvings = halvings;
   const FlatPoses poses = fit_poses(geometry.tiles, design.T);
   solved.membranes =
       solve_membranes(geometry, poses, design.q, parameters, progress, loose, halvings);
@@ -131,17 +136,24 @@ BalanceSystem make_balance_system(const DesignGeometry& geometry, const Paramete
 }
 
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
-                          const Progress& progress, const LoosePins& loose) {
-  SolvedDesign solved = solve_on_mesh(geometry, design, progress, loose, {});
-  if (!loose[0].empty() || !loose[1].empty()) return solved;
-  std::vector<int> halvings(geometry.tiles.tile_count(), 0);
+                          const Progress& progress) {
+  SolvedDesign solved = solve_on_mesh(geometry, design, progress, {}, {});
   for (int round = 0; round < most_halvings && !solved.undecided.empty(); ++round) {
+    std::vector<int> halvings = solved.halvings;
+    halvings.resize(geometry.tiles.tile_count(), 0);
     for (int tile : tiles_around(geometry.tiles, solved.undecided)) ++halvings[tile];
-    solved = solve_on_mesh(geometry, design, progress, {}, halvings);
-    solved.refined_tiles = static_cast<int>(halvings.size()) -
-                           static_cast<int>(std::count(halvings.begin(), halvings.end(), 0));
+    try {
+      solved = solve_on_mesh(geometry, design, progress, {}, halvings);
+    } catch (const InvalidInput&) {  // too many triangles: it stays undecided
+      break;
+    }
   }
   return solved;
+}
+
+SolvedDesign solve_without_pins(const DesignGeometry& geometry, const SolvedDesign& solved,
+                                const LoosePins& loose, const Progress& progress) {
+  return solve_on_mesh(geometry, solved.design, progress, loose, solved.halvings);
 }
 
 double force_scale(const SolvedDesign& solved) {

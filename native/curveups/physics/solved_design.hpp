@@ -27,10 +27,10 @@ struct SolvedDesign {
   // Estimated error of normal forces by the mesh, relative to their mean: mean over the points,
   // largest, and of the least normal force.
   double normal_force_error = 0, largest_normal_force_error = 0, least_force_error = 0;
-  // Contacts with a point that exceeds f_min by less than its error, ascending, where all points
-  // reach f_min; and the tiles around which the mesh was refined for such points.
+  // Contacts with a point of which the mesh does not tell whether it reaches f_min, ascending, and
+  // how often the mesh was halved around each tile for such points (empty: nowhere).
   std::vector<std::array<int, 2>> undecided;
-  int refined_tiles = 0;
+  std::vector<int> halvings;
   double f_min_ratio = 0;  // f_min over the mean normal force: as asked, or the error where larger
   // What find_floor found, by Touching.
   std::array<std::optional<UnilateralResult>, 2> floor;
@@ -43,13 +43,16 @@ struct SolvedDesign {
 // its error, which the mean of the errors does not. Same sizes; 0 without forces.
 double error_of_least(const Eigen::ArrayXd& force, const Eigen::ArrayXd& error);
 
-// Where all points reach f_min, but some by less than their error, the membranes are solved again
-// on a mesh of half the size around the tiles of these contacts and their neighbours, at most
-// twice. geometry: make_geometry's of the design. loose: pins that have let go of their membrane;
-// least squares decides nothing then, and no mesh is refined. Throws what solve_membranes and
-// solve_contact_forces throw, Cancelled.
+// Where all points push as hard as f_min_ratio asks for, but some exceed f_min by less than their
+// error, the membranes are solved again on a mesh of half the size around the tiles of these
+// contacts and their neighbours, at most twice. geometry: make_geometry's of the design. Throws
+// what solve_membranes and solve_contact_forces throw, Cancelled.
 SolvedDesign solve_design(const DesignGeometry& geometry, const Design& design,
-                          const Progress& progress, const LoosePins& loose = {});
+                          const Progress& progress);
+
+// The same design after these pins have let go of their membrane, with the same sizes of the mesh.
+SolvedDesign solve_without_pins(const DesignGeometry& geometry, const SolvedDesign& solved,
+                                const LoosePins& loose, const Progress& progress);
 
 // The corners of the interfaces at which the tiles of a design hold one another. Contacts between
 // two held tiles are left out: the hand that holds the tiles provides their forces.

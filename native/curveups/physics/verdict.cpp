@@ -47,7 +47,7 @@ void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
   say(in.parameters.gravity == "held" ? "in_the_air.held" : "in_the_air", in.carried.in_the_air);
   say("tips_over", in.carried.tipping);
   if (in.floor_from_mesh) report.warnings.push_back({"coarse_mesh"});
-  if (!in.undecided.empty()) {
+  if (!in.undecided.empty() && f.points_below_f_min == 0) {
     report.warnings.push_back(
         {"undecided", tiles_of(in.undecided), {{"f_min", f.f_min}, {"contacts", in.undecided}}});
   }

@@ -190,7 +190,8 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   report.physics.normal_force_error = solved.normal_force_error;
   report.physics.largest_normal_force_error = solved.largest_normal_force_error;
   report.physics.least_force_error = solved.least_force_error;
-  report.physics.refined_tiles = solved.refined_tiles;
+  report.physics.refined_tiles = static_cast<int>(std::count_if(
+      solved.halvings.begin(), solved.halvings.end(), [](int halvings) { return halvings > 0; }));
   const std::array<std::vector<int>, 2> slack_tiles =
       describe_membranes(solved.membranes, tile_centres(tiles), parameters.L, report);
 

@@ -259,15 +259,15 @@ TEST(Verify, TheMeshIsRefinedWhereALeastForceIsNotDecided) {
   };
   const double h = design.parameters.mesh_size;
   const SolvedDesign plain = solve(0.1, h), fine = solve(0.1, h / 4);
-  EXPECT_EQ(plain.refined_tiles, 0);
-  EXPECT_TRUE(plain.undecided.empty());
+  EXPECT_TRUE(plain.halvings.empty() && plain.undecided.empty());
   const int weakest = plain.forces.weakest_point;
   const double least = plain.forces.normal_min / plain.forces.normal_mean;
   ASSERT_GT(least, 0.1 + plain.least_force_error);
   const double close = least - 0.5 * plain.least_force_error;
   const SolvedDesign refined = solve(close, h);
-  EXPECT_GT(refined.refined_tiles, 4);
-  EXPECT_LT(refined.refined_tiles, geometry.tiles.tile_count() / 2);
+  const auto untouched = std::count(refined.halvings.begin(), refined.halvings.end(), 0);
+  EXPECT_GT(untouched, geometry.tiles.tile_count() / 2);
+  EXPECT_LT(untouched, geometry.tiles.tile_count() - 4);
   const double truth = fine.forces.force(weakest, 0);
   EXPECT_LT(std::abs(refined.forces.force(weakest, 0) - truth),
             refined.least_force_error * refined.forces.normal_mean);
@@ -275,7 +275,18 @@ TEST(Verify, TheMeshIsRefinedWhereALeastForceIsNotDecided) {
   // Balance needs no particular mesh.
   EXPECT_LT(refined.forces.imbalance, 1e-9);
   // Points below f_min decide by themselves: nothing is refined.
-  EXPECT_EQ(solve(1.05 * least, h).refined_tiles, 0);
+  EXPECT_TRUE(solve(1.05 * least, h).halvings.empty());
+  // Where f_min is the error itself, the mesh decides on what is asked for and below that.
+  design.parameters.thickness_front = 0.885;
+  const SolvedDesign low = solve(1e-4, h);
+  EXPECT_GT(low.forces.normal_min, 1e-4 * low.forces.normal_mean);
+  EXPECT_LT(low.forces.normal_min, plain.normal_force_error * low.forces.normal_mean);
+  EXPECT_FALSE(low.halvings.empty());
+  // Pins that let go leave the sizes of the mesh as they are.
+  const LoosePins one = {std::vector<int>{20}, {}};
+  const SolvedDesign without = solve_without_pins(geometry, refined, one, {});
+  EXPECT_EQ(without.halvings, refined.halvings);
+  EXPECT_GE(without.membranes[1].mesh.triangles.size(), refined.membranes[1].mesh.triangles.size());
 }
 
 TEST(Verify, AWarningNamesContactsThatStayUndecided) {
@@ -345,7 +356,7 @@ TEST(Verify, PinsWhoseGlueFailsLetGoAndThePieceIsJudgedWithoutThem) {
   ASSERT_TRUE(loose.largest_floor);
   EXPECT_GE(*loose.largest_floor, loose.f_min);
   // The front membrane pulls at its tile no more, and all forces still balance.
-  const SolvedDesign without = solve_design(geometry, design, {}, one);
+  const SolvedDesign without = solve_without_pins(geometry, solved, one, {});
   const Points3& forces = without.membranes[0].forces;
   EXPECT_EQ(forces.middleRows<3>(60).norm(), 0);
   EXPECT_GT(solved.membranes[0].forces.middleRows<3>(60).norm(), 0.1);
@@ -419,9 +430,25 @@ TEST(Verify, IsTheSameWithOneThreadAndTwo) {
   const int threads = thread_count();
   set_thread_count(1);
   const VerificationReport one = verify_design(dome(), {}, {});
+  // On a mesh that is refined in places, with pins that let go.
+  Design hard = dome();
+  hard.parameters.f_min_ratio =
+      0.999 * one.contact_forces.normal_min / one.contact_forces.normal_mean;
+  hard.parameters.glue_strength = 0.999 * verify_design(hard, {}, {}).glue.shear.shear;
+  const VerificationReport hard_one = verify_design(hard, {}, {});
   set_thread_count(2);
-  const VerificationReport two = verify_design(dome(), {}, {});
+  const VerificationReport two = verify_design(dome(), {}, {}),
+                           hard_two = verify_design(hard, {}, {});
   set_thread_count(threads);
+  EXPECT_GT(hard_one.physics.refined_tiles, 4);
+  EXPECT_GE(hard_one.loosening.rounds, 1);
+  ASSERT_TRUE(hard_one.loosening.largest_floor);
+  EXPECT_EQ(hard_one.loosening.largest_floor, hard_two.loosening.largest_floor);
+  EXPECT_EQ(hard_one.loosening.pins, hard_two.loosening.pins);
+  EXPECT_EQ((hard_one.elastic - hard_two.elastic).cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(hard_one.contact_forces.normal_min, hard_two.contact_forces.normal_min);
+  EXPECT_EQ(hard_one.reasons, hard_two.reasons);
+  EXPECT_EQ(hard_one.warnings, hard_two.warnings);
   EXPECT_EQ((one.elastic - two.elastic).cwiseAbs().maxCoeff(), 0);
   EXPECT_EQ(one.unilateral.largest_floor, two.unilateral.largest_floor);
   EXPECT_EQ(one.contact_forces.normal_min, two.contact_forces.normal_min);

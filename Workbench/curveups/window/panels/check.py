@@ -232,14 +232,19 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
         obj.Document.recompute()
         values = ", ".join(f"{properties.property_name(name)} = {properties.shown(_row(name), value)}"
                            for name, value in found.values.items())
-        show_line(_line_of(found.trial, values))
+        why = "; ".join(shown(obj, one, False) for one in found.beyond)
+        show_line(_line_of(found.trial, values, why))
 
     with errors_shown(title):
         LIVE.start(design, Task(title, actions.sizes_work(design, names), finish, told=told))
 
 
-def _line_of(trial: str, values: str) -> str:
-    """On sizes that are chosen, and what came of a trial layout with them (sizes.Chosen)."""
+def _line_of(trial: str, values: str, why: str) -> str:
+    """On sizes that are chosen, what came of a trial layout with them, and why it is not valid (sizes.Chosen).
+    """
+    if why:
+        return translate("CurveUps_Check", "{values}: tiles can be made, but the design is not valid, and no "
+                         "smaller sizes were found with which it is. {why}", values=values, why=why)
     if trial == FAILED:
         return translate("CurveUps_Check", "{values}: the largest by estimates. A trial layout with these "
                          "sizes failed, and no smaller sizes were found that pass one.", values=values)
