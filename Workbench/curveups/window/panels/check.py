@@ -240,8 +240,7 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
 
 
 def _line_of(trial: str, values: str, why: str) -> str:
-    """On sizes that are chosen, what came of a trial layout with them, and why it is not valid (sizes.Chosen).
-    """
+    """On sizes that are chosen, and what came of a trial layout with them, as sizes.Chosen has it."""
     if why:
         return translate("CurveUps_Check", "{values}: tiles can be made, but the design is not valid, and no "
                          "smaller sizes were found with which it is. {why}", values=values, why=why)
