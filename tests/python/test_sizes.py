@@ -226,6 +226,14 @@ def test_what_is_in_the_way_without_a_trial_is_none_that_does(search):
     assert of.named(lambda: (("H_body", of.largest_thickness(8, 3)),), inputs) is None
 
 
+def test_lengths_are_not_below_the_thickness(search):
+    """No trial layout is made of tiles that are thicker than they are long."""
+    of, _ = search(lambda values: TrialLayout(()))
+    assert min(of.lengths(8.0, 7.0)) >= 7.0 and min(of.lengths(8.0, 1.0)) < 7.0
+    assert min(of.lengths(8.0, 9.0)) == 8.0  # as it is set
+    assert of.range_of_lengths(8.0, 7.0)[0] >= 7.0
+
+
 def test_ranges_end_at_values_that_were_found_bad():
     values, bad = list(range(20)), {16, *range(12)}
 

@@ -22,7 +22,7 @@ from .feasibility import SAG, mending, sizes_do
 from .stage import Inputs, Job
 from .target import remesh
 from .trial import REPAIR_STEPS
-from .trial_layout import TrialLayout, decide
+from .trial_layout import STOUTEST, TrialLayout, decide
 
 # Lengths and heights of pins are tried up to this factor from the one that is set, lengths as long as that
 # makes no more tiles than these or than there are.
@@ -260,19 +260,21 @@ class SizeSearch:
         raise CurveUpsError(f"no L does that keeps tiles within {maximum_deviation:g} mm of the surface",
                             where, "raise maximum_deviation, or see 'curveups check'")
 
-    def lengths(self, L: float) -> list[float]:
-        """The series of lengths about L, with L itself in it."""
-        most = max(MOST_TILES, self.tiles(L))
-        return [value for value in _about("L", L) if value == L or LEAST_TILES <= self.tiles(value) <= most]
+    def lengths(self, L: float, H_body: float) -> list[float]:
+        """The series of lengths about L, with L itself in it. Tiles are not thicker than they are long, unless
+        they are with L: no trial layout is made of such."""
+        most, least = max(MOST_TILES, self.tiles(L)), min(L, H_body / STOUTEST)
+        return [value for value in _about("L", L) if value == L or (
+            value >= least and LEAST_TILES <= self.tiles(value) <= most)]
 
     def nearest_length(self, L: float, H_body: float) -> Optional[float]:
         """The feasible length nearest to L, of every _STRIDE-th of the series and both ends."""
         # Fewer tiles first: that is quicker.
-        return _nearest(self.lengths(L), L, lambda value: self(value, H_body).feasible)
+        return _nearest(self.lengths(L, H_body), L, lambda value: self(value, H_body).feasible)
 
     def range_of_lengths(self, L: float, H_body: float) -> Optional[tuple[float, float]]:
         """Ends of the range of feasible lengths that holds L, or of the nearest one; both were tried."""
-        start, values = self.nearest_length(L, H_body), self.lengths(L)
+        start, values = self.nearest_length(L, H_body), self.lengths(L, H_body)
         if start is None:
             return None
         first = values.index(start)

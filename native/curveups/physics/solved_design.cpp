@@ -35,8 +35,8 @@ Wrenches sum_wrenches(const std::array<MembraneSolution, 2>& membranes, const Po
 // extrapolated normal forces were within a fifth of it. Returns the error of each point, N.
 Eigen::ArrayXd estimate_error(const Points3& fine_forces, SolvedDesign& solved) {
   const ContactForces& forces = solved.forces;
-  const Eigen::ArrayXd force = forces.force.col(0).array(),
-                       error = 0.5 * (force - fine_forces.col(0).array()).abs();
+  const Eigen::ArrayXd force = forces.force.col(0).array();
+  Eigen::ArrayXd error = 0.5 * (force - fine_forces.col(0).array()).abs();
   if (error.size() == 0 || !(forces.normal_mean > 0)) return error;
   solved.normal_force_error = error.mean() / forces.normal_mean;
   solved.largest_normal_force_error = error.maxCoeff() / forces.normal_mean;
