@@ -1150,8 +1150,8 @@
       <translation>{values}: die größten nach Schätzungen. Ein Probelayout mit diesen Größen ist gescheitert, und keine kleineren wurden gefunden, mit denen eines gelingt.</translation>
     </message>
     <message>
-      <source>{values}: tiles can be made, but the design is not valid, and no smaller sizes were found with which it is. {why}</source>
-      <translation>{values}: Kacheln sind möglich, aber der Entwurf ist nicht gültig, und es fanden sich keine kleineren Maße, mit denen er es ist. {why}</translation>
+      <source>{values}: tiles can be made, but the design is not valid, and no smaller sizes were found with which it is: {why}</source>
+      <translation>{values}: Kacheln sind möglich, aber der Entwurf ist nicht gültig, und es fanden sich keine kleineren Maße, mit denen er es ist: {why}</translation>
     </message>
   </context>
   <context>

@@ -346,6 +346,32 @@ def test_a_choice_whose_trial_layouts_fail_says_so(pictures, monkeypatch):
     close_panel()
 
 
+def test_check_and_a_choice_say_where_no_design_is_valid(pictures):
+    """Tiles can be made, but glue of this strength holds nothing."""
+    made, design = design_of_roof(L="12 mm", HPin="0.2 mm", Fidelity="3 mm", GlueStrength="0.05 MPa")
+    press("CurveUps_Check")
+    form = widget("CheckPanel")
+    checking(form)
+    assert "Not feasible" in form.verdict.text(), form.verdict.text()
+    advice = form.advice.text()
+    assert "with HPin=" in advice and "a design is not valid all the same" in advice, advice
+    picture("not-valid-sizes")
+    design.HPin = "1 mm"
+    made.recompute()
+    settle(500)
+    click(form.check)
+    checking(form)
+    click(form.choose)
+    until(lambda: made.UndoNames[:2] == ["Check", "Choose Sizes"] and not LIVE.busy, 60, "the check of them")
+    line = form.line.text()
+    assert line.startswith(f"L = {design.L.UserString}"), line
+    assert "the design is not valid, and no smaller sizes were found with which it is" in line, line
+    assert "of shear" in line and "\n" not in line, line
+    picture("not-valid-choice")
+    close_panel()
+    assert report().count("error") == 0, report()
+
+
 def test_thickness_and_pins_that_do_together_are_taken_over(pictures):
     def storeys():
         # Two sheets, one 3 mm above the other.

@@ -243,7 +243,7 @@ def _line_of(trial: str, values: str, why: str) -> str:
     """On sizes that are chosen, and what came of a trial layout with them, as sizes.Chosen has it."""
     if why:
         return translate("CurveUps_Check", "{values}: tiles can be made, but the design is not valid, and no "
-                         "smaller sizes were found with which it is. {why}", values=values, why=why)
+                         "smaller sizes were found with which it is: {why}", values=values, why=why)
     if trial == FAILED:
         return translate("CurveUps_Check", "{values}: the largest by estimates. A trial layout with these "
                          "sizes failed, and no smaller sizes were found that pass one.", values=values)
