@@ -261,8 +261,8 @@ class SizeSearch:
                             where, "raise maximum_deviation, or see 'curveups check'")
 
     def lengths(self, L: float, H_body: float) -> list[float]:
-        """The series of lengths about L, with L itself in it. Tiles are not thicker than they are long, unless
-        they are with L: no trial layout is made of such."""
+        """The series of lengths about L, with L itself in it, down to the thickness: no trial layout is made
+        of tiles that are thicker than long."""
         most, least = max(MOST_TILES, self.tiles(L)), min(L, H_body / STOUTEST)
         return [value for value in _about("L", L) if value == L or (
             value >= least and LEAST_TILES <= self.tiles(value) <= most)]
