@@ -116,6 +116,15 @@ def test_the_choice_says_where_no_design_is_valid(monkeypatch):
     assert made.values["H_body"] == tried[1] == tried[-1] and not made.beyond
 
 
+def test_the_command_line_says_where_what_is_chosen_gives_no_valid_design(curveups, cap):
+    """Glue of this strength holds nothing."""
+    ran = curveups("check", cap, "--set", "H_body=auto", "glue_strength=0.05")
+    assert ran.status == 0, ran.err
+    assert "warning: a design with these sizes is not valid, and no smaller sizes were found" in ran.err
+    assert "more than it withstands (0.05 MPa)" in ran.err, ran.err
+    assert "warning" not in curveups("check", cap, "--set", "H_body=auto").err
+
+
 def test_where_trial_layouts_of_all_sizes_fail_the_choice_says_so(curveups, tmp_path):
     """At this length no thickness that is tried lets the membranes clear the tips."""
     V, F = tent(5)

@@ -45,6 +45,15 @@ def checking(form):
     at_rest()
 
 
+def chosen(form, made, design):
+    """The line on the sizes that Choose Both has set, once they are checked."""
+    click(form.choose)
+    until(lambda: made.UndoNames[:2] == ["Check", "Choose Sizes"] and not LIVE.busy, 60, "the check of them")
+    line = form.line.text()
+    assert line.startswith(f"L = {design.L.UserString}"), line
+    return line
+
+
 def marked():
     """Pixels of the colour of marks beside the legend."""
     image = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
@@ -337,10 +346,7 @@ def test_a_choice_whose_trial_layouts_fail_says_so(pictures, monkeypatch):
     press("CurveUps_Check")
     form = widget("CheckPanel")
     checking(form)
-    click(form.choose)
-    until(lambda: made.UndoNames[:2] == ["Check", "Choose Sizes"] and not LIVE.busy, 60, "the check of them")
-    line = form.line.text()
-    assert line.startswith(f"L = {design.L.UserString}"), line
+    line = chosen(form, made, design)
     assert "A trial layout with these sizes failed" in line, line
     picture("failed-choice")
     close_panel()
@@ -361,10 +367,7 @@ def test_check_and_a_choice_say_where_no_design_is_valid(pictures):
     settle(500)
     click(form.check)
     checking(form)
-    click(form.choose)
-    until(lambda: made.UndoNames[:2] == ["Check", "Choose Sizes"] and not LIVE.busy, 60, "the check of them")
-    line = form.line.text()
-    assert line.startswith(f"L = {design.L.UserString}"), line
+    line = chosen(form, made, design)
     assert "the design is not valid, and no smaller sizes were found with which it is" in line, line
     assert "of shear" in line and "\n" not in line, line
     picture("not-valid-choice")

@@ -368,8 +368,8 @@ def _choose_sizes(project: Project, names: set[str], session: Session) -> None:
         session.reporter.say("warning: a trial layout with these sizes failed, and no smaller sizes were "
                              "found that pass one")
     if chosen.beyond:
-        session.reporter.say("warning: a design with these sizes is not valid, and no smaller were found "
-                             f"with which it is: {'; '.join(map(str, chosen.beyond))}")
+        session.reporter.say("warning: a design with these sizes is not valid, and no smaller sizes were "
+                             f"found with which it is: {'; '.join(map(str, chosen.beyond))}")
     project.parameters = values
 
 
