@@ -13,6 +13,10 @@
 namespace curveups {
 namespace {
 
+// Limits of friction follow, once after each iteration, where the forces that are left are at most
+// so many times what friction is beyond its cone by. With 4, Spot takes half as many iterations
+// more; with 0.3 all designs take a fifth more.
+constexpr double following = 2;
 // Where exact second derivatives are indefinite, they leave out at least this part of what may be
 // so.
 constexpr double least_convex = 0.05;
@@ -162,6 +166,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
   bool factorized = false;
   double shift = 0;
   int iterations = 0, caps_taken = 0;
+  bool stepped = true;  // since the limits of friction last followed
   while (true) {
     const Motions so_far = motions_between(poses_, x, lever);
     // By an older factorization where that contracts well.
@@ -176,11 +181,12 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
     const double error = contacts_.cone_error(x);
     report.cone_error = error / scale;
     if (residual <= tolerance && error <= cone) return true;
-    if (residual <= std::max(tolerance, 0.3 * error)) {
+    if (residual <= tolerance || (stepped && residual <= following * error)) {
       const Eigen::VectorXd caps = contacts_.caps();
       const Eigen::VectorXd wanted = contacts_.caps_at(x);
       contacts_.set_caps(caps.allFinite() ? fixed_point.next(caps, wanted) : wanted);
       before = -1;
+      stepped = false;
       if (++caps_taken > options_.max_iterations) return false;
       continue;
     }
@@ -230,6 +236,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       }
     }
     before = residual;
+    stepped = true;
     factorized = whole && halved == 0;
     contacts_.careful = halved > 0;
     checkpoint();
