@@ -7,12 +7,14 @@
 #include <CGAL/Delaunay_mesh_vertex_base_2.h>
 #include <CGAL/Delaunay_mesher_no_edge_refinement_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "curveups/core/errors.hpp"
+#include "curveups/geometry/convex_polygon.hpp"
 
 namespace curveups {
 namespace {
@@ -80,40 +82,15 @@ class GradedCriteria {
 
 Kernel::Point_2 to_cgal(const Vec2& p) { return {p.x(), p.y()}; }
 
-// Open segments that cross, or an end of one on the other.
-bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  for (int axis : {0, 1}) {
-    if (std::max(a[axis], b[axis]) < std::min(c[axis], d[axis])) return false;
-    if (std::max(c[axis], d[axis]) < std::min(a[axis], b[axis])) return false;
-  }
-  const auto pa = to_cgal(a), pb = to_cgal(b), pc = to_cgal(c), pd = to_cgal(d);
-  return CGAL::do_intersect(Kernel::Segment_2(pa, pb), Kernel::Segment_2(pc, pd));
-}
-
 }  // namespace
 
 bool is_simple_polygon(const std::vector<Vec2>& boundary) {
-  const int n = static_cast<int>(boundary.size());
-  if (n < 3) return false;
-  double area = 0;
-  for (int i = 0; i < n; ++i) {
-    if (!boundary[i].allFinite()) return false;
-    area += wedge(boundary[i] - boundary[0], boundary[(i + 1) % n] - boundary[0]);
+  std::vector<Kernel::Point_2> corners;
+  for (const Vec2& p : boundary) {
+    if (!p.allFinite()) return false;
+    corners.push_back(to_cgal(p));
   }
-  if (!(area > 0)) return false;
-  for (int i = 0; i < n; ++i) {
-    const Vec2 &a = boundary[i], &b = boundary[(i + 1) % n], &next = boundary[(i + 2) % n];
-    // Neighbouring edges may share their corner only.
-    if (a == b ||
-        (CGAL::collinear(to_cgal(a), to_cgal(b), to_cgal(next)) && (b - a).dot(next - b) < 0)) {
-      return false;
-    }
-    for (int j = i + 2; j < n; ++j) {
-      if ((j + 1) % n == i) continue;
-      if (meet(a, b, boundary[j], boundary[(j + 1) % n])) return false;
-    }
-  }
-  return true;
+  return area(boundary) > 0 && CGAL::is_simple_2(corners.begin(), corners.end(), Kernel());
 }
 
 PlanarMesh mesh_polygon(const std::vector<Vec2>& boundary,
