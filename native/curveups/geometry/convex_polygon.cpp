@@ -10,6 +10,17 @@ namespace {
 // Outward unit normal of the edge from a to b.
 Vec2 outward(const Vec2& a, const Vec2& b) { return -left_of(b - a).normalized(); }
 
+// The part of a polygon that is at least `distance` inside of all edges of another.
+Polygon within(Polygon polygon, const Polygon& other, double distance) {
+  for (std::size_t k = 0; k < other.size() && !polygon.empty(); ++k) {
+    const Vec2 &p = other[k], &q = other[(k + 1) % other.size()];
+    if ((q - p).norm() < 1e-9) continue;
+    const Vec2 n = outward(p, q);
+    polygon = clip(polygon, n, n.dot(p) - distance);
+  }
+  return polygon;
+}
+
 }  // namespace
 
 Polygon convex_hull(std::vector<Vec2> points) {
@@ -46,26 +57,11 @@ Polygon clip(const Polygon& polygon, const Vec2& normal, double offset) {
 }
 
 Polygon intersection(const Polygon& a, const Polygon& b) {
-  Polygon out = a;
-  for (std::size_t k = 0; k < b.size() && !out.empty(); ++k) {
-    const Vec2 &p = b[k], &q = b[(k + 1) % b.size()];
-    if ((q - p).norm() < 1e-9) continue;
-    const Vec2 n = outward(p, q);
-    out = clip(out, n, n.dot(p));
-  }
-  if (b.size() < 3) out.clear();
-  return out;
+  return b.size() < 3 ? Polygon() : within(a, b, 0);
 }
 
 Polygon inset(const Polygon& polygon, double distance) {
-  Polygon out = polygon;
-  for (std::size_t k = 0; k < polygon.size() && !out.empty(); ++k) {
-    const Vec2 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-    if ((q - p).norm() < 1e-9) continue;
-    const Vec2 n = outward(p, q);
-    out = clip(out, n, n.dot(p) - distance);
-  }
-  return out;
+  return within(polygon, polygon, distance);
 }
 
 double area(const Polygon& polygon) {
