@@ -123,34 +123,20 @@ LiftedRegion cylinder_patch() {
           [](const Vec2& p) { return rounded_rectangle(p, 62, 50); }, 63};
 }
 
-struct Entry {
-  BuiltinTarget target;
-  LiftedRegion (*region)();
-};
-
-const std::vector<Entry>& entries() {
-  static const std::vector<Entry> list = {
-      {{"half-sphere", "half of a sphere of radius 48 mm, as in the paper"}, half_sphere},
-      {{"hyperboloid", "a patch of a one-sheeted hyperboloid: negative curvature"}, hyperboloid},
-      {{"saddle", "a round piece of a hyperbolic paraboloid"}, saddle},
-      {{"ellipsoid-cap", "the top of an ellipsoid with three different axes"}, ellipsoid_cap},
-      {{"tower", "a fluted architectural shell that turns as it rises"}, tower},
-      {{"mask", "a face in relief with two holes for the eyes"}, mask},
-      {{"cap", "a round crown with a brim"}, cap},
-      {{"disc", "flat: nothing rises"}, disc},
-      {{"cylinder-patch", "curved in one direction only: developable"}, cylinder_patch},
-  };
-  return list;
-}
-
 }  // namespace
 
 const std::vector<BuiltinTarget>& builtin_targets() {
-  static const std::vector<BuiltinTarget> list = [] {
-    std::vector<BuiltinTarget> targets;
-    for (const Entry& entry : entries()) targets.push_back(entry.target);
-    return targets;
-  }();
+  static const std::vector<BuiltinTarget> list = {
+      {"half-sphere", "half of a sphere of radius 48 mm, as in the paper", half_sphere},
+      {"hyperboloid", "a patch of a one-sheeted hyperboloid: negative curvature", hyperboloid},
+      {"saddle", "a round piece of a hyperbolic paraboloid", saddle},
+      {"ellipsoid-cap", "the top of an ellipsoid with three different axes", ellipsoid_cap},
+      {"tower", "a fluted architectural shell that turns as it rises", tower},
+      {"mask", "a face in relief with two holes for the eyes", mask},
+      {"cap", "a round crown with a brim", cap},
+      {"disc", "flat: nothing rises", disc},
+      {"cylinder-patch", "curved in one direction only: developable", cylinder_patch},
+  };
   return list;
 }
 
@@ -160,9 +146,9 @@ TriangleMesh builtin_target(const std::string& name, double tolerance) {
                        "give 0.0001 to 1 mm");
   }
   std::string names;
-  for (const Entry& entry : entries()) {
-    if (entry.target.name == name) return triangulate(entry.region(), tolerance);
-    names += (names.empty() ? "" : ", ") + entry.target.name;
+  for (const BuiltinTarget& target : builtin_targets()) {
+    if (target.name == name) return triangulate(target.region(), tolerance);
+    names += (names.empty() ? "" : ", ") + target.name;
   }
   throw InvalidInput("there is no built-in target \"" + name + "\"", "choose one of " + names);
 }

@@ -9,9 +9,12 @@
 
 namespace curveups {
 
+struct LiftedRegion;
+
 struct BuiltinTarget {
   std::string name;
   std::string meaning;  // one line
+  LiftedRegion (*region)();
 };
 
 // In the order in which they are listed.
