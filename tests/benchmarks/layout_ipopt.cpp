@@ -238,7 +238,7 @@ void compare(const std::string& path) {
   LayoutState own = start;
   LayoutTerms energies = make_energies(model);
   double begun = processor_seconds();
-  InteriorPoint<LayoutTerm> method(
+  InteriorPoint method(
       {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},
       make_constraints(model), inset_bounds(model));
   const SolveReport report = method.run(own, mu_start, mu_end, 600, "layout", {});

@@ -65,7 +65,7 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   LayoutModel model = make_layout_model(geometry, parameters);
   LayoutState state = initial_layout(model);
   LayoutTerms energies = make_energies(model);
-  InteriorPoint<LayoutTerm> method(
+  InteriorPoint method(
       {std::make_move_iterator(energies.begin()), std::make_move_iterator(energies.end())},
       make_constraints(model), inset_bounds(model), state.leftCols<2>());
   const LayoutTerms terms = make_energies(model);  // for those who listen

@@ -11,7 +11,7 @@
 
 namespace curveups {
 
-using LayoutTerm = Residuals<unknowns_per_tile, 2, 8>;
+using LayoutTerm = Residuals;
 using LayoutTerms = std::vector<std::unique_ptr<LayoutTerm>>;
 
 // Residuals of Eq. 9 with their weights inside: E = sum of squares, twice the terms' values. The

@@ -41,12 +41,11 @@ struct Complementarity {
 }  // namespace
 
 // Everything at an iterate that the step and the stopping test need.
-template <class Constraint>
-struct InteriorPoint<Constraint>::Linearization {
-  using Values = std::vector<std::vector<typename Constraint::Value>>;
+struct InteriorPoint::Linearization {
+  using Values = std::vector<std::vector<Residuals::Value>>;
 
   // kept: memory of another linearization, for the values.
-  Linearization(int blocks, const Terms<W>& energies, const Constraints& constraints,
+  Linearization(int blocks, const Terms<9>& energies, const Constraints& constraints,
                 const Places& places, Values kept)
       : values(std::move(kept)) {
     values.resize(constraints.size());
@@ -62,10 +61,10 @@ struct InteriorPoint<Constraint>::Linearization {
     }
     const auto pattern =
         std::make_shared<const BlockPattern>(std::vector<char>(blocks, 1), couplings, places);
-    matrix = std::make_unique<BlockMatrix<W>>(pattern);
-    constraint_matrix = std::make_unique<BlockMatrix<W>>(pattern);
-    gradient.resize(blocks, W);
-    pull.resize(blocks, W);
+    matrix = std::make_unique<BlockMatrix<9>>(pattern);
+    constraint_matrix = std::make_unique<BlockMatrix<9>>(pattern);
+    gradient.resize(blocks, Residuals::width);
+    pull.resize(blocks, Residuals::width);
   }
 
   // Optimality error of the barrier problem with parameter mu.
@@ -74,7 +73,7 @@ struct InteriorPoint<Constraint>::Linearization {
     return std::max({excess, largest_residual, products.largest - mu, mu - products.least});
   }
 
-  std::unique_ptr<BlockMatrix<W>> matrix, constraint_matrix;
+  std::unique_ptr<BlockMatrix<9>> matrix, constraint_matrix;
   std::vector<int> first;  // coupling of each energy, then of each constraint
   Vector gradient;         // of the energies
   Vector pull;  // J^T m and the bounds' multipliers: what the constraints hold against it
@@ -85,8 +84,7 @@ struct InteriorPoint<Constraint>::Linearization {
   Complementarity products;
 };
 
-template <class Constraint>
-struct InteriorPoint<Constraint>::Step {
+struct InteriorPoint::Step {
   Vector z;
   Vectors slack, multiplier;
   Eigen::VectorXd lower_multiplier, upper_multiplier;
@@ -95,8 +93,7 @@ struct InteriorPoint<Constraint>::Step {
 };
 
 // Moves unknowns inside their bounds.
-template <class Constraint>
-void InteriorPoint<Constraint>::begin(Vector& z, double mu) {
+void InteriorPoint::begin(Vector& z, double mu) {
   lower_multiplier_.resize(static_cast<Eigen::Index>(bounds_.size()));
   upper_multiplier_.resize(lower_multiplier_.size());
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
@@ -112,11 +109,10 @@ void InteriorPoint<Constraint>::begin(Vector& z, double mu) {
   take_new_constraints(z, mu);
 }
 
-template <class Constraint>
-void InteriorPoint<Constraint>::take_new_constraints(const Vector& z, double mu) {
+void InteriorPoint::take_new_constraints(const Vector& z, double mu) {
   // Far below sqrt(mu) a slack would take many steps to get away from zero.
   const double least = std::clamp(std::sqrt(mu), 1e-3, 0.05);
-  typename Constraint::Value value;
+  Residuals::Value value;
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     const int old = static_cast<int>(slack_[c].size()), count = constraints_[c]->element_count();
     slack_[c].conservativeResize(count);
@@ -130,8 +126,7 @@ void InteriorPoint<Constraint>::take_new_constraints(const Vector& z, double mu)
 }
 
 // Energies and constraints are taken at once, each into a matrix of its own.
-template <class Constraint>
-void InteriorPoint<Constraint>::linearize(const Vector& z, Linearization& at) const {
+void InteriorPoint::linearize(const Vector& z, Linearization& at) const {
   parallel_tasks({[&] {
                     at.matrix->set_zero();
                     at.gradient.setZero();
@@ -149,14 +144,13 @@ void InteriorPoint<Constraint>::linearize(const Vector& z, Linearization& at) co
   at.dual_error = (at.gradient - at.pull).cwiseAbs().maxCoeff() / (10 * scale);
 }
 
-template <class Constraint>
-void InteriorPoint<Constraint>::linearize_constraints(const Vector& z, Linearization& at) const {
+void InteriorPoint::linearize_constraints(const Vector& z, Linearization& at) const {
   at.constraint_matrix->set_zero();
   at.pull.setZero();
   at.residual_sum = at.largest_residual = at.largest_violation = 0;
   at.products = {};
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
-    const Constraint& constraint = *constraints_[c];
+    const Residuals& constraint = *constraints_[c];
     const int first = at.first[energies_.size() + c], rows = 1 + constraint.curvature_rows();
     auto make = [&](int begin, int end, int) {
       for (int e = begin; e < end; ++e) constraint.at(e, z, true, at.values[c][e]);
@@ -178,8 +172,7 @@ void InteriorPoint<Constraint>::linearize_constraints(const Vector& z, Lineariza
   }
 }
 
-template <class Constraint>
-void InteriorPoint<Constraint>::linearize_bounds(const Vector& z, Linearization& at) const {
+void InteriorPoint::linearize_bounds(const Vector& z, Linearization& at) const {
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const auto& [block, unknown, lower, upper] = bounds_[k];
     const double low = z(block, unknown) - lower, high = upper - z(block, unknown);
@@ -191,9 +184,8 @@ void InteriorPoint<Constraint>::linearize_bounds(const Vector& z, Linearization&
   }
 }
 
-template <class Constraint>
-typename InteriorPoint<Constraint>::Vector InteriorPoint<Constraint>::right_side(
-    const Vector& z, const Products& goal, const Linearization& at) const {
+InteriorPoint::Vector InteriorPoint::right_side(const Vector& z, const Products& goal,
+                                                const Linearization& at) const {
   Vector right = -at.gradient;
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     for (int e = 0; e < constraints_[c]->element_count(); ++e) {
@@ -211,9 +203,8 @@ typename InteriorPoint<Constraint>::Vector InteriorPoint<Constraint>::right_side
   return right;
 }
 
-template <class Constraint>
-bool InteriorPoint<Constraint>::solve_step(const Vector& z, double mu, Linearization& at,
-                                           double& damping, Step& step) const {
+bool InteriorPoint::solve_step(const Vector& z, double mu, Linearization& at, double& damping,
+                               Step& step) const {
   bool factorized = false;
   for (int attempt = 0; attempt < 12 && !factorized; ++attempt) {
     factorized = at.matrix->factorize(damping, 1e-9);
@@ -235,14 +226,13 @@ bool InteriorPoint<Constraint>::solve_step(const Vector& z, double mu, Lineariza
   return true;
 }
 
-template <class Constraint>
-typename InteriorPoint<Constraint>::Step InteriorPoint<Constraint>::step_towards(
-    const Vector& z, double mu, const Products& goal, const Linearization& at) const {
+InteriorPoint::Step InteriorPoint::step_towards(const Vector& z, double mu, const Products& goal,
+                                                const Linearization& at) const {
   const Vector right = right_side(z, goal, at);
   const Eigen::MatrixXd solution =
       at.matrix->solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
   Step step;
-  step.z = Eigen::Map<const Vector>(solution.data(), right.rows(), W);
+  step.z = Eigen::Map<const Vector>(solution.data(), right.rows(), Residuals::width);
   step.primal_length = step.dual_length = 1;
   step.decrease = (at.gradient.array() * step.z.array()).sum();
   step_slacks(mu, goal, at, step);
@@ -254,9 +244,8 @@ typename InteriorPoint<Constraint>::Step InteriorPoint<Constraint>::step_towards
   return step;
 }
 
-template <class Constraint>
-void InteriorPoint<Constraint>::step_slacks(double mu, const Products& goal,
-                                            const Linearization& at, Step& step) const {
+void InteriorPoint::step_slacks(double mu, const Products& goal, const Linearization& at,
+                                Step& step) const {
   step.slack = slack_;
   step.multiplier = multiplier_;
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
@@ -273,9 +262,8 @@ void InteriorPoint<Constraint>::step_slacks(double mu, const Products& goal,
   }
 }
 
-template <class Constraint>
-void InteriorPoint<Constraint>::step_bounds(const Vector& z, double mu, const Products& goal,
-                                            Step& step) const {
+void InteriorPoint::step_bounds(const Vector& z, double mu, const Products& goal,
+                                Step& step) const {
   step.lower_multiplier.resize(lower_multiplier_.size());
   step.upper_multiplier.resize(upper_multiplier_.size());
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
@@ -292,9 +280,7 @@ void InteriorPoint<Constraint>::step_bounds(const Vector& z, double mu, const Pr
   }
 }
 
-template <class Constraint>
-typename InteriorPoint<Constraint>::Products InteriorPoint<Constraint>::centred(
-    const Vector& z, double mu, const Step& step) const {
+InteriorPoint::Products InteriorPoint::centred(const Vector& z, double mu, const Step& step) const {
   const double primal = std::min(1.0, step.primal_length + reach),
                dual = std::min(1.0, step.dual_length + reach);
   auto goal = [&](double slack, double slack_step, double multiplier, double multiplier_step) {
@@ -318,14 +304,13 @@ typename InteriorPoint<Constraint>::Products InteriorPoint<Constraint>::centred(
   return out;
 }
 
-template <class Constraint>
-double InteriorPoint<Constraint>::merit(const Vector& z, const Vectors& slack, double mu,
-                                        double penalty) const {
+double InteriorPoint::merit(const Vector& z, const Vectors& slack, double mu,
+                            double penalty) const {
   double f = 0, logs = 0, violation = 0;
   for (const auto& energy : energies_) f += energy->value(z);
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     violation += parallel_sum(constraints_[c]->element_count(), [&](int e) {
-      typename Constraint::Value value;
+      Residuals::Value value;
       constraints_[c]->at(e, z, false, value);
       return std::abs(value.value(0) - slack[c](e));
     });
@@ -337,9 +322,8 @@ double InteriorPoint<Constraint>::merit(const Vector& z, const Vectors& slack, d
   return f - mu * logs + penalty * violation;
 }
 
-template <class Constraint>
-bool InteriorPoint<Constraint>::search(Vector& z, double mu, double penalty, double residual_sum,
-                                       const Step& step, double& length) {
+bool InteriorPoint::search(Vector& z, double mu, double penalty, double residual_sum,
+                           const Step& step, double& length) {
   const double slope = step.decrease - penalty * residual_sum;
   const double before = merit(z, slack_, mu, penalty);
   Vectors slack = slack_;
@@ -360,10 +344,9 @@ bool InteriorPoint<Constraint>::search(Vector& z, double mu, double penalty, dou
   return false;
 }
 
-template <class Constraint>
-SolveReport InteriorPoint<Constraint>::run(Vector& z, const Levels& levels, int max_iterations,
-                                           const std::string& what, const Progress& progress,
-                                           const Discover& discover) {
+SolveReport InteriorPoint::run(Vector& z, const Levels& levels, int max_iterations,
+                               const std::string& what, const Progress& progress,
+                               const Discover& discover) {
   SolveReport report;
   try {
     iterate(z, levels, max_iterations, what, progress, discover, report);
@@ -375,10 +358,9 @@ SolveReport InteriorPoint<Constraint>::run(Vector& z, const Levels& levels, int 
   return report;
 }
 
-template <class Constraint>
-void InteriorPoint<Constraint>::iterate(Vector& z, const Levels& levels, int max_iterations,
-                                        const std::string& what, const Progress& progress,
-                                        const Discover& discover, SolveReport& report) {
+void InteriorPoint::iterate(Vector& z, const Levels& levels, int max_iterations,
+                            const std::string& what, const Progress& progress,
+                            const Discover& discover, SolveReport& report) {
   const auto& [mu_start, mu_end, violation] = levels;
   double mu = mu_start, damping = 0, penalty = 1;
   const double span = std::log(mu_start / mu_end);
@@ -386,7 +368,7 @@ void InteriorPoint<Constraint>::iterate(Vector& z, const Levels& levels, int max
   const int blocks = static_cast<int>(z.rows());
   std::unique_ptr<Linearization> linearization;
   const auto linearize_anew = [&] {
-    typename Linearization::Values kept;
+    Linearization::Values kept;
     if (linearization) kept = std::move(linearization->values);
     linearization.reset();
     linearization =
@@ -434,7 +416,5 @@ void InteriorPoint<Constraint>::iterate(Vector& z, const Levels& levels, int max
     upper_multiplier_ += step.dual_length * step.upper_multiplier;
   }
 }
-
-template class InteriorPoint<Residuals<9, 2, 8>>;  // the layout's
 
 }  // namespace curveups

@@ -38,16 +38,13 @@ struct Levels {
   double violation = std::numeric_limits<double>::infinity();
 };
 
-// Constraint: a class of Residuals with one row an element, for Jacobians and curvature.
-template <class Constraint>
 class InteriorPoint {
  public:
-  static constexpr int W = Constraint::width;
-  using Vector = BlockVector<W>;
-  using Constraints = std::vector<std::unique_ptr<Constraint>>;
+  using Vector = Residuals::Vector;
+  using Constraints = std::vector<std::unique_ptr<Residuals>>;  // one row an element
 
   // places: where blocks lie, for the order of elimination (elimination_order).
-  InteriorPoint(Terms<W> energies, Constraints constraints, std::vector<Bound> bounds,
+  InteriorPoint(Terms<9> energies, Constraints constraints, std::vector<Bound> bounds,
                 Places places = {})
       : energies_(std::move(energies)),
         constraints_(std::move(constraints)),
@@ -96,7 +93,7 @@ class InteriorPoint {
   bool search(Vector& z, double mu, double penalty, double residual_sum, const Step& step,
               double& length);
 
-  Terms<W> energies_;
+  Terms<9> energies_;
   Constraints constraints_;
   std::vector<Bound> bounds_;
   Places places_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Many small vector functions r_e, each of the unknowns of at most K blocks and of at most R rows:
-// as a Term half the sum of their squares, with its Gauss-Newton matrix; as a constraint
-// r_e(x) >= 0.
+// Many small vector functions r_e, each of the nine unknowns of one tile or of two and of at most
+// eight rows: as a Term half the sum of their squares, with its Gauss-Newton matrix; as a
+// constraint r_e(x) >= 0.
 #pragma once
 
 #include <algorithm>
@@ -12,22 +12,21 @@
 
 namespace curveups {
 
-template <int W, int K, int R>
-class Residuals : public Term<W> {
+class Residuals : public Term<9> {
  public:
-  static constexpr int width = W, max_blocks = K, max_rows = R, pairs = K * (K - 1) / 2;
-  using Vector = BlockVector<W>;
-  using Blocks = std::array<int, K>;
-  using Unknowns = std::array<const double*, K>;  // of an element's blocks, null beyond them
+  static constexpr int width = 9, max_rows = 8;
+  using Vector = BlockVector<width>;
+  using Blocks = Coupling;
+  using Unknowns = std::array<const double*, 2>;  // of an element's blocks, null where it has one
   struct Value {
-    Eigen::Matrix<double, R, 1> value;
-    std::array<Eigen::Matrix<double, R, W, Eigen::RowMajor>, K> jacobian;  // by each block
+    Eigen::Matrix<double, max_rows, 1> value;
+    std::array<Eigen::Matrix<double, max_rows, width, Eigen::RowMajor>, 2> jacobian;  // by block
   };
 
   virtual int element_count() const = 0;
   // Rows of an element's value.
   virtual int dimension() const = 0;
-  // The blocks of an element, -1 beyond them.
+  // The blocks of an element; the second is -1 where it has one.
   virtual Blocks blocks(int element) const = 0;
   // Rows of the Jacobians beyond dimension() that add curvature to the Gauss-Newton matrix: half
   // the sum of squares (energies), or the function itself (constraints, negated), curves by at
@@ -40,19 +39,13 @@ class Residuals : public Term<W> {
   void at(int element, const Vector& x, bool derivatives, Value& out) const {
     Unknowns own;
     const Blocks list = blocks(element);
-    for (int k = 0; k < K; ++k) own[k] = list[k] < 0 ? nullptr : x.row(list[k]).data();
+    for (int k = 0; k < 2; ++k) own[k] = list[k] < 0 ? nullptr : x.row(list[k]).data();
     evaluate(element, own, derivatives, out);
   }
 
   void couple(std::vector<Coupling>& couplings) const override {
-    for (int e = 0; e < element_count(); ++e) {
-      const Blocks list = blocks(e);
-      for (int k = 0; k < K; ++k) {
-        for (int l = k + 1; l < K; ++l) couplings.push_back({list[k], list[l]});
-      }
-    }
+    for (int e = 0; e < element_count(); ++e) couplings.push_back(blocks(e));
   }
-
   double value(const Vector& x) const override {
     return 0.5 * parallel_sum(element_count(), [&](int e) {
              Value out;
@@ -61,11 +54,11 @@ class Residuals : public Term<W> {
            });
   }
 
-  double derivatives(const Vector& x, Vector& gradient, BlockMatrix<W>* hessian,
+  double derivatives(const Vector& x, Vector& gradient, BlockMatrix<width>* hessian,
                      int first) const override {
     double sum = 0;
-    const std::array<double, R> ones = [] {
-      std::array<double, R> out;
+    const std::array<double, max_rows> ones = [] {
+      std::array<double, max_rows> out;
       out.fill(1);
       return out;
     }();
@@ -83,7 +76,7 @@ class Residuals : public Term<W> {
   // sum += factor times row `row` of an element's Jacobians.
   void add_row(int element, const Value& value, int row, double factor, Vector& sum) const {
     const Blocks list = blocks(element);
-    for (int k = 0; k < K && list[k] >= 0; ++k) {
+    for (int k = 0; k < 2 && list[k] >= 0; ++k) {
       sum.row(list[k]) += factor * value.jacobian[k].row(row);
     }
   }
@@ -91,52 +84,43 @@ class Residuals : public Term<W> {
   double dot_row(int element, const Value& value, int row, const Vector& step) const {
     const Blocks list = blocks(element);
     double sum = value.jacobian[0].row(row).dot(step.row(list[0]));
-    for (int k = 1; k < K && list[k] >= 0; ++k) {
-      sum += value.jacobian[k].row(row).dot(step.row(list[k]));
-    }
+    if (list[1] >= 0) sum += value.jacobian[1].row(row).dot(step.row(list[1]));
     return sum;
   }
   // Adds J^T diag(weight) J of the first `rows` rows; first: as in Term::derivatives.
   void add_products(int element, const Value& value, int rows, const double* weight, int first,
-                    BlockMatrix<W>& matrix) const {
+                    BlockMatrix<width>& matrix) const {
     const Blocks list = blocks(element);
-    std::array<BlockSlot, K> diagonal;
-    for (int k = 0; k < K && list[k] >= 0; ++k) diagonal[k] = matrix.pattern().diagonal(list[k]);
+    const BlockSlot& joint = matrix.pattern().slot(first + element);
     for (int r = 0; r < rows; ++r) {
-      int pair = first + element * pairs;
-      for (int k = 0; k < K; ++k) {
-        if (list[k] < 0) break;
-        const double* a = value.jacobian[k].row(r).data();
-        add_product(a, a, weight[r], diagonal[k], matrix);
-        for (int l = k + 1; l < K; ++l, ++pair) {
-          const BlockSlot& slot = matrix.pattern().slot(pair);
-          if (!slot.stored()) continue;
-          const double* b = value.jacobian[l].row(r).data();
-          add_product(slot.swapped ? b : a, slot.swapped ? a : b, weight[r], slot, matrix);
-        }
+      for (int k = 0; k < 2 && list[k] >= 0; ++k) {
+        const double* own = value.jacobian[k].row(r).data();
+        add_product(own, own, weight[r], matrix.pattern().diagonal(list[k]), matrix);
       }
+      if (!joint.stored()) continue;
+      const double *a = value.jacobian[0].row(r).data(), *b = value.jacobian[1].row(r).data();
+      add_product(joint.swapped ? b : a, joint.swapped ? a : b, weight[r], joint, matrix);
     }
   }
 
  private:
   // Most rows touch a few unknowns only: zeros are skipped.
   static void add_product(const double* row, const double* column, double weight,
-                          const BlockSlot& slot, BlockMatrix<W>& matrix) {
-    for (int c = 0; c < W; ++c) {
+                          const BlockSlot& slot, BlockMatrix<width>& matrix) {
+    for (int c = 0; c < width; ++c) {
       if (column[c] == 0) continue;
       const double scaled = weight * column[c];
       double* to = matrix.column(slot, c);
-      for (int r = slot.below < 0 ? c : 0; r < W; ++r) to[r] += scaled * row[r];
+      for (int r = slot.below < 0 ? c : 0; r < width; ++r) to[r] += scaled * row[r];
     }
   }
 };
 
 // By how much constraints are violated at most.
-template <class Constraint>
-double largest_violation(const std::vector<std::unique_ptr<Constraint>>& constraints,
-                         const typename Constraint::Vector& x) {
+inline double largest_violation(const std::vector<std::unique_ptr<Residuals>>& constraints,
+                                const Residuals::Vector& x) {
   double largest = 0;
-  typename Constraint::Value value;
+  Residuals::Value value;
   for (const auto& constraint : constraints) {
     for (int e = 0; e < constraint->element_count(); ++e) {
       constraint->at(e, x, false, value);

@@ -7,11 +7,10 @@
 namespace curveups {
 namespace {
 
-using Rows = Residuals<9, 2, 8>;
 using Vector = BlockVector<9>;
 
 // Half the squared distance from a point.
-class Distance : public Rows {
+class Distance : public Residuals {
  public:
   explicit Distance(Vector goal) : goal_(std::move(goal)) {}
   std::string_view name() const override { return "distance"; }
@@ -35,7 +34,7 @@ struct Apart {
   double least;
 };
 
-class Distances : public Rows {
+class Distances : public Residuals {
  public:
   explicit Distances(const std::vector<Apart>& list) : list_(list) {}
   std::string_view name() const override { return "distances"; }
@@ -58,7 +57,7 @@ class Distances : public Rows {
 
 // Unknown 1 below a parabola of unknown 0. Steps follow its tangents, which lie above it, and don't
 // know how it curves: the violation shrinks by a constant factor a step.
-class Parabola : public Rows {
+class Parabola : public Residuals {
  public:
   std::string_view name() const override { return "parabola"; }
   int element_count() const override { return 1; }
@@ -75,10 +74,10 @@ class Parabola : public Rows {
 
 struct Problem {
   explicit Problem(int blocks) : goal(Vector::Zero(blocks, 9)) {}
-  InteriorPoint<Rows> method() {
+  InteriorPoint method() {
     Terms<9> energies;
     energies.push_back(std::make_unique<Distance>(goal));
-    std::vector<std::unique_ptr<Rows>> constraints;
+    std::vector<std::unique_ptr<Residuals>> constraints;
     constraints.push_back(std::make_unique<Distances>(apart));
     return {std::move(energies), std::move(constraints), bounds};
   }
@@ -159,9 +158,9 @@ TEST(InteriorPoint, ViolatesNoConstraintByMoreThanItMay) {
       z(0, 0) = 1;
       Terms<9> energies;
       energies.push_back(std::make_unique<Distance>(goal));
-      std::vector<std::unique_ptr<Rows>> constraints;
+      std::vector<std::unique_ptr<Residuals>> constraints;
       constraints.push_back(std::make_unique<Parabola>());
-      InteriorPoint<Rows> method(std::move(energies), std::move(constraints), {});
+      InteriorPoint method(std::move(energies), std::move(constraints), {});
       const SolveReport report = method.run(z, levels, 100, "test", {});
       EXPECT_TRUE(report.converged()) << k;
       largest = std::max(largest, report.residual);
