@@ -7,11 +7,12 @@ namespace curveups {
 
 Eigen::VectorXd AndersonIteration::next(const Eigen::VectorXd& guess,
                                         const Eigen::VectorXd& value) {
+  constexpr std::size_t depth = 6;  // steps that are kept
   const Eigen::VectorXd error = value - guess;
   if (error_.size() == error.size()) {
     guess_steps_.push_back(guess - guess_);
     error_steps_.push_back(error - error_);
-    if (static_cast<int>(guess_steps_.size()) > depth_) {
+    if (guess_steps_.size() > depth) {
       guess_steps_.erase(guess_steps_.begin());
       error_steps_.erase(error_steps_.begin());
     }

@@ -12,13 +12,10 @@ namespace curveups {
 
 class AndersonIteration {
  public:
-  explicit AndersonIteration(int depth = 6) : depth_(depth) {}
-
   // The next guess after G(guess) = value.
   Eigen::VectorXd next(const Eigen::VectorXd& guess, const Eigen::VectorXd& value);
 
  private:
-  int depth_;
   Eigen::VectorXd guess_, error_;
   std::vector<Eigen::VectorXd> guess_steps_, error_steps_;  // the last ones
 };

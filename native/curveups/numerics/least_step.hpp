@@ -24,7 +24,7 @@ struct LeastStepProblem {
   Eigen::VectorXd dense_value;
   Eigen::VectorXd lower, upper;  // lower < upper, within which zero lies or on one of which
   Eigen::VectorXd wanted;        // empty for zero
-  double sparse_penalty = 1e4, dense_penalty = 1e3;
+  static constexpr double sparse_penalty = 1e4, dense_penalty = 1e3;
 };
 
 struct LeastStep {
