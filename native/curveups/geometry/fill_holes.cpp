@@ -2,9 +2,7 @@
 // This file uses CGAL's Polygon Mesh Processing, which is GPL-3.0-or-later (see README, Licence).
 #include "curveups/geometry/fill_holes.hpp"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <exception>
@@ -14,12 +12,12 @@
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
+#include "curveups/geometry/cgal_mesh.hpp"
 
 namespace curveups {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using cgal::Kernel, cgal::Mesh;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
 }  // namespace
@@ -56,17 +54,7 @@ std::vector<std::vector<int>> small_holes(const TriangleMesh& mesh, double longe
 int fill_holes(TriangleMesh& given, const std::vector<std::vector<int>>& holes) {
   if (holes.empty()) return 0;
   Mesh mesh;
-  mesh.reserve(given.V.rows(), 3 * given.F.rows() / 2, given.F.rows());
-  for (int v = 0; v < given.V.rows(); ++v) {
-    mesh.add_vertex(Kernel::Point_3(given.V(v, 0), given.V(v, 1), given.V(v, 2)));
-  }
-  for (int f = 0; f < given.F.rows(); ++f) {
-    checkpoint_now_and_then(f);
-    const auto face =
-        mesh.add_face(Mesh::Vertex_index(given.F(f, 0)), Mesh::Vertex_index(given.F(f, 1)),
-                      Mesh::Vertex_index(given.F(f, 2)));
-    if (face == Mesh::null_face()) return 0;
-  }
+  if (cgal::append(mesh, given) >= 0) return 0;
   int filled = 0;
   for (const std::vector<int>& hole : holes) {
     checkpoint();

@@ -2,9 +2,7 @@
 // This file uses CGAL's Polygon Mesh Processing, which is GPL-3.0-or-later (see README, Licence).
 #include "curveups/geometry/isotropic_mesh.hpp"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/version.h>
 
 #include <algorithm>
@@ -13,12 +11,12 @@
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/geometry/cgal_mesh.hpp"
 
 namespace curveups {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using cgal::Kernel, cgal::Mesh;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
 // Which vertices stay; CGAL asks at every turn, and so lets itself be stopped.
@@ -95,23 +93,14 @@ struct Traits : Kernel {
 }  // namespace
 
 IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int iterations) {
-  const Points3& V = surface.mesh.V;
-  const Triangles& F = surface.mesh.F;
   Mesh mesh;
-  mesh.reserve(V.rows(), 3 * F.rows() / 2, F.rows());
+  const int refused = cgal::append(mesh, surface.mesh);
+  if (refused >= 0) {
+    throw TopologyError("the surface is not a manifold at face " + std::to_string(refused + 1),
+                        "separate faces that touch in one vertex only", {refused});
+  }
   auto fixed = mesh.add_property_map<Mesh::Vertex_index, bool>("v:fixed", false).first;
-  for (int v = 0; v < V.rows(); ++v) {
-    const auto vertex = mesh.add_vertex(Kernel::Point_3(V(v, 0), V(v, 1), V(v, 2)));
-    fixed[vertex] = surface.fixed[v] != 0;
-  }
-  for (int f = 0; f < F.rows(); ++f) {
-    const auto face = mesh.add_face(Mesh::Vertex_index(F(f, 0)), Mesh::Vertex_index(F(f, 1)),
-                                    Mesh::Vertex_index(F(f, 2)));
-    if (face == Mesh::null_face()) {
-      throw TopologyError("the surface is not a manifold at face " + std::to_string(f + 1),
-                          "separate faces that touch in one vertex only", {f});
-    }
-  }
+  for (const auto v : mesh.vertices()) fixed[v] = surface.fixed[v] != 0;
   auto feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
   for (const auto& [a, b] : surface.features) {
     const auto side = mesh.halfedge(Mesh::Vertex_index(a), Mesh::Vertex_index(b));
@@ -135,27 +124,13 @@ IsotropicMesh isotropic_mesh(const IsotropicMesh& surface, double length, int it
     throw SolverFailure("remeshing failed: " + std::string(error.what()),
                         "repair the surface, or give a remeshed one and switch remeshing off");
   }
-  mesh.collect_garbage();
   IsotropicMesh out;
-  out.mesh.V.resize(mesh.number_of_vertices(), 3);
-  out.mesh.F.resize(mesh.number_of_faces(), 3);
-  for (const auto v : mesh.vertices()) {
-    const Kernel::Point_3& p = mesh.point(v);
-    out.mesh.V.row(v) << p.x(), p.y(), p.z();
-    out.fixed.push_back(fixed[v]);
-  }
+  out.mesh = cgal::taken_from(mesh);
+  for (const auto v : mesh.vertices()) out.fixed.push_back(fixed[v]);
   for (const auto e : mesh.edges()) {
     if (!feature[e]) continue;
     out.features.push_back(
         {static_cast<int>(mesh.vertex(e, 0)), static_cast<int>(mesh.vertex(e, 1))});
-  }
-  int row = 0;
-  for (const auto f : mesh.faces()) {
-    int t = 0;
-    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
-      out.mesh.F(row, t++) = static_cast<int>(v);
-    }
-    ++row;
   }
   return out;
 }

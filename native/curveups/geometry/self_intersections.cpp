@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // This file uses CGAL's Polygon Mesh Processing, which is GPL-3.0-or-later (see README, Licence).
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -11,33 +9,16 @@
 #include <limits>
 #include <utility>
 
-#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/geometry/cgal_mesh.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
 
 namespace curveups {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-// The points of a mesh as CGAL asks for them: the one thing that it does all the time and that is
-// ours, so that it can be stopped.
-struct WatchedPoints {
-  using key_type = Mesh::Vertex_index;
-  using value_type = Kernel::Point_3;
-  using reference = const value_type&;
-  using category = boost::readable_property_map_tag;
-  const Mesh* mesh;
-  std::size_t* asked;
-
-  friend reference get(const WatchedPoints& points, key_type vertex) {
-    checkpoint_now_and_then(++*points.asked);
-    return points.mesh->point(vertex);
-  }
-};
+using cgal::Mesh;
 
 // The faces of slabs across the mesh's longest side, each in all that it reaches into: faces that
 // have a point in common have one slab in common.
@@ -71,18 +52,10 @@ Slabs divide(const TriangleMesh& mesh) {
 std::vector<int> self_intersecting_faces(const TriangleMesh& mesh) {
   if (mesh.F.rows() == 0) return {};
   Mesh surface;
-  for (int v = 0; v < mesh.V.rows(); ++v) {
-    surface.add_vertex(Kernel::Point_3(mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)));
-  }
-  for (int f = 0; f < mesh.F.rows(); ++f) {
-    checkpoint_now_and_then(f);
-    const auto face =
-        surface.add_face(Mesh::Vertex_index(mesh.F(f, 0)), Mesh::Vertex_index(mesh.F(f, 1)),
-                         Mesh::Vertex_index(mesh.F(f, 2)));
-    if (face == Mesh::null_face()) {
-      throw TopologyError("the surface is not a manifold at face " + std::to_string(f + 1),
-                          "repair the file", {f});
-    }
+  const int refused = cgal::append(surface, mesh);
+  if (refused >= 0) {
+    throw TopologyError("the surface is not a manifold at face " + std::to_string(refused + 1),
+                        "repair the file", {refused});
   }
   const Slabs slabs = divide(mesh);
   std::array<std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>>, slab_count> pairs;
@@ -92,7 +65,7 @@ std::vector<int> self_intersecting_faces(const TriangleMesh& mesh) {
       std::size_t asked = 0;
       CGAL::Polygon_mesh_processing::self_intersections(
           slabs[k], surface, std::back_inserter(pairs[k]),
-          CGAL::parameters::vertex_point_map(WatchedPoints{&surface, &asked}));
+          CGAL::parameters::vertex_point_map(cgal::WatchedPoints{&surface, &asked}));
     });
   }
   parallel_tasks(tasks);
