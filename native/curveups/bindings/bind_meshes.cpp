@@ -157,8 +157,8 @@ void bind_meshes(py::module_& module) {
       "mend_mesh",
       [](const PointsIn& V, const TrianglesIn& F, double L, double hole_edge, py::object progress) {
         const TriangleMesh mesh = read_unchecked_mesh(V, F);
-        return without_gil(std::move(progress), [&](Progress function) {
-          return mend_mesh(mesh, {L, hole_edge, std::move(function)});
+        return without_gil(std::move(progress), [&](const Progress&) {
+          return mend_mesh(mesh, {L, hole_edge});
         });
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("hole_edge"),
@@ -181,8 +181,8 @@ void bind_meshes(py::module_& module) {
         constexpr double degree = 3.14159265358979323846 / 180;
         const TriangleMesh mesh = read_mesh(V, F);
         const Edges lines = read_edges(features, mesh.V.rows(), "features");
-        return without_gil(std::move(progress), [&](Progress function) {
-          return remesh(mesh, {L, std::move(function), crease_angle * degree, lines, corner_reach});
+        return without_gil(std::move(progress), [&](const Progress&) {
+          return remesh(mesh, {L, crease_angle * degree, lines, corner_reach});
         });
       },
       py::arg("V"), py::arg("F"), py::arg("L"), py::arg("progress") = py::none(),

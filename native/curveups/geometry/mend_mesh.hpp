@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "curveups/core/progress.hpp"
 #include "curveups/geometry/triangle_mesh.hpp"
 
 namespace curveups {
@@ -14,7 +13,6 @@ namespace curveups {
 struct MendOptions {
   double L = 7;           // mean edge length of the tiles, mm
   double hole_edge = 28;  // holes with a shorter edge are filled, mm
-  Progress progress = {};
 };
 
 struct MendedMesh {

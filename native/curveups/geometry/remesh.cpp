@@ -98,9 +98,7 @@ IsotropicMesh remesh_component(const TriangleMesh& surface, const ClosestPoints&
   IsotropicMesh best;
   double best_error = -1;
   for (int round = 0; round < most_rounds; ++round) {
-    if (!keep_going(options.progress, "remeshing", static_cast<double>(round) / most_rounds)) {
-      throw Cancelled();
-    }
+    checkpoint("remeshing", static_cast<double>(round) / most_rounds);
     mesh = isotropic_mesh(mesh, length, round == 0 ? 12 : 5);
     const auto faces = mesh.mesh.F.rows();  // a closed surface has at least four
     if (faces == 0 || (loops == 0 && faces < 4) || boundary_loop_count(mesh.mesh) != loops) {

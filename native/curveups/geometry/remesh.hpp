@@ -2,14 +2,12 @@
 // Uniform isotropic triangulation of a surface. Its triangles become the tiles.
 #pragma once
 
-#include "curveups/core/progress.hpp"
 #include "curveups/geometry/triangle_mesh.hpp"
 
 namespace curveups {
 
 struct RemeshOptions {
   double L = 7.0;  // mean edge length, mm
-  Progress progress = {};
   // Creases: edges whose two faces' normals differ by more than this (rad) stay edges; lines of
   // them shorter than 2 L altogether are taken for noise. pi or more: none.
   double crease_angle = 4;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/geometry/builtin_targets.hpp"
@@ -119,7 +120,7 @@ TEST(Remesh, CreasesStayEdges) {
   const TriangleMesh roof = test::grid(40, 20, [&](double u, double v) {
     return Vec3(80 * u, 60 * v, -slope * std::abs(80 * u - 38));
   });
-  const RemeshResult kept = remesh(roof, {7, {}, 40 * M_PI / 180});
+  const RemeshResult kept = remesh(roof, {7, 40 * M_PI / 180});
   const Folds folds = folds_of(kept.mesh);
   EXPECT_EQ(folds.count, kept.features.rows());
   EXPECT_NEAR(folds.length, 60, 1e-9);
@@ -133,7 +134,7 @@ TEST(Remesh, CreasesStayEdges) {
   EXPECT_EQ(through.features.rows(), 0);
   EXPECT_GT(through.chord_error, 0.5);
   // A threshold that nothing reaches changes nothing.
-  EXPECT_EQ(remesh(roof, {7, {}, 80 * M_PI / 180}).mesh.V, through.mesh.V);
+  EXPECT_EQ(remesh(roof, {7, 80 * M_PI / 180}).mesh.V, through.mesh.V);
 }
 
 TEST(Remesh, CreasesOfABoxMeetInItsCorners) {
@@ -143,7 +144,7 @@ TEST(Remesh, CreasesOfABoxMeetInItsCorners) {
            : s < 60 ? Vec3(s - 30, 0, 30 * v)
                     : Vec3(30, s - 60, 30 * v);
   });
-  const RemeshResult result = remesh(box, {6, {}, 0.7});
+  const RemeshResult result = remesh(box, {6, 0.7});
   EXPECT_NEAR(folds_of(result.mesh).length, 60, 1e-9);
   EXPECT_LT(result.chord_error, 1e-9);
   EXPECT_TRUE(check_mesh(result.mesh, 6, false).empty());
@@ -153,7 +154,7 @@ TEST(Remesh, GivenFeaturesStayEdgesAndShortCreasesDoNot) {
   TriangleMesh plate = test::flat_square(30, 60);
   Edges along(30, 2);  // across the plate, at a third of it
   for (int k = 0; k < 30; ++k) along.row(k) << 31 * 10 + k, 31 * 10 + k + 1;
-  const RemeshResult result = remesh(plate, {7, {}, 4, along});
+  const RemeshResult result = remesh(plate, {7, 4, along});
   double length = 0;
   for (int e = 0; e < result.features.rows(); ++e) {
     const Vec3 a = result.mesh.V.row(result.features(e, 0));
@@ -162,10 +163,10 @@ TEST(Remesh, GivenFeaturesStayEdgesAndShortCreasesDoNot) {
     length += (b - a).norm();
   }
   EXPECT_NEAR(length, 60, 1e-9);
-  EXPECT_THROW(remesh(plate, {7, {}, 4, Edges::Constant(1, 2, 100000)}), InvalidInput);
+  EXPECT_THROW(remesh(plate, {7, 4, Edges::Constant(1, 2, 100000)}), InvalidInput);
   plate.V(31 * 15 + 15, 2) = 3;  // a thorn
-  EXPECT_GT(remesh(plate, {7, {}, 0.5}).features.rows(), 0);
-  EXPECT_EQ(remesh(plate, {20, {}, 0.5}).features.rows(), 0);  // shorter than two tiles' edges
+  EXPECT_GT(remesh(plate, {7, 0.5}).features.rows(), 0);
+  EXPECT_EQ(remesh(plate, {20, 0.5}).features.rows(), 0);  // shorter than two tiles' edges
 }
 
 TEST(Remesh, TeethOfARaggedBoundaryAreNoCorners) {
@@ -419,9 +420,10 @@ TEST(FaceGuard, CutsMovesShortAndLetsOthersMend) {
 
 TEST(Remesh, StopsAndRefuses) {
   const TriangleMesh disc = builtin_target("disc", 0.1);
-  RemeshOptions options;
-  options.progress = [](const std::string&, double) { return false; };
-  EXPECT_THROW(remesh(disc, options), Cancelled);
+  {
+    const ProgressScope scope([](const std::string&, double) { return false; });
+    EXPECT_THROW(remesh(disc, {}), Cancelled);
+  }
   EXPECT_THROW(remesh(disc, {0}), InvalidInput);
   EXPECT_THROW(remesh(disc, {std::nan("")}), InvalidInput);
   EXPECT_THROW(remesh(disc, {0.01}), InvalidInput);
