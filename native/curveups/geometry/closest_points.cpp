@@ -14,7 +14,6 @@
 #endif
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -42,6 +41,10 @@ Kernel::Point_3 point(const Points3& V, int v) { return {V(v, 0), V(v, 1), V(v, 
 }  // namespace
 
 struct ClosestPoints::Impl {
+  Vec3 corner(int face, int k) const {
+    const Kernel::Point_3& p = triangles[face][k];
+    return {p.x(), p.y(), p.z()};
+  }
   TriangleList triangles;
   Tree tree;
 };
@@ -74,8 +77,6 @@ ClosestPoints::ClosestPoints(const TriangleMesh& mesh) : impl_(std::make_unique<
   impl_->tree.accelerate_distance_queries();
 }
 ClosestPoints::~ClosestPoints() = default;
-ClosestPoints::ClosestPoints(ClosestPoints&&) noexcept = default;
-ClosestPoints& ClosestPoints::operator=(ClosestPoints&&) noexcept = default;
 
 ClosestPoint ClosestPoints::operator()(const Vec3& query) const {
   const auto [found, triangle] =
@@ -86,11 +87,8 @@ ClosestPoint ClosestPoints::operator()(const Vec3& query) const {
 
 // By regions (C. Ericson, "Real-time collision detection", 2005, 5.1.5): a fifth of CGAL's time.
 double ClosestPoints::distance_to_face(const Vec3& query, int face) const {
-  const auto corner = [&](int k) {
-    const Kernel::Point_3& p = impl_->triangles[face][k];
-    return Vec3(p.x(), p.y(), p.z());
-  };
-  const Vec3 a = corner(0), b = corner(1), c = corner(2), ab = b - a, ac = c - a, ap = query - a;
+  const Vec3 a = impl_->corner(face, 0), b = impl_->corner(face, 1), c = impl_->corner(face, 2);
+  const Vec3 ab = b - a, ac = c - a, ap = query - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
   if (d1 <= 0 && d2 <= 0) return ap.norm();
   const Vec3 bp = query - b;
@@ -111,11 +109,8 @@ double ClosestPoints::distance_to_face(const Vec3& query, int face) const {
 }
 
 Vec3 ClosestPoints::normal(int face) const {
-  const auto corner = [&](int k) {
-    const Kernel::Point_3& p = impl_->triangles[face][k];
-    return Vec3(p.x(), p.y(), p.z());
-  };
-  return (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+  const Vec3 a = impl_->corner(face, 0), b = impl_->corner(face, 1), c = impl_->corner(face, 2);
+  return (b - a).cross(c - a).normalized();
 }
 
 Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface) {
@@ -124,32 +119,6 @@ Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface) {
     for (int i = begin; i < end; ++i) distance[i] = surface(points.row(i)).distance;
   });
   return distance;
-}
-
-double largest_distance(const Points3& points, const ClosestPoints& surface) {
-  constexpr int stretch = 4096;  // of points, whatever the threads
-  const int count = static_cast<int>(points.rows()), stretches = (count + stretch - 1) / stretch;
-  std::vector<double> largest(stretches, 0);
-  std::atomic<double> known{0};  // only spares work: what is skipped is below it
-  parallel_ranges(stretches, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      checkpoint();
-      int face = -1;
-      for (int i = k * stretch; i < std::min(count, (k + 1) * stretch); ++i) {
-        const Vec3 query = points.row(i);
-        const double bound = std::max(largest[k], known.load());
-        // A hair below, as the two distances are not rounded alike.
-        if (face >= 0 && surface.distance_to_face(query, face) < (1 - 1e-9) * bound) continue;
-        const ClosestPoint there = surface(query);
-        face = there.face;
-        largest[k] = std::max(largest[k], there.distance);
-      }
-      double before = known.load();
-      while (largest[k] > before && !known.compare_exchange_weak(before, largest[k])) {
-      }
-    }
-  });
-  return count == 0 ? 0.0 : *std::max_element(largest.begin(), largest.end());
 }
 
 }  // namespace curveups

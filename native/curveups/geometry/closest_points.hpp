@@ -21,8 +21,6 @@ class ClosestPoints {
   // vertices beyond them.
   explicit ClosestPoints(const TriangleMesh& mesh);
   ~ClosestPoints();
-  ClosestPoints(ClosestPoints&&) noexcept;
-  ClosestPoints& operator=(ClosestPoints&&) noexcept;
 
   ClosestPoint operator()(const Vec3& query) const;
   // From one face of the mesh.
@@ -37,9 +35,5 @@ class ClosestPoints {
 
 // Distances from each of the points (N x 3) to the surface.
 Eigen::VectorXd distances(const Points3& points, const ClosestPoints& surface);
-
-// The largest of these, in a fraction of the time: points that are nearer to the face where the one
-// before them was than the largest distance so far are not looked at any more.
-double largest_distance(const Points3& points, const ClosestPoints& surface);
 
 }  // namespace curveups

@@ -53,10 +53,10 @@ TEST(Coarsen, KeepsClosedSurfacesClosedAndCoarseOnesAsTheyAre) {
 TEST(Coarsen, ScansAreRemeshedOnTheirOwnSurface) {
   const TriangleMesh fine = scan(450);
   const RemeshResult result = remesh(fine, {6});
-  EXPECT_LT(largest_distance(result.mesh.V, ClosestPoints(fine)), 1e-9);
+  EXPECT_LT(distances(result.mesh.V, ClosestPoints(fine)).maxCoeff(), 1e-9);
   EXPECT_NEAR(result.mean_edge, 6, 0.2);
   EXPECT_LT(result.edge_cv, 0.13);
-  const double sampled = largest_distance(fine.V, ClosestPoints(result.mesh));
+  const double sampled = distances(fine.V, ClosestPoints(result.mesh)).maxCoeff();
   EXPECT_GE(result.chord_error, sampled);
   EXPECT_LT(result.chord_error, sampled + 0.02);
 }

@@ -33,7 +33,7 @@ TEST_P(RemeshBuiltin, IsUniform) {
   EXPECT_NEAR(result.mean_edge, L, 0.03 * L);
   EXPECT_NEAR(mean_edge_length(result.mesh), result.mean_edge, 1e-9);
   EXPECT_LT(result.edge_cv, 0.12);
-  EXPECT_LT(largest_distance(result.mesh.V, ClosestPoints(target)), 0.005 * L);
+  EXPECT_LT(distances(result.mesh.V, ClosestPoints(target)).maxCoeff(), 0.005 * L);
   EXPECT_LT(result.chord_error, 0.08 * L);
   EXPECT_NEAR(surface_area(result.mesh), surface_area(target), 0.02 * surface_area(target));
   const MeshTopology topology = build_topology(result.mesh.F, result.mesh.V.rows());
@@ -82,7 +82,7 @@ TEST(Remesh, NeedlesOfACadTessellationGo) {
   const RemeshResult result = remesh(needles, {6});
   EXPECT_NEAR(result.mean_edge, 6, 0.18);
   EXPECT_LT(result.edge_cv, 0.12);
-  EXPECT_LT(largest_distance(result.mesh.V, ClosestPoints(needles)), 1e-6);
+  EXPECT_LT(distances(result.mesh.V, ClosestPoints(needles)).maxCoeff(), 1e-6);
   EXPECT_EQ(loop_count(result.mesh), 1u);
 }
 
