@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "curveups/bodies/convex_distance.hpp"
+#include "curveups/core/disjoint_sets.hpp"
 #include "curveups/fabrication/bridges.hpp"
 #include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/supports.hpp"
@@ -77,25 +77,20 @@ void add_anchor_wishes(const PrintModel& model, int piece, const Vec2& c, double
 // group: of each tile its piece, or its part of that.
 void find_loose(PrintModel& model, const Bridges& bridges, const std::vector<int>& group) {
   const int tile_count = static_cast<int>(group.size());
-  std::vector<int> root(tile_count + model.anchors.size());
-  std::iota(root.begin(), root.end(), 0);
-  auto find = [&](int i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  for (const auto& [a, b] : bridges.joined) root[find(a)] = find(b);
-  std::vector<int> size(root.size(), 0),
+  DisjointSets joined(tile_count + model.anchors.size());
+  for (const auto& [a, b] : bridges.joined) joined.unite(a, b);
+  std::vector<int> size(tile_count + model.anchors.size(), 0),
       main(*std::max_element(group.begin(), group.end()) + 1, -1);
-  for (int i = 0; i < tile_count; ++i) ++size[find(i)];
+  for (int i = 0; i < tile_count; ++i) ++size[joined.find(i)];
   for (int i = 0; i < tile_count; ++i) {
     int& best = main[group[i]];
-    if (best < 0 || size[find(i)] > size[best]) best = find(i);
+    if (best < 0 || size[joined.find(i)] > size[best]) best = joined.find(i);
   }
   for (int i = 0; i < tile_count; ++i) {
-    if (find(i) != main[group[i]]) model.loose_tiles.push_back(i);
+    if (joined.find(i) != main[group[i]]) model.loose_tiles.push_back(i);
   }
   for (std::size_t k = 0; k < model.anchors.size(); ++k) {
-    if (find(tile_count + static_cast<int>(k)) != main[model.anchors[k].piece]) {
+    if (joined.find(tile_count + static_cast<int>(k)) != main[model.anchors[k].piece]) {
       ++model.loose_anchors;
     }
   }

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <set>
 
+#include "curveups/core/disjoint_sets.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/edge_paths.hpp"
@@ -76,20 +76,11 @@ std::vector<EdgeSet> disc_arcs(const TriangleMesh& mesh, const MeshTopology& top
   // A spanning tree of the faces across the longest of them; the others remain.
   std::stable_sort(open.begin(), open.end(),
                    [](const Arc& a, const Arc& b) { return a.length > b.length; });
-  std::vector<int> parent(mesh.F.rows());
-  std::iota(parent.begin(), parent.end(), 0);
-  auto root = [&](int f) {
-    while (parent[f] != f) f = parent[f] = parent[parent[f]];
-    return f;
-  };
+  DisjointSets joined(mesh.F.rows());
   std::vector<EdgeSet> arcs;
   for (const Arc& arc : open) {
     const MeshEdge& edge = topology.edges[arc.edge];
-    const int f = root(edge.face[0]), g = root(edge.face[1]);
-    if (f != g) {
-      parent[std::max(f, g)] = std::min(f, g);
-      continue;
-    }
+    if (joined.unite(edge.face[0], edge.face[1])) continue;
     EdgeSet edges;
     add_path({edge.v[0], edge.v[1]}, edges);
     for (int end : edge.v) add_path(tree.path_to(end), edges);

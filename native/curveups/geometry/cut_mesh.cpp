@@ -6,36 +6,10 @@
 #include <string>
 #include <unordered_map>
 
+#include "curveups/core/disjoint_sets.hpp"
 #include "curveups/core/errors.hpp"
 
 namespace curveups {
-namespace {
-
-// Corner t of face f is number 3 f + t. Corners are united towards the lower number, so that a
-// fan is named after its lowest face.
-class CornerFans {
- public:
-  explicit CornerFans(int corner_count) : parent_(corner_count) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int find(int corner) {
-    while (parent_[corner] != corner) {
-      parent_[corner] = parent_[parent_[corner]];
-      corner = parent_[corner];
-    }
-    return corner;
-  }
-  void unite(int a, int b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
-}  // namespace
 
 CutMesh cut_open(const TriangleMesh& mesh, const MeshTopology& topology,
                  const std::vector<char>& cut) {
@@ -45,7 +19,8 @@ CutMesh cut_open(const TriangleMesh& mesh, const MeshTopology& topology,
                        "give one flag per edge");
   }
   const int face_count = static_cast<int>(mesh.F.rows());
-  CornerFans fans(3 * face_count);
+  // Corner t of face f is number 3 f + t, and a fan is named after its lowest one.
+  DisjointSets fans(3 * static_cast<std::size_t>(face_count));
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
     const MeshEdge& edge = topology.edges[e];
     if (edge.boundary() || (!cut.empty() && cut[e])) continue;

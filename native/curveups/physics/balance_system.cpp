@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "curveups/core/disjoint_sets.hpp"
 
 namespace curveups {
 namespace {
@@ -18,12 +19,6 @@ Eigen::Matrix3d make_basis(const Vec3& normal) {
   return basis;
 }
 
-// Union-find over tiles, the lowest tile of a component as its root.
-int root_of(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 }  // namespace
 
 BalanceSystem::BalanceSystem(std::vector<ContactPoint> points, const Points3& centres, double lever,
@@ -31,18 +26,16 @@ BalanceSystem::BalanceSystem(std::vector<ContactPoint> points, const Points3& ce
     : points_(std::move(points)), centres_(centres), lever_(lever) {
   const int tile_count = static_cast<int>(centres.rows());
   basis_.reserve(points_.size());
-  std::vector<int> parent(tile_count);
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets joined(tile_count);
   for (const ContactPoint& point : points_) {
     basis_.push_back(make_basis(point.normal));
-    const int a = root_of(parent, point.tile[0]), b = root_of(parent, point.tile[1]);
-    parent[std::max(a, b)] = std::min(a, b);
+    joined.unite(point.tile[0], point.tile[1]);
   }
   std::vector<char> supported(tile_count, 0);  // by component root
-  for (int tile : held) supported[root_of(parent, tile)] = 1;
+  for (int tile : held) supported[joined.find(tile)] = 1;
   std::vector<char> free(tile_count, 0);
   for (int i = 0; i < tile_count; ++i) {
-    const int root = root_of(parent, i);
+    const int root = joined.find(i);
     free[i] = (root != i || supported[root]) && !std::binary_search(held.begin(), held.end(), i);
   }
   std::vector<Coupling> couplings;
