@@ -110,10 +110,7 @@ int remove_slivers(const Points3& V, std::vector<Face>& faces) {
   // face with area, or a sliver over the same edge, and no edge comes back that was taken away.
   std::priority_queue<std::pair<double, int>> slivers;
   std::vector<char> dead;
-  const auto list_at = [&](int a, int b) -> std::vector<int>& {
-    return at[static_cast<std::uint64_t>(std::min(a, b)) << 32 |
-              static_cast<std::uint32_t>(std::max(a, b))];
-  };
+  const auto list_at = [&](int a, int b) -> std::vector<int>& { return at[edge_key(a, b)]; };
   const auto link = [&](int f) {
     const Face& face = faces[f];
     dead.push_back(0);
@@ -165,24 +162,6 @@ int remove_slivers(const Points3& V, std::vector<Face>& faces) {
   }
   faces.resize(kept);
   return found - flat_count(V, faces);
-}
-
-// With the vertices that the faces use, in their order.
-TriangleMesh used_part(const Points3& V, const std::vector<Face>& faces) {
-  std::vector<int> number(V.rows(), -1);
-  for (const Face& face : faces) {
-    for (int v : face) number[v] = 0;
-  }
-  int used = 0;
-  for (int& n : number) n = n < 0 ? -1 : used++;
-  TriangleMesh mesh{Points3(used, 3), Triangles(faces.size(), 3)};
-  for (int v = 0; v < V.rows(); ++v) {
-    if (number[v] >= 0) mesh.V.row(number[v]) = V.row(v);
-  }
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (int t = 0; t < 3; ++t) mesh.F(f, t) = number[faces[f][t]];
-  }
-  return mesh;
 }
 
 }  // namespace
@@ -245,9 +224,10 @@ CleanMesh clean_mesh(const TriangleMesh& soup) {
   const std::size_t lost = faces.end() - collapsed;
   faces.erase(collapsed, faces.end());
   note(lost + remove_slivers(soup.V, faces), " faces without area removed");
-  const std::vector<int> repeated =
-      repeated_faces(Eigen::Map<const Triangles>(faces.data()->data(), faces.size(), 3),
-                     static_cast<int>(soup.V.rows()));
+  const auto rows = [&] {
+    return Eigen::Map<const Triangles>(faces.data()->data(), faces.size(), 3);
+  };
+  const std::vector<int> repeated = repeated_faces(rows(), static_cast<int>(soup.V.rows()));
   std::size_t kept = 0;
   auto next = repeated.begin();
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -259,7 +239,7 @@ CleanMesh clean_mesh(const TriangleMesh& soup) {
   }
   faces.resize(kept);
   note(repeated.size(), " doubled faces removed");
-  out.mesh = used_part(soup.V, faces);
+  out.mesh = used_part(soup.V, rows()).mesh;
   const Orientation orientation = orientation_of(out.mesh.V, out.mesh.F);
   if (orientation.consistent) {
     std::size_t turned = 0;

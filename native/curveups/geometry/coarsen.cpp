@@ -20,7 +20,7 @@ class Rounds {
 
   // False where hardly anything was left to collapse.
   bool next();
-  const Triangles& faces() const { return F_; }
+  Triangles take() { return std::move(F_); }
 
  private:
   int find_target(int v, const std::vector<char>& locked);
@@ -132,7 +132,7 @@ bool Rounds::next() {
 
 }  // namespace
 
-CoarseMesh coarsen(const TriangleMesh& mesh, double length, const std::vector<char>& kept) {
+UsedPart coarsen(const TriangleMesh& mesh, double length, const std::vector<char>& kept) {
   std::vector<char> stays = kept;
   stays.resize(mesh.V.rows(), 0);
   visit_edges(mesh.F, static_cast<int>(mesh.V.rows()),
@@ -142,19 +142,7 @@ CoarseMesh coarsen(const TriangleMesh& mesh, double length, const std::vector<ch
               });
   Rounds rounds(mesh.V, mesh.F, length, std::move(stays));
   for (int round = 0; round < most_rounds && rounds.next(); ++round) checkpoint();
-  CoarseMesh out;
-  out.number.assign(mesh.V.rows(), -1);
-  const Triangles& F = rounds.faces();
-  for (Eigen::Index c = 0; c < F.size(); ++c) out.number[F.data()[c]] = 0;
-  int count = 0;
-  for (int& n : out.number) n = n < 0 ? -1 : count++;
-  out.mesh.V.resize(count, 3);
-  for (int v = 0; v < mesh.V.rows(); ++v) {
-    if (out.number[v] >= 0) out.mesh.V.row(out.number[v]) = mesh.V.row(v);
-  }
-  out.mesh.F.resize(F.rows(), 3);
-  for (Eigen::Index c = 0; c < F.size(); ++c) out.mesh.F.data()[c] = out.number[F.data()[c]];
-  return out;
+  return used_part(mesh.V, rounds.take());
 }
 
 }  // namespace curveups

@@ -6,17 +6,12 @@
 
 namespace curveups {
 
-struct CoarseMesh {
-  TriangleMesh mesh;        // its vertices are some of those given
-  std::vector<int> number;  // of each given vertex in it, -1 where it is gone
-};
-
 // Collapses vertices into neighbours where the edges that arise are no longer than `length` (mm)
 // and no face turns by more than 45 degrees or becomes a sliver; in rounds of vertices whose faces
 // do not touch. Vertices of the boundary and those with kept[v] != 0 (empty: none) stay, and with
 // them number and shape of boundaries and the topology. Deterministic, in time linear in the faces
 // times the logarithm of the factor. Edges of other than two faces count as boundary. Throws
 // Cancelled.
-CoarseMesh coarsen(const TriangleMesh& mesh, double length, const std::vector<char>& kept);
+UsedPart coarsen(const TriangleMesh& mesh, double length, const std::vector<char>& kept);
 
 }  // namespace curveups

@@ -227,10 +227,7 @@ TriangleMesh with_holes_closed(const TriangleMesh& mesh, const MeshTopology& top
   std::size_t outer = 0;
   double longest = -1;
   for (std::size_t l = 0; l < loops.size(); ++l) {
-    double length = 0;
-    for (std::size_t i = 0; i < loops[l].size(); ++i) {
-      length += (mesh.V.row(loops[l][i]) - mesh.V.row(loops[l][(i + 1) % loops[l].size()])).norm();
-    }
+    const double length = loop_length(mesh.V, loops[l]);
     if (length > longest * (1 + 1e-9)) {
       longest = length;
       outer = l;

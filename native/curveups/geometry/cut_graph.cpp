@@ -21,15 +21,6 @@ void add_path(const std::vector<int>& path, EdgeSet& out) {
   }
 }
 
-std::vector<char> flags(const MeshTopology& topology, const EdgeSet& edges) {
-  std::vector<char> out(topology.edges.size(), 0);
-  for (std::size_t e = 0; e < out.size(); ++e) {
-    const MeshEdge& edge = topology.edges[e];
-    out[e] = edges.count({std::min(edge.v[0], edge.v[1]), std::max(edge.v[0], edge.v[1])}) > 0;
-  }
-  return out;
-}
-
 // From one end of the surface to the other: the vertex farthest from the first, and the one
 // farthest from that.
 std::vector<int> longest_path(const TriangleMesh& mesh, const MeshTopology& topology) {
@@ -91,7 +82,7 @@ std::vector<EdgeSet> disc_arcs(const TriangleMesh& mesh, const MeshTopology& top
 }
 
 bool has_handles(const TriangleMesh& mesh, const MeshTopology& topology, const EdgeSet& cut) {
-  const TriangleMesh open = cut_open(mesh, topology, flags(topology, cut)).mesh;
+  const TriangleMesh open = cut_open(mesh, topology, mark_cuts(topology, rows_of(cut))).mesh;
   const MeshTopology cut_topology = build_topology(open.F, static_cast<int>(open.V.rows()));
   return handle_count(cut_topology, static_cast<int>(boundary_loops(cut_topology).size())) > 0;
 }
@@ -132,16 +123,13 @@ Edges opening_cuts(const TriangleMesh& mesh, const MeshTopology& topology,
     if (boundary_loops(own).empty()) add_path(longest_path(piece, own), slit);
     return slit;
   });
-  std::vector<char> all = flags(topology, found);
+  std::vector<char> all = mark_cuts(topology, rows_of(found));
   for (std::size_t e = 0; e < cut.size(); ++e) all[e] = all[e] || cut[e];
   keep(cut_into_pieces(mesh, topology, all), [](const TriangleMesh& piece, const auto& own) {
     const int loops = static_cast<int>(boundary_loops(own).size());
     return handle_count(own, loops) > 0 ? handle_cuts(piece, own) : EdgeSet();
   });
-  Edges out(static_cast<Eigen::Index>(found.size()), 2);
-  Eigen::Index row = 0;
-  for (const auto& edge : found) out.row(row++) << edge[0], edge[1];
-  return out;
+  return rows_of(found);
 }
 
 }  // namespace curveups

@@ -58,17 +58,14 @@ CutMesh cut_open(const TriangleMesh& mesh, const MeshTopology& topology,
 std::vector<char> mark_cuts(const MeshTopology& topology, const Edges& cuts) {
   std::vector<char> cut(topology.edges.size(), 0);
   if (cuts.rows() == 0) return cut;
-  std::unordered_map<long long, int> index;
-  auto key = [](int a, int b) {
-    return (static_cast<long long>(std::min(a, b)) << 32) | std::max(a, b);
-  };
+  std::unordered_map<std::uint64_t, int> index;
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
     if (!topology.edges[e].boundary()) {
-      index[key(topology.edges[e].v[0], topology.edges[e].v[1])] = static_cast<int>(e);
+      index[edge_key(topology.edges[e].v[0], topology.edges[e].v[1])] = static_cast<int>(e);
     }
   }
   for (int c = 0; c < cuts.rows(); ++c) {
-    const auto it = index.find(key(cuts(c, 0), cuts(c, 1)));
+    const auto it = index.find(edge_key(cuts(c, 0), cuts(c, 1)));
     if (it == index.end()) {
       throw InvalidInput("cut " + std::to_string(c) + " (" + std::to_string(cuts(c, 0)) + ", " +
                              std::to_string(cuts(c, 1)) + ") is no interior edge of the mesh",
@@ -85,34 +82,34 @@ std::vector<int> pieces_of_faces(const MeshTopology& topology, const std::vector
   return face_components(topology, joined);
 }
 
+std::vector<MeshPiece> parts_of(const TriangleMesh& mesh, const std::vector<int>& part) {
+  std::vector<MeshPiece> pieces;
+  for (int f = 0; f < mesh.F.rows(); ++f) {
+    if (part[f] >= static_cast<int>(pieces.size())) pieces.resize(part[f] + 1);
+    pieces[part[f]].faces.push_back(f);
+  }
+  std::vector<int> index(mesh.V.rows());
+  for (MeshPiece& piece : pieces) {
+    std::fill(index.begin(), index.end(), -1);
+    piece.mesh.F = mesh.F(piece.faces, Eigen::seqN(0, 3));
+    for (int& v : piece.mesh.F.reshaped<Eigen::RowMajor>()) {
+      if (index[v] < 0) {
+        index[v] = static_cast<int>(piece.original.size());
+        piece.original.push_back(v);
+      }
+      v = index[v];
+    }
+    piece.mesh.V = mesh.V(piece.original, Eigen::seqN(0, 3));
+  }
+  return pieces;
+}
+
 std::vector<MeshPiece> cut_into_pieces(const TriangleMesh& mesh, const MeshTopology& topology,
                                        const std::vector<char>& cut) {
   const CutMesh open = cut_open(mesh, topology, cut);
-  const std::vector<int> component = pieces_of_faces(topology, cut);
-  std::vector<MeshPiece> pieces;
-  for (int f = 0; f < mesh.F.rows(); ++f) {
-    if (component[f] >= static_cast<int>(pieces.size())) pieces.resize(component[f] + 1);
-    pieces[component[f]].faces.push_back(f);
-  }
-  std::vector<int> index(open.mesh.V.rows(), -1);
+  std::vector<MeshPiece> pieces = parts_of(open.mesh, pieces_of_faces(topology, cut));
   for (MeshPiece& piece : pieces) {
-    piece.mesh.F.resize(static_cast<Eigen::Index>(piece.faces.size()), 3);
-    std::vector<int> used;
-    for (std::size_t k = 0; k < piece.faces.size(); ++k) {
-      for (int t = 0; t < 3; ++t) {
-        const int v = open.mesh.F(piece.faces[k], t);
-        if (index[v] < 0) {
-          index[v] = static_cast<int>(used.size());
-          used.push_back(v);
-        }
-        piece.mesh.F(static_cast<Eigen::Index>(k), t) = index[v];
-      }
-    }
-    piece.mesh.V.resize(static_cast<Eigen::Index>(used.size()), 3);
-    for (std::size_t k = 0; k < used.size(); ++k) {
-      piece.mesh.V.row(static_cast<Eigen::Index>(k)) = open.mesh.V.row(used[k]);
-      piece.original.push_back(open.original[used[k]]);
-    }
+    for (int& v : piece.original) v = open.original[v];
   }
   return pieces;
 }

@@ -28,12 +28,15 @@ std::vector<char> mark_cuts(const MeshTopology& topology, const Edges& cuts);
 // The piece of each face, from 0 in the order of the lowest faces: `cut` as above.
 std::vector<int> pieces_of_faces(const MeshTopology& topology, const std::vector<char>& cut);
 
-// A component of a cut mesh as a mesh of its own.
+// A part of a mesh as a mesh of its own.
 struct MeshPiece {
   TriangleMesh mesh;          // only the vertices that its faces use, in the order of their use
   std::vector<int> faces;     // rows of the whole mesh's F, ascending
   std::vector<int> original;  // per vertex the whole, uncut mesh's vertex
 };
+
+// part: of each face, from 0.
+std::vector<MeshPiece> parts_of(const TriangleMesh& mesh, const std::vector<int>& part);
 
 // The pieces in the order of their lowest faces; `cut` as above.
 std::vector<MeshPiece> cut_into_pieces(const TriangleMesh& mesh, const MeshTopology& topology,

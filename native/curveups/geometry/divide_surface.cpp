@@ -21,13 +21,6 @@ using Pairs = std::set<Pair>;  // vertices of edges, the lower first
 
 Pair pair_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-Edges to_edges(const Pairs& pairs) {
-  Edges out(static_cast<Eigen::Index>(pairs.size()), 2);
-  Eigen::Index row = 0;
-  for (const Pair& pair : pairs) out.row(row++) << pair[0], pair[1];
-  return out;
-}
-
 std::vector<char> either(const std::vector<char>& a, const std::vector<char>& b) {
   std::vector<char> out = a;
   for (std::size_t e = 0; e < b.size(); ++e) out[e] = out[e] || b[e];
@@ -98,18 +91,18 @@ SurfaceDivision divide_surface(const TriangleMesh& mesh, const MeshTopology& top
       }
     }
   }
-  out.borders = to_edges(borders);
+  out.borders = rows_of(borders);
   std::vector<char> all = either(mark_cuts(topology, out.borders), cut);
   out.piece = pieces_of_faces(topology, all);
   for (const MeshPiece& piece : cut_into_pieces(mesh, topology, all)) {
     join_loops(piece, borders, slits);
   }
-  all = either(all, mark_cuts(topology, to_edges(slits)));
+  all = either(all, mark_cuts(topology, rows_of(slits)));
   const Edges opening = opening_cuts(mesh, topology, all);
   for (Eigen::Index e = 0; e < opening.rows(); ++e) {
     slits.insert(pair_of(opening(e, 0), opening(e, 1)));
   }
-  out.slits = to_edges(slits);
+  out.slits = rows_of(slits);
   return out;
 }
 

@@ -57,15 +57,6 @@ PathTree shortest_paths(const MeshTopology& topology, const std::vector<double>&
   return tree;
 }
 
-std::vector<double> edge_lengths(const TriangleMesh& mesh, const MeshTopology& topology) {
-  std::vector<double> length(topology.edges.size());
-  for (std::size_t e = 0; e < length.size(); ++e) {
-    const MeshEdge& edge = topology.edges[e];
-    length[e] = (mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).norm();
-  }
-  return length;
-}
-
 std::vector<int> shortest_edge_path(const TriangleMesh& mesh, const Points3& points) {
   if (points.rows() == 0) throw InvalidInput("the polyline has no points", "give two or more");
   if (!points.allFinite()) {

@@ -21,9 +21,6 @@ struct PathTree {
 PathTree shortest_paths(const MeshTopology& topology, const std::vector<double>& length,
                         int vertex_count, const std::vector<int>& sources);
 
-// Lengths of the edges, mm.
-std::vector<double> edge_lengths(const TriangleMesh& mesh, const MeshTopology& topology);
-
 // The vertices of the shortest edge path through the vertices nearest to each of the points (P x
 // 3), in their order; a point alone gives one vertex. Throws InvalidInput (no points, points or
 // vertices not finite) and TopologyError where no path of edges joins two of them.

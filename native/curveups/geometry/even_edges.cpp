@@ -17,11 +17,6 @@ constexpr double least_angle = 0.35;
 // away whatever the valences (rad).
 constexpr double cap_angle = 0.05;
 
-std::uint64_t pair_key(int a, int b) {
-  return (static_cast<std::uint64_t>(std::min(a, b)) << 32) |
-         static_cast<std::uint32_t>(std::max(a, b));
-}
-
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto angle = [](const Vec3& u, const Vec3& v) {
     return std::atan2(u.cross(v).norm(), u.dot(v));
@@ -72,16 +67,16 @@ int flip_towards_regular(IsotropicMesh& mesh) {
       ++excess[v];
       if (edge.boundary()) ++excess[v];  // twice per boundary vertex: valence 4 is regular there
     }
-    joined.insert(pair_key(edge.v[0], edge.v[1]));
+    joined.insert(edge_key(edge.v[0], edge.v[1]));
   }
   std::unordered_set<std::uint64_t> features;
-  for (const auto& [a, b] : mesh.features) features.insert(pair_key(a, b));
+  for (const auto& [a, b] : mesh.features) features.insert(edge_key(a, b));
   std::vector<char> touched(F.rows(), 0);
   int flips = 0;
   for (const MeshEdge& edge : topology.edges) {
     if (edge.boundary() || touched[edge.face[0]] || touched[edge.face[1]]) continue;
     const int a = edge.v[0], b = edge.v[1];
-    if (features.count(pair_key(a, b)) != 0) continue;
+    if (features.count(edge_key(a, b)) != 0) continue;
     const int c = F(edge.face[0], prev3(edge.side[0])), d = F(edge.face[1], prev3(edge.side[1]));
     const auto square = [](int x) { return x * x; };
     const int before =
@@ -94,7 +89,7 @@ int flip_towards_regular(IsotropicMesh& mesh) {
     const bool regular = after < before && flipped > std::min(least_angle, worst);
     const bool cap = worst < cap_angle && flipped > 2 * worst;
     if (!regular && !cap && !(after == before && flipped > worst + 0.05)) continue;
-    if (joined.count(pair_key(c, d)) != 0) continue;
+    if (joined.count(edge_key(c, d)) != 0) continue;
     // By area where one is flat: its own normal means nothing.
     const Vec3 first = (B - A).cross(C - A), second = (A - B).cross(D - B);
     const Vec3 normal = cap ? Vec3(first + second) : first.normalized() + second.normalized();
@@ -102,8 +97,8 @@ int flip_towards_regular(IsotropicMesh& mesh) {
     F.row(edge.face[0]) << c, d, b;
     F.row(edge.face[1]) << d, c, a;
     touched[edge.face[0]] = touched[edge.face[1]] = 1;
-    joined.erase(pair_key(a, b));
-    joined.insert(pair_key(c, d));
+    joined.erase(edge_key(a, b));
+    joined.insert(edge_key(c, d));
     --excess[a];
     --excess[b];
     ++excess[c];

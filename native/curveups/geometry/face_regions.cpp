@@ -33,7 +33,10 @@ struct Nearest {
 class Regions {
  public:
   Regions(const TriangleMesh& mesh, const MeshTopology& topology, const std::vector<char>& cut)
-      : topology_(topology), cut_(cut), steps_(mesh.F.rows()) {
+      : topology_(topology),
+        cut_(cut),
+        steps_(mesh.F.rows()),
+        length_(edge_lengths(mesh, topology)) {
     const int count = static_cast<int>(mesh.F.rows());
     std::vector<Vec3> middle;
     for (int f = 0; f < count; ++f) {
@@ -59,9 +62,6 @@ class Regions {
       for (int g : near) {
         if (g != f) steps_[f].push_back({g, (middle[g] - middle[f]).norm()});
       }
-    }
-    for (const MeshEdge& edge : topology.edges) {
-      length_.push_back((mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).norm());
     }
     component_ = parts_of(std::vector<int>(count, 0));
   }
@@ -263,7 +263,8 @@ class Regions {
   const MeshTopology& topology_;
   const std::vector<char>& cut_;
   std::vector<std::vector<Step>> steps_;
-  std::vector<double> area_, length_;
+  std::vector<double> area_;
+  std::vector<double> length_;  // of edges
   std::vector<int> component_;
 };
 

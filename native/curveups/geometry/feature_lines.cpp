@@ -25,12 +25,6 @@ Neighbours neighbours_of(const Edges& edges) {
   return next;
 }
 
-Edges to_edges(const std::vector<std::array<int, 2>>& pairs) {
-  Edges out(static_cast<Eigen::Index>(pairs.size()), 2);
-  for (std::size_t e = 0; e < pairs.size(); ++e) out.row(e) << pairs[e][0], pairs[e][1];
-  return out;
-}
-
 }  // namespace
 
 Edges crease_edges(const TriangleMesh& mesh, const MeshTopology& topology, double angle,
@@ -44,7 +38,7 @@ Edges crease_edges(const TriangleMesh& mesh, const MeshTopology& topology, doubl
     sharp.push_back({std::min(edge.v[0], edge.v[1]), std::max(edge.v[0], edge.v[1])});
   }
   std::sort(sharp.begin(), sharp.end());
-  const Neighbours next = neighbours_of(to_edges(sharp));
+  const Neighbours next = neighbours_of(rows_of(sharp));
   std::set<int> noise, seen;  // vertices of sets that are too short
   for (const auto& entry : next) {
     if (!seen.insert(entry.first).second) continue;
@@ -61,7 +55,7 @@ Edges crease_edges(const TriangleMesh& mesh, const MeshTopology& topology, doubl
   sharp.erase(std::remove_if(sharp.begin(), sharp.end(),
                              [&](const auto& pair) { return noise.count(pair[0]) != 0; }),
               sharp.end());
-  return to_edges(sharp);
+  return rows_of(sharp);
 }
 
 std::vector<FeatureLine> feature_lines(const Edges& edges, const std::vector<char>& is_end) {

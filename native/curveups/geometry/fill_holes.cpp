@@ -33,14 +33,9 @@ std::vector<std::vector<int>> small_holes(const TriangleMesh& mesh, double longe
   std::vector<double> length;
   std::map<int, std::size_t> outer;  // of a component: its longest loop
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const std::vector<int>& loop = loops[k];
-    double sum = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      sum += (mesh.V.row(loop[(i + 1) % loop.size()]) - mesh.V.row(loop[i])).norm();
-    }
-    length.push_back(sum);
-    const auto [it, fresh] = outer.emplace(component_at[loop[0]], k);
-    if (!fresh && sum > length[it->second]) it->second = k;
+    length.push_back(loop_length(mesh.V, loops[k]));
+    const auto [it, fresh] = outer.emplace(component_at[loops[k][0]], k);
+    if (!fresh && length[k] > length[it->second]) it->second = k;
   }
   std::vector<std::vector<int>> out;
   for (std::size_t k = 0; k < loops.size(); ++k) {

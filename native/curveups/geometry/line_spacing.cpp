@@ -157,8 +157,6 @@ IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, doubl
   for (const auto& [pair, e] : edge_between) {
     if (e >= 0 && !topology.edges[e].boundary()) inner.push_back(pair);
   }
-  Edges inner_edges(static_cast<Eigen::Index>(inner.size()), 2);
-  for (std::size_t e = 0; e < inner.size(); ++e) inner_edges.row(e) << inner[e][0], inner[e][1];
 
   std::unordered_map<int, std::vector<std::pair<double, int>>> inserted;  // by edge, from its v[0]
   const auto space = [&](const FeatureLine& line, const std::vector<char>& corner) {
@@ -178,7 +176,7 @@ IsotropicMesh space_lines(const TriangleMesh& mesh, const Edges& features, doubl
     }
   };
   for (std::vector<int>& loop : boundary_loops(topology)) space({std::move(loop), true}, is_corner);
-  for (const FeatureLine& line : feature_lines(inner_edges, on_boundary)) {
+  for (const FeatureLine& line : feature_lines(rows_of(inner), on_boundary)) {
     space(line, std::vector<char>(points.size(), 0));
   }
   for (auto& [edge, list] : inserted) std::sort(list.begin(), list.end());

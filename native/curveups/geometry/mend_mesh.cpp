@@ -17,28 +17,12 @@ namespace {
 
 constexpr double tile_area = 0.433;  // of an equilateral triangle, in L^2
 
-// number: of each vertex in the result, -1 where it is gone.
-TriangleMesh without_faces(const TriangleMesh& mesh, const std::vector<char>& gone,
-                           std::vector<int>& number) {
-  number.assign(mesh.V.rows(), -1);
-  int faces = 0, vertices = 0;
+UsedPart without_faces(const TriangleMesh& mesh, const std::vector<char>& gone) {
+  std::vector<int> kept;
   for (int f = 0; f < mesh.F.rows(); ++f) {
-    if (gone[f]) continue;
-    ++faces;
-    for (int t = 0; t < 3; ++t) number[mesh.F(f, t)] = 0;
+    if (!gone[f]) kept.push_back(f);
   }
-  for (int& n : number) n = n < 0 ? -1 : vertices++;
-  TriangleMesh out{Points3(vertices, 3), Triangles(faces, 3)};
-  for (int v = 0; v < mesh.V.rows(); ++v) {
-    if (number[v] >= 0) out.V.row(number[v]) = mesh.V.row(v);
-  }
-  int row = 0;
-  for (int f = 0; f < mesh.F.rows(); ++f) {
-    if (gone[f]) continue;
-    for (int t = 0; t < 3; ++t) out.F(row, t) = number[mesh.F(f, t)];
-    ++row;
-  }
-  return out;
+  return used_part(mesh.V, mesh.F(kept, Eigen::seqN(0, 3)));
 }
 
 MeshTopology topology_of(const TriangleMesh& mesh) {
@@ -57,8 +41,7 @@ int remove_crumbs(TriangleMesh& mesh, double L) {
   if (count == 0) return 0;
   std::vector<char> gone(mesh.F.rows(), 0);
   for (int f = 0; f < mesh.F.rows(); ++f) gone[f] = area[component[f]] < least;
-  std::vector<int> number;
-  mesh = without_faces(mesh, gone, number);
+  mesh = without_faces(mesh, gone).mesh;
   return static_cast<int>(count);
 }
 
@@ -91,8 +74,7 @@ int replace_intersections(TriangleMesh& mesh, double L, bool& left) {
       if (gone[f]) area += face_area_vector(mesh, f).norm();
     }
     if (area > 12 * tile_area * L * L) return 0;
-    std::vector<int> number;
-    TriangleMesh open = without_faces(mesh, gone, number);
+    auto [open, number] = without_faces(mesh, gone);
     if (!is_manifold(open)) continue;
     std::vector<char> was_boundary(open.V.rows(), 0);
     for (int v = 0; v < mesh.V.rows(); ++v) {

@@ -11,6 +11,7 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
 #include "curveups/geometry/coarsen.hpp"
+#include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/even_edges.hpp"
 #include "curveups/geometry/feature_lines.hpp"
 #include "curveups/geometry/line_spacing.hpp"
@@ -33,16 +34,16 @@ struct EdgeStatistics {
 };
 
 EdgeStatistics edge_statistics(const TriangleMesh& mesh) {
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
+  const std::vector<double> lengths =
+      edge_lengths(mesh, build_topology(mesh.F, static_cast<int>(mesh.V.rows())));
   double sum = 0, squares = 0;
-  for (const MeshEdge& edge : topology.edges) {
-    const double length = (mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).norm();
+  for (double length : lengths) {
     sum += length;
     squares += length * length;
   }
-  const double mean = sum / static_cast<double>(topology.edges.size());
-  return {mean, std::sqrt(std::max(
-                    0.0, squares / static_cast<double>(topology.edges.size()) - mean * mean))};
+  const auto count = static_cast<double>(lengths.size());
+  const double mean = sum / count;
+  return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
 }
 
 std::size_t boundary_loop_count(const TriangleMesh& mesh) {
@@ -58,10 +59,7 @@ Edges all_features(const TriangleMesh& surface, const std::vector<std::array<int
     creases = crease_edges(surface, topology, options.crease_angle, 2 * options.L);
   }
   Edges out(creases.rows() + static_cast<Eigen::Index>(given.size()), 2);
-  out.topRows(creases.rows()) = creases;
-  for (std::size_t e = 0; e < given.size(); ++e) {
-    out.row(creases.rows() + static_cast<Eigen::Index>(e)) << given[e][0], given[e][1];
-  }
+  out << creases, rows_of(given);
   return out;
 }
 
@@ -79,7 +77,7 @@ void coarsen_scan(TriangleMesh& surface, Edges& features, double L) {
   checkpoint("coarsening the scan");
   std::vector<char> kept(surface.V.rows(), 0);
   for (Eigen::Index k = 0; k < features.size(); ++k) kept[features.data()[k]] = 1;
-  CoarseMesh coarse = coarsen(surface, L / 8, kept);
+  UsedPart coarse = coarsen(surface, L / 8, kept);
   for (Eigen::Index k = 0; k < features.size(); ++k) {
     features.data()[k] = coarse.number[features.data()[k]];
   }
@@ -170,32 +168,17 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   checkpoint();
   const std::vector<int> component = face_components(topology, {});
   checkpoint();
-  const int count = *std::max_element(component.begin(), component.end()) + 1;
-
+  std::vector<MeshPiece> parts = parts_of(surface, component);
   RemeshResult result;
   result.mesh.V.resize(0, 3);
   result.mesh.F.resize(0, 3);
   std::vector<std::array<int, 2>> features;
-  for (int c = 0; c < count; ++c) {
-    TriangleMesh part;
-    std::vector<int> number(surface.V.rows(), -1), original;
-    const auto faces = std::count(component.begin(), component.end(), c);
-    part.F.resize(faces, 3);
-    int row = 0;
-    for (int f = 0; f < surface.F.rows(); ++f) {
-      if (component[f] != c) continue;
-      for (int t = 0; t < 3; ++t) {
-        int& n = number[surface.F(f, t)];
-        if (n < 0) {
-          n = static_cast<int>(original.size());
-          original.push_back(surface.F(f, t));
-        }
-        part.F(row, t) = n;
-      }
-      ++row;
+  for (MeshPiece& piece : parts) {
+    TriangleMesh& part = piece.mesh;
+    std::vector<int> number(surface.V.rows(), -1);
+    for (std::size_t v = 0; v < piece.original.size(); ++v) {
+      number[piece.original[v]] = static_cast<int>(v);
     }
-    part.V.resize(original.size(), 3);
-    for (std::size_t v = 0; v < original.size(); ++v) part.V.row(v) = surface.V.row(original[v]);
     checkpoint();
     std::vector<std::array<int, 2>> given;
     for (int e = 0; e < options.features.rows(); ++e) {
@@ -205,7 +188,7 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
     Edges lines = all_features(part, given, options);
     checkpoint();
     std::optional<ClosestPoints> own;
-    if (count > 1) own.emplace(part);
+    if (parts.size() > 1) own.emplace(part);
     checkpoint();
     coarsen_scan(part, lines, options.L);
     const IsotropicMesh made_part = remesh_component(part, own ? *own : closest, lines, options);
@@ -220,10 +203,7 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
       features.push_back({a + first_vertex, b + first_vertex});
     }
   }
-  result.features.resize(static_cast<Eigen::Index>(features.size()), 2);
-  for (std::size_t e = 0; e < features.size(); ++e) {
-    result.features.row(static_cast<Eigen::Index>(e)) << features[e][0], features[e][1];
-  }
+  result.features = rows_of(features);
   const EdgeStatistics edges = edge_statistics(result.mesh);
   result.mean_edge = edges.mean;
   result.edge_cv = edges.deviation / edges.mean;

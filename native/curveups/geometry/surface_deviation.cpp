@@ -136,12 +136,6 @@ void search(Cell whole, const ClosestPoints& surface, LargestDistance& known) {
   }
 }
 
-double twice_area(const TriangleMesh& mesh, int f) {
-  const Vec3 a = mesh.V.row(mesh.F(f, 0)), b = mesh.V.row(mesh.F(f, 1)),
-             c = mesh.V.row(mesh.F(f, 2));
-  return (b - a).cross(c - a).norm();
-}
-
 Vec3 centroid(const TriangleMesh& mesh, int f) {
   return (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))) / 3;
 }
@@ -203,7 +197,7 @@ void integrate(const Probed& of, Deviation& out) {
         add(2.0 / 15, of.surface(0.5 * (here.at + next.at)).distance);
       }
       add(9.0 / 20, of.middles[f].distance);
-      const double area = twice_area(mesh, f);
+      const double area = face_area_vector(mesh, f).norm();
       sums.row(f) << area, area * first, area * second;
     }
   });

@@ -3,23 +3,30 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <numeric>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 
 namespace curveups {
-namespace {
-
-std::uint64_t key(int a, int b) {
-  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::min(a, b))) << 32) |
-         static_cast<std::uint32_t>(std::max(a, b));
+UsedPart used_part(const Points3& V, Triangles F) {
+  UsedPart out;
+  out.number.assign(V.rows(), -1);
+  for (int& v : F.reshaped<Eigen::RowMajor>()) out.number[v] = 0;
+  int count = 0;
+  for (int& n : out.number) n = n < 0 ? -1 : count++;
+  out.mesh.V.resize(count, 3);
+  for (int v = 0; v < V.rows(); ++v) {
+    if (out.number[v] >= 0) out.mesh.V.row(out.number[v]) = V.row(v);
+  }
+  for (int& v : F.reshaped<Eigen::RowMajor>()) v = out.number[v];
+  out.mesh.F = std::move(F);
+  return out;
 }
-
-}  // namespace
 
 MeshTopology build_topology(const Triangles& F, int vertex_count) {
   const int face_count = static_cast<int>(F.rows());
@@ -42,7 +49,8 @@ MeshTopology build_topology(const Triangles& F, int vertex_count) {
         throw TopologyError("face " + std::to_string(f + 1) + " uses a vertex twice",
                             "remove degenerate faces", {f});
       }
-      const auto [it, fresh] = index.emplace(key(a, b), static_cast<int>(topology.edges.size()));
+      const auto [it, fresh] =
+          index.emplace(edge_key(a, b), static_cast<int>(topology.edges.size()));
       if (fresh) {
         topology.edges.push_back({{a, b}, {f, -1}, {t, -1}});
       } else {
@@ -139,13 +147,27 @@ std::vector<int> face_components(const MeshTopology& topology, const std::vector
   return component;
 }
 
-double mean_edge_length(const TriangleMesh& mesh) {
-  const MeshTopology topology = build_topology(mesh.F, static_cast<int>(mesh.V.rows()));
-  double sum = 0;
+std::vector<double> edge_lengths(const TriangleMesh& mesh, const MeshTopology& topology) {
+  std::vector<double> length;
   for (const MeshEdge& edge : topology.edges) {
-    sum += (mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).norm();
+    length.push_back((mesh.V.row(edge.v[1]) - mesh.V.row(edge.v[0])).norm());
   }
-  return topology.edges.empty() ? 0.0 : sum / static_cast<double>(topology.edges.size());
+  return length;
+}
+
+double loop_length(const Points3& V, const std::vector<int>& loop) {
+  double length = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    length += (V.row(loop[(i + 1) % loop.size()]) - V.row(loop[i])).norm();
+  }
+  return length;
+}
+
+double mean_edge_length(const TriangleMesh& mesh) {
+  const std::vector<double> length =
+      edge_lengths(mesh, build_topology(mesh.F, static_cast<int>(mesh.V.rows())));
+  const double sum = std::accumulate(length.begin(), length.end(), 0.0);
+  return length.empty() ? 0.0 : sum / static_cast<double>(length.size());
 }
 
 Vec3 face_area_vector(const TriangleMesh& mesh, int face) {

@@ -2,6 +2,8 @@
 // An oriented triangle mesh and its edges.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "curveups/core/types.hpp"
@@ -13,6 +15,28 @@ struct TriangleMesh {
   Points3 V;
   Triangles F;
 };
+
+// A mesh without the vertices that no face uses.
+struct UsedPart {
+  TriangleMesh mesh;        // its vertices are some of those given, in their order
+  std::vector<int> number;  // of each given vertex in it, -1 where it is gone
+};
+UsedPart used_part(const Points3& V, Triangles F);
+
+// The same for both directions of an edge.
+inline std::uint64_t edge_key(int a, int b) {
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::min(a, b))) << 32) |
+         static_cast<std::uint32_t>(std::max(a, b));
+}
+
+// Pairs of vertices, in any container, as rows.
+template <class Pairs>
+Edges rows_of(const Pairs& pairs) {
+  Edges out(static_cast<Eigen::Index>(pairs.size()), 2);
+  Eigen::Index row = 0;
+  for (const auto& [a, b] : pairs) out.row(row++) << a, b;
+  return out;
+}
 
 // Edge t of a face joins its corners t and t + 1.
 struct MeshEdge {
@@ -45,6 +69,10 @@ int handle_count(const MeshTopology& topology, int loop_count);
 // An empty `joined` stands for all interior edges.
 std::vector<int> face_components(const MeshTopology& topology, const std::vector<char>& joined);
 
+// Lengths of the edges, mm.
+std::vector<double> edge_lengths(const TriangleMesh& mesh, const MeshTopology& topology);
+// Of a closed line of edges, mm.
+double loop_length(const Points3& V, const std::vector<int>& loop);
 // mm, each edge once; 0 without faces. Throws what build_topology throws.
 double mean_edge_length(const TriangleMesh& mesh);
 Vec3 face_area_vector(const TriangleMesh& mesh, int face);  // normal times area

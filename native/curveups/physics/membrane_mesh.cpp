@@ -10,16 +10,12 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/geometry/planar_mesh.hpp"
+#include "curveups/geometry/triangle_mesh.hpp"
 
 namespace curveups {
 namespace {
 
 constexpr double most_triangles = 5e6;  // of a membrane; 20,000 tiles have some 800,000
-
-std::uint64_t key(int a, int b) {
-  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(std::min(a, b))) << 32) |
-         static_cast<std::uint32_t>(std::max(a, b));
-}
 
 // The size field h(r) = min(largest, at_corner + growth r) along a line from a pin corner, and how
 // many edges of that size fit into a length: I(r) = integral of dr / h, and its inverse.
@@ -72,14 +68,14 @@ class Gradings {
       }
       for (std::size_t i = 0; i < patch.corners.size(); ++i) {
         int& of_side =
-            of_side_[key(patch.corners[i], patch.corners[(i + 1) % patch.corners.size()])];
+            of_side_[edge_key(patch.corners[i], patch.corners[(i + 1) % patch.corners.size()])];
         of_side = std::max(of_side, halvings);
       }
     }
   }
   const Grading& in_patch(std::size_t patch) const { return by_halvings_[of_patch_[patch]]; }
   // The finer one of the patches on the side between two pin corners.
-  const Grading& on_side(int a, int b) const { return by_halvings_[of_side_.at(key(a, b))]; }
+  const Grading& on_side(int a, int b) const { return by_halvings_[of_side_.at(edge_key(a, b))]; }
 
  private:
   std::vector<Grading> by_halvings_;
@@ -136,7 +132,7 @@ SharedVertices make_shared_vertices(const MembraneDomain& domain, const Points2&
   for (const MembranePatch& patch : domain.patches) {
     for (std::size_t i = 0; i < patch.corners.size(); ++i) {
       const int a = patch.corners[i], b = patch.corners[(i + 1) % patch.corners.size()];
-      const auto [it, fresh] = shared.on_side.emplace(key(a, b), std::vector<int>());
+      const auto [it, fresh] = shared.on_side.emplace(edge_key(a, b), std::vector<int>());
       if (!fresh) continue;
       const int low = std::min(a, b), high = std::max(a, b);
       const double length = (flat.row(low) - flat.row(high)).norm();
@@ -214,7 +210,7 @@ MeshedPatch mesh_patch(const MembranePatch& patch, const Points2& flat,
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const int a = patch.corners[i], b = patch.corners[(i + 1) % corners.size()];
     push(shared.at_corner[a]);
-    const std::vector<int>& between = shared.on_side.at(key(a, b));
+    const std::vector<int>& between = shared.on_side.at(edge_key(a, b));
     if (a < b) {
       for (auto v = between.begin(); v != between.end(); ++v) push(*v);
     } else {
@@ -288,7 +284,7 @@ MembraneMesh refine_mesh(const MembraneMesh& mesh) {
   std::unordered_map<std::uint64_t, int> middle;
   middle.reserve(2 * mesh.triangles.size());
   auto midpoint = [&](int a, int b) {
-    const auto [it, fresh] = middle.emplace(key(a, b), fine.vertex_count());
+    const auto [it, fresh] = middle.emplace(edge_key(a, b), fine.vertex_count());
     if (!fresh) return it->second;
     std::vector<int> corners;
     std::vector<double> weights;

@@ -22,7 +22,7 @@ TEST(Coarsen, LeavesASoundMeshOfFewFaces) {
   std::vector<char> kept(fine.V.rows(), 0);
   const int middle = 201 * 100 + 100;
   kept[middle] = 1;
-  const CoarseMesh coarse = coarsen(fine, 1.5, kept);
+  const UsedPart coarse = coarsen(fine, 1.5, kept);
   EXPECT_LT(coarse.mesh.F.rows(), fine.F.rows() / 6);
   EXPECT_TRUE(check_mesh(coarse.mesh, 7, false).empty());
   EXPECT_LT(surface_deviation(coarse.mesh, fine).hausdorff, 0.08);
@@ -41,7 +41,7 @@ TEST(Coarsen, LeavesASoundMeshOfFewFaces) {
 
 TEST(Coarsen, KeepsClosedSurfacesClosedAndCoarseOnesAsTheyAre) {
   const TriangleMesh ball = test::sphere(40, 20);
-  const CoarseMesh coarse = coarsen(ball, 4, {});
+  const UsedPart coarse = coarsen(ball, 4, {});
   EXPECT_LT(coarse.mesh.F.rows(), ball.F.rows() / 3);
   const MeshTopology topology = build_topology(coarse.mesh.F, coarse.mesh.V.rows());
   EXPECT_TRUE(boundary_loops(topology).empty());
