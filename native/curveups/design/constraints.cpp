@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "curveups/core/tolerances.hpp"
 #include "curveups/geometry/overlapping_boxes.hpp"
@@ -36,7 +37,15 @@ double separation_along(const Faces& tile, int t, const Faces& other) {
   return least;
 }
 
-Eigen::VectorXd contact_gaps(const TileMesh& tiles, const std::vector<Faces>& placed) {
+// Two tips that face one another are separated by less along an edge normal than they are apart:
+// candidates are all pairs whose circles come within this many times the clearance. Circles,
+// because the answer must not depend on how the layout is turned.
+constexpr double reach = 3;
+
+}  // namespace
+
+Eigen::VectorXd contact_gaps(const TileMesh& tiles, const FlatPoses& poses) {
+  const std::vector<Faces> placed = place_all(tiles, poses);
   Eigen::VectorXd gaps(static_cast<Eigen::Index>(tiles.contacts.size()));
   for (std::size_t k = 0; k < tiles.contacts.size(); ++k) {
     const Contact& contact = tiles.contacts[k];
@@ -55,12 +64,9 @@ Eigen::VectorXd contact_gaps(const TileMesh& tiles, const std::vector<Faces>& pl
   return gaps;
 }
 
-// Two tips that face one another are separated by less along an edge normal than they are apart:
-// candidates are all pairs whose circles come within this many times the clearance. Circles,
-// because the answer must not depend on how the layout is turned.
-constexpr double reach = 3;
-
-std::vector<Separation> close_pairs(const std::vector<Faces>& placed, double clearance) {
+std::vector<Separation> find_close_pairs(const TileMesh& tiles, const FlatPoses& poses,
+                                         double clearance) {
+  const std::vector<Faces> placed = place_all(tiles, poses);
   const int count = static_cast<int>(placed.size());
   Points3 low(count, 3), high(count, 3);
   std::vector<Vec2> middle(count);
@@ -79,28 +85,15 @@ std::vector<Separation> close_pairs(const std::vector<Faces>& placed, double cle
     const double apart = (middle[i] - middle[j]).norm() - radius[i] - radius[j];
     if (apart > reach * clearance) continue;
     Separation best{i, 0, j, -std::numeric_limits<double>::infinity()};
-    for (int t = 0; t < 3; ++t) {
-      const double d = separation_along(placed[i], t, placed[j]);
-      if (d > best.distance) best = {i, t, j, d};
-    }
-    for (int t = 0; t < 3; ++t) {
-      const double d = separation_along(placed[j], t, placed[i]);
-      if (d > best.distance) best = {j, t, i, d};
+    for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
+      for (int t = 0; t < 3; ++t) {
+        const double d = separation_along(placed[a], t, placed[b]);
+        if (d > best.distance) best = {a, t, b, d};
+      }
     }
     if (best.distance < clearance) out.push_back(best);
   }
   return out;
-}
-
-}  // namespace
-
-std::vector<Separation> find_close_pairs(const TileMesh& tiles, const FlatPoses& poses,
-                                         double clearance) {
-  return close_pairs(place_all(tiles, poses), clearance);
-}
-
-Eigen::VectorXd contact_gaps(const TileMesh& tiles, const FlatPoses& poses) {
-  return contact_gaps(tiles, place_all(tiles, poses));
 }
 
 ConstraintReport check_constraints(const DesignGeometry& geometry, const FlatCorners& corners,
@@ -115,11 +108,11 @@ ConstraintReport check_constraints(const DesignGeometry& geometry, const FlatCor
           std::max(report.max_rigidity_mm, std::abs(flat - tiles.length(i, t)));
     }
   }
-  const std::vector<Faces> placed = place_all(tiles, fit_poses(tiles, corners));
+  const FlatPoses poses = fit_poses(tiles, corners);
   double least_gap = p.d_gap_min;
-  const Eigen::VectorXd gaps = contact_gaps(tiles, placed);
+  const Eigen::VectorXd gaps = contact_gaps(tiles, poses);
   if (gaps.size()) least_gap = std::min(least_gap, gaps.minCoeff());
-  for (const Separation& pair : close_pairs(placed, p.d_gap_min)) {
+  for (const Separation& pair : find_close_pairs(tiles, poses, p.d_gap_min)) {
     least_gap = std::min(least_gap, pair.distance);
     if (pair.distance < p.d_gap_min - tolerance::constraint) {
       report.close_pairs.push_back(
