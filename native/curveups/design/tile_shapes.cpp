@@ -18,7 +18,9 @@ void put(const std::array<Vec2, 3>& first, double first_z, const std::array<Vec2
 
 }  // namespace
 
-TileShapes tile_shapes(const TileMesh& tiles, double H_pin, const FlatCorners& T, const Array6& q) {
+TileShapes tile_shapes(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters,
+                       const FlatCorners& T, const Array6& q) {
+  const TileMesh tiles = make_tile_mesh(mesh, cuts, parameters.H_body);
   const int count = tiles.tile_count();
   if (T.rows()) require_row_per_tile(T, count, "T");
   if (q.rows()) require_row_per_tile(q, count, "q");
@@ -46,7 +48,7 @@ TileShapes tile_shapes(const TileMesh& tiles, double H_pin, const FlatCorners& T
         const int s = static_cast<int>(side);
         const std::array<Vec2, 3> pin = pin_corners(tiles, i, side, q.row(i).data());
         const double foot = side == Side::front ? 0 : -tiles.H_body;
-        const double top = side == Side::front ? H_pin : foot - H_pin;
+        const double top = side == Side::front ? parameters.H_pin : foot - parameters.H_pin;
         put(pin, foot, pin, top, actuated, out.actuated_pins.row(i).data() + 18 * s);
         if (T.rows()) put(pin, foot, pin, top, flat, out.flat_pins.row(i).data() + 18 * s);
       }
@@ -59,11 +61,6 @@ TileShapes tile_shapes(const TileMesh& tiles, double H_pin, const FlatCorners& T
     out.contact_sides.row(k) << side[0], side[1];
   }
   return out;
-}
-
-TileShapes tile_shapes(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters,
-                       const FlatCorners& T, const Array6& q) {
-  return tile_shapes(make_tile_mesh(mesh, cuts, parameters.H_body), parameters.H_pin, T, q);
 }
 
 }  // namespace curveups

@@ -20,9 +20,6 @@ struct TileShapes {
 
 // T and q have a row per tile, or none where there is no layout yet. Throws InvalidInput for other
 // sizes and for numbers that are not finite, InfeasibleDesign as make_geometry does.
-TileShapes tile_shapes(const TileMesh& tiles, double H_pin, const FlatCorners& T, const Array6& q);
-
-// Of what a solver has at hand, or of a whole design.
 TileShapes tile_shapes(const TriangleMesh& mesh, const Edges& cuts, const Parameters& parameters,
                        const FlatCorners& T, const Array6& q);
 
