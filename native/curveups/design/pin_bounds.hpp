@@ -52,7 +52,7 @@ struct RelaxedBound {
 struct PinBounds {
   Array6 lower, upper;  // mm
   std::vector<PinKeepout> keepouts;
-  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> least_area;  // per tile and side, mm2
+  PerSide least_area;                 // mm2
   std::vector<SmallPin> small;        // sides with least_area below A_pin_min
   std::vector<RelaxedBound> relaxed;  // by tile, side and edge
 };

@@ -10,9 +10,6 @@
 
 namespace curveups {
 
-// Per tile: front, back.
-using TwoSides = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
-
 // M tiles, N contacts. Where a tile has no back face (back_scale below tiles_without_back's bound)
 // truncation planes, pins and overlaps mean nothing: `shaped` is false, and what is listed after it
 // is empty.
@@ -25,12 +22,12 @@ struct TileMargins {
   Eigen::VectorXd back_scale;  // M: length of the back face over that of the front face
   bool shaped = true;
   Eigen::VectorXd interface_share;  // N: the interface's back edge over its front edge; 0: a hinge
-  TwoSides pin_area;                // M, front and back, mm2: of the largest pin there
-  TwoSides membrane_clearance;  // M, front and back, mm: by how much the tops of pins that come as
-                                // near as they may stand over the tile's corners and contacts,
-                                // along the surface's normal. A taut membrane passes below its
-                                // pins' tops: where this is negative it cuts into the tile.
-                                // Corners on the boundary or a cut do not count: there is none.
+  PerSide pin_area;                 // M, front and back, mm2: of the largest pin there
+  PerSide membrane_clearance;  // M, front and back, mm: by how much the tops of pins that come as
+                               // near as they may stand over the tile's corners and contacts,
+                               // along the surface's normal. A taut membrane passes below its
+                               // pins' tops: where this is negative it cuts into the tile.
+                               // Corners on the boundary or a cut do not count: there is none.
   std::vector<std::array<int, 2>> trimmed;      // tiles without a common vertex that run into one
                                                 // another and are cut off by a plane between them
   std::vector<std::array<int, 2>> overlapping;  // tiles that no plane parts

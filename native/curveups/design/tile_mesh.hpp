@@ -14,6 +14,9 @@ namespace curveups {
 
 enum class Side { front = 0, back = 1 };
 
+// One value for each side of each tile: front, back.
+using PerSide = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
 // Two tiles that touch when actuated: an interior, uncut edge.
 struct Contact {
   int edge;                 // in topology.edges

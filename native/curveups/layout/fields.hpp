@@ -7,9 +7,6 @@
 
 namespace curveups {
 
-// Per tile: front, back.
-using PerSide = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
-
 struct TargetFields {
   Edges contacts;            // N x 2 tiles
   Eigen::VectorXd dihedral;  // N, degrees: convex (ridge) positive
