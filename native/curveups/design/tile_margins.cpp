@@ -15,12 +15,6 @@ namespace {
 
 constexpr double degrees = 180 / 3.14159265358979323846;
 
-// The back triangle is the front one with its edges moved in by H tan(fold / 2): similar, and
-// smaller by the sum of l_t H tan(fold_t / 2) over twice the area.
-double back_scale(const TileMesh& tiles, int i) {
-  return 1 - tiles.back_shift.row(i).dot(tiles.length.row(i)) / (2 * tiles.area(i));
-}
-
 double dihedral_margin(const TileMesh& tiles, int i, int t, double scale) {
   const double spare = 2 * tiles.area(i) * scale / (tiles.length(i, t) * tiles.H_body);
   const double half = 0.5 * tiles.dihedral(i, t);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "curveups/core/errors.hpp"
-#include "curveups/core/parallel.hpp"
 #include "curveups/core/text.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 
@@ -76,9 +75,10 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
   std::vector<int> flat;
   for (int i = 0; i < count; ++i) {
     tiles.area(i) = face_area_vector(mesh, i).norm();
-    const double longest = std::max({(mesh.V.row(mesh.F(i, 0)) - mesh.V.row(mesh.F(i, 1))).norm(),
-                                     (mesh.V.row(mesh.F(i, 1)) - mesh.V.row(mesh.F(i, 2))).norm(),
-                                     (mesh.V.row(mesh.F(i, 2)) - mesh.V.row(mesh.F(i, 0))).norm()});
+    for (int t = 0; t < 3; ++t) {
+      tiles.length(i, t) = (mesh.V.row(mesh.F(i, next3(t))) - mesh.V.row(mesh.F(i, t))).norm();
+    }
+    const double longest = tiles.length.row(i).maxCoeff();
     if (!(tiles.area(i) > 1e-9 * longest * longest)) flat.push_back(i);
   }
   if (!flat.empty()) {
@@ -90,7 +90,6 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
     for (int t = 0; t < 3; ++t) {
       const Vec3 p = tiles.frame[i].to_own(mesh.V.row(mesh.F(i, t)));
       tiles.front[i][t] = p.head<2>();
-      tiles.length(i, t) = (mesh.V.row(mesh.F(i, next3(t))) - mesh.V.row(mesh.F(i, t))).norm();
     }
   }
   for (std::size_t e = 0; e < tiles.topology.edges.size(); ++e) {
@@ -115,11 +114,16 @@ TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_bo
   return tiles;
 }
 
-std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale) {
+// The back triangle is the front one with its edges moved in by H tan(fold / 2): similar, and
+// smaller by the sum of l_t H tan(fold_t / 2) over twice the area.
+double back_scale(const TileMesh& tiles, int i) {
+  return 1 - tiles.back_shift.row(i).dot(tiles.length.row(i)) / (2 * tiles.area(i));
+}
+
+std::vector<int> tiles_without_back(const TileMesh& tiles) {
   std::vector<int> out;
   for (int i = 0; i < tiles.tile_count(); ++i) {
-    const double scale = 1 - tiles.back_shift.row(i).dot(tiles.length.row(i)) / (2 * tiles.area(i));
-    if (!(scale > least_scale)) out.push_back(i);
+    if (!(back_scale(tiles, i) > 1e-3)) out.push_back(i);
   }
   return out;
 }
@@ -148,8 +152,6 @@ std::string tile_name(int tile) {
   return name;
 }
 
-std::string tile_names(const std::vector<int>& tiles, std::size_t most) {
-  return listed(tiles, most, tile_name);
-}
+std::string tile_names(const std::vector<int>& tiles) { return listed(tiles, 6, tile_name); }
 
 }  // namespace curveups

@@ -62,9 +62,13 @@ std::array<Vec2, 3> inset_triangle(const std::array<Vec2, 3>& triangle,
 // face vanishes or turns over is left to tiles_without_back.
 TileMesh make_tile_mesh(const TriangleMesh& mesh, const Edges& cuts, double H_body);
 
-// Tiles whose back triangle is smaller than `least_scale` times their front triangle, or turned
-// over: their folds are sharper than a tile of this thickness can have.
-std::vector<int> tiles_without_back(const TileMesh& tiles, double least_scale = 1e-3);
+// Lengths of a tile's back triangle over those of its front triangle, which is similar; negative
+// where folds turn it over.
+double back_scale(const TileMesh& tiles, int tile);
+
+// Tiles whose back_scale is hardly positive: their folds are sharper than a tile of this thickness
+// can have.
+std::vector<int> tiles_without_back(const TileMesh& tiles);
 
 // Throws InfeasibleDesign with the tiles where there are any.
 void require_back_faces(const TileMesh& tiles);
@@ -74,7 +78,7 @@ Edges contact_tiles(const TileMesh& tiles);
 
 // What tile i is called in files and messages: "T00001" for tile 0; a list is separated by commas.
 std::string tile_name(int tile);
-// The first `most`, and how many more there are.
-std::string tile_names(const std::vector<int>& tiles, std::size_t most = 6);
+// The first six, and how many more there are.
+std::string tile_names(const std::vector<int>& tiles);
 
 }  // namespace curveups
