@@ -52,6 +52,27 @@ std::vector<char> open_vertices(const TileMesh& tiles) {
   return open;
 }
 
+std::vector<std::vector<int>> corners_around_inner_vertices(const TileMesh& tiles) {
+  std::vector<char> done = open_vertices(tiles);
+  std::vector<std::vector<int>> around(tiles.mesh.V.rows());
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int t = 0; t < 3; ++t) {
+      const int v = tiles.mesh.F(i, t);
+      if (done[v]) continue;
+      done[v] = 1;
+      int tile = i, corner = t;
+      do {
+        around[v].push_back(3 * tile + corner);
+        // Across the edge that ends in v: the next tile counter-clockwise.
+        tile = tiles.topology.neighbour(tile, prev3(corner));
+        corner = 0;
+        while (tiles.mesh.F(tile, corner) != v) ++corner;
+      } while (tile != i);
+    }
+  }
+  return around;
+}
+
 std::vector<std::array<int, 2>> crossing_rims(const TileMesh& tiles, const Points2& corners) {
   const std::vector<RimEdge> rim = rim_edges(tiles);
   const Eigen::Index count = static_cast<Eigen::Index>(rim.size());

@@ -13,6 +13,10 @@ namespace curveups {
 // between the tiles there.
 std::vector<char> open_vertices(const TileMesh& tiles);
 
+// By vertex: the corners (3 tile + t) of the tiles around it, counter-clockwise in the plane from
+// that of the lowest tile; none for open vertices.
+std::vector<std::vector<int>> corners_around_inner_vertices(const TileMesh& tiles);
+
 // The sheet covers tiles (or their pins), the strips between tiles in contact, and what strips
 // enclose around uncut interior vertices. Where a target has more than the full angle around a
 // vertex, as saddles do, the sides of a cut there lie on one another, however far the tiles keep

@@ -5,19 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "curveups/design/flat_rim.hpp"
 #include "curveups/design/pins.hpp"
 
 namespace curveups {
 
 std::vector<std::vector<int>> tiles_around_inner_vertices(const TileMesh& tiles) {
-  std::vector<std::vector<int>> around(static_cast<std::size_t>(tiles.mesh.V.rows()));
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    for (int t = 0; t < 3; ++t) around[tiles.mesh.F(i, t)].push_back(i);
-  }
-  for (std::size_t e = 0; e < tiles.topology.edges.size(); ++e) {
-    const MeshEdge& edge = tiles.topology.edges[e];
-    if (!edge.boundary() && !tiles.cut[e]) continue;
-    for (int v : edge.v) around[v].clear();
+  std::vector<std::vector<int>> around = tiles_at_vertices(tiles);
+  const std::vector<char> open = open_vertices(tiles);
+  for (std::size_t v = 0; v < around.size(); ++v) {
+    if (open[v]) around[v].clear();
   }
   return around;
 }

@@ -146,6 +146,14 @@ Edges contact_tiles(const TileMesh& tiles) {
   return out;
 }
 
+std::vector<std::vector<int>> tiles_at_vertices(const TileMesh& tiles) {
+  std::vector<std::vector<int>> out(tiles.mesh.V.rows());
+  for (int i = 0; i < tiles.tile_count(); ++i) {
+    for (int t = 0; t < 3; ++t) out[tiles.mesh.F(i, t)].push_back(i);
+  }
+  return out;
+}
+
 std::string tile_name(int tile) {
   char name[16];
   std::snprintf(name, sizeof name, "T%05d", tile + 1);

@@ -76,6 +76,9 @@ void require_back_faces(const TileMesh& tiles);
 // N x 2, the tiles of each contact.
 Edges contact_tiles(const TileMesh& tiles);
 
+// By vertex: the tiles that have it as a corner, ascending.
+std::vector<std::vector<int>> tiles_at_vertices(const TileMesh& tiles);
+
 // What tile i is called in files and messages: "T00001" for tile 0; a list is separated by commas.
 std::string tile_name(int tile);
 // The first six, and how many more there are.

@@ -8,16 +8,10 @@
 
 namespace curveups {
 
-VertexPatches::VertexPatches(const DesignGeometry& geometry) : geometry_(geometry) {
+VertexPatches::VertexPatches(const DesignGeometry& geometry)
+    : geometry_(geometry), tiles_at_(tiles_at_vertices(geometry.tiles)) {
   const TileMesh& tiles = geometry.tiles;
-  const int corners = 3 * tiles.tile_count();
-  first_.assign(tiles.mesh.V.rows() + 1, 0);
-  for (int c = 0; c < corners; ++c) ++first_[tiles.mesh.F(c / 3, c % 3) + 1];
-  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  tile_of_.resize(corners);
-  std::vector<int> cursor(first_.begin(), first_.end() - 1);
-  for (int c = 0; c < corners; ++c) tile_of_[cursor[tiles.mesh.F(c / 3, c % 3)]++] = c / 3;
-  contact_of_.assign(corners, -1);
+  contact_of_.assign(3 * tiles.tile_count(), -1);
   for (std::size_t k = 0; k < tiles.contacts.size(); ++k) {
     for (int s = 0; s < 2; ++s) {
       contact_of_[3 * tiles.contacts[k].tile[s] + tiles.contacts[k].side[s]] = static_cast<int>(k);
@@ -25,12 +19,12 @@ VertexPatches::VertexPatches(const DesignGeometry& geometry) : geometry_(geometr
   }
 }
 
-std::vector<int> VertexPatches::tiles_at(const std::vector<int>& tiles) const {
+std::vector<int> VertexPatches::tiles_around(const std::vector<int>& tiles) const {
   std::vector<int> out;
   for (int tile : tiles) {
     for (int t = 0; t < 3; ++t) {
-      const int v = geometry_.tiles.mesh.F(tile, t);
-      out.insert(out.end(), tile_of_.begin() + first_[v], tile_of_.begin() + first_[v + 1]);
+      const std::vector<int>& here = tiles_at_[geometry_.tiles.mesh.F(tile, t)];
+      out.insert(out.end(), here.begin(), here.end());
     }
   }
   std::sort(out.begin(), out.end());
@@ -40,8 +34,7 @@ std::vector<int> VertexPatches::tiles_at(const std::vector<int>& tiles) const {
 
 VertexPatch VertexPatches::around(int vertex) const {
   const TileMesh& tiles = geometry_.tiles;
-  const std::vector<int> star(tile_of_.begin() + first_[vertex],
-                              tile_of_.begin() + first_[vertex + 1]);
+  const std::vector<int>& star = tiles_at_[vertex];
   // The vertex changes its tiles, by their folds those across their edges, by truncation planes the
   // interfaces that end at a vertex of either; planes there need all tiles at these vertices.
   std::vector<int> changed = star;
@@ -54,8 +47,8 @@ VertexPatch VertexPatches::around(int vertex) const {
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   VertexPatch out;
-  const std::vector<int> near = tiles_at(changed);
-  out.tiles = tiles_at(near);
+  const std::vector<int> near = tiles_around(changed);
+  out.tiles = tiles_around(near);
   const int count = static_cast<int>(out.tiles.size());
 
   std::vector<int> vertices;

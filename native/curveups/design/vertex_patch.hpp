@@ -44,11 +44,12 @@ class VertexPatches {
   VertexPatch around(int vertex) const;
 
  private:
-  std::vector<int> tiles_at(const std::vector<int>& tiles) const;  // with all their vertices' tiles
+  // With all their vertices' tiles.
+  std::vector<int> tiles_around(const std::vector<int>& tiles) const;
 
   const DesignGeometry& geometry_;
-  std::vector<int> first_, tile_of_;  // tiles by vertex
-  std::vector<int> contact_of_;       // by 3 tile + side
+  std::vector<std::vector<int>> tiles_at_;  // by vertex
+  std::vector<int> contact_of_;             // by 3 tile + side
 };
 
 // The patch's tiles and interfaces with its vertex at `position`. Tiles at the patch's rim lack

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/physics/membrane_domain.hpp"
 
-#include <algorithm>
-#include <cstdio>
+#include <set>
+#include <utility>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/design/flat_rim.hpp"
 #include "curveups/design/pins.hpp"
 
 namespace curveups {
+
 MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side,
                                     const std::vector<int>& loose) {
   MembraneDomain domain;
@@ -23,26 +24,9 @@ MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side,
                               static_cast<int>(k),
                               -1});
   }
-  const std::vector<char> open = open_vertices(tiles);
-  std::vector<char> done = open;
-  std::vector<std::vector<int>> around(tiles.mesh.V.rows());
-  for (int i = 0; i < tiles.tile_count(); ++i) {
-    for (int t = 0; t < 3; ++t) {
-      const int v = tiles.mesh.F(i, t);
-      if (done[v]) continue;
-      done[v] = 1;
-      int tile = i, corner = t;
-      do {
-        around[v].push_back(pin_corner_index(tile, corner));
-        // Across the edge that ends in v: the next tile counter-clockwise.
-        tile = tiles.topology.neighbour(tile, prev3(corner));
-        corner = 0;
-        while (tiles.mesh.F(tile, corner) != v) ++corner;
-      } while (tile != i);
-    }
-  }
+  std::vector<std::vector<int>> around = corners_around_inner_vertices(tiles);
   for (int v = 0; v < tiles.mesh.V.rows(); ++v) {
-    if (!open[v]) domain.patches.push_back({std::move(around[v]), -1, v});
+    if (!around[v].empty()) domain.patches.push_back({std::move(around[v]), -1, v});
   }
   if (!loose.empty()) domain.loose.assign(tiles.tile_count(), 0);
   for (int i : loose) {
@@ -54,11 +38,9 @@ MembraneDomain make_membrane_domain(const TileMesh& tiles, Side side,
 }
 
 std::vector<int> tiles_of(const MembranePatch& patch) {
-  std::vector<int> tiles;
-  for (int corner : patch.corners) tiles.push_back(corner / 3);
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
-  return tiles;
+  std::set<int> tiles;
+  for (int corner : patch.corners) tiles.insert(corner / 3);
+  return {tiles.begin(), tiles.end()};
 }
 
 Points2 flat_pin_corners(const TileMesh& tiles, const FlatPoses& poses, const Array6& q,

@@ -69,12 +69,7 @@ class ClearanceProgram::Pins {
   }
 
   const std::vector<int>& at_vertex(int vertex) {
-    if (at_vertex_.empty()) {
-      at_vertex_.resize(static_cast<std::size_t>(tiles.mesh.V.rows()));
-      for (int i = 0; i < tiles.tile_count(); ++i) {
-        for (int t = 0; t < 3; ++t) at_vertex_[tiles.mesh.F(i, t)].push_back(i);
-      }
-    }
+    if (at_vertex_.empty()) at_vertex_ = tiles_at_vertices(tiles);
     return at_vertex_[vertex];
   }
 
