@@ -2,6 +2,7 @@
 #include "curveups/design/design.hpp"
 
 #include <string>
+#include <utility>
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
@@ -13,15 +14,20 @@ namespace curveups {
 
 DesignGeometry make_geometry(const TriangleMesh& mesh, const Edges& cuts,
                              const Parameters& parameters) {
-  DesignGeometry geometry;
-  geometry.tiles = make_tile_mesh(mesh, cuts, parameters.H_body);
+  TileMesh tiles = make_tile_mesh(mesh, cuts, parameters.H_body);
   const std::vector<int> held = listed_tiles(parameters.held_tiles);
-  if (!held.empty() && held.back() >= geometry.tiles.tile_count()) {
+  if (!held.empty() && held.back() >= tiles.tile_count()) {
     throw InvalidInput("held_tiles names " + tile_name(held.back()) + ", but there are " +
-                           std::to_string(geometry.tiles.tile_count()) + " tiles",
+                           std::to_string(tiles.tile_count()) + " tiles",
                        "name tiles of this design");
   }
-  require_back_faces(geometry.tiles);
+  require_back_faces(tiles);
+  return make_geometry(std::move(tiles), parameters);
+}
+
+DesignGeometry make_geometry(TileMesh tiles, const Parameters& parameters) {
+  DesignGeometry geometry;
+  geometry.tiles = std::move(tiles);
   geometry.truncation = truncate_at_vertices(geometry.tiles);
   checkpoint();
   geometry.patches = compute_contact_patches(geometry.tiles, geometry.truncation);

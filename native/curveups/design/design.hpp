@@ -37,6 +37,9 @@ struct DesignGeometry {
 DesignGeometry make_geometry(const TriangleMesh& mesh, const Edges& cuts,
                              const Parameters& parameters);
 
+// The same of tiles that have back faces.
+DesignGeometry make_geometry(TileMesh tiles, const Parameters& parameters);
+
 // Area of the layout, mm2: tiles, quadrilaterals of contacts, polygons at uncut interior vertices.
 double flat_area(const DesignGeometry& geometry, const FlatCorners& corners);
 

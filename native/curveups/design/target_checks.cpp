@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/joints.hpp"
-#include "curveups/design/remote_overlaps.hpp"
 
 namespace curveups {
 namespace {
@@ -26,8 +26,8 @@ int size_of(const std::vector<T>& items) {
 std::vector<Finding> check_target(const TriangleMesh& mesh, const Edges& cuts,
                                   const Parameters& parameters) {
   std::vector<Finding> findings;
-  const TileMesh tiles = make_tile_mesh(mesh, cuts, parameters.H_body);
-  std::vector<int> without = tiles_without_back(tiles);
+  TileMesh given = make_tile_mesh(mesh, cuts, parameters.H_body);
+  const std::vector<int> without = tiles_without_back(given);
   if (!without.empty()) {
     findings.push_back({"sharp_fold",
                         without,
@@ -35,24 +35,21 @@ std::vector<Finding> check_target(const TriangleMesh& mesh, const Edges& cuts,
                         true});
     return findings;
   }
-  Truncation truncation = truncate_at_vertices(tiles);
-  std::vector<ContactPatch> patches = compute_contact_patches(tiles, truncation);
-  separate_remote_tiles(tiles, patches, truncation);
-  separate_remote_front_pins(tiles, parameters.H_pin, truncation);
-  if (!truncation.unresolved.empty()) {
-    findings.push_back({"folded_over",
-                        tiles_of(truncation.unresolved),
-                        {{"count", size_of(truncation.unresolved)}},
-                        true});
+  const DesignGeometry geometry = make_geometry(std::move(given), parameters);
+  const TileMesh& tiles = geometry.tiles;
+  const Finding::Pairs& unresolved = geometry.truncation.unresolved;
+  const PinBounds& bounds = geometry.pin_bounds;
+  if (!unresolved.empty()) {
+    findings.push_back(
+        {"folded_over", tiles_of(unresolved), {{"count", size_of(unresolved)}}, true});
   }
   Finding::Pairs hinged;
-  for (std::size_t k = 0; k < patches.size(); ++k) {
-    if (patches[k].point_count == 2) hinged.push_back(tiles.contacts[k].tile);
+  for (std::size_t k = 0; k < geometry.patches.size(); ++k) {
+    if (geometry.patches[k].point_count == 2) hinged.push_back(tiles.contacts[k].tile);
   }
   if (!hinged.empty()) {
     findings.push_back({"hinge", tiles_of(hinged), {{"count", size_of(hinged)}}});
   }
-  const PinBounds bounds = compute_pin_bounds(tiles, truncation, parameters);
   const Array6 beside_holes = joint_insets(tiles, parameters);
   std::vector<int> closed;
   for (int i = 0; i < tiles.tile_count(); ++i) {
@@ -61,7 +58,8 @@ std::vector<Finding> check_target(const TriangleMesh& mesh, const Edges& cuts,
     }
   }
   if (!closed.empty()) {
-    const double hole = std::floor(100 * joint_limits(tiles, truncation, parameters).hole) / 100;
+    const double hole =
+        std::floor(100 * joint_limits(tiles, geometry.truncation, parameters).hole) / 100;
     findings.push_back({hole > 0 ? "joint.room" : "joint.no_room",
                         std::move(closed),
                         {{"A_pin_floor", parameters.A_pin_floor},

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
-#include "curveups/design/contacts.hpp"
+#include "curveups/design/design.hpp"
 #include "curveups/design/membrane_clearance.hpp"
-#include "curveups/design/pins.hpp"
-#include "curveups/design/remote_overlaps.hpp"
 
 namespace curveups {
 namespace {
@@ -45,14 +44,13 @@ void add_membrane_clearance(const TileMesh& tiles, const Array6& lower, double H
   }
 }
 
-void add_shapes(const TileMesh& tiles, const Parameters& parameters, TileMargins& out) {
-  Truncation truncation = truncate_at_vertices(tiles);
-  std::vector<ContactPatch> patches = compute_contact_patches(tiles, truncation);
-  separate_remote_tiles(tiles, patches, truncation);
-  separate_remote_front_pins(tiles, parameters.H_pin, truncation);
-  out.interface_share.resize(static_cast<Eigen::Index>(patches.size()));
-  for (std::size_t k = 0; k < patches.size(); ++k) {
-    const ContactPatch& patch = patches[k];
+void add_shapes(const DesignGeometry& geometry, const Parameters& parameters, TileMargins& out) {
+  const TileMesh& tiles = geometry.tiles;
+  const Truncation& truncation = geometry.truncation;
+  const PinBounds& bounds = geometry.pin_bounds;
+  out.interface_share.resize(static_cast<Eigen::Index>(geometry.patches.size()));
+  for (std::size_t k = 0; k < geometry.patches.size(); ++k) {
+    const ContactPatch& patch = geometry.patches[k];
     const double back = (patch.point[3] - patch.point[2]).norm();
     out.interface_share[static_cast<Eigen::Index>(k)] =
         patch.point_count < 4 ? 0.0 : back / (patch.point[1] - patch.point[0]).norm();
@@ -65,7 +63,6 @@ void add_shapes(const TileMesh& tiles, const Parameters& parameters, TileMargins
   }
   out.trimmed.assign(trimmed.begin(), trimmed.end());
   out.overlapping = truncation.unresolved;
-  const PinBounds bounds = compute_pin_bounds(tiles, truncation, parameters);
   out.pin_area.resize(tiles.tile_count(), 2);
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (Side side : {Side::front, Side::back}) {
@@ -83,7 +80,7 @@ void add_shapes(const TileMesh& tiles, const Parameters& parameters, TileMargins
 
 TileMargins tile_margins(const TriangleMesh& mesh, const Edges& cuts,
                          const Parameters& parameters) {
-  const TileMesh tiles = make_tile_mesh(mesh, cuts, parameters.H_body);
+  TileMesh tiles = make_tile_mesh(mesh, cuts, parameters.H_body);
   const auto contact_count = static_cast<Eigen::Index>(tiles.contacts.size());
   TileMargins out;
   out.back_scale.resize(tiles.tile_count());
@@ -103,7 +100,7 @@ TileMargins tile_margins(const TriangleMesh& mesh, const Edges& cuts,
     out.dihedral_margin[k] = clearance;
   }
   out.shaped = tiles_without_back(tiles).empty();
-  if (out.shaped) add_shapes(tiles, parameters, out);
+  if (out.shaped) add_shapes(make_geometry(std::move(tiles), parameters), parameters, out);
   return out;
 }
 
