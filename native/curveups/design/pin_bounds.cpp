@@ -42,8 +42,7 @@ double upper_bound(const TileMesh& tiles, const Parameters& p, int tile, Side si
 
 // Pin corners that a plane could reach within the bounds. levels: z of the pin's foot and top.
 void add_keepouts(const TileMesh& tiles, int tile, Side side, const TruncationPlane& truncation,
-                  double clearance, const std::array<double, 2>& levels, const double* lower,
-                  const double* upper, std::vector<PinKeepout>& out) {
+                  double clearance, const std::array<double, 2>& levels, PinRegion& region) {
   const Plane& plane = truncation.plane;
   const Vec2 normal = plane.normal.head<2>();
   if (normal.norm() < 1e-9) return;
@@ -60,24 +59,22 @@ void add_keepouts(const TileMesh& tiles, int tile, Side side, const TruncationPl
         -normal.dot(along) / sine,
         -normal.dot(back) / sine,
         normal.dot(face[t]) + level - plane.offset + clearance * normal.norm()};
-    const int prev = inset_index(side, prev3(t)), here = inset_index(side, t);
-    const double least = keepout.a_prev * (keepout.a_prev > 0 ? lower : upper)[prev] +
-                         keepout.a_here * (keepout.a_here > 0 ? lower : upper)[here];
-    if (least < keepout.bound) out.push_back(keepout);
+    const double least =
+        keepout.a_prev * (keepout.a_prev > 0 ? region.lower : region.upper)[prev3(t)] +
+        keepout.a_here * (keepout.a_here > 0 ? region.lower : region.upper)[t];
+    if (least < keepout.bound) region.keepouts.push_back(keepout);
   }
 }
 
 // The least of sum l_t q_t within bounds and keep-outs: a linear program in three unknowns, solved
 // by visiting the vertices of its polyhedron. Infinite where there is none.
-double least_inset_sum(const Vec3& weight, const double* lower, const double* upper,
-                       const std::vector<PinKeepout>& keepouts, Side side) {
+double least_inset_sum(const Vec3& weight, const PinRegion& region) {
   std::vector<std::pair<Vec3, double>> half_spaces;  // a . q >= b
   for (int t = 0; t < 3; ++t) {
-    half_spaces.push_back({Vec3::Unit(t), lower[t]});
-    half_spaces.push_back({-Vec3::Unit(t), -upper[t]});
+    half_spaces.push_back({Vec3::Unit(t), region.lower[t]});
+    half_spaces.push_back({-Vec3::Unit(t), -region.upper[t]});
   }
-  for (const PinKeepout& keepout : keepouts) {
-    if (keepout.side != side) continue;
+  for (const PinKeepout& keepout : region.keepouts) {
     Vec3 a = Vec3::Zero();
     a(prev3(keepout.corner)) = keepout.a_prev;
     a(keepout.corner) = keepout.a_here;
@@ -110,35 +107,23 @@ double least_inset_sum(const Vec3& weight, const double* lower, const double* up
 
 PinRegion pin_region(const TileMesh& tiles, const Truncation& truncation, const Parameters& p,
                      int tile, Side side, double p_min, const std::array<double, 3>& least) {
-  const int first = inset_index(side, 0);
   const double face_z = side == Side::front ? 0.0 : -tiles.H_body;
   const double top_z = side == Side::front ? p.H_pin : face_z - p.H_pin;
-  std::array<double, 6> lower{}, upper{};
-  for (int t = 0; t < 3; ++t) {
-    lower[first + t] = std::max(lower_bound(tiles, p, tile, side, t, p_min), least[t]);
-    upper[first + t] =
-        std::max(lower[first + t] + between, upper_bound(tiles, p, tile, side, t, least[t]));
-  }
   PinRegion out;
+  for (int t = 0; t < 3; ++t) {
+    out.lower[t] = std::max(lower_bound(tiles, p, tile, side, t, p_min), least[t]);
+    out.upper[t] = std::max(out.lower[t] + between, upper_bound(tiles, p, tile, side, t, least[t]));
+  }
   const auto& planes = side == Side::front ? truncation.front_pins : truncation.of_tile;
   for (const TruncationPlane& plane : planes[tile]) {
-    add_keepouts(tiles, tile, side, plane, p.pin_clearance, {face_z, top_z}, lower.data(),
-                 upper.data(), out.keepouts);
+    add_keepouts(tiles, tile, side, plane, p.pin_clearance, {face_z, top_z}, out);
   }
   const Vec3 weight = tiles.length.row(tile);
-  double sum = 0;
-  if (out.keepouts.empty()) {
-    sum = weight.dot(Eigen::Map<const Vec3>(lower.data() + first));
-  } else {
-    sum = least_inset_sum(weight, lower.data() + first, upper.data() + first, out.keepouts, side);
-  }
+  double sum = out.keepouts.empty() ? weight.dot(Eigen::Map<const Vec3>(out.lower.data()))
+                                    : least_inset_sum(weight, out);
   if (side == Side::back) sum += tiles.back_shift.row(tile).dot(tiles.length.row(tile));
   out.scale = 1 - sum / (2 * tiles.area(tile));
   out.area = out.scale > 0 ? tiles.area(tile) * out.scale * out.scale : 0.0;
-  for (int t = 0; t < 3; ++t) {
-    out.lower[t] = lower[first + t];
-    out.upper[t] = upper[first + t];
-  }
   return out;
 }
 
