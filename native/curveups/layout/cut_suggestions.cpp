@@ -17,6 +17,9 @@ namespace curveups {
 namespace {
 
 constexpr int max_drafts = 3;
+constexpr double worth = 0.03;  // least share by which a cut must lower Eq. 9's energy per contact
+// Largest scale spread of a map from which a layout is tried: beyond it maps alone choose.
+constexpr double workable_spread = 20;
 
 Edges with(const Edges& a, const Edges& b) {
   Edges out(a.rows() + b.rows(), 2);
@@ -108,7 +111,7 @@ class Suggester {
       if (!go_on()) throw Cancelled();
       const TileMesh tiles = tiles_with(needed.edges);
       const Eigen::VectorXd scale = relative_scale(tiles);
-      if (scale_spread(scale) <= options_.workable_spread) break;
+      if (scale_spread(scale) <= workable_spread) break;
       std::vector<Tried> found = candidates(tiles, scale, needed.edges);
       if (found.empty() || !(found.front().unevenness < unevenness(tiles, scale))) break;
       needed.edges = with(needed.edges, found.front().cut.edges);
@@ -167,7 +170,7 @@ class Suggester {
     const auto best = std::min_element(
         found.begin(), found.end(),
         [](const Tried& a, const Tried& b) { return energy_of(a.figures) < energy_of(b.figures); });
-    if (!(energy_of(best->figures) < (1 - options_.worth) * energy_of(now_))) return false;
+    if (!(energy_of(best->figures) < (1 - worth) * energy_of(now_))) return false;
     take({best->cut.edges, 0, {best->cut.reason}, false, now_, best->figures});
     return true;
   }

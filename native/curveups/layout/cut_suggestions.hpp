@@ -27,9 +27,6 @@ struct CutSuggestion {
 struct CutSuggestionOptions {
   int most = 1;
   std::vector<std::array<int, 2>> weak;  // tile pairs of contacts that stay weak
-  double worth = 0.03;  // least share by which a cut must lower Eq. 9's energy per contact
-  // Largest scale spread of a map from which a layout is tried: beyond it maps alone choose.
-  double workable_spread = 20;
 };
 
 struct CutSuggestions {

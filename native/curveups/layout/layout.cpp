@@ -29,19 +29,6 @@ constexpr double accuracy = 0.1 * tolerance::constraint;
 constexpr int max_iterations = 600, max_starts = 3;
 constexpr int max_draft_iterations = 60;  // twice what a sound start takes
 
-// Pairs of tiles that constraints keep apart.
-class KnownPairs {
- public:
-  explicit KnownPairs(const TileMesh& tiles) {
-    for (const Contact& contact : tiles.contacts) insert(contact.tile[0], contact.tile[1]);
-  }
-  // False where it was known.
-  bool insert(int i, int j) { return pairs_.insert(std::minmax(i, j)).second; }
-
- private:
-  std::set<std::pair<int, int>> pairs_;
-};
-
 void require_pin_regions(const PinBounds& bounds) {
   std::vector<int> without;
   for (const SmallPin& pin : bounds.small) {
@@ -71,14 +58,17 @@ LayoutResult solve_layout(const DesignGeometry& geometry, const Parameters& para
   const LayoutTerms terms = make_energies(model);  // for those who listen
   LayoutResult result;
   const bool draft = effort == LayoutEffort::draft;
-  KnownPairs known(geometry.tiles);
+  std::set<std::pair<int, int>> known;  // pairs of tiles that constraints keep apart
+  for (const Contact& contact : geometry.tiles.contacts) {
+    known.insert({contact.tile[0], contact.tile[1]});
+  }
   const auto separate = [&](const LayoutState& at, double mu) {
     if (mu > mu_search) return false;
     const double margin = mu > mu_end ? search_margin : -accuracy;
     bool found = false;
     for (const Separation& pair :
          find_close_pairs(geometry.tiles, poses_of(model, at), parameters.d_gap_min + margin)) {
-      if (!known.insert(pair.tile, pair.other)) continue;
+      if (!known.insert(std::minmax(pair.tile, pair.other)).second) continue;
       add_separation(model, pair);
       ++result.separations;
       found = true;

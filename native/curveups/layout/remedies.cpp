@@ -14,13 +14,6 @@ constexpr double more_area = 1.25;     // pins' room over A_pin_min
 constexpr double taut = 0.9;           // the membrane's rest over its actuated length
 constexpr double least_change = 0.02;  // relative; less is no remedy
 
-double range_end(const char* name, bool largest) {
-  for (const ParameterInfo& info : parameter_table()) {
-    if (info.name == name) return largest ? info.maximum : info.minimum;
-  }
-  return 0;
-}
-
 // A pin's largest linear scale against the front triangle is 1 - shift - insets, which must be at
 // least `least` (the root of the area's share).
 struct PinScale {
@@ -63,11 +56,12 @@ Remedies find_remedies(const Design& design, const std::vector<int>& pins,
                         : std::numeric_limits<double>::infinity();
     }
     thickness = std::floor(10 * thickness) / 10;
-    if (thickness >= range_end("H_body", false) && thickness < (1 - least_change) * p.H_body) {
+    if (thickness >= find_parameter("H_body")->minimum &&
+        thickness < (1 - least_change) * p.H_body) {
       out.H_body = thickness;
     }
     const double length = std::ceil(10 * larger * p.L) / 10;
-    if (larger > 1 + least_change && length <= range_end("L", true)) out.L = length;
+    if (larger > 1 + least_change && length <= find_parameter("L")->maximum) out.L = length;
   }
   if (!weak.empty()) {
     const Eigen::VectorXd springs =
@@ -82,7 +76,7 @@ Remedies find_remedies(const Design& design, const std::vector<int>& pins,
       longest = std::max(longest, springs.segment<2>(2 * static_cast<Eigen::Index>(k)).maxCoeff());
     }
     const double tau = std::ceil(10 * p.tau * longest / taut) / 10;
-    if (tau > (1 + least_change) * p.tau && tau <= range_end("tau", true)) out.tau = tau;
+    if (tau > (1 + least_change) * p.tau && tau <= find_parameter("tau")->maximum) out.tau = tau;
   }
   return out;
 }
