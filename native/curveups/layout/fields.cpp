@@ -110,9 +110,6 @@ TargetFields target_fields(const TriangleMesh& mesh, const Edges& cuts, const Pa
 }
 
 DesignFields design_fields(const Design& design) {
-  const auto count = static_cast<int>(design.mesh.F.rows());
-  require_row_per_tile(design.T, count, "T");
-  require_row_per_tile(design.q, count, "q");
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
   const TileMesh& tiles = geometry.tiles;
   const FlatPoses poses = fit_poses(tiles, design.T);

@@ -34,8 +34,7 @@ struct DesignFields {
   PerSide pin_area;     // M, mm2; negative where insets turn a pin over
 };
 
-// Throws InvalidInput where T or q have other sizes or are not finite, and what make_geometry
-// throws.
+// Throws what make_geometry throws.
 DesignFields design_fields(const Design& design);
 
 }  // namespace curveups

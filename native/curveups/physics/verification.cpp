@@ -18,16 +18,6 @@ namespace {
 
 using Membranes = std::array<MembraneSolution, 2>;
 
-void check_arrays(const Design& design, const TileMesh& tiles) {
-  if (design.T.rows() != tiles.tile_count() || design.q.rows() != tiles.tile_count()) {
-    throw InvalidInput("the design's layout and pins do not have one row per tile",
-                       "give T and q for every row of F");
-  }
-  if (!design.T.allFinite() || !design.q.allFinite()) {
-    throw InvalidInput("the design holds a number that is not finite", "give finite numbers");
-  }
-}
-
 MembranePicture picture_of(const MembraneSolution& m) {
   MembranePicture picture{m.flat, m.state.x, {}, {}, {}};
   picture.triangles.resize(m.mesh.triangles.size(), 3);
@@ -173,7 +163,6 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
   const Parameters& parameters = design.parameters;
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, parameters);
   const TileMesh& tiles = geometry.tiles;
-  check_arrays(design, tiles);
   const BumpPlan plan = plan_bumps(geometry, fit_poses(tiles, design.T), parameters);
   const std::vector<Points3> tips = bump_tips(plan, tiles);
   VerificationReport report;

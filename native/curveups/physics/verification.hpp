@@ -19,7 +19,7 @@ struct VerificationOptions {
 
 // store: asked for what is solved of this very design, and left with it; null where nobody needs
 // it. Throws what make_geometry and plan_bumps throw (InfeasibleDesign, TopologyError,
-// InvalidInput), InvalidInput for arrays that disagree, SolverFailure, Cancelled. Results do not
+// InvalidInput), SolverFailure, Cancelled. Results do not
 // depend on the number of threads, nor on the store.
 VerificationReport verify_design(const Design& design, SolutionStore* store,
                                  const Progress& progress, const VerificationOptions& options = {});

@@ -86,10 +86,6 @@ Repair::Repair(const Design& design, const RepairOptions& options, SolutionStore
   here_.shape = make_shape(design.mesh, nullptr);
   const TileMesh& tiles = here_.geometry().tiles;
   const int count = tiles.tile_count();
-  if (design.T.rows() != count || design.q.rows() != count) {
-    throw InvalidInput("the design's T and q do not have a row for each tile",
-                       "give arrays of one design");
-  }
   if (target_.place.rows() != design.mesh.V.rows()) {
     throw InvalidInput("the design's target has other vertices than its mesh",
                        "give the target that the mesh was moved away from");

@@ -539,14 +539,5 @@ TEST(Verify, StopsWhenAskedTo) {
                Cancelled);
 }
 
-TEST(Verify, RefusesArraysThatDisagree) {
-  Design design = dome();
-  design.q.conservativeResize(design.q.rows() - 1, 6);
-  EXPECT_THROW(verify_design(design, {}, {}), InvalidInput);
-  design = dome();
-  design.T(3, 2) = std::nan("");
-  EXPECT_THROW(verify_design(design, {}, {}), InvalidInput);
-}
-
 }  // namespace
 }  // namespace curveups
