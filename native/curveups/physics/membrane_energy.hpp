@@ -30,8 +30,7 @@ struct MembranePart;
 // triangle, with its exact Hessian. N mm.
 class MembraneEnergy : public Term<3> {
  public:
-  // flat: per mesh vertex. Throws InvalidInput for a modulus, thickness or tau that is not
-  // positive.
+  // flat: per mesh vertex. Throws what set_rest throws.
   MembraneEnergy(const MembraneMesh& mesh, const Points2& flat, double tau,
                  const MembraneMaterial& material);
 

@@ -232,19 +232,6 @@ MeshedPatch mesh_patch(const MembranePatch& patch, const Points2& flat,
 
 MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& flat,
                                 const MembraneMeshOptions& options, const Progress& progress) {
-  if (!(options.at_corner > 0 && options.largest >= options.at_corner && options.growth > 0)) {
-    throw InvalidInput("membrane mesh sizes must be positive, the largest at least that at corners",
-                       "give 0 < at_corner <= largest and growth > 0");
-  }
-  const std::vector<int>& halvings = options.halvings;
-  if (!halvings.empty() && (halvings.size() != static_cast<std::size_t>(domain.tile_count) ||
-                            *std::min_element(halvings.begin(), halvings.end()) < 0)) {
-    throw InvalidInput("membrane mesh sizes must be halved as often as a number of each tile says",
-                       "give a number of at least 0 for every tile, or none");
-  }
-  if (!flat.allFinite()) {
-    throw InvalidInput("the layout holds a number that is not finite", "give finite coordinates");
-  }
   check_patches(domain, flat);
   const Gradings gradings(domain, options);
   require_few_triangles(domain, flat, gradings, options);

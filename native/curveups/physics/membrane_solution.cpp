@@ -10,7 +10,6 @@ MembraneMeshOptions membrane_mesh_options(const Parameters& parameters) {
   MembraneMeshOptions options;
   options.largest = parameters.mesh_size * parameters.L;
   options.at_corner = 0.5 * options.largest;
-  options.growth = 0.8;
   return options;
 }
 

@@ -238,16 +238,5 @@ TEST(Equilibrium, APartIsPulledAsTheWholeWhereItIsFree) {
   EXPECT_GT(free, 5);
 }
 
-TEST(Equilibrium, RefusesImpossibleMaterials) {
-  const Sheet sheet = make_sheet(2, 2, 1.0);
-  EXPECT_THROW(
-      MembraneEnergy(sheet.mesh, sheet.flat, 3, {-1, 0.5, &density_model("tension-field"), 0}),
-      InvalidInput);
-  EXPECT_THROW(
-      MembraneEnergy(sheet.mesh, sheet.flat, 3, {1, NAN, &density_model("tension-field"), 0}),
-      InvalidInput);
-  EXPECT_THROW(MembraneEnergy(sheet.mesh, sheet.flat, 0, {}), InvalidInput);
-}
-
 }  // namespace
 }  // namespace curveups
