@@ -305,27 +305,4 @@ MembraneMesh refine_mesh(const MembraneMesh& mesh) {
   return fine;
 }
 
-namespace {
-
-template <class Points>
-Points combine(const CornerWeights& weights, const Points& corners) {
-  Points out(weights.count(), corners.cols());
-  for (int v = 0; v < weights.count(); ++v) {
-    out.row(v).setZero();
-    for (int k = weights.start[v]; k < weights.start[v + 1]; ++k) {
-      out.row(v) += weights.weight[k] * corners.row(weights.corner[k]);
-    }
-  }
-  return out;
-}
-
-}  // namespace
-
-Points2 vertex_positions(const CornerWeights& weights, const Points2& corners) {
-  return combine(weights, corners);
-}
-Points3 vertex_positions(const CornerWeights& weights, const Points3& corners) {
-  return combine(weights, corners);
-}
-
 }  // namespace curveups

@@ -52,7 +52,15 @@ MembraneMesh make_membrane_mesh(const MembraneDomain& domain, const Points2& fla
 MembraneMesh refine_mesh(const MembraneMesh& mesh);
 
 // weights times corners: flat positions (2 columns), or the actuated ones of glued vertices (3).
-Points2 vertex_positions(const CornerWeights& weights, const Points2& corners);
-Points3 vertex_positions(const CornerWeights& weights, const Points3& corners);
+template <class Points>
+Points vertex_positions(const CornerWeights& weights, const Points& corners) {
+  Points out = Points::Zero(weights.count(), corners.cols());
+  for (int v = 0; v < weights.count(); ++v) {
+    for (int k = weights.start[v]; k < weights.start[v + 1]; ++k) {
+      out.row(v) += weights.weight[k] * corners.row(weights.corner[k]);
+    }
+  }
+  return out;
+}
 
 }  // namespace curveups
