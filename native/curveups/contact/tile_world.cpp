@@ -11,7 +11,7 @@
 #include "curveups/core/parallel.hpp"
 #include "curveups/design/parameter_texts.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
-#include "curveups/physics/moved_pins.hpp"
+#include "curveups/physics/membrane_solution.hpp"
 
 namespace curveups {
 namespace {

@@ -54,13 +54,17 @@ MembraneMaterial membrane_material(const Parameters& parameters, Side side);
 using LoosePins = std::array<std::vector<int>, 2>;
 
 // Front and back, at once where there are threads; calls of progress come one at a time.
-// halvings: as MembraneMeshOptions have it. Throws
-// what make_membrane_mesh throws, and Cancelled.
+// halvings: as MembraneMeshOptions have it. Throws what make_membrane_mesh throws, and Cancelled.
 std::array<MembraneSolution, 2> solve_membranes(const DesignGeometry& geometry,
                                                 const FlatPoses& poses, const Array6& q,
                                                 const Parameters& parameters,
                                                 const Progress& progress,
                                                 const LoosePins& loose = {},
                                                 const std::vector<int>& halvings = {});
+
+// Both meshes follow pins that are elsewhere in space (where tiles have settled), each from where
+// it was; pin_corners, states, forces and stretches are then those of the new places. corners: as
+// MembraneSolution::pin_corners. Returns whether both found their equilibrium.
+bool move_pins(MembraneSolution& solution, const Points3& corners, const Parameters& parameters);
 
 }  // namespace curveups
