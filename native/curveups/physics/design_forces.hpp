@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Membranes and least-squares contact forces of one design whose pins move: meshed once (the
-// coarser mesh of verification), then followed with the mesh's topology and weights unchanged, each
-// equilibrium started from the last.
+// Membranes and least-squares contact forces of one design whose pins move: on the coarser mesh of
+// verification, whose topology and weights stay, each equilibrium started from the last.
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 
 #include "curveups/physics/solved_design.hpp"
@@ -14,20 +12,15 @@ namespace curveups {
 
 class DesignForces {
  public:
-  // Meshes the membranes and solves for their equilibrium and the contact forces. Throws what
-  // make_membrane_mesh and solve_contact_forces throw, SolverFailure where an equilibrium is not
-  // found, Cancelled. geometry must outlive this.
-  DesignForces(const DesignGeometry& geometry, const Parameters& parameters, const FlatPoses& poses,
-               const Array6& q, const Progress& progress);
-  // The same from membranes that are solved already, on the coarser mesh, for these poses and q.
+  // solved: the membranes for these poses and q. Throws what solve_contact_forces throws,
+  // SolverFailure where an equilibrium is not found. geometry must outlive this.
   DesignForces(const DesignGeometry& geometry, const Parameters& parameters,
                std::array<SolvedMembrane, 2> solved, const FlatPoses& poses, const Array6& q);
 
-  // Other poses and insets, same mesh. Throws InvalidInput where a triangle of the mesh turns over
-  // (then mesh again), SolverFailure, Cancelled; what is held is then of no use until the next
-  // successful move.
-  void move(const FlatPoses& poses, const Array6& q, const Progress& progress);
-  // Other vertices as well: a geometry with the same tiles and cuts, which must outlive this.
+  // Other poses, insets and vertices, same mesh: a geometry with the same tiles and cuts, which
+  // must outlive this. Throws InvalidInput where a triangle of the mesh turns over (then mesh
+  // again), SolverFailure, Cancelled; what is held is then of no use until the next successful
+  // move.
   void move(const DesignGeometry& geometry, const FlatPoses& poses, const Array6& q,
             const Progress& progress);
 
@@ -42,7 +35,6 @@ class DesignForces {
   const ContactForces& contact_forces() const { return forces_; }
 
  private:
-  void solve_membranes(bool fresh, const Progress& progress);
   void solve_contacts();
   void take_geometry(const DesignGeometry& geometry);
 

@@ -5,6 +5,7 @@
 
 #include "curveups/bodies/bumps.hpp"
 #include "curveups/physics/sensitivities.hpp"
+#include "support/forces.hpp"
 #include "support/meshes.hpp"
 
 namespace curveups {
@@ -59,7 +60,7 @@ void expect_gradients_match(const Edges& cuts, const std::string& model) {
   Sample s = make_sample(cuts);
   s.parameters.membrane_model = model;
   s.parameters.thickness_back = 0.4;
-  DesignForces forces(s.geometry, s.parameters, s.poses, s.q, {});
+  DesignForces forces = test::solve_forces(s.geometry, s.parameters, s.poses, s.q);
   const int points = forces.system().point_count(), count = s.geometry.tiles.tile_count();
   std::mt19937 generator(9);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -140,7 +141,7 @@ void expect_floor_gradients_match(bool at_tips) {
   Edges cuts(2, 2);
   cuts << 10, 11, 11, 12;
   Sample s = make_sample(cuts);
-  DesignForces forces(s.geometry, s.parameters, s.poses, s.q, {});
+  DesignForces forces = test::solve_forces(s.geometry, s.parameters, s.poses, s.q);
   const double scale = forces.contact_forces().normal_mean;
   TouchPoints touch;
   if (at_tips) {
@@ -212,13 +213,13 @@ TEST(Sensitivities, OfTheLargestFloorAtBumpTipsMatchFiniteDifferences) {
 
 TEST(Sensitivities, AFreshMeshAndAMovedOneAgree) {
   Sample s = make_sample(Edges(0, 2));
-  DesignForces moved(s.geometry, s.parameters, s.poses, s.q, {});
+  DesignForces moved = test::solve_forces(s.geometry, s.parameters, s.poses, s.q);
   const Points3 before = moved.contact_forces().force;
   const FlatPoses start = s.poses;
   s.poses.col(0).array() += 0.5;  // the whole layout: nothing may change
-  moved.move(s.poses, s.q, {});
+  moved.move(s.geometry, s.poses, s.q, {});
   EXPECT_LT((moved.contact_forces().force - before).norm(), 1e-8 * before.norm());
-  moved.move(start, s.q, {});
+  moved.move(s.geometry, start, s.q, {});
   EXPECT_LT((moved.contact_forces().force - before).norm(), 1e-8 * before.norm());
 }
 

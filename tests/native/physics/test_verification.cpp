@@ -12,6 +12,7 @@
 #include "curveups/physics/verification.hpp"
 #include "support/designs.hpp"
 #include "support/findings.hpp"
+#include "support/forces.hpp"
 #include "support/meshes.hpp"
 
 namespace curveups {
@@ -488,14 +489,14 @@ TEST(Verify, LeavesWhatRepairStartsFrom) {
   EXPECT_EQ(left->f_min_ratio, design.parameters.f_min_ratio);
   const DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
   const FlatPoses poses = fit_poses(geometry.tiles, design.T);
-  const DesignForces fresh(geometry, design.parameters, poses, design.q, {});
+  const DesignForces fresh = test::solve_forces(geometry, design.parameters, poses, design.q);
   DesignForces kept(geometry, design.parameters,
                     {std::move(left->membranes[0].coarse), std::move(left->membranes[1].coarse)},
                     poses, design.q);
   EXPECT_EQ(kept.contact_forces().force, fresh.contact_forces().force);
   // It follows other poses and insets as a fresh one does.
   const Array6 q = design.q.array() + 0.01;
-  kept.move(poses, q, {});
+  kept.move(geometry, poses, q, {});
   EXPECT_LT((kept.contact_forces().force - fresh.contact_forces().force).norm(),
             0.1 * fresh.contact_forces().force.norm());
 }
