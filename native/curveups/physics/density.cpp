@@ -57,4 +57,17 @@ Eigen::Vector2d principal_direction(const Gradient32& F) {
                     : Eigen::Vector2d(smaller, sign * larger);
 }
 
+Matrix6 cross_curvature(const Gradient32& F) {
+  using Eigen::Matrix3d;
+  const Eigen::Vector3d f1 = F.col(0), f2 = F.col(1);
+  const Matrix3d off =
+      2 * f1 * f2.transpose() - f2 * f1.transpose() - f1.dot(f2) * Matrix3d::Identity();
+  Matrix6 out;
+  out.topLeftCorner<3, 3>() = f2.squaredNorm() * Matrix3d::Identity() - f2 * f2.transpose();
+  out.bottomRightCorner<3, 3>() = f1.squaredNorm() * Matrix3d::Identity() - f1 * f1.transpose();
+  out.topRightCorner<3, 3>() = off;
+  out.bottomLeftCorner<3, 3>() = off.transpose();
+  return out;
+}
+
 }  // namespace curveups

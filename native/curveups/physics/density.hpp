@@ -58,4 +58,7 @@ PrincipalStretches principal_stretches(const Gradient32& F);
 // Unit eigenvector of C for l1; that for l2 is the same turned by +90 degrees.
 Eigen::Vector2d principal_direction(const Gradient32& F);
 
+// Half the Hessian of |f1 x f2|^2 by F.
+Matrix6 cross_curvature(const Gradient32& F);
+
 }  // namespace curveups

@@ -16,7 +16,6 @@ namespace curveups {
 namespace {
 
 Density taut(const Gradient32& F, double s, bool second) {
-  using Eigen::Matrix3d;
   using Eigen::Vector3d;
   const Vector3d f1 = F.col(0), f2 = F.col(1), n = f1.cross(f2);
   const double N = F.squaredNorm(), r = 1 / n.squaredNorm();  // 1 / D
@@ -28,13 +27,7 @@ Density taut(const Gradient32& F, double s, bool second) {
   out.value = (1 - s) * (N + r - 3) + s * (1 / r + N * r - 3);
   out.gradient = 2 * (by_N * f + by_D * a);
   if (!second) return out;
-  const Matrix3d off =
-      2 * f1 * f2.transpose() - f2 * f1.transpose() - f1.dot(f2) * Matrix3d::Identity();
-  Matrix6 bend;  // half the Hessian of D
-  bend.topLeftCorner<3, 3>() = f2.squaredNorm() * Matrix3d::Identity() - f2 * f2.transpose();
-  bend.bottomRightCorner<3, 3>() = f1.squaredNorm() * Matrix3d::Identity() - f1 * f1.transpose();
-  bend.topRightCorner<3, 3>() = off;
-  bend.bottomLeftCorner<3, 3>() = off.transpose();
+  const Matrix6 bend = cross_curvature(F);  // half the Hessian of D
   const double by_ND = -s * r * r, by_DD = 2 * r * r * r * ((1 - s) + s * N);
   out.hessian = 2 * by_N * Matrix6::Identity() + 2 * by_D * bend +
                 4 * by_ND * (f * a.transpose() + a * f.transpose()) + 4 * by_DD * a * a.transpose();

@@ -11,7 +11,6 @@
 namespace curveups {
 
 Density neo_hookean(const Gradient32& F, const DensityConstants& /*constants*/, bool second) {
-  using Eigen::Matrix3d;
   using Eigen::Vector3d;
   const Vector3d f1 = F.col(0), f2 = F.col(1), n = f1.cross(f2);
   // As |f1 x f2|^2: the difference form of det C goes negative by cancellation.
@@ -24,13 +23,7 @@ Density neo_hookean(const Gradient32& F, const DensityConstants& /*constants*/, 
   out.gradient << f1, f2;
   out.gradient = 2 * (out.gradient - s * s * a);
   if (!second) return out;
-  const Matrix3d off =
-      2 * f1 * f2.transpose() - f2 * f1.transpose() - f1.dot(f2) * Matrix3d::Identity();
-  Matrix6 bend;  // Hessian of |n|^2 / 2
-  bend.topLeftCorner<3, 3>() = f2.squaredNorm() * Matrix3d::Identity() - f2 * f2.transpose();
-  bend.bottomRightCorner<3, 3>() = f1.squaredNorm() * Matrix3d::Identity() - f1 * f1.transpose();
-  bend.topRightCorner<3, 3>() = off;
-  bend.bottomLeftCorner<3, 3>() = off.transpose();
+  const Matrix6 bend = cross_curvature(F);
   out.hessian = 2 * Matrix6::Identity() + (8 * s * s * s) * a * a.transpose() - (2 * s * s) * bend;
   return out;
 }
