@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace curveups {
@@ -35,14 +36,12 @@ MembraneAreas measure_areas(const MembraneSolution& m) {
 }
 
 std::vector<int> tiles_beside_slack(const MembraneSolution& m, const MembraneAreas& areas) {
-  std::vector<int> tiles;
+  std::set<int> tiles;
   for (std::size_t p = 0; p < areas.patch.size(); ++p) {
     if (areas.slack_patch[p] <= 0.1 * areas.patch[p]) continue;
-    for (int tile : tiles_of(m.domain.patches[p])) tiles.push_back(tile);
+    for (int tile : tiles_of(m.domain.patches[p])) tiles.insert(tile);
   }
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
-  return tiles;
+  return {tiles.begin(), tiles.end()};
 }
 
 double stretch_of_all_but(double share, const std::array<MembraneSolution, 2>& membranes) {

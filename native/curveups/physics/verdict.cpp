@@ -2,6 +2,7 @@
 #include "curveups/physics/verdict.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace curveups {
@@ -21,10 +22,11 @@ std::vector<std::array<int, 2>> critical_contacts(const UnilateralResult& result
 }
 
 void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
+  const SolvedDesign& solved = in.solved;
   const ContactFigures& f = report.contact_forces;
   if (f.points > 0 && !(f.normal_mean > 0)) report.reasons.push_back({"no_pressure"});
   if (f.points_below_f_min > 0) {
-    const Finding::Pairs weakest = {in.system.points()[in.forces.weakest_point].tile};
+    const Finding::Pairs weakest = {in.system.points()[solved.forces.weakest_point].tile};
     report.reasons.push_back({f.pulling_points > 0 ? "weak_points.pulling" : "weak_points",
                               tiles_of(f.invalid_contacts),
                               {{"points", f.points_below_f_min},
@@ -34,7 +36,7 @@ void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
                                {"least", f.normal_min},
                                {"weakest", weakest}}});
   }
-  const std::vector<int>& unbalanced = in.forces.unbalanced_tiles;
+  const std::vector<int>& unbalanced = solved.forces.unbalanced_tiles;
   if (!unbalanced.empty()) {
     report.reasons.push_back({"unbalanced", unbalanced, {{"held", unbalanced}}});
   }
@@ -44,12 +46,14 @@ void judge_least_squares(const VerdictInput& in, VerificationReport& report) {
       report.reasons.push_back({kind, piece, {{"tile", piece}}});
     }
   };
-  say(in.parameters.gravity == "held" ? "in_the_air.held" : "in_the_air", in.carried.in_the_air);
-  say("tips_over", in.carried.tipping);
-  if (in.floor_from_mesh) report.warnings.push_back({"coarse_mesh"});
-  if (!in.undecided.empty() && f.points_below_f_min == 0) {
-    report.warnings.push_back(
-        {"undecided", tiles_of(in.undecided), {{"f_min", f.f_min}, {"contacts", in.undecided}}});
+  const Parameters& parameters = solved.design.parameters;
+  say(parameters.gravity == "held" ? "in_the_air.held" : "in_the_air", solved.carried.in_the_air);
+  say("tips_over", solved.carried.tipping);
+  if (solved.f_min_ratio > parameters.f_min_ratio) report.warnings.push_back({"coarse_mesh"});
+  if (!solved.undecided.empty() && f.points_below_f_min == 0) {
+    report.warnings.push_back({"undecided",
+                               tiles_of(solved.undecided),
+                               {{"f_min", f.f_min}, {"contacts", solved.undecided}}});
   }
 }
 
@@ -78,32 +82,32 @@ void judge_unilateral(const VerdictInput& in, VerificationReport& report) {
   if (u.status == SolveStatus::infeasible && u.sliding_play) {
     more.push_back({"dimples_stop", {}, {{"play", *u.sliding_play}}});
   }
-  judge_push(u, u.status, u.largest_floor, u.feasible, "", in.coulomb, in.system, std::move(more),
+  const auto& [at_corners, at_tips] = in.solved.floor;
+  judge_push(u, u.status, u.largest_floor, u.feasible, "", *at_corners, in.system, std::move(more),
              report);
-  if (!in.tips) return;
+  if (!in.tips_system) return;
   more.clear();
-  if (in.parameters.gravity == "held") more.push_back({"hold_more"});
-  judge_push(u, *u.tips_status, u.tips_largest_floor, u.feasible_at_tips, "tips", *in.tips,
+  if (in.solved.design.parameters.gravity == "held") more.push_back({"hold_more"});
+  judge_push(u, *u.tips_status, u.tips_largest_floor, u.feasible_at_tips, "tips", *at_tips,
              *in.tips_system, std::move(more), report);
 }
 
 const char* name_of(Side side) { return side == Side::front ? "front" : "back"; }
 
 // What the sheets and the glue on pins hold, by their makers: whether sheets tear is not computed.
-void judge_materials(const VerdictInput& in, VerificationReport& report) {
+void judge_materials(const Parameters& parameters, VerificationReport& report) {
   const double elongation = 100 * (report.physics.stretch_99 - 1);
-  if (elongation > in.parameters.elongation_at_break) {
+  if (elongation > parameters.elongation_at_break) {
     report.warnings.push_back(
         {"sheet_tears",
          {},
-         {{"elongation", elongation}, {"limit", in.parameters.elongation_at_break}}});
+         {{"elongation", elongation}, {"limit", parameters.elongation_at_break}}});
   }
-  const Loosening& loose = in.loosening;
-  std::vector<int> tiles = loose.pins[0];
-  tiles.insert(tiles.end(), loose.pins[1].begin(), loose.pins[1].end());
+  const Loosening& loose = report.loosening;
+  std::vector<int> tiles;
+  std::set_union(loose.pins[0].begin(), loose.pins[0].end(), loose.pins[1].begin(),
+                 loose.pins[1].end(), std::back_inserter(tiles));
   if (tiles.empty()) return;
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
   const GlueLoad& load = report.glue.shear;
   Finding found = {"glue_shear.holds",
                    tiles,
@@ -158,7 +162,7 @@ void give_verdict(const VerdictInput& input, VerificationReport& report) {
   judge_least_squares(input, report);
   judge_unilateral(input, report);
   judge_membranes(input, report);
-  judge_materials(input, report);
+  judge_materials(input.solved.design.parameters, report);
   report.valid = report.reasons.empty();
 }
 

@@ -2,9 +2,7 @@
 // Defines when a design holds. Verification reports by it, and repair works towards it.
 #pragma once
 
-#include "curveups/physics/clearance.hpp"
-#include "curveups/physics/loads.hpp"
-#include "curveups/physics/loosening.hpp"
+#include "curveups/physics/solved_design.hpp"
 #include "curveups/physics/verification_report.hpp"
 
 namespace curveups {
@@ -26,19 +24,12 @@ inline bool is_clear(double distance) { return distance >= 0; }
 inline constexpr double safe_clearance = 0.05;
 
 struct VerdictInput {
+  const SolvedDesign& solved;  // with its floors
   const BalanceSystem& system;
-  const ContactForces& forces;
-  const UnilateralResult& coulomb;
-  const UnilateralResult* tips;  // null without bumps
-  const BalanceSystem* tips_system;
+  const BalanceSystem* tips_system;  // null without bumps
   std::array<MembraneClearance, 2> clearance;
-  std::array<std::vector<int>, 2> slack_tiles;       // front, back: beside slack membrane
-  std::vector<std::array<int, 2>> crossing;          // tiles where a sheet would lie on itself
-  bool floor_from_mesh;                              // f_min is the mesh's error, not f_min_ratio
-  const std::vector<std::array<int, 2>>& undecided;  // of SolvedDesign
-  const Parameters& parameters;
-  const Carried& carried;
-  const Loosening& loosening;
+  std::array<std::vector<int>, 2> slack_tiles;  // front, back: beside slack membrane
+  std::vector<std::array<int, 2>> crossing;     // tiles where a sheet would lie on itself
 };
 
 // Fills valid, reasons and warnings of a report whose figures are complete.

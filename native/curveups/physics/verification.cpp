@@ -125,18 +125,19 @@ std::array<MembraneClearance, 2> solve_programs(BalanceSystem& system, BalanceSy
   return out;
 }
 
-UnilateralFigures describe_programs(const UnilateralResult& coulomb, const UnilateralResult* tips,
-                                    double f_min, double friction_coefficient, double scale) {
+UnilateralFigures describe_programs(const SolvedDesign& solved, double f_min) {
+  const auto& [at_corners, at_tips] = solved.floor;
+  const double scale = force_scale(solved);
   UnilateralFigures u;
-  u.friction_coefficient = friction_coefficient;
+  u.friction_coefficient = solved.design.parameters.friction_coefficient;
   u.floor = f_min;
-  u.status = coulomb.solve.status;
-  u.largest_floor = coulomb.largest_floor;
+  u.status = at_corners->solve.status;
+  u.largest_floor = at_corners->largest_floor;
   u.feasible =
       u.status == SolveStatus::converged && floor_is_reached(u.largest_floor, f_min, scale);
-  if (tips) {
-    u.tips_status = tips->solve.status;
-    u.tips_largest_floor = tips->largest_floor;
+  if (at_tips) {
+    u.tips_status = at_tips->solve.status;
+    u.tips_largest_floor = at_tips->largest_floor;
     u.feasible_at_tips = u.tips_status == SolveStatus::converged &&
                          floor_is_reached(u.tips_largest_floor, f_min, scale);
   }
@@ -204,21 +205,15 @@ VerificationReport verify_design(const Design& design, SolutionStore* store,
     tips_system.emplace(make_balance_system(
         geometry, parameters, tie_to_corners(contact_corners(geometry, parameters), tips).points));
   }
+  BalanceSystem* at_tips = tips_system ? &*tips_system : nullptr;
   const std::array<MembraneClearance, 2> clearance =
-      solve_programs(system, tips_system ? &*tips_system : nullptr, solved, geometry, progress);
-  const UnilateralResult& coulomb = *solved.floor[static_cast<int>(Touching::at_corners)];
-  const UnilateralResult* at_tips =
-      tips_system ? &*solved.floor[static_cast<int>(Touching::at_tips)] : nullptr;
+      solve_programs(system, at_tips, solved, geometry, progress);
   report.physics.clearance_mm = std::min(clearance[0].distance, clearance[1].distance);
-  report.unilateral = describe_programs(coulomb, at_tips, f_min, parameters.friction_coefficient,
-                                        force_scale(solved));
+  report.unilateral = describe_programs(solved, f_min);
   if (parameters.bumps == "dimples") report.unilateral.sliding_play = sliding_play(plan, tiles);
   report.loosening = loosen_pins(geometry, solved, overloaded, tips, progress);
-  give_verdict(
-      {system, forces, coulomb, at_tips, tips_system ? &*tips_system : nullptr, clearance,
-       slack_tiles, crossing_sheets(tiles, design), solved.f_min_ratio > parameters.f_min_ratio,
-       solved.undecided, parameters, solved.carried, report.loosening},
-      report);
+  give_verdict({solved, system, at_tips, clearance, slack_tiles, crossing_sheets(tiles, design)},
+               report);
   if (store) store->put(std::move(solved));
   return report;
 }
