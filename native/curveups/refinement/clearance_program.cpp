@@ -30,6 +30,12 @@ constexpr double sharp = 0.3;  // rad
 
 }  // namespace
 
+PinSides sides_of(const std::vector<SmallPin>& pins) {
+  PinSides sides;
+  for (const SmallPin& pin : pins) sides.insert({pin.tile, pin.side});
+  return sides;
+}
+
 // The pins of one geometry and the tiles at its vertices, each looked for once.
 class ClearanceProgram::Pins {
  public:
@@ -140,8 +146,7 @@ double ClearanceProgram::missing(const DesignGeometry& here) const {
 
 std::vector<SmallPin> ClearanceProgram::lacking(const DesignGeometry& here) const {
   std::vector<SmallPin> out = here.pin_bounds.small;
-  PinSides known;
-  for (const SmallPin& pin : out) known.insert({pin.tile, pin.side});
+  PinSides known = sides_of(out);
   Pins pins(here.tiles, here.truncation, parameters_);
   for (const Gap& gap : gaps(here, least_membrane_clearance, pins)) {
     const Side side = gap.need.side;

@@ -16,6 +16,8 @@ namespace curveups {
 using PinSide = std::pair<int, Side>;  // of a tile
 using PinSides = std::set<PinSide>;
 
+PinSides sides_of(const std::vector<SmallPin>& pins);
+
 // mm, for each coordinate of a vertex.
 struct MoveLimits {
   double step, whole;

@@ -56,8 +56,7 @@ PinSmoothing smooth_for_pins(const TriangleMesh& mesh, const Edges& cuts,
   PinSmoothing out;
   out.mesh = mesh;
   out.remaining = given.pin_bounds.small;
-  PinSides asked;
-  for (const SmallPin& pin : out.remaining) asked.insert({pin.tile, pin.side});
+  PinSides asked = sides_of(out.remaining);
   if (asked.empty()) return out;
   const TriangleMesh moved = lift(program, mesh, parameters.L, asked, progress);
   const DesignGeometry there = program.geometry(moved);
@@ -65,9 +64,8 @@ PinSmoothing smooth_for_pins(const TriangleMesh& mesh, const Edges& cuts,
       there.truncation.unresolved.size() > given.truncation.unresolved.size()) {
     return out;
   }
-  PinSides small;
+  const PinSides small = sides_of(there.pin_bounds.small);
   for (const SmallPin& pin : there.pin_bounds.small) {
-    small.insert({pin.tile, pin.side});
     // Sides out of reach must stay above the floor.
     const auto before =
         std::find_if(out.remaining.begin(), out.remaining.end(),

@@ -16,12 +16,6 @@ constexpr int most_steps = 60;
 constexpr int patience = 8;
 constexpr double largest_step_of_L = 1.0 / 14;  // as far as folds are nearly linear in moves
 
-PinSides sides_of(const std::vector<SmallPin>& pins) {
-  PinSides sides;
-  for (const SmallPin& pin : pins) sides.insert({pin.tile, pin.side});
-  return sides;
-}
-
 // How far a surface is from one that tiles can be: less is better, first of what is no design.
 struct Shortfall {
   std::size_t impossible;  // tiles without a back face, pairs that no plane parts
