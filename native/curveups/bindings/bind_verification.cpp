@@ -207,7 +207,7 @@ void bind_verification(py::module_& module) {
         PythonListener listener(std::move(on_step));
         const PythonListener::Function function = listener.function();
         RepairResult result = without_gil(std::move(progress), [&](const Progress& sink) {
-          return repair_design(design, {}, store, sink, function);
+          return repair_design(design, store, sink, function);
         });
         listener.rethrow();
         return result;

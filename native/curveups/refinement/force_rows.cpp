@@ -37,8 +37,7 @@ ForceRow make_row(const Iterate& place, double value, double unit, const ForceGr
 }  // namespace
 
 MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& tracked,
-                                const Judgement& now, const RepairOptions& options,
-                                const VertexPlaces& target) {
+                                const Judgement& now, const VertexPlaces& target) {
   const TileMesh& tiles = place.geometry().tiles;
   const std::vector<ContactPoint>& points = tracked.points();
   std::vector<char> near(tiles.tile_count(), 0), chosen(target.place.rows(), 0);
@@ -51,7 +50,7 @@ MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& track
     }
   };
   for (std::size_t p = 0; p < points.size(); ++p) {
-    if (now.normal(static_cast<Eigen::Index>(p)) < options.goal * now.f_min) {
+    if (now.normal(static_cast<Eigen::Index>(p)) < force_goal * now.f_min) {
       mark(points[p].tile);
     }
   }
@@ -78,12 +77,11 @@ MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& track
 }
 
 std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& tracked,
-                                 const Judgement& now, const RepairOptions& options,
-                                 const MovingVertices* moving) {
+                                 const Judgement& now, const MovingVertices* moving) {
   const std::vector<ContactPoint>& points = tracked.points();
   std::vector<int> chosen;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    if (now.normal(static_cast<Eigen::Index>(p)) < options.active * now.f_min) {
+    if (now.normal(static_cast<Eigen::Index>(p)) < active_force * now.f_min) {
       chosen.push_back(static_cast<int>(p));
     }
   }
@@ -98,7 +96,7 @@ std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& trac
   const std::vector<ForceGradient> gradients =
       force_gradients(tracked.forces(), functions, patches);
   for (std::size_t r = 0; r < chosen.size(); ++r) {
-    const double value = (now.normal(chosen[r]) - options.goal * now.f_min) / now.mean;
+    const double value = (now.normal(chosen[r]) - force_goal * now.f_min) / now.mean;
     rows.push_back(make_row(place, value, 1 / now.mean, gradients[r], moving));
   }
   for (Touching where : touchings) {
@@ -107,7 +105,7 @@ std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& trac
         tracked.floors()[k].solve.status == SolveStatus::unfinished) {
       continue;
     }
-    const double value = (now.floor[k] - options.floor_goal) * now.f_min / now.mean;
+    const double value = (now.floor[k] - floor_goal) * now.f_min / now.mean;
     rows.push_back(
         make_row(place, value, 1 / now.mean, tracked.gradient_of_floor(where, patches), moving));
   }

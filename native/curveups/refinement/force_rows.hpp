@@ -18,12 +18,10 @@ struct VertexPlaces {
 
 // The vertices of the tiles at points that must be lifted, and of the tiles next to these.
 MovingVertices vertices_to_move(const Iterate& place, const TrackedForces& tracked,
-                                const Judgement& now, const RepairOptions& options,
-                                const VertexPlaces& target);
+                                const Judgement& now, const VertexPlaces& target);
 
 // A row per point below the active force and one for each floor that is active. moving may be null.
 std::vector<ForceRow> force_rows(const Iterate& place, const TrackedForces& tracked,
-                                 const Judgement& now, const RepairOptions& options,
-                                 const MovingVertices* moving);
+                                 const Judgement& now, const MovingVertices* moving);
 
 }  // namespace curveups

@@ -7,8 +7,7 @@
 
 namespace curveups {
 
-Judgement judge(const Eigen::VectorXd& normal, const Floors& floors, double f_min_ratio,
-                const RepairOptions& options) {
+Judgement judge(const Eigen::VectorXd& normal, const Floors& floors, double f_min_ratio) {
   Judgement out;
   out.normal = normal;
   for (double force : normal) out.mean += force;
@@ -23,11 +22,11 @@ Judgement judge(const Eigen::VectorXd& normal, const Floors& floors, double f_mi
     const double f = force / out.f_min;
     out.weak += !presses(force, out.f_min);
     out.least = std::min(out.least, f);
-    out.missing += std::max(0.0, options.goal - f);
+    out.missing += std::max(0.0, force_goal - f);
   }
   for (std::size_t k = 0; k < floors.size(); ++k) {
     out.floor[k] = floors[k] / out.f_min;
-    if (out.floor[k] < options.floor_goal) out.missing += options.floor_goal - out.floor[k];
+    if (out.floor[k] < floor_goal) out.missing += floor_goal - out.floor[k];
   }
   return out;
 }

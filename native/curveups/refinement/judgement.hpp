@@ -13,19 +13,12 @@
 
 namespace curveups {
 
-// What a repair aims at and how far it goes in a step.
-struct RepairOptions {
-  double trust_radius = 0.2;  // mm that an unknown moves in a step at most, at first
-  // Weak points are lifted to this times f_min (what the mesh error may take is to spare), and
-  // points below `active` times f_min are rows of the step: they must not fall below f_min.
-  double goal = 1.5;
-  double active = 2.0;
-  // The same for the largest floors of the unilateral problem, each of which is one number.
-  double floor_goal = 1.2;
-  // Vertices stay within this times L of their places in the target, by coordinate.
-  double largest_displacement = 0.1;
-  int max_steps = 60;
-};
+// A repair lifts weak points to `force_goal` times f_min (what the mesh error may take is to
+// spare). Points below `active_force` times f_min are rows of its steps: they must not fall below
+// f_min.
+inline constexpr double force_goal = 1.5, active_force = 2.0;
+// The goal of the largest floors of the unilateral problem, each of which is one number.
+inline constexpr double floor_goal = 1.2;
 
 // By Touching; NaN where it was not computed.
 using Floors = std::array<double, 2>;
@@ -63,7 +56,6 @@ struct Judgement {
 };
 
 // floors: N. Throws InfeasibleDesign where membranes don't press the tiles together.
-Judgement judge(const Eigen::VectorXd& normal, const Floors& floors, double f_min_ratio,
-                const RepairOptions& options);
+Judgement judge(const Eigen::VectorXd& normal, const Floors& floors, double f_min_ratio);
 
 }  // namespace curveups

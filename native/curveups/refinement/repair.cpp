@@ -17,6 +17,10 @@
 namespace curveups {
 namespace {
 
+// mm that an unknown moves in a step at most, at first.
+constexpr double first_trust_radius = 0.2;
+// Vertices stay within this times L of their places in the target, by coordinate.
+constexpr double largest_displacement_of_L = 0.1;
 // What moving a vertex costs against moving a tile as far.
 constexpr double vertex_cost = 100;
 // Fresh meshes on which overloaded pins grow.
@@ -24,8 +28,8 @@ constexpr int most_glue_rounds = 4;
 
 class Repair {
  public:
-  Repair(const Design& design, const RepairOptions& options, SolutionStore* store,
-         const Progress& progress, const RepairCallback& callback);
+  Repair(const Design& design, SolutionStore* store, const Progress& progress,
+         const RepairCallback& callback, int max_steps);
   RepairResult run();
 
  private:
@@ -52,10 +56,10 @@ class Repair {
   bool move_to(const LayoutStep& step, const MovingVertices* moving, const Iterate& from);
   void tell(const Judgement& now) const;
 
-  RepairOptions options_;
   SolutionStore* store_;
   Progress progress_;
   RepairCallback callback_;
+  int max_steps_;
   Design design_;  // as given
   const Parameters& parameters_;
   VertexPlaces target_;
@@ -71,18 +75,18 @@ class Repair {
   LayoutStep last_step_;
 };
 
-Repair::Repair(const Design& design, const RepairOptions& options, SolutionStore* store,
-               const Progress& progress, const RepairCallback& callback)
-    : options_(options),
-      store_(store),
+Repair::Repair(const Design& design, SolutionStore* store, const Progress& progress,
+               const RepairCallback& callback, int max_steps)
+    : store_(store),
       progress_(progress),
       callback_(callback),
+      max_steps_(max_steps),
       design_(design),
       parameters_(design_.parameters),
       target_{design.target ? design.target->V : design.mesh.V,
               Eigen::VectorXd::Zero(design.mesh.V.rows())},
       caps_(Array6::Constant(design.mesh.F.rows(), 6, std::numeric_limits<double>::infinity())),
-      tracked_(design_.parameters, options, progress) {
+      tracked_(design_.parameters, progress) {
   here_.shape = make_shape(design.mesh, nullptr);
   const TileMesh& tiles = here_.geometry().tiles;
   const int count = tiles.tile_count();
@@ -160,7 +164,7 @@ void Repair::restore_start(RepairResult& result) {
 StepWeights Repair::step_weights() const {
   StepWeights out;
   out.trust_radius = trust_radius_;
-  out.largest_displacement = options_.largest_displacement * parameters_.L;
+  out.largest_displacement = largest_displacement_of_L * parameters_.L;
   out.target = vertex_cost / (parameters_.L * parameters_.L);
   return out;
 }
@@ -199,9 +203,9 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   const Iterate from = here_;
   const std::array<UnilateralResult, 2> floors = tracked_.floors();
   MovingVertices chosen;
-  if (with_vertices) chosen = vertices_to_move(here_, tracked_, now, options_, target_);
+  if (with_vertices) chosen = vertices_to_move(here_, tracked_, now, target_);
   const MovingVertices* moving = chosen.count() > 0 ? &chosen : nullptr;
-  const std::vector<ForceRow> rows = force_rows(here_, tracked_, now, options_, moving);
+  const std::vector<ForceRow> rows = force_rows(here_, tracked_, now, moving);
   std::vector<int> tiles = tiles_that_matter(here_.model(), rows, 0.02);
   for (const VertexPatch& patch : chosen.patches) {
     for (int k : patch.changed) tiles.push_back(patch.tiles[k]);
@@ -220,7 +224,7 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
     now = next;
     result.steps.push_back(
         {now.weak, now.least, now.least_floor(), largest, moving != nullptr, false});
-    trust_radius_ = std::min(2 * trust_radius_, options_.trust_radius);
+    trust_radius_ = std::min(2 * trust_radius_, first_trust_radius);
     return true;
   }
   here_ = from;
@@ -257,14 +261,14 @@ bool Repair::draw_pins_out(const Judgement& now) {
 
 // Near enough to the goals for a fresh mesh to judge.
 bool Repair::reached(const Judgement& now) const {
-  return now.least >= options_.goal - 0.1 && !(now.least_floor() < options_.floor_goal - 0.05);
+  return now.least >= force_goal - 0.1 && !(now.least_floor() < floor_goal - 0.05);
 }
 
 // Steps until the goals are reached or nothing helps. Returns whether there was one.
 bool Repair::improve(RepairResult& result, Judgement& now) {
   bool moved = false, slow = false;
-  trust_radius_ = options_.trust_radius;
-  while (static_cast<int>(result.steps.size()) <= options_.max_steps && !reached(now)) {
+  trust_radius_ = first_trust_radius;
+  while (static_cast<int>(result.steps.size()) <= max_steps_ && !reached(now)) {
     const double before = now.missing;
     const bool with_vertices = slow && parameters_.move_vertices;
     if (take_step(result, now, with_vertices)) {
@@ -276,7 +280,7 @@ bool Repair::improve(RepairResult& result, Judgement& now) {
       break;
     } else {
       slow = true;
-      trust_radius_ = options_.trust_radius;
+      trust_radius_ = first_trust_radius;
     }
   }
   return moved;
@@ -308,8 +312,7 @@ void Repair::search(RepairResult& result) {
     }
     tell(now);
     if (now.valid() && !(now.overload > 0)) return;
-    const bool drawn =
-        static_cast<int>(result.steps.size()) <= options_.max_steps && draw_pins_out(now);
+    const bool drawn = static_cast<int>(result.steps.size()) <= max_steps_ && draw_pins_out(now);
     if (now.valid() && !drawn) return;
     if (drawn) {
       now = tracked_.judge();
@@ -347,9 +350,9 @@ RepairResult Repair::run() {
 
 }  // namespace
 
-RepairResult repair_design(const Design& design, const RepairOptions& options, SolutionStore* store,
-                           const Progress& progress, const RepairCallback& callback) {
-  return Repair(design, options, store, progress, callback).run();
+RepairResult repair_design(const Design& design, SolutionStore* store, const Progress& progress,
+                           const RepairCallback& callback, int max_steps) {
+  return Repair(design, store, progress, callback, max_steps).run();
 }
 
 }  // namespace curveups

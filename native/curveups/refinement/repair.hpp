@@ -57,9 +57,9 @@ using RepairCallback =
 // is the given design's target, or its mesh. Cancelled through progress it is stopped and keeps the
 // best so far. store: asked for what verification has solved of this very design, and left with
 // what is solved of a valid result; or null. Throws what make_geometry throws, InvalidInput for
-// arrays that disagree, InfeasibleDesign where the layout's constraints can't be restored or
-// membranes fold over even so, SolverFailure.
-RepairResult repair_design(const Design& design, const RepairOptions& options, SolutionStore* store,
-                           const Progress& progress, const RepairCallback& callback = {});
+// a target with other vertices than the mesh, InfeasibleDesign where the layout's constraints can't
+// be restored or membranes fold over even so, SolverFailure.
+RepairResult repair_design(const Design& design, SolutionStore* store, const Progress& progress,
+                           const RepairCallback& callback = {}, int max_steps = 60);
 
 }  // namespace curveups

@@ -19,12 +19,8 @@ std::vector<Touch> find_touches(const DesignGeometry& geometry, SolvedDesign& so
   return touches;
 }
 
-TrackedForces::TrackedForces(const Parameters& parameters, const RepairOptions& options,
-                             const Progress& progress)
-    : parameters_(parameters),
-      options_(options),
-      progress_(progress),
-      f_min_ratio_(parameters.f_min_ratio) {}
+TrackedForces::TrackedForces(const Parameters& parameters, const Progress& progress)
+    : parameters_(parameters), progress_(progress), f_min_ratio_(parameters.f_min_ratio) {}
 
 // The contact points of one of the two problems.
 std::vector<ContactPoint> TrackedForces::points_at(const DesignGeometry& geometry,
@@ -55,7 +51,7 @@ Judgement TrackedForces::judge_fresh(const Iterate& place, SolvedDesign& fresh) 
   plan_tips(place.geometry(), fit_poses(place.geometry().tiles, fresh.design.T));
   const Eigen::VectorXd normal = fresh.forces.force.col(0);
   Floors floors = no_floors;
-  auto judged = [&] { return curveups::judge(normal, floors, f_min_ratio_, options_); };
+  auto judged = [&] { return curveups::judge(normal, floors, f_min_ratio_); };
   const bool weak = judged().weak > 0;
   const Progress serial = one_at_a_time(progress_);
   std::vector<std::function<void()>> tasks;
@@ -124,7 +120,7 @@ Judgement TrackedForces::judge() {
   Eigen::VectorXd normal = forces_->contact_forces().force.col(0);
   // Where a contact point came or went with the vertices the next fresh mesh has to tell.
   if (normal.size() == correction_.size()) normal += correction_;
-  return curveups::judge(normal, floors, f_min_ratio_, options_);
+  return curveups::judge(normal, floors, f_min_ratio_);
 }
 
 std::vector<std::array<int, 2>> TrackedForces::critical_pairs(Touching where) const {

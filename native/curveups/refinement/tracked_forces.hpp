@@ -23,8 +23,7 @@ std::vector<Touch> find_touches(const DesignGeometry& geometry, SolvedDesign& so
 
 class TrackedForces {
  public:
-  TrackedForces(const Parameters& parameters, const RepairOptions& options,
-                const Progress& progress);
+  TrackedForces(const Parameters& parameters, const Progress& progress);
 
   // The verdict on a place. The largest floors are a part of it where no point is weak, and from
   // then on each where it is what fails. Throws InfeasibleDesign where the membranes don't press
@@ -61,7 +60,6 @@ class TrackedForces {
   void plan_tips(const DesignGeometry& geometry, const FlatPoses& poses);
 
   Parameters parameters_;
-  RepairOptions options_;
   Progress progress_;
   double f_min_ratio_;
   std::unique_ptr<DesignForces> forces_;

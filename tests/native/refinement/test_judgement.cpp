@@ -15,12 +15,11 @@ struct Judged {
   Design design = spread_design(hexagon(2, cap_height), 1.35, 1.2);
   DesignGeometry geometry = make_geometry(design.mesh, design.cuts, design.parameters);
   std::vector<ContactPoint> points = interface_points(geometry.tiles, geometry.patches);
-  RepairOptions options;
 
   Judgement with(double first, const Floors& floor) const {
     Eigen::VectorXd normal = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(points.size()));
     normal(0) = first;
-    return judge(normal, floor, 0.1, options);
+    return judge(normal, floor, 0.1);
   }
 };
 

@@ -73,7 +73,7 @@ Design with_weak_contacts() {
 
 TEST(Repair, LeavesAValidDesignAsItIs) {
   const Design& design = dome_design();
-  const RepairResult result = repair_design(design, {}, nullptr, {});
+  const RepairResult result = repair_design(design, nullptr, {});
   EXPECT_EQ(result.solve.status, SolveStatus::converged);
   EXPECT_EQ(result.design.T, design.T);
   EXPECT_EQ(result.design.q, design.q);
@@ -84,7 +84,7 @@ TEST(Repair, LiftsWeakContactsAboveAHigherFloor) {
   const Design design = with_weak_contacts();
   ASSERT_GT(weak_points(design), 0);
   SolutionStore store;
-  const RepairResult result = repair_design(design, {}, &store, {});
+  const RepairResult result = repair_design(design, &store, {});
   EXPECT_EQ(result.solve.status, SolveStatus::converged);
   EXPECT_TRUE(result.steps.front().fresh_mesh);
   EXPECT_TRUE(result.steps.back().fresh_mesh);
@@ -108,7 +108,7 @@ TEST(Repair, EnlargesPinsWhoseGlueIsOverloaded) {
   const GlueLoad before = verify_design(design, {}, {}).glue.shear;
   design.parameters.glue_strength = 0.95 * before.shear;
   EXPECT_GT(verify_design(design, {}, {}).loosening.rounds, 0);
-  const RepairResult result = repair_design(design, {}, nullptr, {});
+  const RepairResult result = repair_design(design, nullptr, {});
   EXPECT_EQ(result.solve.status, SolveStatus::converged);
   expect_constraints_kept(result.design);
   const VerificationReport after = verify_design(result.design, {}, {});
@@ -133,7 +133,7 @@ TEST(Repair, RestoresSpoiledPinsAndPoses) {
       design.T(i, k) += k % 2 == 0 ? dx : dy;
     }
   }
-  const RepairResult result = repair_design(design, {}, nullptr, {});
+  const RepairResult result = repair_design(design, nullptr, {});
   EXPECT_GT(result.restored_mm, 0.01);
   EXPECT_EQ(result.solve.status, SolveStatus::converged);
   expect_constraints_kept(result.design);
@@ -155,7 +155,7 @@ Design with_a_high_floor() {
 
 TEST(Repair, MovesVerticesWherePosesAndPinsDoNotDo) {
   Design design = with_a_high_floor();
-  const RepairResult result = repair_design(design, {}, nullptr, {});
+  const RepairResult result = repair_design(design, nullptr, {});
   EXPECT_EQ(result.solve.status, SolveStatus::converged);
   EXPECT_GT(result.largest_vertex_move, 0.01);
   EXPECT_LT(result.largest_vertex_move, 0.2 * design.parameters.L);
@@ -169,9 +169,7 @@ TEST(Repair, MovesVerticesWherePosesAndPinsDoNotDo) {
   EXPECT_EQ(weak_points(finer), 0);
 
   design.parameters.move_vertices = false;
-  RepairOptions few;
-  few.max_steps = 8;
-  const RepairResult without = repair_design(design, few, nullptr, {});
+  const RepairResult without = repair_design(design, nullptr, {}, {}, 8);
   EXPECT_EQ(without.solve.status, SolveStatus::unfinished);
   EXPECT_EQ(without.design.mesh.V, design.mesh.V);
   EXPECT_FALSE(without.design.target.has_value());
@@ -190,7 +188,7 @@ TEST(Repair, LiftsTheFloorOfTheUnilateralProblem) {
   }
   ASSERT_FALSE(before.unilateral.feasible);
   ASSERT_EQ(before.contact_forces.points_below_f_min, 0);
-  const RepairResult result = repair_design(design, {}, nullptr, {});
+  const RepairResult result = repair_design(design, nullptr, {});
   EXPECT_EQ(result.solve.status, SolveStatus::converged);
   EXPECT_LT(result.steps.front().least_floor, 1);
   EXPECT_GE(result.steps.back().least_floor, 1);
@@ -213,7 +211,7 @@ TEST(Repair, LiftsTheFloorAtBumpTips) {
   double& density = design.parameters.density;
   for (density = 1; density < 1e4 && !lacks_at_tips_alone();) density *= 1.15;
   ASSERT_LT(density, 1e4);
-  const RepairResult result = repair_design(design, {}, nullptr, {});
+  const RepairResult result = repair_design(design, nullptr, {});
   EXPECT_EQ(result.solve.status, SolveStatus::converged);
   EXPECT_LT(result.steps.front().least_floor, 1);
   EXPECT_GE(result.steps.back().least_floor, 1);
@@ -229,7 +227,7 @@ TEST(Repair, DrawsPinsOutWhereAMembraneCutsIntoABody) {
   design.parameters.H_pin = 0.5;
   const VerificationReport before = verify_design(design, {}, {});
   ASSERT_LT(before.physics.clearance_mm, 0);
-  const RepairResult result = repair_design(design, {}, nullptr, {});
+  const RepairResult result = repair_design(design, nullptr, {});
   EXPECT_EQ(result.solve.status, SolveStatus::converged);
   expect_constraints_kept(result.design);
   EXPECT_GT(verify_design(result.design, {}, {}).physics.clearance_mm, 0);
@@ -239,8 +237,8 @@ TEST(Repair, StartsFromWhatVerificationKept) {
   const Design design = with_weak_contacts();
   SolutionStore store;
   verify_design(design, &store, {});
-  const RepairResult kept = repair_design(design, {}, &store, {}),
-                     fresh = repair_design(design, {}, nullptr, {});
+  const RepairResult kept = repair_design(design, &store, {}),
+                     fresh = repair_design(design, nullptr, {});
   EXPECT_EQ(kept.solve.status, SolveStatus::converged);
   EXPECT_EQ(kept.design.T, fresh.design.T);
   EXPECT_EQ(kept.design.q, fresh.design.q);
@@ -249,9 +247,7 @@ TEST(Repair, StartsFromWhatVerificationKept) {
 TEST(Repair, SaysWhatBlocksTheImpossible) {
   Design design = small_dome();
   design.parameters.f_min_ratio = 0.95;  // all points nearly alike: no dome does that
-  RepairOptions options;
-  options.max_steps = 3;
-  const RepairResult result = repair_design(design, options, nullptr, {});
+  const RepairResult result = repair_design(design, nullptr, {}, {}, 3);
   EXPECT_EQ(result.solve.status, SolveStatus::unfinished);
   ASSERT_FALSE(result.blocked.empty());
   for (const BlockedContact& contact : result.blocked) {
@@ -264,10 +260,9 @@ TEST(Repair, SaysWhatBlocksTheImpossible) {
 TEST(Repair, StoppedItKeepsTheBestSoFar) {
   const Design design = with_weak_contacts();
   int calls = 0;
-  const RepairResult result =
-      repair_design(design, {}, nullptr, [&](const std::string& what, double) {
-        return what.find("weak points") == std::string::npos || ++calls < 2;
-      });
+  const RepairResult result = repair_design(design, nullptr, [&](const std::string& what, double) {
+    return what.find("weak points") == std::string::npos || ++calls < 2;
+  });
   EXPECT_EQ(result.solve.status, SolveStatus::stopped);
   ASSERT_GE(result.steps.size(), 2u);
   expect_constraints_kept(result.design);
@@ -277,9 +272,9 @@ TEST(Repair, OneThreadOrTwoGiveTheSameBits) {
   const Design design = with_weak_contacts();
   const int threads = thread_count();
   set_thread_count(1);
-  const RepairResult a = repair_design(design, {}, nullptr, {});
+  const RepairResult a = repair_design(design, nullptr, {});
   set_thread_count(2);
-  const RepairResult b = repair_design(design, {}, nullptr, {});
+  const RepairResult b = repair_design(design, nullptr, {});
   set_thread_count(threads);
   EXPECT_GT(a.largest_move, 0);
   EXPECT_EQ(a.design.T, b.design.T);
