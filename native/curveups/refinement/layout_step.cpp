@@ -254,10 +254,6 @@ LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
   return StepProblem(model, state, forces, tiles, vertices, weights).solve();
 }
 
-double largest_violation(const LayoutModel& model, const LayoutState& state) {
-  return largest_violation(make_constraints(model), state);
-}
-
 bool restore_constraints(LayoutModel& model, LayoutState& state, int max_steps) {
   constexpr double accuracy = 0.5 * tolerance::constraint;
   const double clearance = model.parameters.d_gap_min - accuracy;

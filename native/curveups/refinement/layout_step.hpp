@@ -56,9 +56,6 @@ LayoutStep least_layout_step(const LayoutModel& model, const LayoutState& state,
                              const std::vector<ForceRow>& forces, const std::vector<int>& tiles,
                              const MovingVertices* vertices, const StepWeights& weights);
 
-// Largest violation of the constraints, mm.
-double largest_violation(const LayoutModel& model, const LayoutState& state);
-
 // Puts the state back onto its constraints by least steps, each around what is violated, and adds
 // separations to the model for tiles that have come too near. Returns whether all hold to
 // tolerance::constraint; insets must keep their bounds already.

@@ -54,6 +54,7 @@ class Repair {
   bool improve(RepairResult& result, Judgement& now);
   bool take_step(RepairResult& result, Judgement& now, bool with_vertices);
   bool move_to(const LayoutStep& step, const MovingVertices* moving, const Iterate& from);
+  bool settle(int max_steps);
   void tell(const Judgement& now) const;
 
   SolutionStore* store_;
@@ -150,7 +151,7 @@ Judgement Repair::judge_fresh() {
 void Repair::restore_start(RepairResult& result) {
   const LayoutState given = here_.state;
   here_.keep_pin_bounds();
-  result.restored_mm = std::max(largest_violation(here_.model(), given),
+  result.restored_mm = std::max(largest_violation(make_constraints(here_.model()), given),
                                 (here_.state - given).rightCols<6>().cwiseAbs().maxCoeff());
   if (result.restored_mm > tolerance::constraint) {
     if (!keep_going(progress_, "restoring the layout", 0)) throw Cancelled();
@@ -169,10 +170,31 @@ StepWeights Repair::step_weights() const {
   return out;
 }
 
-// Takes the step, back onto the constraints, forces following. False where that fails.
+// False where the work fails: the moving mesh turned over, a tile lost its back face, or a solver
+// broke down.
+template <class Work>
+bool succeeds(const Work& work) {
+  try {
+    return work();
+  } catch (const InvalidInput&) {
+  } catch (const InfeasibleDesign&) {
+  } catch (const SolverFailure&) {
+  }
+  return false;
+}
+
+// What stands here back onto the constraints, forces following.
+bool Repair::settle(int max_steps) {
+  here_.keep_pin_bounds();
+  if (!restore_constraints(here_.shape->model, here_.state, max_steps)) return false;
+  tracked_.move(here_);
+  return true;
+}
+
+// Takes the step. False where that fails.
 bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const Iterate& from) {
   here_ = from;
-  try {
+  return succeeds([&] {
     if (moving) {
       TriangleMesh mesh = from.geometry().tiles.mesh;
       for (int v = 0; v < moving->count(); ++v) {
@@ -185,17 +207,8 @@ bool Repair::move_to(const LayoutStep& step, const MovingVertices* moving, const
       }
     }
     here_.state += step.step;
-    here_.keep_pin_bounds();
-    if (!restore_constraints(here_.shape->model, here_.state, 8)) return false;
-    tracked_.move(here_);
-    return true;
-  } catch (const InvalidInput&) {  // the moving mesh turned over
-    return false;
-  } catch (const InfeasibleDesign&) {  // a tile lost its back face
-    return false;
-  } catch (const SolverFailure&) {
-    return false;
-  }
+    return settle(8);
+  });
 }
 
 // One accepted step, or false where none lifts the weak forces any more.
@@ -242,17 +255,11 @@ bool Repair::draw_pins_out(const Judgement& now) {
   } else if (!cap_insets(touches_, here_, caps_)) {
     return false;
   }
-  try {
+  const bool settled = succeeds([&] {
     here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
-    here_.keep_pin_bounds();
-    if (restore_constraints(here_.shape->model, here_.state, 20)) {
-      tracked_.move(here_);
-      return true;
-    }
-  } catch (const InvalidInput&) {  // the moving mesh turned over
-  } catch (const InfeasibleDesign&) {
-  } catch (const SolverFailure&) {
-  }
+    return settle(20);
+  });
+  if (settled) return true;
   here_ = from;
   caps_ = caps;
   tracked_.move_back(here_, tracked_.floors());
@@ -292,7 +299,7 @@ void Repair::tell(const Judgement& now) const {
   if (!keep_going(progress_, what, std::max(0.0, fraction))) throw Cancelled();
   if (!callback_) return;
   const FlatCorners T = flat_corners(here_.geometry().tiles, here_.poses());
-  const double violation = largest_violation(here_.model(), here_.state);
+  const double violation = largest_violation(make_constraints(here_.model()), here_.state);
   if (!callback_(T, here_.insets(), now.weak, violation)) throw Cancelled();
 }
 
@@ -306,7 +313,7 @@ void Repair::search(RepairResult& result) {
     if (!best_ || now.better_than(best_->judgement)) {
       best_ = Judged{here_,
                      now,
-                     make_balance_system(here_.geometry(), parameters_).points(),
+                     contact_corners(here_.geometry(), parameters_),
                      {tracked_.critical_pairs(Touching::at_corners),
                       tracked_.critical_pairs(Touching::at_tips)}};
     }

@@ -28,16 +28,6 @@ std::vector<ContactPoint> TrackedForces::points_at(const DesignGeometry& geometr
   return where == Touching::at_tips ? touch_.points : contact_corners(geometry, parameters_);
 }
 
-UnilateralResult TrackedForces::unilateral(const DesignGeometry& geometry, const Wrenches& loads,
-                                           double scale, Touching where) const {
-  BalanceSystem system = make_balance_system(geometry, parameters_, points_at(geometry, where));
-  const ContactForces start = solve_contact_forces(system, loads);
-  UnilateralOptions options;
-  options.friction_coefficient = parameters_.friction_coefficient;
-  options.scale = scale;
-  return solve_unilateral(system, loads, start.force, options, progress_);
-}
-
 void TrackedForces::plan_tips(const DesignGeometry& geometry, const FlatPoses& poses) {
   const std::vector<Points3> tips =
       bump_tips(plan_bumps(geometry, poses, parameters_), geometry.tiles);
@@ -90,11 +80,16 @@ void TrackedForces::follow(const Iterate& place, SolvedDesign& fresh, const Judg
 }
 
 void TrackedForces::solve_active_floors() {
+  UnilateralOptions options;
+  options.friction_coefficient = parameters_.friction_coefficient;
+  options.scale = forces_->contact_forces().normal_mean;
   for (Touching where : touchings) {
     const int k = static_cast<int>(where);
     if (!active_[k]) continue;
-    floors_[k] = unilateral(forces_->geometry(), forces_->loads(),
-                            forces_->contact_forces().normal_mean, where);
+    BalanceSystem system = make_balance_system(forces_->geometry(), parameters_,
+                                               points_at(forces_->geometry(), where));
+    const Points3 start = solve_contact_forces(system, forces_->loads()).force;
+    floors_[k] = solve_unilateral(system, forces_->loads(), start, options, progress_);
   }
 }
 

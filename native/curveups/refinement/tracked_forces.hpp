@@ -53,9 +53,6 @@ class TrackedForces {
 
  private:
   std::vector<ContactPoint> points_at(const DesignGeometry& geometry, Touching where) const;
-  // scale: the mean normal force under these loads, N.
-  UnilateralResult unilateral(const DesignGeometry& geometry, const Wrenches& loads, double scale,
-                              Touching where) const;
   void solve_active_floors();
   void plan_tips(const DesignGeometry& geometry, const FlatPoses& poses);
 
