@@ -156,15 +156,15 @@ void bind_print_model(py::module_& module) {
           "build_solids",
           [](PrintModel& m, py::object progress) {
             without_gil(std::move(progress),
-                        [&](const Progress& sink) { return solids_of(m, "print", sink); });
+                        [&](const Progress&) { return solids_of(m, "print"); });
           },
           py::arg("progress") = py::none(),
           "Builds all solids of the print; they are kept. Other calls do so when they need them.")
       .def(
           "judge_solids",
           [](PrintModel& m, py::object progress) {
-            const auto unsound = without_gil(
-                std::move(progress), [&](const Progress& sink) { return check_solids(m, sink); });
+            const auto unsound =
+                without_gil(std::move(progress), [&](const Progress&) { return check_solids(m); });
             return py::make_tuple(pairs(unsound), solid_reasons(unsound));
           },
           py::arg("progress") = py::none(),
@@ -173,9 +173,8 @@ void bind_print_model(py::module_& module) {
       .def(
           "shape",
           [](PrintModel& m, const std::string& kind, bool direct, py::object progress) {
-            const auto shape = without_gil(std::move(progress), [&](const Progress& sink) {
-              return solids_of(m, kind, sink);
-            });
+            const auto shape = without_gil(std::move(progress),
+                                           [&](const Progress&) { return solids_of(m, kind); });
             return to_part_shape(*shape, direct);
           },
           py::arg("kind"), py::arg("direct") = true, py::arg("progress") = py::none(),
@@ -183,8 +182,8 @@ void bind_print_model(py::module_& module) {
       .def(
           "mesh",
           [](const PrintModel& m, const std::string& kind) {
-            const auto meshes = without_gil(py::none(), [&](const Progress& sink) {
-              return mesh_bodies(m.bodies(kind), {0.1, false}, sink);
+            const auto meshes = without_gil(py::none(), [&](const Progress&) {
+              return mesh_bodies(m.bodies(kind), {0.1, false});
             });
             return joined(meshes);
           },
@@ -195,8 +194,8 @@ void bind_print_model(py::module_& module) {
       .def(
           "thumbnail",
           [](const PrintModel& m) {
-            return py::bytes(without_gil(py::none(), [&](const Progress& sink) {
-              return draw_thumbnail(mesh_bodies(m.bodies("print"), {0.1, false}, sink));
+            return py::bytes(without_gil(py::none(), [&](const Progress&) {
+              return draw_thumbnail(mesh_bodies(m.bodies("print"), {0.1, false}));
             }));
           },
           "A PNG of the print, without bumps, seen obliquely from above, on a transparent ground.")
@@ -243,8 +242,8 @@ void bind_print_model(py::module_& module) {
           "write",
           [](const PrintModel& m, const std::string& ending, const std::string& kind,
              const std::string& path, py::object progress) {
-            without_gil(std::move(progress), [&](const Progress& sink) {
-              print_format(ending).write(m, kind, path, sink);
+            without_gil(std::move(progress), [&](const Progress&) {
+              print_format(ending).write(m, kind, path);
               return true;
             });
           },

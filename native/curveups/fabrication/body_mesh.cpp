@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curveups/core/errors.hpp"
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/geometry/polygon_triangulation.hpp"
 
@@ -187,19 +187,11 @@ BodyMesh mesh_body(const PrintBody& body, const MeshingOptions& options) {
 }
 
 std::vector<BodyMesh> mesh_bodies(const std::vector<const PrintBody*>& bodies,
-                                  const MeshingOptions& options, const Progress& progress) {
+                                  const MeshingOptions& options) {
   std::vector<BodyMesh> meshes(bodies.size());
-  // In chunks, so that progress is reported from this thread.
-  constexpr int chunk = 256;
-  const int count = static_cast<int>(bodies.size());
-  for (int first = 0; first < count; first += chunk) {
-    if (!keep_going(progress, "meshing bodies", static_cast<double>(first) / count)) {
-      throw Cancelled();
-    }
-    parallel_ranges(std::min(chunk, count - first), [&](int begin, int end) {
-      for (int i = first + begin; i < first + end; ++i) meshes[i] = mesh_body(*bodies[i], options);
-    });
-  }
+  checkpoint("meshing bodies", 0);
+  parallel_each(static_cast<int>(bodies.size()),
+                [&](int i) { meshes[i] = mesh_body(*bodies[i], options); });
   return meshes;
 }
 

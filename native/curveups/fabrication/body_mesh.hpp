@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "curveups/bodies/print_body.hpp"
-#include "curveups/core/progress.hpp"
 
 namespace curveups {
 
@@ -29,7 +28,7 @@ BodyMesh mesh_body(const PrintBody& body, const MeshingOptions& options);
 
 // One mesh per body, in parallel. Throws Cancelled.
 std::vector<BodyMesh> mesh_bodies(const std::vector<const PrintBody*>& bodies,
-                                  const MeshingOptions& options, const Progress& progress);
+                                  const MeshingOptions& options);
 
 double volume(const BodyMesh& mesh);
 

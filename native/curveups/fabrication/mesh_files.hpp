@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "curveups/core/progress.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
 
 namespace curveups {
@@ -25,6 +24,6 @@ struct PrintMaterials {
 // places. A thumbnail shows all. The same meshes give the same bytes. Throws IoError, SolverFailure
 // where lib3mf refuses a mesh, Cancelled.
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
-               const PrintMaterials& materials, const std::string& path, const Progress& progress);
+               const PrintMaterials& materials, const std::string& path);
 
 }  // namespace curveups

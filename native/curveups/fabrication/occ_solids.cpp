@@ -185,10 +185,9 @@ TopoDS_Shape make_solid(const PrintBody& body) {
   return with_occ_errors("building " + body.name, [&] { return SolidBuilder(body).run(); });
 }
 
-std::vector<TopoDS_Shape> make_solids(const std::vector<const PrintBody*>& bodies,
-                                      const Progress& progress) {
+std::vector<TopoDS_Shape> make_solids(const std::vector<const PrintBody*>& bodies) {
   std::vector<TopoDS_Shape> solids(bodies.size());
-  if (!keep_going(progress, "building solids", 0)) throw Cancelled();
+  checkpoint("building solids", 0);
   parallel_each(static_cast<int>(bodies.size()),
                 [&](int i) { solids[i] = make_solid(*bodies[i]); });
   return solids;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "curveups/bodies/print_body.hpp"
-#include "curveups/core/progress.hpp"
 
 namespace curveups {
 
@@ -16,8 +15,7 @@ namespace curveups {
 TopoDS_Shape make_solid(const PrintBody& body);
 
 // One per body, in parallel. Throws Cancelled.
-std::vector<TopoDS_Shape> make_solids(const std::vector<const PrintBody*>& bodies,
-                                      const Progress& progress);
+std::vector<TopoDS_Shape> make_solids(const std::vector<const PrintBody*>& bodies);
 
 TopoDS_Shape make_compound(const std::vector<TopoDS_Shape>& shapes);
 

@@ -14,9 +14,7 @@ namespace curveups {
 namespace {
 
 // Of each piece one shell: breakaway bridges reach into tiles and anchors.
-std::vector<BodyMesh> fused(const std::vector<BodyMesh>& bodies, const PrintModel& model,
-                            const Progress& progress) {
-  const ProgressScope scope(progress);
+std::vector<BodyMesh> fused(const std::vector<BodyMesh>& bodies, const PrintModel& model) {
   checkpoint("uniting bodies");
   if (support_kind(model.parameters).soluble) {
     throw InvalidInput("tiles and a soluble slab are of two materials, which can't be one shell",
@@ -45,35 +43,31 @@ std::vector<BodyMesh> fused(const std::vector<BodyMesh>& bodies, const PrintMode
   return out;
 }
 
-std::vector<BodyMesh> meshes_of(const PrintModel& model, const std::string& kind,
-                                const Progress& progress) {
+std::vector<BodyMesh> meshes_of(const PrintModel& model, const std::string& kind) {
   const MeshingOptions options{model.parameters.mesh_deviation, model.parameters.mesh_bumps};
   if (kind == "fused") {
-    return fused(mesh_bodies(model.bodies("print"), options, progress), model, progress);
+    return fused(mesh_bodies(model.bodies("print"), options), model);
   }
-  return mesh_bodies(model.bodies(kind), options, progress);
+  return mesh_bodies(model.bodies(kind), options);
 }
 
 }  // namespace
 
-void write_step(const PrintModel& model, const std::string& kind, const std::string& path,
-                const Progress& progress) {
+void write_step(const PrintModel& model, const std::string& kind, const std::string& path) {
   const StepStructure structure = model.parameters.step_structure == "one-part"
                                       ? StepStructure::one_part
                                       : StepStructure::assembly;
-  write_step(model.bodies(kind), model.name + "-" + kind, structure, path, progress);
+  write_step(model.bodies(kind), model.name + "-" + kind, structure, path);
 }
 
-void write_stl(const PrintModel& model, const std::string& kind, const std::string& path,
-               const Progress& progress) {
-  write_stl(meshes_of(model, kind, progress), model.name + "-" + kind, path);
+void write_stl(const PrintModel& model, const std::string& kind, const std::string& path) {
+  write_stl(meshes_of(model, kind), model.name + "-" + kind, path);
 }
 
-void write_3mf(const PrintModel& model, const std::string& kind, const std::string& path,
-               const Progress& progress) {
+void write_3mf(const PrintModel& model, const std::string& kind, const std::string& path) {
   const PrintMaterials materials{"tiles (rigid)", support_kind(model.parameters).material,
                                  "anchors (rigid)"};
-  write_3mf(meshes_of(model, kind, progress), model.name, materials, path, progress);
+  write_3mf(meshes_of(model, kind), model.name, materials, path);
 }
 
 const std::vector<PrintFormat>& print_formats() {

@@ -6,26 +6,21 @@
 #include <string>
 #include <vector>
 
-#include "curveups/core/progress.hpp"
 #include "curveups/fabrication/print_model.hpp"
 
 namespace curveups {
 
 // Each writes under a temporary name and renames. Throw IoError, Cancelled.
-void write_step(const PrintModel& model, const std::string& kind, const std::string& path,
-                const Progress& progress);
-void write_stl(const PrintModel& model, const std::string& kind, const std::string& path,
-               const Progress& progress);
-void write_3mf(const PrintModel& model, const std::string& kind, const std::string& path,
-               const Progress& progress);
+void write_step(const PrintModel& model, const std::string& kind, const std::string& path);
+void write_stl(const PrintModel& model, const std::string& kind, const std::string& path);
+void write_3mf(const PrintModel& model, const std::string& kind, const std::string& path);
 
 // A new format is a file that writes it and its value in print_files.cpp.
 struct PrintFormat {
   std::string ending;               // of file names, without a dot
   std::vector<std::string> kinds;   // each of which has a file of this format
   std::vector<std::string> wanted;  // those of which print shops ask for it
-  void (*write)(const PrintModel& model, const std::string& kind, const std::string& path,
-                const Progress& progress);
+  void (*write)(const PrintModel& model, const std::string& kind, const std::string& path);
 };
 
 // In the order in which a print's files are written.

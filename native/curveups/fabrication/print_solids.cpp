@@ -25,8 +25,7 @@ std::vector<TopoDS_Shape> parts_of(const TopoDS_Shape& compound) {
 
 }  // namespace
 
-std::shared_ptr<const TopoDS_Shape> solids_of(const PrintModel& model, const std::string& kind,
-                                              const Progress& progress) {
+std::shared_ptr<const TopoDS_Shape> solids_of(const PrintModel& model, const std::string& kind) {
   KeptSolids& kept = *model.solids;
   std::unique_lock lock(kept.building, std::defer_lock);
   while (!lock.try_lock_for(std::chrono::milliseconds(50))) checkpoint();
@@ -36,12 +35,12 @@ std::shared_ptr<const TopoDS_Shape> solids_of(const PrintModel& model, const std
   std::vector<TopoDS_Shape> solids;
   if (kind == "print") {
     for (const char* part : {"tiles", "support", "anchors"}) {
-      for (const TopoDS_Shape& solid : parts_of(*solids_of(model, part, progress))) {
+      for (const TopoDS_Shape& solid : parts_of(*solids_of(model, part))) {
         solids.push_back(solid);
       }
     }
   } else {
-    solids = make_solids(model.bodies(kind), progress);
+    solids = make_solids(model.bodies(kind));
   }
   return kept.by_kind[kind] = std::make_shared<TopoDS_Shape>(make_compound(solids));
 }
@@ -62,9 +61,8 @@ void write_binary_brep(const TopoDS_Shape& shape, const std::string& path) {
   if (!out) throw IoError("a temporary file can't be written (" + path + ")", "free some space");
 }
 
-std::vector<UnsoundSolid> check_solids(const PrintModel& model, const Progress& progress) {
-  return check_solids(model.bodies("print"), parts_of(*solids_of(model, "print", progress)),
-                      progress);
+std::vector<UnsoundSolid> check_solids(const PrintModel& model) {
+  return check_solids(model.bodies("print"), parts_of(*solids_of(model, "print")));
 }
 
 }  // namespace curveups

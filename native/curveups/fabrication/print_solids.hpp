@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "curveups/core/progress.hpp"
 #include "curveups/fabrication/print_model.hpp"
 #include "curveups/fabrication/soundness.hpp"
 
@@ -14,13 +13,12 @@ namespace curveups {
 
 // One compound of the solids of a kind (PrintModel::bodies), in the order of its bodies; kept in
 // the model. Several threads may ask at once: the first builds, the others wait. Throws Cancelled.
-std::shared_ptr<const TopoDS_Shape> solids_of(const PrintModel& model, const std::string& kind,
-                                              const Progress& progress);
+std::shared_ptr<const TopoDS_Shape> solids_of(const PrintModel& model, const std::string& kind);
 
 // In OpenCASCADE's binary format, as FreeCAD's Part.Shape.importBinary reads it. Throws IoError.
 void write_binary_brep(const TopoDS_Shape& shape, const std::string& path);
 
 // Of all bodies of the print. Throws Cancelled.
-std::vector<UnsoundSolid> check_solids(const PrintModel& model, const Progress& progress);
+std::vector<UnsoundSolid> check_solids(const PrintModel& model);
 
 }  // namespace curveups

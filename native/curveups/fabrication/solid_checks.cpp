@@ -13,7 +13,6 @@
 #include <numeric>
 
 #include "curveups/core/checkpoint.hpp"
-#include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
 #include "curveups/fabrication/occ_errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
@@ -81,10 +80,9 @@ std::string closed_and_of_volume(const TopoDS_Shape& solid, double exact) {
 }  // namespace
 
 std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodies,
-                                       const std::vector<TopoDS_Shape>& solids,
-                                       const Progress& progress) {
+                                       const std::vector<TopoDS_Shape>& solids) {
   const std::vector<CheckPart> parts = check_parts(solids);
-  if (!keep_going(progress, "checking solids", 0)) throw Cancelled();
+  checkpoint("checking solids", 0);
   std::vector<char> broken(parts.size(), 0);
   parallel_each(static_cast<int>(parts.size()), [&](int k) {
     broken[k] = with_occ_errors("checking " + bodies[parts[k].body]->name, [&] {
@@ -96,7 +94,7 @@ std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodi
     if (broken[k]) reason[parts[k].body] = "invalid";
   }
   const std::vector<int> order = largest_first(bodies);
-  if (!keep_going(progress, "measuring solids", 0)) throw Cancelled();
+  checkpoint("measuring solids", 0);
   parallel_each(static_cast<int>(solids.size()), [&](int k) {
     const int i = order[k];
     if (!reason[i].empty()) return;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "curveups/bodies/print_body.hpp"
-#include "curveups/core/progress.hpp"
 #include "curveups/fabrication/soundness.hpp"
 
 namespace curveups {
@@ -14,7 +13,6 @@ namespace curveups {
 // Those that are unsound (UnsoundSolid), in the order of the bodies. Throws Cancelled, and
 // SolverFailure where OpenCASCADE fails.
 std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodies,
-                                       const std::vector<TopoDS_Shape>& solids,
-                                       const Progress& progress);
+                                       const std::vector<TopoDS_Shape>& solids);
 
 }  // namespace curveups

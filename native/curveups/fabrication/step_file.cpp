@@ -4,7 +4,6 @@
 #include <array>
 
 #include "curveups/core/checkpoint.hpp"
-#include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/palette.hpp"
@@ -144,14 +143,13 @@ class Products {
 }  // namespace
 
 void write_step(const std::vector<const PrintBody*>& bodies, const std::string& title,
-                StepStructure structure, const std::string& path, const Progress& progress) {
+                StepStructure structure, const std::string& path) {
   write_atomically(path, [&](const std::string& temporary) {
     StepText step(temporary, title);
     Products products(step, title, structure);
     for (std::size_t k = 0; k < bodies.size(); ++k) {
-      if (k % bodies_at_once == 0 &&
-          !keep_going(progress, "writing STEP", static_cast<double>(k) / bodies.size())) {
-        throw Cancelled();
+      if (k % bodies_at_once == 0) {
+        checkpoint("writing STEP", static_cast<double>(k) / bodies.size());
       }
       if (structure == StepStructure::assembly) {
         products.add_part(*bodies[k]);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "curveups/bodies/print_body.hpp"
-#include "curveups/core/progress.hpp"
 
 namespace curveups {
 
@@ -21,6 +20,6 @@ enum class StepStructure { assembly, one_part };
 // bodies give the same bytes: no dates. Throws IoError, Cancelled, SolverFailure for a coordinate
 // that is not finite.
 void write_step(const std::vector<const PrintBody*>& bodies, const std::string& title,
-                StepStructure structure, const std::string& path, const Progress& progress);
+                StepStructure structure, const std::string& path);
 
 }  // namespace curveups

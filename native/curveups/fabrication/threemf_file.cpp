@@ -219,8 +219,7 @@ void add_thumbnail(NMR::PLib3MFModel* model, std::string png) {
 }  // namespace
 
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
-               const PrintMaterials& materials_of, const std::string& path,
-               const Progress& progress) {
+               const PrintMaterials& materials_of, const std::string& path) {
   Held<NMR::PLib3MFModel> model;
   require(NMR::lib3mf_createmodel(model.out()), "start a model");
   require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), "set the unit");
@@ -249,9 +248,8 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
   std::vector<std::vector<Body>> bodies(piece_count);
   unsigned number = 0;
   for (const BodyMesh& mesh : meshes) {
-    if (++number % 64 == 0 &&
-        !keep_going(progress, "writing 3MF", static_cast<double>(number) / meshes.size())) {
-      throw Cancelled();
+    if (++number % 64 == 0) {
+      checkpoint("writing 3MF", static_cast<double>(number) / meshes.size());
     }
     std::vector<NMR::MODELMESHVERTEX> points(mesh.points.size());
     std::vector<NMR::MODELMESHTRIANGLE> triangles(mesh.triangles.size());

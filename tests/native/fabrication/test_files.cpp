@@ -19,6 +19,7 @@
 #include <sstream>
 
 #include "Model/COM/NMR_DLLInterfaces.h"
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/print_files.hpp"
@@ -62,12 +63,12 @@ class Files : public ::testing::Test {
 
 TEST_F(Files, AreTheSameByteForByteEveryTime) {
   const PrintModel a = model(), b = model();
-  write_step(a, "print", path("a.step"), {});
-  write_step(b, "print", path("b.step"), {});
-  write_3mf(a, "print", path("a.3mf"), {});
-  write_3mf(b, "print", path("b.3mf"), {});
-  write_stl(a, "print", path("a.stl"), {});
-  write_stl(b, "print", path("b.stl"), {});
+  write_step(a, "print", path("a.step"));
+  write_step(b, "print", path("b.step"));
+  write_3mf(a, "print", path("a.3mf"));
+  write_3mf(b, "print", path("b.3mf"));
+  write_stl(a, "print", path("a.stl"));
+  write_stl(b, "print", path("b.stl"));
   for (const char* kind : {"step", "3mf", "stl"}) {
     const std::string first = read_file(folder_ / (std::string("a.") + kind));
     EXPECT_GT(first.size(), 1000u);
@@ -114,7 +115,7 @@ double volume_of(const Facets& facets) {
 
 TEST_F(Files, StlIsWatertight) {
   const PrintModel s = model();
-  write_stl(s, "tiles", path("a.stl"), {});
+  write_stl(s, "tiles", path("a.stl"));
   const Facets facets = facets_of(read_file(path("a.stl")));
   EXPECT_TRUE(closed(facets));
   EXPECT_NEAR(volume_of(facets), s.volume("tiles"), 0.01 * s.volume("tiles"));
@@ -159,7 +160,7 @@ TEST_F(Files, APieceOnBridgesIsOneClosedShellWhereItIsFused) {
   const PrintModel s = make_print_model(test::sample_design(parameters, {}), "0.1");
   ASSERT_GT(s.supports.size(), 10u);
   ASSERT_TRUE(s.loose_tiles.empty());
-  write_stl(s, "fused", path("a.stl"), {});
+  write_stl(s, "fused", path("a.stl"));
   const Facets facets = facets_of(read_file(path("a.stl")));
   EXPECT_TRUE(closed(facets));
   EXPECT_EQ(shells_of(facets), 1u);
@@ -171,15 +172,18 @@ TEST_F(Files, APieceOnBridgesIsOneClosedShellWhereItIsFused) {
                           parameters.bridge_thickness * static_cast<double>(s.supports.size());
   EXPECT_GT(volume_of(facets), apart - 3 * overlaps);
   expect_solid_by_cgal(path("a.stl"), volume_of(facets));
-  EXPECT_THROW(write_stl(model(), "fused", path("b.stl"), {}), InvalidInput);
-  const Progress stop = [](const std::string& what, double) { return what != "uniting bodies"; };
-  EXPECT_THROW(write_stl(s, "fused", path("c.stl"), stop), Cancelled);
+  EXPECT_THROW(write_stl(model(), "fused", path("b.stl")), InvalidInput);
+  {
+    const ProgressScope stop(
+        [](const std::string& what, double) { return what != "uniting bodies"; });
+    EXPECT_THROW(write_stl(s, "fused", path("c.stl")), Cancelled);
+  }
   EXPECT_FALSE(fs::exists(path("b.stl")) || fs::exists(path("c.stl")));
 }
 
 // Readers that know no ZIP64 see an empty scene otherwise.
 TEST_F(Files, ThreeMfIsAPlainZip) {
-  write_3mf(model(), "print", path("a.3mf"), {});
+  write_3mf(model(), "print", path("a.3mf"));
   const std::string zip = read_file(path("a.3mf"));
   EXPECT_EQ(zip.find(std::string("PK\6\6", 4)), std::string::npos);
   EXPECT_EQ(zip.substr(0, 4), std::string("PK\3\4", 4));
@@ -189,7 +193,7 @@ TEST_F(Files, ThreeMfIsAPlainZip) {
 TEST_F(Files, ThreeMfHoldsEveryBodyByNameWatertight) {
   using namespace NMR;
   const PrintModel s = model();
-  write_3mf(s, "print", path("a.3mf"), {});
+  write_3mf(s, "print", path("a.3mf"));
   PLib3MFModel* model;
   PLib3MFModelReader* reader;
   PLib3MFModelResourceIterator* it;
@@ -236,15 +240,15 @@ TEST_F(Files, ThreeMfHoldsEveryBodyByNameWatertight) {
 
 TEST_F(Files, FailuresAndCancellingLeaveNothingBehind) {
   const PrintModel s = model();
-  EXPECT_THROW(write_step(s, "tiles", path("missing/a.step"), {}), IoError);
-  EXPECT_THROW(write_stl(s, "tiles", path("missing/a.stl"), {}), IoError);
-  EXPECT_THROW(write_3mf(s, "print", path("missing/a.3mf"), {}), IoError);
+  EXPECT_THROW(write_step(s, "tiles", path("missing/a.step")), IoError);
+  EXPECT_THROW(write_stl(s, "tiles", path("missing/a.stl")), IoError);
+  EXPECT_THROW(write_3mf(s, "print", path("missing/a.3mf")), IoError);
   fs::create_directory(folder_ / "folder");
-  EXPECT_THROW(write_step(s, "tiles", path("folder"), {}), IoError);
-  const Progress stop = [](const std::string&, double) { return false; };
-  EXPECT_THROW(write_step(s, "tiles", path("a.step"), stop), Cancelled);
-  EXPECT_THROW(write_stl(s, "tiles", path("a.stl"), stop), Cancelled);
-  EXPECT_THROW(write_step(s, "no such kind", path("a.step"), {}), InvalidInput);
+  EXPECT_THROW(write_step(s, "tiles", path("folder")), IoError);
+  EXPECT_THROW(write_step(s, "no such kind", path("a.step")), InvalidInput);
+  const ProgressScope stop([](const std::string&, double) { return false; });
+  EXPECT_THROW(write_step(s, "tiles", path("a.step")), Cancelled);
+  EXPECT_THROW(write_stl(s, "tiles", path("a.stl")), Cancelled);
   EXPECT_EQ(file_count(), 1u);
 }
 

@@ -67,7 +67,7 @@ TEST(Solids, AreBuiltOnceWhoeverAsks) {
   std::array<std::shared_ptr<const TopoDS_Shape>, 3> found;
   std::vector<std::thread> threads;
   for (auto& one : found) {
-    threads.emplace_back([&] { one = solids_of(model, "print", {}); });
+    threads.emplace_back([&] { one = solids_of(model, "print"); });
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_NE(found[0], nullptr);
@@ -81,7 +81,7 @@ TEST(Solids, WhatOpenCascadeRefusesIsATypedErrorThatNamesTheBody) {
   const PlanarFace& face = body.faces.front();
   body.points[face.outer.points[1]] = body.points[face.outer.points[0]];  // an edge of no length
   try {
-    make_solids({&body}, nullptr);
+    make_solids({&body});
     FAIL() << "a solid with an edge of no length";
   } catch (const SolverFailure& error) {
     EXPECT_NE(std::string(error.what()).find("OpenCASCADE failed building " + body.name),
@@ -95,7 +95,7 @@ TEST(Solids, CanBeStoppedWhileAnotherThreadBuildsThem) {
   const std::lock_guard<std::recursive_timed_mutex> building(model.solids->building);
   std::thread other([&] {
     const ProgressScope scope([](const std::string&, double) { return false; });
-    EXPECT_THROW(solids_of(model, "tiles", {}), Cancelled);
+    EXPECT_THROW(solids_of(model, "tiles"), Cancelled);
   });
   other.join();
 }
@@ -522,14 +522,14 @@ TEST(PrintModel, DoesNotDependOnTheNumberOfThreads) {
 
 TEST(PrintModelOf, SomeTilesAreTheseAtTheirPlaces) {
   const PrintModel all = make_print_model(test::sample_design(), "0.1");
-  solids_of(all, "tiles", {});  // what is built of all tiles is not theirs
+  solids_of(all, "tiles");  // what is built of all tiles is not theirs
   const PrintModel some = only_tiles(all, {7, 2, 7});
   ASSERT_EQ(some.bodies("print").size(), 2u);
   EXPECT_EQ(some.tiles[0].name, "T00003");
   EXPECT_EQ(some.tiles[1].points, all.tiles[7].points);
   EXPECT_NEAR(some.volume("print"), volume(all.tiles[2]) + volume(all.tiles[7]), 1e-9);
   EXPECT_LT((some.box.high - some.box.low).norm(), (all.box.high - all.box.low).norm());
-  EXPECT_NE(solids_of(some, "tiles", {}), solids_of(all, "tiles", {}));
+  EXPECT_NE(solids_of(some, "tiles"), solids_of(all, "tiles"));
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ TEST(SolidChecks, CurvesOnPlanesHideNoDamageOfShapes) {
     damage(solid);
     const bool sound = valid(solid);
     EXPECT_EQ(valid(with_plane_curves(solid)), sound);
-    EXPECT_EQ(check_solids({&model.tiles[0]}, {solid}, {}).empty(), sound);
+    EXPECT_EQ(check_solids({&model.tiles[0]}, {solid}).empty(), sound);
     return !sound;
   };
   EXPECT_FALSE(refused([](TopoDS_Shape&) {}));
@@ -230,7 +230,7 @@ TEST(SolidChecks, LeaveSolidsAsTheyAre) {
   EXPECT_LT(before, edges);
   EXPECT_EQ(made, edges);
   EXPECT_EQ(same_edges, edges);
-  EXPECT_TRUE(check_solids({&model.tiles[0]}, {solid}, {}).empty());
+  EXPECT_TRUE(check_solids({&model.tiles[0]}, {solid}).empty());
   EXPECT_EQ(curves(solid).first, before);
 }
 

@@ -145,7 +145,7 @@ TEST_F(StepFile, HoldsStitchingHolesAsCylinders) {
   const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
   ASSERT_TRUE(model.joints.closed.empty());
   for (const char* kind : {"tiles", "actuated"}) {
-    write_step(model, kind, path(), {});
+    write_step(model, kind, path());
     expect_bodies(model.bodies(kind), std::string("sample-") + kind);
     std::ifstream in(path());
     const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -168,7 +168,7 @@ TEST_F(StepFile, HoldsEveryBodyByNameAndColourWithItsVolume) {
       for (const char* kind : {"tiles", "support", "anchors", "print", "actuated"}) {
         SCOPED_TRACE(std::string(bumps) + " " + support + " " + kind);
         testing::internal::CaptureStdout();
-        write_step(model, kind, path(), {});
+        write_step(model, kind, path());
         EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
         expect_bodies(model.bodies(kind), std::string("sample-") + kind);
       }
@@ -224,7 +224,7 @@ class Entities {
 
 TEST_F(StepFile, HasFacesInAnOrderInWhichEachJoinsThoseBefore) {
   const PrintModel model = make_print_model(test::sample_design(), "0.1");
-  write_step(model, "print", path(), {});
+  write_step(model, "print", path());
   const Entities entities(path());
   const std::vector<int> shells = entities.named("CLOSED_SHELL");
   EXPECT_EQ(shells.size(), model.bodies("print").size());
@@ -263,7 +263,7 @@ void write_with_opencascade(const std::vector<const PrintBody*>& bodies, const s
 TEST_F(StepFile, HasTheEntitiesThatOpenCascadeWritesOfTheSameBodies) {
   const PrintModel model = make_print_model(test::sample_design(), "0.1");
   const std::vector<const PrintBody*> bodies = model.bodies("print");
-  write_step(bodies, "sample", StepStructure::assembly, path(), {});
+  write_step(bodies, "sample", StepStructure::assembly, path());
   const std::string other_path = (folder_ / "b.step").string();
   write_with_opencascade(bodies, other_path);
   const Entities ours(path()), theirs(other_path);
@@ -287,7 +287,7 @@ TEST_F(StepFile, IsOnePartOfAllSolidsWhereThatIsAskedFor) {
   Parameters p;
   p.step_structure = "one-part";
   const PrintModel model = make_print_model(test::sample_design(p), "0.1");
-  write_step(model, "print", path(), {});
+  write_step(model, "print", path());
   const Entities entities(path());
   EXPECT_EQ(entities.named("PRODUCT").size(), 1u);
   EXPECT_TRUE(entities.named("NEXT_ASSEMBLY_USAGE_OCCURRENCE").empty());
@@ -315,7 +315,7 @@ TEST_F(StepFile, OfOnePartHasNamesAndColoursOfItsSolids) {
   Parameters p;
   p.step_structure = "one-part";
   const PrintModel model = make_print_model(test::sample_design(p), "0.1");
-  write_step(model, "print", path(), {});
+  write_step(model, "print", path());
   // Names of solids in a part are read where that is asked for, colours always.
   STEPCAFControl_Reader reader;
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
@@ -355,7 +355,7 @@ TEST_F(StepFile, OfOnePartHasNamesAndColoursOfItsSolids) {
 TEST_F(StepFile, KeepsNamesThatStepMustEncode) {
   PrintBody body = make_print_model(test::sample_design(), "0.1").tiles[0];
   body.name = u8"L'\u00e9cran \\ \u5c4b\u6839 'a'";
-  write_step({&body}, u8"Fl\u00e4che", StepStructure::assembly, path(), {});
+  write_step({&body}, u8"Fl\u00e4che", StepStructure::assembly, path());
   expect_bodies({&body}, u8"Fl\u00e4che");
 }
 

@@ -23,7 +23,7 @@ inline std::vector<const PrintBody*> pointers(const std::vector<PrintBody>& bodi
 inline std::string unsound(const std::vector<PrintBody>& bodies) {
   const auto list = pointers(bodies);
   std::string text;
-  for (const UnsoundSolid& u : check_solids(list, make_solids(list, {}), {})) {
+  for (const UnsoundSolid& u : check_solids(list, make_solids(list))) {
     text += u.body + " " + u.reason + "; ";
   }
   return text;
