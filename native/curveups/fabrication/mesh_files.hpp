@@ -2,6 +2,7 @@
 // STL and 3MF.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,17 +14,12 @@ namespace curveups {
 void write_stl(const std::vector<BodyMesh>& meshes, const std::string& title,
                const std::string& path);
 
-// What bodies are printed of: names of the 3MF's materials by kind. A slicer's user gives each its
-// own filament or nozzle.
-struct PrintMaterials {
-  std::string tile = "tile", support = "support", anchor = "anchor";
-};
-
 // 3MF in mm (lib3mf): each piece is one build item, an assembly whose components are one named
 // object with its material per body. Slicers place every build item anew; components keep their
-// places. A thumbnail shows all. The same meshes give the same bytes. Throws IoError, SolverFailure
+// places. A thumbnail shows all. materials: their names by BodyKind; a slicer's user gives each its
+// own filament or nozzle. The same meshes give the same bytes. Throws IoError, SolverFailure
 // where lib3mf refuses a mesh, Cancelled.
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
-               const PrintMaterials& materials, const std::string& path);
+               const std::array<std::string, 3>& materials, const std::string& path);
 
 }  // namespace curveups

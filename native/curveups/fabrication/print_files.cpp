@@ -65,9 +65,8 @@ void write_stl(const PrintModel& model, const std::string& kind, const std::stri
 }
 
 void write_3mf(const PrintModel& model, const std::string& kind, const std::string& path) {
-  const PrintMaterials materials{"tiles (rigid)", support_kind(model.parameters).material,
-                                 "anchors (rigid)"};
-  write_3mf(meshes_of(model, kind), model.name, materials, path);
+  write_3mf(meshes_of(model, kind), model.name,
+            {"tiles (rigid)", support_kind(model.parameters).material, "anchors (rigid)"}, path);
 }
 
 const std::vector<PrintFormat>& print_formats() {

@@ -219,7 +219,7 @@ void add_thumbnail(NMR::PLib3MFModel* model, std::string png) {
 }  // namespace
 
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
-               const PrintMaterials& materials_of, const std::string& path) {
+               const std::array<std::string, 3>& names, const std::string& path) {
   Held<NMR::PLib3MFModel> model;
   require(NMR::lib3mf_createmodel(model.out()), "start a model");
   require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), "set the unit");
@@ -231,11 +231,9 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
   DWORD group = 0;
   require(NMR::lib3mf_basematerial_getresourceid(materials.get(), &group), "add colours");
   std::array<DWORD, 3> material{};
-  const std::array<const std::string*, 3> names = {&materials_of.tile, &materials_of.support,
-                                                   &materials_of.anchor};
   for (int k = 0; k < 3; ++k) {
     const Colour c = body_colour(static_cast<BodyKind>(k));
-    require(NMR::lib3mf_basematerial_addmaterialutf8(materials.get(), names[k]->c_str(), c.red,
+    require(NMR::lib3mf_basematerial_addmaterialutf8(materials.get(), names[k].c_str(), c.red,
                                                      c.green, c.blue, &material[k]),
             "add a colour");
     // Without this it would be transparent.
