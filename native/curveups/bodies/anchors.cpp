@@ -44,18 +44,16 @@ std::vector<std::vector<Vec2>> place_anchors(const std::vector<PieceFootprint>& 
   const double reach = p.anchor_distance + p.anchor_radius;
   const double least = 2 * p.anchor_radius + anchor_gap;
   std::vector<std::vector<Vec2>> candidates(pieces.size()), anchors(pieces.size());
-  parallel_ranges(static_cast<int>(pieces.size()), [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      std::vector<OutlineShape> shapes;
-      for (const Polygon& tile : pieces[i].tiles) {
-        shapes.push_back({tile, {Vec2::Zero(), 0}, reach + contour_deviation});
-      }
-      for (const Polygon& joint : pieces[i].joints) {
-        shapes.push_back({joint, {Vec2::Zero(), 0}, reach + contour_deviation});
-      }
-      const Polygon contour = outline_of(shapes, contour_deviation)[0];
-      candidates[i] = spread_along(contour, std::max(p.anchor_spacing, least));
+  parallel_for(static_cast<int>(pieces.size()), [&](int i) {
+    std::vector<OutlineShape> shapes;
+    for (const Polygon& tile : pieces[i].tiles) {
+      shapes.push_back({tile, {Vec2::Zero(), 0}, reach + contour_deviation});
     }
+    for (const Polygon& joint : pieces[i].joints) {
+      shapes.push_back({joint, {Vec2::Zero(), 0}, reach + contour_deviation});
+    }
+    const Polygon contour = outline_of(shapes, contour_deviation)[0];
+    candidates[i] = spread_along(contour, std::max(p.anchor_spacing, least));
   });
   std::vector<Vec2> all;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -73,12 +73,8 @@ class Planner {
     shape_.resize(count);
     shrink_.assign(count, 0);
     reason_.assign(count, "");
-    parallel_ranges(count, [&](int begin, int end) {
-      for (int k = begin; k < end; ++k) place(k);
-    });
-    parallel_ranges(count, [&](int begin, int end) {
-      for (int k = begin; k < end; ++k) check_flat(k);
-    });
+    parallel_for(count, [&](int k) { place(k); });
+    parallel_for(count, [&](int k) { check_flat(k); });
     if (p_.bumps == "dimples") fit_hollows();
     for (int k = 0; k < count; ++k) {
       if (reason_[k].empty()) continue;
@@ -98,13 +94,11 @@ class Planner {
     const int count = tiles_.tile_count();
     plan_.body.resize(count);
     std::vector<char> broken(count, 0);
-    parallel_ranges(count, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) {
-        const auto r = plan_.recess.row(i);
-        plan_.body[i] = tile_body(tiles_, geometry_.truncation, i, {r[0], r[1], r[2]});
-        broken[i] =
-            !find_face(plan_.body[i], body_tag::front) || !find_face(plan_.body[i], body_tag::back);
-      }
+    parallel_for(count, [&](int i) {
+      const auto r = plan_.recess.row(i);
+      plan_.body[i] = tile_body(tiles_, geometry_.truncation, i, {r[0], r[1], r[2]});
+      broken[i] =
+          !find_face(plan_.body[i], body_tag::front) || !find_face(plan_.body[i], body_tag::back);
     });
     std::vector<int> lost;
     for (int i = 0; i < count; ++i) {

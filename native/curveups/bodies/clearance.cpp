@@ -80,18 +80,15 @@ std::vector<std::array<int, 2>> near_pairs(const std::vector<Parts>& parts, doub
 template <class Make>
 std::vector<Parts> all_parts(const TileBodies& bodies, Make make) {
   std::vector<Parts> parts(bodies.geometry.tiles.tile_count());
-  parallel_ranges(static_cast<int>(parts.size()), [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) parts[i] = make(i);
-  });
+  parallel_for(static_cast<int>(parts.size()), [&](int i) { parts[i] = make(i); });
   return parts;
 }
 
 template <class Measure>
 std::vector<double> measure_pairs(const std::vector<std::array<int, 2>>& pairs, Measure measure) {
   std::vector<double> values(pairs.size());
-  parallel_ranges(static_cast<int>(pairs.size()), [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) values[k] = measure(pairs[k][0], pairs[k][1]);
-  });
+  parallel_for(static_cast<int>(pairs.size()),
+               [&](int k) { values[k] = measure(pairs[k][0], pairs[k][1]); });
   return values;
 }
 

@@ -63,22 +63,18 @@ std::vector<std::array<int, 2>> facing_pins(const DesignGeometry& geometry, doub
   const int count = geometry.tiles.tile_count();
   std::vector<Parts> parts(count);
   Points3 low(count, 3), high(count, 3);
-  parallel_ranges(count, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      parts[i] = make_parts(geometry, i, H_pin);
-      Box box;
-      for (const ConvexBody& part : parts[i]) box.add(bounding_box(part));
-      low.row(i) = box.low.transpose();
-      high.row(i) = box.high.transpose();
-    }
+  parallel_for(count, [&](int i) {
+    parts[i] = make_parts(geometry, i, H_pin);
+    Box box;
+    for (const ConvexBody& part : parts[i]) box.add(bounding_box(part));
+    low.row(i) = box.low.transpose();
+    high.row(i) = box.high.transpose();
   });
   const std::vector<std::array<int, 2>> near = overlapping_boxes(low, high);
   std::vector<char> meet(near.size(), 0);
-  parallel_ranges(static_cast<int>(near.size()), [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      const auto [i, j] = near[k];
-      meet[k] = !share_vertex(geometry.tiles.mesh.F, i, j) && pins_meet(parts[i], parts[j]);
-    }
+  parallel_for(static_cast<int>(near.size()), [&](int k) {
+    const auto [i, j] = near[k];
+    meet[k] = !share_vertex(geometry.tiles.mesh.F, i, j) && pins_meet(parts[i], parts[j]);
   });
   std::vector<std::array<int, 2>> out;
   for (std::size_t k = 0; k < near.size(); ++k) {

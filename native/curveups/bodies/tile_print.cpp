@@ -163,17 +163,14 @@ PrintBody make_tile_print(const TileMesh& tiles, const ConvexBody& body,
 
 void check_pins(const TileMesh& tiles, const std::vector<ConvexBody>& bodies, const Array6& q) {
   std::vector<char> bad(bodies.size(), 0);
-  parallel_ranges(static_cast<int>(bodies.size()), [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      for (Side side : {Side::front, Side::back}) {
-        const Polygon pin = pin_outline(tiles, q.row(i).data(), i, side);
-        const Polygon face =
-            outline(bodies[i], side == Side::front ? body_tag::front : body_tag::back);
-        const double A = pin_area(tiles, i, side, q.row(i).data());
-        if (!(A > 0) || !(area(pin) > tolerance::snap) ||
-            !(rim_width(face, pin) > tolerance::snap)) {
-          bad[i] = 1;
-        }
+  parallel_for(static_cast<int>(bodies.size()), [&](int i) {
+    for (Side side : {Side::front, Side::back}) {
+      const Polygon pin = pin_outline(tiles, q.row(i).data(), i, side);
+      const Polygon face =
+          outline(bodies[i], side == Side::front ? body_tag::front : body_tag::back);
+      const double A = pin_area(tiles, i, side, q.row(i).data());
+      if (!(A > 0) || !(area(pin) > tolerance::snap) || !(rim_width(face, pin) > tolerance::snap)) {
+        bad[i] = 1;
       }
     }
   });

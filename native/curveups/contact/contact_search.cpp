@@ -232,31 +232,25 @@ std::vector<TouchingPair> find_touching(const std::vector<RigidBody>& bodies, co
     if (!bodies[i].is_point()) solid.push_back(static_cast<int>(i));
   }
   Points3 low(solid.size(), 3), high(solid.size(), 3);
-  parallel_ranges(static_cast<int>(solid.size()), [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      Box box;
-      for (const BodySurface& face : bodies[solid[k]].faces) {
-        for (const Vec3& p : face.outline) box.add(poses[solid[k]](p));
-      }
-      low.row(k) = (box.low.array() - 0.5 * options.reach).matrix().transpose();
-      high.row(k) = (box.high.array() + 0.5 * options.reach).matrix().transpose();
+  parallel_for(static_cast<int>(solid.size()), [&](int k) {
+    Box box;
+    for (const BodySurface& face : bodies[solid[k]].faces) {
+      for (const Vec3& p : face.outline) box.add(poses[solid[k]](p));
     }
+    low.row(k) = (box.low.array() - 0.5 * options.reach).matrix().transpose();
+    high.row(k) = (box.high.array() + 0.5 * options.reach).matrix().transpose();
   });
   std::vector<std::array<int, 2>> near;
   for (const auto& [k, l] : overlapping_boxes(low, high)) {
     if (bodies[solid[k]].can_touch(bodies[solid[l]])) near.push_back({solid[k], solid[l]});
   }
   std::vector<TouchingPair> found(near.size());
-  parallel_ranges(static_cast<int>(near.size()), [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      const auto old =
-          std::lower_bound(before.begin(), before.end(), near[k],
-                           [](const TouchingPair& pair, const std::array<int, 2>& body) {
-                             return pair.body < body;
-                           });
-      const bool known = old != before.end() && old->body == near[k];
-      found[k] = PairSearch(bodies, poses, options, near[k]).run(known ? &*old : nullptr);
-    }
+  parallel_for(static_cast<int>(near.size()), [&](int k) {
+    const auto old = std::lower_bound(
+        before.begin(), before.end(), near[k],
+        [](const TouchingPair& pair, const std::array<int, 2>& body) { return pair.body < body; });
+    const bool known = old != before.end() && old->body == near[k];
+    found[k] = PairSearch(bodies, poses, options, near[k]).run(known ? &*old : nullptr);
   });
   std::vector<TouchingPair> out;
   for (TouchingPair& pair : found) {

@@ -71,43 +71,40 @@ bool could_pass(const std::vector<RigidBody>& bodies, const Poses& from, const P
   const int count = static_cast<int>(solid.size());
   Points3 low(count, 3), high(count, 3);
   std::vector<Way> way(count);
-  parallel_ranges(count, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      const RigidBody& body = bodies[solid[k]];
-      const RigidMotion &first = from[solid[k]], &last = to[solid[k]];
-      Box box;
-      double radius = 0;
-      for (const BodySurface& face : body.faces) {
-        for (const Vec3& p : face.outline) {
-          box.add(first(p));
-          box.add(last(p));
-          radius = std::max(radius, p.norm());
-        }
+  parallel_for(count, [&](int k) {
+    const RigidBody& body = bodies[solid[k]];
+    const RigidMotion &first = from[solid[k]], &last = to[solid[k]];
+    Box box;
+    double radius = 0;
+    for (const BodySurface& face : body.faces) {
+      for (const Vec3& p : face.outline) {
+        box.add(first(p));
+        box.add(last(p));
+        radius = std::max(radius, p.norm());
       }
-      const Eigen::Matrix3d turn = last.R * first.R.transpose();
-      const double shift = (last.t - first.t).norm();
-      const double bulge = sag(turn, radius) + screw_bulge(turn, shift);
-      low.row(k) = (box.low.array() - bulge).matrix().transpose();
-      high.row(k) = (box.high.array() + bulge).matrix().transpose();
-      way[k] = {shift, std::sqrt(std::max(0.0, 3 - turn.trace())), radius, thickness(body)};
     }
+    const Eigen::Matrix3d turn = last.R * first.R.transpose();
+    const double shift = (last.t - first.t).norm();
+    const double bulge = sag(turn, radius) + screw_bulge(turn, shift);
+    low.row(k) = (box.low.array() - bulge).matrix().transpose();
+    high.row(k) = (box.high.array() + bulge).matrix().transpose();
+    way[k] = {shift, std::sqrt(std::max(0.0, 3 - turn.trace())), radius, thickness(body)};
   });
   const auto near = overlapping_boxes(low, high);
   std::atomic<bool> found = false;
-  parallel_ranges(static_cast<int>(near.size()), [&](int begin, int end) {
-    for (int k = begin; k < end && !found; ++k) {
-      auto [a, b] = near[k];
-      if (!bodies[solid[a]].can_touch(bodies[solid[b]])) continue;
-      // What stands still may be large, such as the ground: corners of the other move.
-      if (bodies[solid[b]].fixed) std::swap(a, b);
-      const double most = 0.5 * std::min(way[a].thin, way[b].thin);
-      // Chords are longer than what they miss of their arcs: most pairs move less than this.
-      const double far = (from[solid[b]].t - from[solid[a]].t).norm() + way[b].radius;
-      if (way[a].shift + way[b].shift + 2 * far * (way[a].chord + way[b].chord) <= most) continue;
-      if (relative_motion(bodies[solid[b]], from[solid[a]], from[solid[b]], to[solid[a]],
-                          to[solid[b]]) > most) {
-        found = true;
-      }
+  parallel_for(static_cast<int>(near.size()), [&](int k) {
+    if (found) return;
+    auto [a, b] = near[k];
+    if (!bodies[solid[a]].can_touch(bodies[solid[b]])) return;
+    // What stands still may be large, such as the ground: corners of the other move.
+    if (bodies[solid[b]].fixed) std::swap(a, b);
+    const double most = 0.5 * std::min(way[a].thin, way[b].thin);
+    // Chords are longer than what they miss of their arcs: most pairs move less than this.
+    const double far = (from[solid[b]].t - from[solid[a]].t).norm() + way[b].radius;
+    if (way[a].shift + way[b].shift + 2 * far * (way[a].chord + way[b].chord) <= most) return;
+    if (relative_motion(bodies[solid[b]], from[solid[a]], from[solid[b]], to[solid[a]],
+                        to[solid[b]]) > most) {
+      found = true;
     }
   });
   return found;

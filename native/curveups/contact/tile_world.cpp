@@ -163,32 +163,30 @@ class Builder {
     list_.resize(count_);
     is_wall_.resize(count_);
     poses_.resize(count_);
-    parallel_ranges(count_, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) {
-        std::array<double, 3> recess = {0, 0, 0};
-        for (int t = 0; t < 3; ++t) {
-          const int contact = contact_of[i][t];
-          if (contact >= 0 && at_tips[contact]) recess[t] = bodies_.bumps.recess(i, t);
-        }
-        const ConvexBody body = tile_body(tiles_, bodies_.geometry.truncation, i, recess);
-        const Vec3 centre = centres_.row(i);
-        RigidMotion motion = tiles_.frame[i];
-        motion.t -= centre;
-        // A wall gives way as a layer of the material does, as deep as the tile's middle.
-        const double depth = 2 * tiles_.area(i) / tiles_.length.row(i).sum();
-        list_[i] = make_rigid_body(moved(body, motion), Vec3::Zero(), modulus_ / depth);
-        list_[i].piece = piece[i];
-        poses_[i].t = centre;
-        for (const BodyFace& face : body.faces) {
-          is_wall_[i].push_back(face.tag >= body_tag::wall && face.tag < body_tag::wall + 3);
-        }
-        for (const WallCap& cap : bodies_.bumps.of_tile[i]) {
-          if (!cap.bump || !at_tips[cap.contact]) continue;
-          for (std::size_t f = 0; f < body.faces.size(); ++f) {
-            if (body.faces[f].tag != body_tag::wall + cap.wall) continue;
-            list_[i].faces[f].tips.push_back(motion(cap.centre + cap.height * cap.axis));
-            list_[i].faces[f].tip_stiffness = tip_stiffness;
-          }
+    parallel_for(count_, [&](int i) {
+      std::array<double, 3> recess = {0, 0, 0};
+      for (int t = 0; t < 3; ++t) {
+        const int contact = contact_of[i][t];
+        if (contact >= 0 && at_tips[contact]) recess[t] = bodies_.bumps.recess(i, t);
+      }
+      const ConvexBody body = tile_body(tiles_, bodies_.geometry.truncation, i, recess);
+      const Vec3 centre = centres_.row(i);
+      RigidMotion motion = tiles_.frame[i];
+      motion.t -= centre;
+      // A wall gives way as a layer of the material does, as deep as the tile's middle.
+      const double depth = 2 * tiles_.area(i) / tiles_.length.row(i).sum();
+      list_[i] = make_rigid_body(moved(body, motion), Vec3::Zero(), modulus_ / depth);
+      list_[i].piece = piece[i];
+      poses_[i].t = centre;
+      for (const BodyFace& face : body.faces) {
+        is_wall_[i].push_back(face.tag >= body_tag::wall && face.tag < body_tag::wall + 3);
+      }
+      for (const WallCap& cap : bodies_.bumps.of_tile[i]) {
+        if (!cap.bump || !at_tips[cap.contact]) continue;
+        for (std::size_t f = 0; f < body.faces.size(); ++f) {
+          if (body.faces[f].tag != body_tag::wall + cap.wall) continue;
+          list_[i].faces[f].tips.push_back(motion(cap.centre + cap.height * cap.axis));
+          list_[i].faces[f].tip_stiffness = tip_stiffness;
         }
       }
     });

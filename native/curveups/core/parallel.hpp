@@ -24,6 +24,14 @@ inline constexpr int serial_terms = 256;
 // rethrown once all have ended (the one of the lowest range).
 void parallel_ranges(int count, const std::function<void(int begin, int end)>& body);
 
+// The same by index: work(i).
+template <class Work>
+void parallel_for(int count, const Work& work) {
+  parallel_ranges(count, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) work(i);
+  });
+}
+
 // work(i) for each index, taken in their order by whichever thread is free: for work that costs now
 // this and now a thousand times as much. Of several that fail, the first one's exception is thrown.
 void parallel_each(int count, const std::function<void(int i)>& work);

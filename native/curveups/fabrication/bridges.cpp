@@ -245,9 +245,7 @@ Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
     return std::nullopt;
   };
   std::vector<std::optional<Place>> best(wishes.size());
-  parallel_ranges(static_cast<int>(wishes.size()), [&](int begin, int end) {
-    for (int w = begin; w < end; ++w) best[w] = next_free(wishes[w], 0);
-  });
+  parallel_for(static_cast<int>(wishes.size()), [&](int w) { best[w] = next_free(wishes[w], 0); });
   // Bridges keep clear of one another as well, the earlier wish first.
   Bridges out;
   TakenPlaces taken;

@@ -44,11 +44,9 @@ class Builder {
     model_.division = division;
     static_cast<TileBodies&>(model_) = make_tile_bodies(design);
     const Truncation& truncation = model_.geometry.truncation;
-    parallel_ranges(tiles().tile_count(), [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) {
-        const auto r = model_.bumps.recess.row(i);
-        model_.bumps.body[i] = printed_body(tiles(), truncation, i, {r[0], r[1], r[2]});
-      }
+    parallel_for(tiles().tile_count(), [&](int i) {
+      const auto r = model_.bumps.recess.row(i);
+      model_.bumps.body[i] = printed_body(tiles(), truncation, i, {r[0], r[1], r[2]});
     });
     model_.name = design.name;
   }
@@ -267,15 +265,13 @@ class Builder {
 
   void add_actuated() {
     model_.actuated.resize(tiles().tile_count());
-    parallel_ranges(tiles().tile_count(), [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) {
-        PrintBody& body = model_.actuated[i];
-        body = make_tile_print(tiles(), printed_body(tiles(), model_.geometry.truncation, i), {},
-                               model_.q.row(i).data(), i, p().H_pin);
-        body.piece = model_.piece_of_tile[i];
-        bore(body, model_.joints.of_tile[i], model_.joints.radius, tiles().H_body, {});
-        move(body, tiles().frame[i]);
-      }
+    parallel_for(tiles().tile_count(), [&](int i) {
+      PrintBody& body = model_.actuated[i];
+      body = make_tile_print(tiles(), printed_body(tiles(), model_.geometry.truncation, i), {},
+                             model_.q.row(i).data(), i, p().H_pin);
+      body.piece = model_.piece_of_tile[i];
+      bore(body, model_.joints.of_tile[i], model_.joints.radius, tiles().H_body, {});
+      move(body, tiles().frame[i]);
     });
   }
 

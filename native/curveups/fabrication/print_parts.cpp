@@ -36,13 +36,11 @@ int nearest_tile(const PieceFootprint& footprint, const Vec2& place) {
 std::vector<PrintBody> flat_tiles(const PrintModel& model, const std::vector<ConvexBody>& bodies,
                                   const std::vector<std::vector<WallCap>>& caps) {
   std::vector<PrintBody> out(bodies.size());
-  parallel_ranges(static_cast<int>(bodies.size()), [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      out[i] = make_tile_print(model.geometry.tiles, bodies[i], caps[i], model.q.row(i).data(), i,
-                               model.parameters.H_pin);
-      out[i].piece = model.piece_of_tile[i];
-      move(out[i], model.flat[i]);
-    }
+  parallel_for(static_cast<int>(bodies.size()), [&](int i) {
+    out[i] = make_tile_print(model.geometry.tiles, bodies[i], caps[i], model.q.row(i).data(), i,
+                             model.parameters.H_pin);
+    out[i].piece = model.piece_of_tile[i];
+    move(out[i], model.flat[i]);
   });
   return out;
 }
