@@ -47,10 +47,10 @@ std::vector<std::vector<Vec2>> place_anchors(const std::vector<PieceFootprint>& 
   parallel_for(static_cast<int>(pieces.size()), [&](int i) {
     std::vector<OutlineShape> shapes;
     for (const Polygon& tile : pieces[i].tiles) {
-      shapes.push_back({tile, {Vec2::Zero(), 0}, reach + contour_deviation});
+      shapes.push_back({tile, reach + contour_deviation});
     }
     for (const Polygon& joint : pieces[i].joints) {
-      shapes.push_back({joint, {Vec2::Zero(), 0}, reach + contour_deviation});
+      shapes.push_back({joint, reach + contour_deviation});
     }
     const Polygon contour = outline_of(shapes, contour_deviation)[0];
     candidates[i] = spread_along(contour, std::max(p.anchor_spacing, least));

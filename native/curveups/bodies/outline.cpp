@@ -134,15 +134,11 @@ Paths combined(ClipperLib::ClipType how, const Paths& subject, const Paths& othe
 std::vector<Polygon> outline_of(const std::vector<OutlineShape>& shapes, double deviation) {
   if (shapes.empty()) throw InvalidInput("an outline of no shapes", "pass a layout with tiles");
   // Shapes with the same offset grow together, first by a little that joins neighbours: thousands
-  // of large arcs that overlap take Clipper seconds. A disc is its centre, grown by its radius as
-  // well.
+  // of large arcs that overlap take Clipper seconds.
   std::map<double, Paths> polygons, points;
   for (const OutlineShape& shape : shapes) {
-    if (shape.polygon.empty()) {
-      points[shape.offset + shape.disc.radius].push_back(to_path({shape.disc.centre}));
-      continue;
-    }
-    polygons[shape.offset].push_back(to_path(shape.polygon));
+    auto& alike = shape.polygon.size() == 1 ? points : polygons;
+    alike[shape.offset].push_back(to_path(shape.polygon));
   }
   Paths all;
   const auto add = [&](const Paths& paths, ClipperLib::EndType ends, double offset) {

@@ -9,15 +9,9 @@
 
 namespace curveups {
 
-struct Disc {
-  Vec2 centre;
-  double radius;
-};
-
-// A convex polygon or a disc, and the distance (mm) from it at which the contour runs.
+// A convex polygon or one point, and the distance (mm) from it at which the contour runs.
 struct OutlineShape {
-  Polygon polygon;  // empty: the disc
-  Disc disc{Vec2::Zero(), 0};
+  Polygon polygon;
   double offset;
 };
 

@@ -96,7 +96,7 @@ void add_cavity(PrintBody& slab, PlanarFace& bottom, PlanarFace& lid, const Prin
 }  // namespace
 
 PrintBody make_slab(const std::vector<Polygon>& outline, const std::vector<PrintBody>& cavities,
-                    const std::vector<Disc>& bores, double top) {
+                    const std::vector<Vec2>& bores, double bore_radius, double top) {
   PrintBody slab;
   slab.kind = BodyKind::support;
   PlanarFace bottom, lid;
@@ -118,13 +118,13 @@ PrintBody make_slab(const std::vector<Polygon>& outline, const std::vector<Print
     checkpoint();
     add_cavity(slab, bottom, lid, body, top);
   }
-  for (const Disc& bore : bores) {
-    const Vec3 foot(bore.centre.x(), bore.centre.y(), 0);
+  for (const Vec2& bore : bores) {
+    const Vec3 foot(bore.x(), bore.y(), 0);
     BodyLoop below, above;
     below.circle = static_cast<int>(slab.circles.size());
-    slab.circles.push_back({foot, Vec3::UnitZ(), bore.radius});
+    slab.circles.push_back({foot, Vec3::UnitZ(), bore_radius});
     above.circle = below.circle + 1;
-    slab.circles.push_back({foot + Vec3(0, 0, top), Vec3::UnitZ(), bore.radius});
+    slab.circles.push_back({foot + Vec3(0, 0, top), Vec3::UnitZ(), bore_radius});
     slab.cylinders.push_back({below.circle, above.circle, false});
     bottom.inner.push_back(std::move(below));
     lid.inner.push_back(std::move(above));

@@ -99,8 +99,8 @@ void leave_loose(PrintModel& model, int piece) {
 struct SlabContent {
   std::vector<OutlineShape> shapes;
   std::vector<PrintBody> inside;
-  std::vector<Disc> bores;
-  int anchors = 0;  // the labelled one, which needs no bore, among them
+  std::vector<Vec2> bores;  // axes of the anchors that stand in it
+  int anchors = 0;          // the labelled one, which needs no bore, among them
 };
 
 // Of a piece, or of one of its parts: `has` says of a tile whether it belongs there. Anchors belong
@@ -110,27 +110,26 @@ SlabContent content_of(const PrintModel& model, const PieceFootprint& footprint,
                        const std::vector<PrintBody>& cavity, double top, const Has& has) {
   const Parameters& p = model.parameters;
   SlabContent out;
-  const Disc none{Vec2::Zero(), 0};
   // Up to the anchors' axes, so that the slab holds them firmly.
   const double reach = footprint.anchors.empty()
                            ? p.support_margin
                            : std::max(p.support_margin, p.anchor_distance + p.anchor_radius);
   for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {
-    if (has(footprint.rows[k])) out.shapes.push_back({footprint.tiles[k], none, reach});
+    if (has(footprint.rows[k])) out.shapes.push_back({footprint.tiles[k], reach});
   }
   for (std::size_t k = 0; k < footprint.joints.size(); ++k) {
     const auto& [a, b] = footprint.joined[k];
-    if (has(a) && has(b)) out.shapes.push_back({footprint.joints[k], none, reach});
+    if (has(a) && has(b)) out.shapes.push_back({footprint.joints[k], reach});
   }
   for (std::size_t k = 0; k < footprint.anchors.size(); ++k) {
     if (!has(nearest_tile(footprint, footprint.anchors[k]))) continue;
     ++out.anchors;
-    out.shapes.push_back({{}, {footprint.anchors[k], p.anchor_radius}, p.support_margin});
+    out.shapes.push_back({{footprint.anchors[k]}, p.support_margin + p.anchor_radius});
     if (static_cast<int>(k) == footprint.labelled) {
-      for (const Polygon& tab : footprint.tab) out.shapes.push_back({tab, none, p.support_margin});
+      for (const Polygon& tab : footprint.tab) out.shapes.push_back({tab, p.support_margin});
       out.inside.push_back(prism_cavity(footprint.outline, top));
     } else {
-      out.bores.push_back({footprint.anchors[k], p.anchor_radius});
+      out.bores.push_back(footprint.anchors[k]);
     }
   }
   for (int row : footprint.rows) {
@@ -163,7 +162,7 @@ std::vector<OutlineShape> others_of(const PrintModel& model, const PieceFootprin
       const double far = (own[0] - tile[0]).norm() - width(own) - width(tile);
       if (far < 4 * gap) gap = std::min(gap, least_distance(own, tile));
     }
-    out.push_back({tile, {Vec2::Zero(), 0}, 0.5 * gap});
+    out.push_back({tile, 0.5 * gap});
   }
   std::vector<Vec2> own;
   for (const Vec2& anchor : footprint.anchors) {
@@ -176,9 +175,9 @@ std::vector<OutlineShape> others_of(const PrintModel& model, const PieceFootprin
     for (const Vec2& other : own) {
       gap = std::min(gap, (other - anchor).norm() - 2 * p.anchor_radius);
     }
-    out.push_back({{}, {anchor, p.anchor_radius}, 0.5 * gap});
+    out.push_back({{anchor}, 0.5 * gap + p.anchor_radius});
     if (static_cast<int>(k) != footprint.labelled) continue;
-    for (const Polygon& tab : footprint.tab) out.push_back({tab, {Vec2::Zero(), 0}, 0.5 * gap});
+    for (const Polygon& tab : footprint.tab) out.push_back({tab, 0.5 * gap});
   }
   return out;
 }
@@ -230,7 +229,7 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
       if (parts.size() == 1) refuse_strangers(model, piece, loops[0], footprints, outer);
       outer.push_back(loops[0]);
       try {
-        PrintBody slab = make_slab(loops, content.inside, content.bores, top);
+        PrintBody slab = make_slab(loops, content.inside, content.bores, p.anchor_radius, top);
         slab.name = numbered("Support P%d", part + 1);
         slab.piece = part;
         model.supports.push_back(std::move(slab));

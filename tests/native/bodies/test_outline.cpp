@@ -9,10 +9,8 @@
 namespace curveups {
 namespace {
 
-const Disc no_disc{Vec2::Zero(), 0};
-
 OutlineShape disc(double x, double y, double radius, double offset) {
-  return {{}, {Vec2(x, y), radius}, offset};
+  return {{Vec2(x, y)}, radius + offset};
 }
 
 double length(const Polygon& loop) {
@@ -27,9 +25,8 @@ double length(const Polygon& loop) {
 double excess(const std::vector<OutlineShape>& shapes, const Vec2& p) {
   double least = 1e300;
   for (const OutlineShape& shape : shapes) {
-    const double d = shape.polygon.empty()
-                         ? std::max(0.0, (p - shape.disc.centre).norm() - shape.disc.radius)
-                         : distance(shape.polygon, p);
+    const double d =
+        shape.polygon.size() == 1 ? (p - shape.polygon[0]).norm() : distance(shape.polygon, p);
     least = std::min(least, d - shape.offset);
   }
   return least;
@@ -55,7 +52,7 @@ TEST(Outline, OfADiscAndOfASquareHasTheAreaOfTheGrownShape) {
     ASSERT_EQ(loops.size(), 1u);
     EXPECT_NEAR(area(loops[0]), M_PI * 36, deviation * length(loops[0]));
     expect_on_boundary(round, loops, deviation);
-    const std::vector<OutlineShape> square{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, no_disc, 3}};
+    const std::vector<OutlineShape> square{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 3}};
     loops = outline_of(square, deviation);
     ASSERT_EQ(loops.size(), 1u);
     EXPECT_NEAR(area(loops[0]), 100 + 4 * 30 + M_PI * 9, deviation * length(loops[0]));
@@ -97,7 +94,7 @@ TEST(Outline, KeepsItsDistanceFromAnyLayout) {
       }
       std::vector<Vec2> corners;
       for (int i = 0; i < 4; ++i) corners.emplace_back(c.x() + size(random), c.y() + size(random));
-      shapes.push_back({convex_hull(corners), no_disc, 2.0});
+      shapes.push_back({convex_hull(corners), 2.0});
     }
     const std::vector<Polygon> loops = outline_of(shapes, 0.05);
     ASSERT_FALSE(loops.empty());
@@ -139,7 +136,7 @@ TEST(Outline, OfThousandsOfShapesIsThatOfAllOfThem) {
         square.emplace_back(4 * i + r * std::cos(a + k * M_PI / 2),
                             4 * j + r * std::sin(a + k * M_PI / 2));
       }
-      shapes.push_back({square, no_disc, 4.0});
+      shapes.push_back({square, 4.0});
     }
   }
   ASSERT_GT(shapes.size(), 3000u);

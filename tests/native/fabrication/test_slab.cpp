@@ -194,12 +194,12 @@ TEST(Slab, LeavesAThousandthBetweenBores) {
   const double gap = 1e-3, r = 3;
   const std::vector<Polygon> outline{
       {{-r - gap, -r - gap}, {3 * r + 2 * gap, -r - gap}, {3 * r + 2 * gap, 9}, {-r - gap, 9}}};
-  const PrintBody slab = make_slab(outline, {}, {{{0, 0}, r}, {{2 * r + gap, 0}, r}}, 4);
+  const PrintBody slab = make_slab(outline, {}, {{0, 0}, {2 * r + gap, 0}}, r, 4);
   const double exact = 4 * ((4 * r + 3 * gap) * (9 + r + gap) - 2 * M_PI * r * r);
   EXPECT_NEAR(volume(slab), exact, 1e-9 * exact);
   EXPECT_EQ(unsound({slab}), "");
   EXPECT_TRUE(watertight(mesh_body(slab, {1e-5, true})));
-  EXPECT_THROW(make_slab(outline, {}, {{{0, 0}, r}, {{2 * r - gap, 0}, r}}, 4), TopologyError);
+  EXPECT_THROW(make_slab(outline, {}, {{0, 0}, {2 * r - gap, 0}}, r, 4), TopologyError);
 }
 
 TEST(Slab, IsLeftOutWhereBodiesRunIntoOneAnother) {
