@@ -105,6 +105,15 @@ Box bounding_box(const PrintBody& body) {
   return box;
 }
 
+std::vector<int> add_points(PrintBody& body, const Polygon& polygon, double z) {
+  std::vector<int> loop;
+  for (const Vec2& p : polygon) {
+    loop.push_back(static_cast<int>(body.points.size()));
+    body.points.emplace_back(p.x(), p.y(), z);
+  }
+  return loop;
+}
+
 std::vector<int> extrude(PrintBody& body, const std::vector<int>& base, const Vec3& offset,
                          FaceRole role) {
   const int n = static_cast<int>(base.size());
@@ -123,6 +132,13 @@ std::vector<int> extrude(PrintBody& body, const std::vector<int>& base, const Ve
     body.faces.push_back(std::move(face));
   }
   return top;
+}
+
+std::pair<BodyLoop, BodyLoop> add_walls(PrintBody& body, const Polygon& polygon, double height,
+                                        FaceRole role) {
+  const std::vector<int> base = add_points(body, polygon, 0);
+  return {BodyLoop{{base.rbegin(), base.rend()}},
+          BodyLoop{extrude(body, base, Vec3(0, 0, height), role)}};
 }
 
 }  // namespace curveups

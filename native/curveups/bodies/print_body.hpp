@@ -4,12 +4,14 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "curveups/core/types.hpp"
 #include "curveups/design/convex_body.hpp"
 #include "curveups/design/flat_layout.hpp"
 #include "curveups/design/tile_mesh.hpp"
+#include "curveups/geometry/convex_polygon.hpp"
 
 namespace curveups {
 
@@ -92,9 +94,18 @@ struct Box {
 };
 Box bounding_box(const PrintBody& body);
 
+// Adds points at height z; returns their loop.
+std::vector<int> add_points(PrintBody& body, const Polygon& polygon, double z);
+
 // Adds the right prism over the loop of points `base` (counter-clockwise about `direction`): the
 // new top loop and its lateral faces; returns the top loop. The caps of the prism are the caller's.
 std::vector<int> extrude(PrintBody& body, const std::vector<int>& base, const Vec3& offset,
                          FaceRole role);
+
+// Adds the walls from z = 0 to `height` around a polygon, with material inside of one that runs
+// counter-clockwise, and outside of any other. Returns its loops as the faces below and above see
+// them.
+std::pair<BodyLoop, BodyLoop> add_walls(PrintBody& body, const Polygon& polygon, double height,
+                                        FaceRole role = FaceRole::plain);
 
 }  // namespace curveups

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -139,11 +138,8 @@ PrintBody make_tile_print(const TileMesh& tiles, const ConvexBody& body,
   for (Side side : {Side::front, Side::back}) {
     const bool front = side == Side::front;
     const FaceRole at = front ? FaceRole::front : FaceRole::back;
-    std::vector<int> base;
-    for (const Vec2& p : pin_corners(tiles, tile, side, q)) {
-      base.push_back(static_cast<int>(out.points.size()));
-      out.points.emplace_back(p.x(), p.y(), front ? 0.0 : -tiles.H_body);
-    }
+    std::vector<int> base =
+        add_points(out, pin_outline(tiles, q, tile, side), front ? 0.0 : -tiles.H_body);
     // As seen from outside, and the other way round as a hole of the face it stands on.
     if (!front) std::reverse(base.begin(), base.end());
     BodyLoop hole;

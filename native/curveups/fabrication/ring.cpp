@@ -2,7 +2,7 @@
 #include "curveups/fabrication/ring.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <tuple>
 
 #include "curveups/core/errors.hpp"
 
@@ -10,25 +10,6 @@ namespace curveups {
 namespace {
 
 constexpr double largest = 1e4;  // mm
-
-// Loops of a polygon as the faces below and above see it.
-struct Prism {
-  BodyLoop below, above;
-};
-
-// Walls from z = 0 to `thickness`. sense: 1 where the material is inside of the polygon, -1 for a
-// hole.
-Prism add_prism(PrintBody& body, Polygon polygon, double thickness, int sense) {
-  if (sense < 0) std::reverse(polygon.begin(), polygon.end());
-  std::vector<int> base(polygon.size());
-  std::iota(base.begin(), base.end(), static_cast<int>(body.points.size()));
-  for (const Vec2& p : polygon) body.points.emplace_back(p.x(), p.y(), 0);
-  Prism prism;
-  prism.above.points = extrude(body, base, thickness * Vec3::UnitZ(), FaceRole::plain);
-  prism.below.points = std::move(base);
-  std::reverse(prism.below.points.begin(), prism.below.points.end());
-  return prism;
-}
 
 void require_part(const RingPart& part) {
   if (part.outline.size() < 3 || (!part.window.empty() && part.window.size() < 3)) {
@@ -49,13 +30,11 @@ PrintBody make_part(const RingPart& part, double thickness, double radius, doubl
   PlanarFace below, above;
   below.normal = -Vec3::UnitZ();
   above.normal = Vec3::UnitZ();
-  Prism prism = add_prism(body, part.outline, thickness, 1);
-  below.outer = std::move(prism.below);
-  above.outer = std::move(prism.above);
+  std::tie(below.outer, above.outer) = add_walls(body, part.outline, thickness);
   if (!part.window.empty()) {
-    prism = add_prism(body, part.window, thickness, -1);
-    below.inner.push_back(std::move(prism.below));
-    above.inner.push_back(std::move(prism.above));
+    auto [low, high] = add_walls(body, {part.window.rbegin(), part.window.rend()}, thickness);
+    below.inner.push_back(std::move(low));
+    above.inner.push_back(std::move(high));
   }
   const auto add_circles = [&](const Vec2& p, double low, double high) {
     const int first = static_cast<int>(body.circles.size());

@@ -10,10 +10,6 @@
 namespace curveups {
 namespace {
 
-std::vector<int> reversed(const std::vector<int>& loop) {
-  return std::vector<int>(loop.rbegin(), loop.rend());
-}
-
 // Copies single points and circles of a body into the slab, each once.
 class Importer {
  public:
@@ -48,7 +44,8 @@ class Importer {
     if (loop.circle >= 0) {
       out.circle = circle(loop.circle);
     } else {
-      out.points = reversed(points(loop.points));
+      out.points = points(loop.points);
+      std::reverse(out.points.begin(), out.points.end());
     }
     return out;
   }
@@ -103,14 +100,7 @@ PrintBody make_slab(const std::vector<Polygon>& outline, const std::vector<Print
   bottom.normal = -Vec3::UnitZ();
   lid.normal = Vec3::UnitZ();
   for (std::size_t k = 0; k < outline.size(); ++k) {
-    std::vector<int> base;
-    for (const Vec2& p : outline[k]) {
-      base.push_back(static_cast<int>(slab.points.size()));
-      slab.points.emplace_back(p.x(), p.y(), 0);
-    }
-    BodyLoop below, above;
-    above.points = extrude(slab, base, Vec3(0, 0, top), FaceRole::plain);
-    below.points = reversed(base);
+    auto [below, above] = add_walls(slab, outline[k], top);
     (k == 0 ? lid.outer : lid.inner.emplace_back()) = std::move(above);
     (k == 0 ? bottom.outer : bottom.inner.emplace_back()) = std::move(below);
   }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "curveups/bodies/outline.hpp"
 #include "curveups/core/checkpoint.hpp"
@@ -20,16 +21,10 @@ constexpr double slab_deviation = 0.1;  // of the chords of the outline's arcs, 
 PrintBody prism_cavity(const Polygon& outline, double top) {
   PrintBody body;
   PlanarFace foot, mouth;
-  std::vector<int> base;
-  for (const Vec2& c : outline) {
-    base.push_back(static_cast<int>(body.points.size()));
-    body.points.emplace_back(c.x(), c.y(), 0);
-  }
+  std::tie(foot.outer, mouth.outer) = add_walls(body, outline, top, FaceRole::back_pin);
   foot.normal = -Vec3::UnitZ();
-  foot.outer.points.assign(base.rbegin(), base.rend());
   foot.role = FaceRole::foot;
   mouth.normal = Vec3::UnitZ();
-  mouth.outer.points = extrude(body, base, Vec3(0, 0, top), FaceRole::back_pin);
   mouth.role = FaceRole::front;
   body.faces.push_back(foot);
   body.faces.push_back(mouth);
