@@ -309,10 +309,6 @@ class Planner {
     plan_.of_tile.resize(tiles_.tile_count());
     for (std::size_t k = 0; k < centres_.size(); ++k) {
       if (!reason_[k].empty()) continue;
-      const double diameter = 2 * shape_[k].radius;
-      if (plan_.smallest_diameter == 0 || diameter < plan_.smallest_diameter) {
-        plan_.smallest_diameter = diameter;
-      }
       for (int s = 0; s < 2; ++s) {
         std::vector<WallCap>& caps = plan_.of_tile[tiles_.contacts[k].tile[s]];
         for (const WallCap& cap : caps_of(static_cast<int>(k), s)) caps.push_back(cap);

@@ -30,7 +30,6 @@ struct BumpPlan {
   Array3 recess;                 // M x 3, mm along the walls' normals
   std::vector<ConvexBody> body;  // per tile: truncated and recessed, in its frame
   std::vector<BareInterface> bare;
-  double smallest_diameter = 0;  // of all bumps, mm; 0 where there are none
 };
 
 // The bumps of an interface (at least three, not on a line) are shared out between its two walls in

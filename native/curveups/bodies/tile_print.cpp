@@ -190,7 +190,6 @@ TileFeatures tile_features(const TileMesh& tiles, const ConvexBody& body,
   f.front_pin = inscribed_diameter(front_pin);
   f.back_pin = inscribed_diameter(back_pin);
   f.body = std::min({tiles.H_body, width(front), width(back)});
-  f.rim = std::min(rim_width(front, front_pin), rim_width(back, back_pin));
   for (const WallCap& cap : caps) {
     if (cap.bump && (f.bump == 0 || 2 * cap.radius < f.bump)) f.bump = 2 * cap.radius;
   }

@@ -25,7 +25,6 @@ void check_pins(const TileMesh& tiles, const std::vector<ConvexBody>& bodies, co
 struct TileFeatures {
   double front_pin, back_pin;  // diameter of the outline's inscribed circle
   double body;                 // thickness, or the width of the narrower face
-  double rim;                  // least distance from a pin to the edge of its face
   double bump;                 // diameter, 0 without bumps
   double hollow_wall;  // least material from a hollow to a face of the body or to another hollow,
                        // infinite without hollows

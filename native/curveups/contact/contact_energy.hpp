@@ -40,7 +40,6 @@ class ContactEnergy : public MotionEnergy {
   // the first step of Newton's method knows that they will.
   bool closing = false;
 
-  std::string_view name() const override { return "contact"; }
   // Lets these (ascending) and all that touch have their place among the pairs that are coupled.
   // Whether there are new ones.
   bool couple_pairs(const std::vector<std::array<int, 2>>& others = {});

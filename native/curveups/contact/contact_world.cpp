@@ -310,7 +310,6 @@ StepReport ContactWorld::step() {
   report.energy = value(poses_);
   weight_ *= std::clamp(2 * report.motion / options_.step_limit, 1e-3, 4.0);
   weight_ = std::max(weight_, 1e-7 * scale / options_.step_limit);
-  ++steps_;
   return report;
 }
 
@@ -469,7 +468,6 @@ StepReport ContactWorld::advance() {
   weight_ *= std::clamp(1.25 * distance, shortened > 1 ? 0.7 : 0.25, 4.0);
   weight_ = std::max(weight_, 1e-7 * unit / pace_.step_limit);
   convex_ = convex < least_convex ? 0 : convex / 1.4;
-  ++steps_;
   return report;
 }
 

@@ -124,7 +124,6 @@ class ContactWorld {
   std::vector<TouchForce> forces() const { return contacts_.forces(poses_); }
   // What the given energies do to each body: force (N), and torque about its origin (N mm).
   Motions given_forces() const;
-  int steps() const { return steps_; }
 
  private:
   void search();
@@ -154,7 +153,6 @@ class ContactWorld {
   double convex_ = 0;
   double weight_ = -1;
   double rounding_ = 0;  // N: forces smaller than this are rounding of positions
-  int steps_ = 0;
 };
 
 }  // namespace curveups

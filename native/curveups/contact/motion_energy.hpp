@@ -6,8 +6,6 @@
 // another body sees them.
 #pragma once
 
-#include <string_view>
-
 #include "curveups/contact/rigid_body.hpp"
 
 namespace curveups {
@@ -15,7 +13,6 @@ namespace curveups {
 class MotionEnergy {
  public:
   virtual ~MotionEnergy() = default;
-  virtual std::string_view name() const = 0;
   // Appends the pairs of bodies that elements join, for the matrix of second derivatives.
   virtual void couple(std::vector<Coupling>& couplings) const = 0;
   virtual double value(const Poses& poses) const = 0;  // N mm

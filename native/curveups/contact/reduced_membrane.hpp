@@ -37,7 +37,6 @@ class ReducedMembrane : public MotionEnergy {
   // Other places of the pin corners in the layout. A triangle that they turn over pulls no more.
   void set_flat(const Points2& flat);
 
-  std::string_view name() const override { return "membrane"; }
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
   double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,

@@ -160,8 +160,6 @@ EngravedText engrave(const std::vector<std::string>& lines, double stroke) {
     width = std::max(width, cells.back()[0].size());
   }
   EngravedText out;
-  out.lines = lines;
-  out.stroke = stroke;
   out.regions = regions_of(cells, stroke);
   const std::size_t height = lines.size() * (glyph_height + line_gap) - line_gap;
   out.size = stroke * Vec2(static_cast<double>(width), static_cast<double>(height));

@@ -17,9 +17,7 @@ struct TextRegion {
 
 struct EngravedText {
   std::vector<TextRegion> regions;  // centred on the origin, x to the right
-  std::vector<std::string> lines;
-  double stroke = 0;         // width of all strokes, mm
-  Vec2 size = Vec2::Zero();  // of the box around all lines, mm
+  Vec2 size = Vec2::Zero();         // of the box around all lines, mm
 };
 
 // Rows of cells of a text ('#' and '.'), five high. Lower case counts as upper case; characters

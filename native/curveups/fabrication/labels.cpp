@@ -192,7 +192,7 @@ std::optional<LabelPlace> place_label(std::vector<PieceFootprint>& pieces, int p
     own.labelled = candidate.anchor;
     own.tab = {candidate.plate, candidate.neck};
     own.outline = outline_of_label(candidate, centre, p.anchor_radius);
-    return LabelPlace{candidate.anchor, centre, candidate.middle, own.outline};
+    return LabelPlace{centre, candidate.middle, own.outline};
   }
   return std::nullopt;
 }

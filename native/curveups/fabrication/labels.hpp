@@ -16,7 +16,6 @@ namespace curveups {
 // Where a label goes: the axis of its anchor, the outline of both, counter-clockwise, which begins
 // with what the tab leaves of the anchor's circle, and the middle of its text.
 struct LabelPlace {
-  int anchor;
   Vec2 centre, middle;
   Polygon outline;
 };
