@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "curveups/actuation/path_memory.hpp"
@@ -28,19 +29,12 @@ struct Followed {
   TriangleMesh surface;         // of the last frame's fronts
   TileWorld world;              // at its end
   PointLoads* hands = nullptr;  // of the world's energies, without loads
-
-  bool is_cut_out() const { return !phases.empty() && phases.back().name == "cut out"; }
 };
 
 // What a path has to say of a phase that goes on from its last frame.
 void go_on(ActuationPath& path, ActuationPath phase) {
-  const PathFrame from = path.frames.empty() ? PathFrame() : path.frames.back();
-  for (PathFrame& frame : phase.frames) {
-    frame.time += from.time;
-    frame.friction += from.friction;
-    frame.moved += from.moved;
-    path.frames.push_back(std::move(frame));
-  }
+  if (!path.frames.empty()) count_on(phase.frames, path.frames.back());
+  std::move(phase.frames.begin(), phase.frames.end(), std::back_inserter(path.frames));
   path.at_rest = phase.at_rest;
   path.stopped = phase.stopped;
   path.largest_rise = std::max(path.largest_rise, phase.largest_rise);
@@ -216,13 +210,8 @@ class Actuation {
       if (k > 0) out.shapes.push_back(std::move(out.surface));
       out.surface = fitted_surface(tiles_, centres_, world.poses());
       PathPhase phase{std::string(phases[k].name), static_cast<int>(out.path.frames.size()),
-                      describe_end(world, tiles_, out.surface, design_.mesh), 0};
+                      describe_end(world, tiles_, out.surface, friction, found), 0};
       if (k > 0) phase.removed = out.path.frames.back().energy - found.frames.front().energy;
-      phase.end.friction_coefficient = friction;
-      phase.end.at_rest = found.at_rest;
-      phase.end.steps = found.steps;
-      phase.end.iterations = found.iterations;
-      phase.end.factorizations = found.factorizations;
       go_on(out.path, std::move(found));
       out.end = phase.end;
       out.end.steps = out.path.steps;

@@ -100,13 +100,8 @@ class HandSearch {
   PathEnd end_of(const ActuationPath& path) const {
     const Finishing finishing;
     const TriangleMesh surface = fitted_surface(tiles_, centres_, world_.poses());
-    PathEnd end = describe_end(world_, tiles_, surface, tiles_.mesh);
-    end.friction_coefficient = friction_;
+    PathEnd end = describe_end(world_, tiles_, surface, friction_, path);
     end.shortfall = scan_distances(surface, shape_).mean();
-    end.at_rest = path.at_rest;
-    end.steps = path.steps;
-    end.iterations = path.iterations;
-    end.factorizations = path.factorizations;
     return end;
   }
 
@@ -121,12 +116,7 @@ class HandSearch {
   std::vector<PathFrame> take(ActuationPath path, const PathFrame& from) {
     out_.largest_rise = std::max(out_.largest_rise, path.largest_rise);
     std::vector<PathFrame> frames(std::next(path.frames.begin()), path.frames.end());
-    for (PathFrame& frame : frames) {
-      frame.time += from.time;
-      frame.friction += from.friction;
-      frame.hands += from.hands;
-      frame.moved += from.moved;
-    }
+    count_on(frames, from);
     return frames;
   }
 

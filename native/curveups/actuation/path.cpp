@@ -82,6 +82,15 @@ void forget_some(std::vector<PathFrame>& frames, Eigen::Index most) {
 
 }  // namespace
 
+void count_on(std::vector<PathFrame>& frames, const PathFrame& last) {
+  for (PathFrame& frame : frames) {
+    frame.time += last.time;
+    frame.friction += last.friction;
+    frame.hands += last.hands;
+    frame.moved += last.moved;
+  }
+}
+
 PathFollower::PathFollower(const TileBodies& bodies, TileWorld& world, const PathOptions& options,
                            const PointLoads* hands)
     : bodies_(bodies), world_(world), options_(options), hands_(hands) {

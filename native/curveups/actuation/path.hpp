@@ -31,6 +31,9 @@ struct PathFrame {
   Eigen::VectorXd memory;  // where the path stood (path_memory.hpp), as far as there is room
 };
 
+// Makes frames of a path that goes on from `last` count on from there.
+void count_on(std::vector<PathFrame>& frames, const PathFrame& last);
+
 struct ActuationPath {
   std::vector<PathFrame> frames;
   bool at_rest = false;  // all forces balance

@@ -7,10 +7,15 @@
 namespace curveups {
 
 PathEnd describe_end(const ContactWorld& world, const TileMesh& tiles, const TriangleMesh& surface,
-                     const TriangleMesh& designed) {
+                     double friction, const ActuationPath& path) {
   PathEnd end;
+  end.friction_coefficient = friction;
+  end.at_rest = path.at_rest;
+  end.steps = path.steps;
+  end.iterations = path.iterations;
+  end.factorizations = path.factorizations;
   end.energy = world.energy();
-  end.scan = describe_scan(scan_distances(surface, ClosestPoints(designed)), surface, designed);
+  end.scan = describe_scan(scan_distances(surface, ClosestPoints(tiles.mesh)), surface, tiles.mesh);
   std::map<std::array<int, 2>, double> contacts, others;
   for (const Contact& contact : tiles.contacts) contacts[contact.tile] = 0;
   for (const TouchForce& force : world.forces()) {

@@ -2,7 +2,7 @@
 // Where a path ends: the shape that the piece has there, and the contacts that stay open.
 #pragma once
 
-#include "curveups/contact/tile_world.hpp"
+#include "curveups/actuation/path.hpp"
 #include "curveups/contact/virtual_scan.hpp"
 
 namespace curveups {
@@ -23,9 +23,9 @@ struct PathEnd {
   int steps = 0, iterations = 0, factorizations = 0;
 };
 
-// Of the world as it is, energy, scan and pairs. surface: fitted_surface of its poses; designed:
-// the design's actuated surface.
+// All but the shortfall, of a path that has led the world to where it is, at this friction.
+// surface: fitted_surface of its poses.
 PathEnd describe_end(const ContactWorld& world, const TileMesh& tiles, const TriangleMesh& surface,
-                     const TriangleMesh& designed);
+                     double friction, const ActuationPath& path);
 
 }  // namespace curveups
