@@ -8,6 +8,7 @@
 
 #include "curveups/actuation/path_memory.hpp"
 #include "curveups/actuation/surplus.hpp"
+#include "curveups/contact/settling.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
@@ -85,7 +86,7 @@ class Actuation {
     const Parameters& p = design_.parameters;
     const double own = p.friction_coefficient;
     ActuatedDesign out;
-    out.tolerance = p.hold_tolerance > 0 ? p.hold_tolerance : 0.01 * p.L;
+    out.tolerance = hold_tolerance(p);
     out.contacts = static_cast<int>(tiles_.contacts.size());
     out.release = options_.release;
     checkpoint("actuate", 0);
@@ -252,10 +253,7 @@ class Actuation {
     }
     const Eigen::VectorXd far = scan_distances(surface, ClosestPoints(design_.mesh));
     out.corners = surface.V;
-    out.deviation.resize(tiles_.tile_count());
-    for (int i = 0; i < tiles_.tile_count(); ++i) {
-      out.deviation(i) = far.segment<scan_samples>(scan_samples * i).mean();
-    }
+    out.deviation = triangle_means(far);
   }
 
   void use_hands(Followed& jammed, const Followed& held, ActuatedDesign& out) const {

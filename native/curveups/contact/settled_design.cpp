@@ -31,10 +31,9 @@ void describe(const Settling& settling, const TileMesh& tiles, const Design& des
   out.scan = describe_scan(far, scanned, design.mesh);
   out.corners = scanned.V;
   const int count = tiles.tile_count();
-  out.deviation.resize(count);
+  out.deviation = triangle_means(far);
   out.poses.resize(count, 7);
   for (int i = 0; i < count; ++i) {
-    out.deviation(i) = far.segment<scan_samples>(scan_samples * i).mean();
     const RigidMotion& pose = settling.world().poses()[i];
     const Eigen::Quaterniond turn(pose.R);
     out.poses.row(i) << pose.t.transpose() - settling.centres().row(i), turn.coeffs().transpose();

@@ -24,12 +24,15 @@ constexpr double sample_tolerance = 1e-3, sample_cone_tolerance = 1e-3, sample_c
 
 }  // namespace
 
+double hold_tolerance(const Parameters& p) {
+  return p.hold_tolerance > 0 ? p.hold_tolerance : 0.01 * p.L;
+}
+
 Settling::Settling(const Design& design, const TileBodies& bodies, const SolvedDesign& solved)
     : tiles_(bodies.geometry.tiles),
       centres_(tile_centres(tiles_)),
       built_(make_tile_world(bodies, solved, design.parameters.tile_modulus)),
-      hold_tolerance_(design.parameters.hold_tolerance > 0 ? design.parameters.hold_tolerance
-                                                           : 0.01 * design.parameters.L),
+      hold_tolerance_(curveups::hold_tolerance(design.parameters)),
       most_iterations_(most_iterations) {
   built_.world->set_tolerances(sample_tolerance, sample_cone_tolerance, sample_cone_share);
 }
@@ -130,11 +133,10 @@ std::vector<std::array<int, 2>> Settling::open_contacts() const {
 std::optional<Finding> Settling::failure() const {
   if (drift_ > hold_tolerance_) {
     // The tiles that have gone furthest, of those beyond the tolerance.
-    const Eigen::VectorXd far = scan_distances(surface(), *compressed_);
+    const Eigen::VectorXd far = triangle_means(scan_distances(surface(), *compressed_));
     std::vector<std::pair<double, int>> worst;
     for (int i = 0; i < tiles_.tile_count(); ++i) {
-      const double own = far.segment<scan_samples>(scan_samples * i).mean();
-      if (own > hold_tolerance_) worst.push_back({-own, i});
+      if (far(i) > hold_tolerance_) worst.push_back({-far(i), i});
     }
     std::sort(worst.begin(), worst.end());
     worst.resize(std::min<std::size_t>(worst.size(), 10));

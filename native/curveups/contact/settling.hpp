@@ -12,6 +12,9 @@
 
 namespace curveups {
 
+// mm: how far friction may let the shape drift, by default a hundredth of L.
+double hold_tolerance(const Parameters& parameters);
+
 class Settling {
  public:
   // All three outlive it. Throws what make_tile_world throws.

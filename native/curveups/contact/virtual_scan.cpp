@@ -24,6 +24,8 @@ TriangleMesh settled_mesh(const TileMesh& tiles, const Points3& centres, const P
   return mesh;
 }
 
+constexpr int scan_samples = 7;
+
 // Corners, edge midpoints and middle of a tile.
 Vec3 sample(const TriangleMesh& mesh, int tile, int k) {
   Vec3 a = mesh.V.row(mesh.F(tile, 0)), b = mesh.V.row(mesh.F(tile, 1)),
@@ -67,6 +69,14 @@ Eigen::VectorXd scan_distances(const TriangleMesh& mesh, const ClosestPoints& su
     }
   }
   return distances(points, surface);
+}
+
+Eigen::VectorXd triangle_means(const Eigen::VectorXd& distances) {
+  Eigen::VectorXd out(distances.size() / scan_samples);
+  for (Eigen::Index i = 0; i < out.size(); ++i) {
+    out(i) = distances.segment<scan_samples>(scan_samples * i).mean();
+  }
+  return out;
 }
 
 TriangleMesh fitted_surface(const TileMesh& tiles, const Points3& centres, const Poses& poses) {

@@ -22,9 +22,11 @@ RigidMotion best_fit(const Points3& from, const Points3& to);
 // that fits it best to where it was designed. centres: where the tiles' bodies have their origins.
 TriangleMesh fitted_surface(const TileMesh& tiles, const Points3& centres, const Poses& poses);
 
-// Of corners, edge midpoints and middle of every triangle: so many rows a triangle.
-inline constexpr int scan_samples = 7;
+// Of corners, edge midpoints and middle of every triangle: as many rows each.
 Eigen::VectorXd scan_distances(const TriangleMesh& mesh, const ClosestPoints& surface);
+
+// Of each triangle the mean of its own.
+Eigen::VectorXd triangle_means(const Eigen::VectorXd& distances);
 
 // distances: scan_distances of `scanned`. designed: what they are the distances from.
 VirtualScan describe_scan(Eigen::VectorXd distances, const TriangleMesh& scanned,
