@@ -3,6 +3,7 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -26,28 +27,6 @@ TriangleMesh settled_mesh(const TileMesh& tiles, const Points3& centres, const P
 
 constexpr int scan_samples = 7;
 
-// Corners, edge midpoints and middle of a tile.
-Vec3 sample(const TriangleMesh& mesh, int tile, int k) {
-  Vec3 a = mesh.V.row(mesh.F(tile, 0)), b = mesh.V.row(mesh.F(tile, 1)),
-       c = mesh.V.row(mesh.F(tile, 2));
-  switch (k) {
-    case 0:
-      return a;
-    case 1:
-      return b;
-    case 2:
-      return c;
-    case 3:
-      return 0.5 * (a + b);
-    case 4:
-      return 0.5 * (b + c);
-    case 5:
-      return 0.5 * (c + a);
-    default:
-      return (a + b + c) / 3;
-  }
-}
-
 }  // namespace
 
 RigidMotion best_fit(const Points3& from, const Points3& to) {
@@ -64,9 +43,11 @@ Eigen::VectorXd scan_distances(const TriangleMesh& mesh, const ClosestPoints& su
   const int count = static_cast<int>(mesh.F.rows());
   Points3 points(scan_samples * count, 3);
   for (int i = 0; i < count; ++i) {
-    for (int k = 0; k < scan_samples; ++k) {
-      points.row(scan_samples * i + k) = sample(mesh, i, k).transpose();
-    }
+    const Vec3 a = mesh.V.row(mesh.F(i, 0)), b = mesh.V.row(mesh.F(i, 1)),
+               c = mesh.V.row(mesh.F(i, 2));
+    const std::array<Vec3, scan_samples> samples = {
+        a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3};
+    for (int k = 0; k < scan_samples; ++k) points.row(scan_samples * i + k) = samples[k];
   }
   return distances(points, surface);
 }
