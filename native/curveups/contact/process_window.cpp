@@ -50,10 +50,12 @@ WindowEnd walk(const Settling& standing, double from, const std::vector<double>&
 // One parameter: its values from the design's own to either end of what is searched.
 struct Axis {
   const char *parameter, *unit;
-  double own;
   std::array<std::vector<double>, 2> values;
   Change change;
+  double own = 0;
 };
+
+void with_friction(Settling& tiles, double friction) { tiles.settle(tiles.conditions(), friction); }
 
 Change with(void (*set)(Conditions&, double)) {
   return [set](Settling& settling, double value) {
@@ -67,41 +69,33 @@ std::vector<Axis> axes() {
   return {
       {"stretch",
        "%",
-       0,
        {{{-5, -10, -15, -20}, {5, 10, 15, 20}}},
        with([](Conditions& c, double percent) { c.stretch.setConstant(1 + percent / 100); })},
-      {"stretch_y",
-       "%",
-       0,
-       {{{-5, -10, -20}, {5, 10, 20}}},
-       with([](Conditions& c, double percent) { c.stretch.y() = 1 + percent / 100; })},
+      {"stretch_y", "%", {{{-5, -10, -20}, {5, 10, 20}}}, with([](Conditions& c, double percent) {
+         c.stretch.y() = 1 + percent / 100;
+       })},
       {"front_over_back",
        "%",
-       0,
        {{{-10, -20, -30}, {10, 20, 30}}},
        with([](Conditions& c, double percent) {
          c.pull[percent > 0 ? 0 : 1] = 1 + std::abs(percent) / 100;
        })},
       {"xy_growth",
        "mm",
-       0,
        // Bumps of 0.1 mm let go of one another, and tiles turn over, where walls shrink by 0.02 mm
        // at once.
        {{{-0.01, -0.02, -0.03, -0.04, -0.05, -0.06, -0.07, -0.08, -0.09, -0.1}, {0.02, 0.05, 0.1}}},
        with([](Conditions& c, double mm) { c.growth = mm; })},
       {"xy_taper",
        "mm",
-       0,
        {{{-0.02, -0.05, -0.1}, {0.02, 0.05, 0.1}}},
        with([](Conditions& c, double mm) { c.taper = mm; })},
       {"half_shift",
        "mm",
-       0,
        {{{-0.1, -0.2, -0.4}, {0.1, 0.2, 0.4}}},
        with([](Conditions& c, double mm) { c.half_shift = mm; })},
       {"half_turn",
        "degrees",
-       0,
        {{{-0.1, -0.2, -0.4}, {0.1, 0.2, 0.4}}},
        with([](Conditions& c, double degrees) { c.half_turn = degrees; })},
   };
@@ -127,8 +121,7 @@ WindowRange range_of_glue(const LargestGlueLoads& glue) {
 
 WindowEnd holding_friction(const Settling& standing, int halvings) {
   const double mu = standing.friction();
-  return walk(standing, mu, {0.8 * mu, 0.6 * mu, 0.4 * mu, 0.2 * mu}, halvings,
-              [](Settling& tiles, double value) { tiles.settle(tiles.conditions(), value); });
+  return walk(standing, mu, {0.8 * mu, 0.6 * mu, 0.4 * mu, 0.2 * mu}, halvings, with_friction);
 }
 
 Margin find_margin(const Settling& standing, const Parameters& parameters) {
@@ -156,11 +149,7 @@ std::vector<WindowRange> process_window(const Settling& standing, const WindowEn
                                         const LargestGlueLoads& glue) {
   const double mu = standing.friction();
   std::vector<Axis> all = axes();
-  all.push_back({"friction_coefficient",
-                 "",
-                 mu,
-                 {{{}, {1.5 * mu, 2 * mu}}},
-                 [](Settling& tiles, double value) { tiles.settle(tiles.conditions(), value); }});
+  all.push_back({"friction_coefficient", "", {{{}, {1.5 * mu, 2 * mu}}}, with_friction, mu});
   std::vector<WindowRange> out;
   for (const Axis& axis : all) {
     out.push_back({axis.parameter, axis.unit, "holds", {}, {}});
