@@ -17,6 +17,22 @@ Vec3 seen(const Poses& poses, const TouchingPair& pair, const Touch& touch) {
   return seen_from(poses[pair.body[1 - touch.of]], poses[pair.body[touch.of]], touch.point);
 }
 
+// visit(touch) of all points of pairs.
+template <class Pairs, class Visit>
+void each(Pairs& pairs, const Visit& visit) {
+  for (auto& pair : pairs) {
+    for (auto& touch : pair.touches) visit(touch);
+  }
+}
+
+// visit(touch, y), with the point as the other body sees it.
+template <class Pairs, class Visit>
+void each_seen(Pairs& pairs, const Poses& poses, const Visit& visit) {
+  for (auto& pair : pairs) {
+    for (auto& touch : pair.touches) visit(touch, seen(poses, pair, touch));
+  }
+}
+
 // The tangential spring's force along its stretch, at most `cap`.
 double hold(const Touch& touch, double stretch, double cap) {
   return std::min(touch.tangent_stiffness * stretch, cap);
@@ -104,14 +120,11 @@ double ContactEnergy::derivatives(const Poses& poses, double lever, Motions& gra
 double ContactEnergy::cone_error(const Poses& poses) const {
   if (is_bonded()) return 0;
   double error = 0;
-  for (const TouchingPair& pair : pairs) {
-    for (const Touch& touch : pair.touches) {
-      const Vec3 y = seen(poses, pair, touch);
-      const double stretch = touch.reach(y).norm();
-      error = std::max(error, std::abs(hold(touch, stretch, touch.cap) -
-                                       hold(touch, stretch, friction_coefficient * touch.push(y))));
-    }
-  }
+  each_seen(pairs, poses, [&](const Touch& touch, const Vec3& y) {
+    const double stretch = touch.reach(y).norm();
+    error = std::max(error, std::abs(hold(touch, stretch, touch.cap) -
+                                     hold(touch, stretch, friction_coefficient * touch.push(y))));
+  });
   return error;
 }
 
@@ -124,90 +137,69 @@ int ContactEnergy::touch_count() const {
 Eigen::VectorXd ContactEnergy::caps() const {
   Eigen::VectorXd out(touch_count());
   int at = 0;
-  for (const TouchingPair& pair : pairs) {
-    for (const Touch& touch : pair.touches) out(at++) = touch.cap;
-  }
+  each(pairs, [&](const Touch& touch) { out(at++) = touch.cap; });
   return out;
 }
 
 Eigen::VectorXd ContactEnergy::caps_at(const Poses& poses) const {
   Eigen::VectorXd out(touch_count());
   int at = 0;
-  for (const TouchingPair& pair : pairs) {
-    for (const Touch& touch : pair.touches) {
-      out(at++) = friction_coefficient * touch.push(seen(poses, pair, touch));
-    }
-  }
+  each_seen(pairs, poses, [&](const Touch& touch, const Vec3& y) {
+    out(at++) = friction_coefficient * touch.push(y);
+  });
   return out;
 }
 
 void ContactEnergy::set_caps(const Eigen::VectorXd& caps) {
   int at = 0;
-  for (TouchingPair& pair : pairs) {
-    for (Touch& touch : pair.touches) touch.cap = std::max(0.0, caps(at++));
-  }
+  each(pairs, [&](Touch& touch) { touch.cap = std::max(0.0, caps(at++)); });
 }
 
 void ContactEnergy::stick() {
-  for (TouchingPair& pair : pairs) {
-    for (Touch& touch : pair.touches) touch.cap = std::numeric_limits<double>::infinity();
-  }
+  each(pairs, [](Touch& touch) { touch.cap = std::numeric_limits<double>::infinity(); });
 }
 
 void ContactEnergy::bond(const Poses& poses) {
-  for (TouchingPair& pair : pairs) {
-    for (Touch& touch : pair.touches) {
-      touch.cap = touch.gap(seen(poses, pair, touch)) <= bond_gap
-                      ? std::numeric_limits<double>::infinity()
-                      : 0.0;
-    }
-  }
+  each_seen(pairs, poses, [](Touch& touch, const Vec3& y) {
+    touch.cap = touch.gap(y) <= bond_gap ? std::numeric_limits<double>::infinity() : 0.0;
+  });
 }
 
 void ContactEnergy::forget_corners() {
-  for (TouchingPair& pair : pairs) {
-    for (Touch& touch : pair.touches) {
-      touch.built.setConstant(std::numeric_limits<double>::infinity());
-    }
-  }
+  each(pairs,
+       [](Touch& touch) { touch.built.setConstant(std::numeric_limits<double>::infinity()); });
 }
 
 double ContactEnergy::friction_work(const Poses& poses) const {
   if (is_bonded()) return 0;
   double work = 0;
-  for (const TouchingPair& pair : pairs) {
-    for (const Touch& touch : pair.touches) {
-      const Vec3 y = seen(poses, pair, touch);
-      const double stretch = touch.reach(y).norm(), limit = friction_coefficient * touch.push(y);
-      const double held = hold(touch, stretch, limit);
-      work += limit * (stretch - held / touch.tangent_stiffness);
-    }
-  }
+  each_seen(pairs, poses, [&](const Touch& touch, const Vec3& y) {
+    const double stretch = touch.reach(y).norm(), limit = friction_coefficient * touch.push(y);
+    const double held = hold(touch, stretch, limit);
+    work += limit * (stretch - held / touch.tangent_stiffness);
+  });
   return work;
 }
 
 void ContactEnergy::remember(const Poses& poses) {
-  for (TouchingPair& pair : pairs) {
-    for (Touch& touch : pair.touches) {
-      const Vec3 y = seen(poses, pair, touch);
-      const Vec2 reach = touch.reach(y);
-      const double length = reach.norm();
-      const double limit = is_bonded() ? touch.cap : friction_coefficient * touch.push(y);
-      const double held = hold(touch, length, limit) / touch.tangent_stiffness;
-      if (held < length) {
-        // What a nearest point on a face that is touched otherwise remembered may be more than this
-        // one can hold, where nothing moved.
-        if (touch.push(y) > 0) {
-          const Vec2 way = touch.tangents.transpose() * y - touch.reference;
-          touch.slip += std::min(length - held, way.norm());
-        }
-        touch.stretch = held / length * reach;
-      } else {
-        touch.stretch = reach;
+  each_seen(pairs, poses, [&](Touch& touch, const Vec3& y) {
+    const Vec2 reach = touch.reach(y);
+    const double length = reach.norm();
+    const double limit = is_bonded() ? touch.cap : friction_coefficient * touch.push(y);
+    const double held = hold(touch, length, limit) / touch.tangent_stiffness;
+    if (held < length) {
+      // What a nearest point on a face that is touched otherwise remembered may be more than this
+      // one can hold, where nothing moved.
+      if (touch.push(y) > 0) {
+        const Vec2 way = touch.tangents.transpose() * y - touch.reference;
+        touch.slip += std::min(length - held, way.norm());
       }
-      touch.reference = touch.tangents.transpose() * y;
+      touch.stretch = held / length * reach;
+    } else {
+      touch.stretch = reach;
     }
-  }
+    touch.reference = touch.tangents.transpose() * y;
+  });
 }
 
 std::vector<TouchForce> ContactEnergy::forces(const Poses& poses) const {
@@ -238,13 +230,11 @@ std::vector<TouchForce> ContactEnergy::forces(const Poses& poses) const {
 double ContactEnergy::mean_push(const Poses& poses) const {
   double sum = 0;
   int count = 0;
-  for (const TouchingPair& pair : pairs) {
-    for (const Touch& touch : pair.touches) {
-      const double push = touch.push(seen(poses, pair, touch));
-      sum += push;
-      count += push > 0;
-    }
-  }
+  each_seen(pairs, poses, [&](const Touch& touch, const Vec3& y) {
+    const double push = touch.push(y);
+    sum += push;
+    count += push > 0;
+  });
   return count > 0 ? sum / count : 0;
 }
 
