@@ -20,10 +20,9 @@ constexpr double ring_margin = 10, tooth_pitch = 15;
 // Wider ones would be endless work: mm, and times L.
 constexpr double widest_layout = 1e4, most_tiles_across = 1000;
 constexpr int anchor_corners = 8;
-constexpr double pi = 3.14159265358979323846;
 
 Vec2 anchor_corner(double radius, int k) {
-  const double angle = 2 * pi * (k + 0.5) / anchor_corners;
+  const double angle = 2 * M_PI * (k + 0.5) / anchor_corners;
   return radius * Vec2(std::cos(angle), std::sin(angle));
 }
 

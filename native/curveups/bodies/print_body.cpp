@@ -8,8 +8,6 @@
 namespace curveups {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // Area of a polygon about `normal`, from its own first point so that nothing cancels.
 double polygon_area(const PrintBody& body, const std::vector<int>& loop, const Vec3& normal) {
   const Vec3& o = body.points[loop[0]];
@@ -23,7 +21,7 @@ double polygon_area(const PrintBody& body, const std::vector<int>& loop, const V
 double loop_area(const PrintBody& body, const BodyLoop& loop, const Vec3& normal, bool outer) {
   if (loop.circle < 0) return polygon_area(body, loop.points, normal);
   const double r = body.circles[loop.circle].radius;
-  return (outer ? 1 : -1) * pi * r * r;
+  return (outer ? 1 : -1) * M_PI * r * r;
 }
 
 const Vec3& first_point(const PrintBody& body, const BodyLoop& loop) {
@@ -62,13 +60,13 @@ double volume(const PrintBody& body) {
     const double r = c.radius, h = cap.height, sign = cap.bump ? 1 : -1;
     // The cap's flux is that of its base disc and of what lies between the two.
     const Vec3 outward = sign * cap.axis;
-    sum += pi * r * r * outward.dot(c.centre - origin) / 3;
-    sum += sign * pi * h * (3 * r * r + h * h) / 6;
+    sum += M_PI * r * r * outward.dot(c.centre - origin) / 3;
+    sum += sign * M_PI * h * (3 * r * r + h * h) / 6;
   }
   for (const CylinderWall& wall : body.cylinders) {
     const BodyCircle& c = body.circles[wall.bottom];
     const double height = (body.circles[wall.top].centre - c.centre).norm();
-    sum += (wall.outward ? 1 : -1) * 2 * pi * c.radius * c.radius * height / 3;
+    sum += (wall.outward ? 1 : -1) * 2 * M_PI * c.radius * c.radius * height / 3;
   }
   return sum;
 }

@@ -12,8 +12,6 @@
 namespace curveups {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 struct Basis {
   Vec3 u, v;
 };
@@ -28,13 +26,13 @@ Basis basis_of(const Vec3& n) {
 // Segments of a full circle whose chords stay within the deviation.
 int segments(double radius, double deviation) {
   const double c = std::max(0.0, 1 - deviation / radius);
-  return std::clamp(static_cast<int>(std::ceil(pi / std::acos(c))), 8, 720);
+  return std::clamp(static_cast<int>(std::ceil(M_PI / std::acos(c))), 8, 720);
 }
 
 // A regular polygon has its circle's area where its corners stand that much farther out. They and
 // its chords then stay nearer to the circle than the chords of corners on the circle.
 double equal_area_scale(int corners) {
-  const double angle = 2 * pi / corners;
+  const double angle = 2 * M_PI / corners;
   return std::sqrt(angle / std::sin(angle));
 }
 
@@ -81,7 +79,7 @@ class Mesher {
     const Basis b = basis_of(axis);
     std::vector<int> ring(count);
     for (int k = 0; k < count; ++k) {
-      const double angle = 2 * pi * k / count;
+      const double angle = 2 * M_PI * k / count;
       ring[k] = add_point(centre + radius * (std::cos(angle) * b.u + std::sin(angle) * b.v));
     }
     return ring;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "curveups/bodies/convex_distance.hpp"
@@ -43,7 +44,7 @@ void add_anchor_wishes(const PrintModel& model, int piece, const Vec2& c, double
   const double r = p.anchor_radius;
   Polygon circle;
   for (int i = 0; i < corners; ++i) {
-    circle.push_back(c + PlaneRotation(6.283185307179586 * i / corners) * Vec2(r, 0));
+    circle.push_back(c + PlaneRotation(2 * M_PI * i / corners) * Vec2(r, 0));
   }
   const int self = static_cast<int>(bodies.size());
   bodies.push_back({prism(circle, height), {}, {}});

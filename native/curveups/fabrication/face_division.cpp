@@ -14,7 +14,6 @@
 namespace curveups {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int most_corners = 16;  // BRepCheck compares the edges of a face pair by pair as well
 
 // Axes of the face's plane, seen from outside.
@@ -57,12 +56,12 @@ BodyLoop add_ring(PrintBody& body, const PlanarFace& face, const BodyLoop& hole,
                         "check the layout for bodies that overlap");
   }
   const double corner = circle.radius + 0.4 * clearance, side = circle.radius + 0.2 * clearance;
-  const int count = std::max(6, static_cast<int>(std::ceil(pi / std::acos(side / corner))));
+  const int count = std::max(6, static_cast<int>(std::ceil(M_PI / std::acos(side / corner))));
   PlanarFace ring;
   ring.normal = face.normal;
   ring.role = face.role;
   for (int k = 0; k < count; ++k) {
-    const double angle = 2 * pi * k / count;
+    const double angle = 2 * M_PI * k / count;
     ring.outer.points.push_back(static_cast<int>(body.points.size()));
     body.points.push_back(circle.centre +
                           corner * (std::cos(angle) * axes.u + std::sin(angle) * axes.v));

@@ -33,8 +33,6 @@
 namespace curveups {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 gp_Pnt point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 gp_Dir direction(const Vec3& d) { return {d.x(), d.y(), d.z()}; }
 
@@ -154,7 +152,7 @@ class SolidBuilder {
     const Vec3 centre = c.centre - (R - cap.height) * cap.axis;
     const gp_Sphere sphere(gp_Ax3(point(centre), direction(cap.axis)), R);
     const double base = std::asin(std::min(1.0, (R - cap.height) / R));
-    add_curved(BRepBuilderAPI_MakeFace(sphere, 0, 2 * pi, base, 0.5 * pi).Face(), cap.bump);
+    add_curved(BRepBuilderAPI_MakeFace(sphere, 0, 2 * M_PI, base, 0.5 * M_PI).Face(), cap.bump);
     keep_circle(added_, cap.circle);
   }
 
@@ -162,7 +160,7 @@ class SolidBuilder {
     const BodyCircle& bottom = body_.circles[wall.bottom];
     const Vec3 up = body_.circles[wall.top].centre - bottom.centre;
     const gp_Cylinder cylinder(gp_Ax3(point(bottom.centre), direction(up)), bottom.radius);
-    TopoDS_Face face = BRepBuilderAPI_MakeFace(cylinder, 0, 2 * pi, 0, up.norm()).Face();
+    TopoDS_Face face = BRepBuilderAPI_MakeFace(cylinder, 0, 2 * M_PI, 0, up.norm()).Face();
     const bool capped = !circle_[wall.top].IsNull();
     if (capped) face = under_cap(face, wall.top, up.norm());
     add_curved(face, wall.outward);
