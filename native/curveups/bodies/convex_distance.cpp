@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace curveups {
 namespace {
@@ -157,6 +158,28 @@ ConvexBody moved(const ConvexBody& body, const RigidMotion& motion) {
 
 ConvexBody make_prism(const std::array<Vec2, 3>& outline, double z_low, double z_high) {
   return make_frustum(outline, z_high, outline, z_low);
+}
+
+ConvexBody make_prism(const Polygon& outline, double z_low, double z_high) {
+  ConvexBody body;
+  BodyFace bottom{{}, body_tag::back, {-Vec3::UnitZ(), -z_low}};
+  BodyFace top{{}, body_tag::front, {Vec3::UnitZ(), z_high}};
+  const int n = static_cast<int>(outline.size());
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    for (double z : {z_low, z_high}) {
+      body.points.emplace_back(outline[i].x(), outline[i].y(), z);
+    }
+    bottom.loop.insert(bottom.loop.begin(), 2 * i);
+    top.loop.push_back(2 * i + 1);
+    const Vec2 out = -left_of(outline[j] - outline[i]).normalized();
+    body.faces.push_back({{2 * i, 2 * j, 2 * j + 1, 2 * i + 1},
+                          body_tag::wall,
+                          {Vec3(out.x(), out.y(), 0), out.dot(outline[i])}});
+  }
+  body.faces.push_back(std::move(bottom));
+  body.faces.push_back(std::move(top));
+  return body;
 }
 
 Box bounding_box(const ConvexBody& body) {

@@ -33,8 +33,10 @@ double distance(const CapSphere& a, const CapSphere& b);
 // The body moved rigidly.
 ConvexBody moved(const ConvexBody& body, const RigidMotion& motion);
 
-// A right prism between two heights, outline counter-clockwise seen from above.
+// A right prism between two heights, outline convex and counter-clockwise seen from above. The tag
+// of all walls of the second is body_tag::wall.
 ConvexBody make_prism(const std::array<Vec2, 3>& outline, double z_low, double z_high);
+ConvexBody make_prism(const Polygon& outline, double z_low, double z_high);
 
 Box bounding_box(const ConvexBody& body);
 

@@ -14,27 +14,6 @@ namespace {
 
 constexpr int bridges_of_anchor = 2;  // they hold it; more would only have to be broken
 
-// The upright prism over a convex outline, from the bed to `height`.
-ConvexBody prism(const Polygon& outline, double height) {
-  ConvexBody body;
-  BodyFace bottom{{}, body_tag::back, {-Vec3::UnitZ(), 0}};
-  BodyFace top{{}, body_tag::front, {Vec3::UnitZ(), height}};
-  const int n = static_cast<int>(outline.size());
-  for (int i = 0; i < n; ++i) {
-    const int j = (i + 1) % n;
-    for (double z : {0.0, height}) body.points.emplace_back(outline[i].x(), outline[i].y(), z);
-    bottom.loop.insert(bottom.loop.begin(), 2 * i);
-    top.loop.push_back(2 * i + 1);
-    const Vec2 out = -left_of(outline[j] - outline[i]).normalized();
-    body.faces.push_back({{2 * i, 2 * j, 2 * j + 1, 2 * i + 1},
-                          body_tag::wall,
-                          {Vec3(out.x(), out.y(), 0), out.dot(outline[i])}});
-  }
-  body.faces.push_back(std::move(bottom));
-  body.faces.push_back(std::move(top));
-  return body;
-}
-
 // Wishes to join the anchor at c, which becomes one of the bodies, with its piece's nearest tiles.
 void add_anchor_wishes(const PrintModel& model, int piece, const Vec2& c, double height,
                        std::vector<BridgeObstacle>& bodies, const std::vector<Polygon>& hull,
@@ -47,7 +26,7 @@ void add_anchor_wishes(const PrintModel& model, int piece, const Vec2& c, double
     circle.push_back(c + PlaneRotation(2 * M_PI * i / corners) * Vec2(r, 0));
   }
   const int self = static_cast<int>(bodies.size());
-  bodies.push_back({prism(circle, height), {}, {}});
+  bodies.push_back({make_prism(circle, 0, height), {}, {}});
   std::vector<std::pair<double, int>> near;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     if (model.piece_of_tile[i] == piece) near.emplace_back(distance(hull[i], c), i);
@@ -142,7 +121,7 @@ void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprint
     wishes.push_back(std::move(wish));
   }
   for (const PieceFootprint& footprint : footprints) {  // tabs are only in the way
-    for (const Polygon& tab : footprint.tab) bodies.push_back({prism(tab, height), {}, {}});
+    for (const Polygon& tab : footprint.tab) bodies.push_back({make_prism(tab, 0, height), {}, {}});
   }
   Bridges bridges = make_bridges(bodies, wishes, p.H_pin, p);
   std::map<int, int> number;

@@ -46,23 +46,8 @@ struct Span {
 
 ConvexBody box_of(const Span& span, double width, double z0, double z1) {
   const Vec2 side = 0.5 * width * left_of(span.d);
-  ConvexBody box;
-  for (double z : {z0, z1}) {
-    for (const Vec2& p :
-         {Vec2(span.middle + span.from * span.d - side),
-          Vec2(span.middle + span.to * span.d - side), Vec2(span.middle + span.to * span.d + side),
-          Vec2(span.middle + span.from * span.d + side)}) {
-      box.points.emplace_back(p.x(), p.y(), z);
-    }
-  }
-  const std::vector<std::vector<int>> loops = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                               {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-  for (const std::vector<int>& loop : loops) {
-    const Vec3& o = box.points[loop[0]];
-    const Vec3 n = (box.points[loop[1]] - o).cross(box.points[loop[2]] - o).normalized();
-    box.faces.push_back({loop, body_tag::wall, {n, n.dot(o)}});
-  }
-  return box;
+  const Vec2 from = span.middle + span.from * span.d, to = span.middle + span.to * span.d;
+  return make_prism({from - side, to - side, to + side, from + side}, z0, z1);
 }
 
 bool contains(const ConvexBody& body, const Vec3& p) {
