@@ -61,16 +61,7 @@ std::vector<Vec2> anchors_of(const TileBodies& bodies) {
     }
     pieces[piece[i]].tiles.push_back(convex_hull(std::move(seen)));
   }
-  for (const Contact& contact : tiles.contacts) {
-    std::vector<Vec2> seen;
-    for (int s = 0; s < 2; ++s) {
-      const auto corner = place(bodies.poses, contact.tile[s], tiles.front[contact.tile[s]]);
-      seen.push_back(corner[contact.side[s]]);
-      seen.push_back(corner[next3(contact.side[s])]);
-    }
-    Polygon joint = convex_hull(std::move(seen));
-    if (joint.size() >= 3) pieces[piece[contact.tile[0]]].joints.push_back(std::move(joint));
-  }
+  join_footprints(pieces, piece, tiles, bodies.poses);
   std::vector<Vec2> out;
   for (const std::vector<Vec2>& one : place_anchors(pieces, bodies.parameters)) {
     out.insert(out.end(), one.begin(), one.end());

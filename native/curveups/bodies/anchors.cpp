@@ -39,6 +39,26 @@ std::vector<Vec2> spread_along(const Polygon& loop, double spacing) {
 
 }  // namespace
 
+std::array<Vec2, 2> front_edge(const TileMesh& tiles, const FlatPoses& poses,
+                               const Contact& contact, int side) {
+  const int tile = contact.tile[side], wall = contact.side[side];
+  const std::array<Vec2, 3> corner = place(poses, tile, tiles.front[tile]);
+  return {corner[wall], corner[next3(wall)]};
+}
+
+void join_footprints(std::vector<PieceFootprint>& pieces, const std::vector<int>& piece_of_tile,
+                     const TileMesh& tiles, const FlatPoses& poses) {
+  for (const Contact& contact : tiles.contacts) {
+    const auto a = front_edge(tiles, poses, contact, 0), b = front_edge(tiles, poses, contact, 1);
+    const Polygon hull = convex_hull({a[0], a[1], b[0], b[1]});
+    if (hull.size() >= 3) {
+      PieceFootprint& piece = pieces[piece_of_tile[contact.tile[0]]];
+      piece.joints.push_back(hull);
+      piece.joined.push_back({contact.tile[0], contact.tile[1]});
+    }
+  }
+}
+
 std::vector<std::vector<Vec2>> place_anchors(const std::vector<PieceFootprint>& pieces,
                                              const Parameters& p) {
   const double reach = p.anchor_distance + p.anchor_radius;

@@ -24,6 +24,14 @@ struct PieceFootprint {
   Polygon outline;                         // of that anchor with its tab, counter-clockwise
 };
 
+// The flat front corners of one side of a contact, as its tile runs along it.
+std::array<Vec2, 2> front_edge(const TileMesh& tiles, const FlatPoses& poses,
+                               const Contact& contact, int side);
+
+// Enters what joins the tiles of contacts into the footprints of their pieces.
+void join_footprints(std::vector<PieceFootprint>& pieces, const std::vector<int>& piece_of_tile,
+                     const TileMesh& tiles, const FlatPoses& poses);
+
 // Centres of each piece's anchors on the line anchor_distance + anchor_radius from its outline (not
 // in holes), spread evenly at about anchor_spacing; those that would come nearer than that distance
 // to a tile of any piece, or too near to another anchor (narrow bays), are left out.

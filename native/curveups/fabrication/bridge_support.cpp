@@ -111,7 +111,8 @@ void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprint
   for (const Contact& contact : tiles.contacts) {
     if (group[contact.tile[0]] != group[contact.tile[1]]) continue;
     BridgeWish wish{contact.tile[0], contact.tile[1], {}, 0};
-    const auto a = front_edge(model, contact, 0), b = front_edge(model, contact, 1);
+    const auto a = front_edge(tiles, model.poses, contact, 0),
+               b = front_edge(tiles, model.poses, contact, 1);
     const Vec2 d = (left_of(a[0] - a[1]).normalized() + left_of(b[1] - b[0]).normalized());
     for (int step = 0; step <= 16; ++step) {  // from the middle outwards, to both sides in turn
       const double s = 0.5 + (step % 2 ? 0.025 : -0.025) * (step + step % 2);

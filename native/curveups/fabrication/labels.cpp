@@ -6,6 +6,7 @@
 
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/design/print_margin.hpp"
+#include "curveups/fabrication/print_parts.hpp"
 
 namespace curveups {
 namespace {
@@ -33,14 +34,7 @@ bool nearer(const Polygon& a, const Polygon& b, double than) {
   of_b.add(b);
   const Vec2 between = (of_a.low - of_b.high).cwiseMax(of_b.low - of_a.high);
   if (between.maxCoeff() > than) return false;
-  if (intersection(a, b).size() >= 3) return true;
-  for (const Vec2& p : a) {
-    if (distance(b, p) < than) return true;
-  }
-  for (const Vec2& p : b) {
-    if (distance(a, p) < than) return true;
-  }
-  return false;
+  return intersection(a, b).size() >= 3 || least_distance(a, b) < than;
 }
 
 // A tab that leaves the anchor in direction u (along an axis).

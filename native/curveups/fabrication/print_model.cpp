@@ -68,7 +68,7 @@ class Builder {
       footprint.tiles.push_back(convex_hull(seen));
       footprint.rows.push_back(i);
     }
-    join_footprints();
+    join_footprints(footprints_, model_.piece_of_tile, tiles(), model_.poses);
     checkpoint("placing anchors", 0.3);
     if (p().anchors) add_anchors();
     checkpoint("building the support", 0.4);
@@ -115,18 +115,6 @@ class Builder {
     for (const PieceFootprint& footprint : footprints_) {
       for (const Vec2& anchor : footprint.anchors) {
         model_.anchors[k++].piece = part[nearest_tile(footprint, anchor)];
-      }
-    }
-  }
-
-  void join_footprints() {
-    for (const Contact& contact : tiles().contacts) {
-      const auto a = front_edge(model_, contact, 0), b = front_edge(model_, contact, 1);
-      const Polygon hull = convex_hull({a[0], a[1], b[0], b[1]});
-      if (hull.size() >= 3) {
-        PieceFootprint& footprint = footprints_[model_.piece_of_tile[contact.tile[0]]];
-        footprint.joints.push_back(hull);
-        footprint.joined.push_back({contact.tile[0], contact.tile[1]});
       }
     }
   }

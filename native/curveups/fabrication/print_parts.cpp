@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/fabrication/print_parts.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 
@@ -15,12 +16,6 @@ std::string numbered(const char* format, int a, int b) {
   return name;
 }
 
-std::array<Vec2, 2> front_edge(const PrintModel& model, const Contact& contact, int side) {
-  const int tile = contact.tile[side], wall = contact.side[side];
-  const std::array<Vec2, 3> corner = place(model.poses, tile, model.geometry.tiles.front[tile]);
-  return {corner[wall], corner[next3(wall)]};
-}
-
 int nearest_tile(const PieceFootprint& footprint, const Vec2& place) {
   int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
@@ -31,6 +26,13 @@ int nearest_tile(const PieceFootprint& footprint, const Vec2& place) {
     }
   }
   return nearest;
+}
+
+double least_distance(const Polygon& a, const Polygon& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec2& q : a) least = std::min(least, distance(b, q));
+  for (const Vec2& q : b) least = std::min(least, distance(a, q));
+  return least;
 }
 
 std::vector<PrintBody> flat_tiles(const PrintModel& model, const std::vector<ConvexBody>& bodies,

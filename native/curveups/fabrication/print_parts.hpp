@@ -2,7 +2,6 @@
 // Data that the parts of a print model share while it is built.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -14,11 +13,11 @@ namespace curveups {
 // "Anchor P1 A002" and the like.
 std::string numbered(const char* format, int a, int b = 0);
 
-// The flat front corners of one side of a contact, as its tile runs along it.
-std::array<Vec2, 2> front_edge(const PrintModel& model, const Contact& contact, int side);
-
 // The tile (row of F) of a piece that is nearest to a place.
 int nearest_tile(const PieceFootprint& footprint, const Vec2& place);
+
+// Least distance of a corner of one of two convex polygons from the other.
+double least_distance(const Polygon& a, const Polygon& b);
 
 // Tiles of these bodies (in their frames, row by row) with their pins and caps, where the layout
 // has them. Needs the model's geometry, q, pieces and flat motions.

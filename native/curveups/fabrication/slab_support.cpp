@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <tuple>
 
@@ -131,13 +130,6 @@ SlabContent content_of(const PrintModel& model, const PieceFootprint& footprint,
     if (has(row)) out.inside.push_back(cavity[row]);
   }
   return out;
-}
-
-double least_distance(const Polygon& a, const Polygon& b) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec2& q : a) least = std::min(least, distance(b, q));
-  for (const Vec2& q : b) least = std::min(least, distance(a, q));
-  return least;
 }
 
 // What other parts of a piece need of the outline of a part: their tiles with half of the gap to
