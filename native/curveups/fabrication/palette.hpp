@@ -14,15 +14,8 @@ struct Colour {
 };
 
 inline Colour body_colour(BodyKind kind) {
-  switch (kind) {
-    case BodyKind::tile:
-      return {58, 110, 165};
-    case BodyKind::support:
-      return {222, 203, 164};
-    case BodyKind::anchor:
-      return {190, 92, 67};
-  }
-  return {128, 128, 128};
+  constexpr Colour colours[] = {{58, 110, 165}, {222, 203, 164}, {190, 92, 67}};
+  return colours[static_cast<int>(kind)];
 }
 
 }  // namespace curveups
