@@ -193,13 +193,4 @@ std::vector<BodyMesh> mesh_bodies(const std::vector<const PrintBody*>& bodies,
   return meshes;
 }
 
-double volume(const BodyMesh& mesh) {
-  double sum = 0;
-  const Vec3 o = mesh.points[0];
-  for (const auto& t : mesh.triangles) {
-    sum += (mesh.points[t[0]] - o).cross(mesh.points[t[1]] - o).dot(mesh.points[t[2]] - o);
-  }
-  return sum / 6;
-}
-
 }  // namespace curveups

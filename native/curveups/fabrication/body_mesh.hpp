@@ -30,6 +30,4 @@ BodyMesh mesh_body(const PrintBody& body, const MeshingOptions& options);
 std::vector<BodyMesh> mesh_bodies(const std::vector<const PrintBody*>& bodies,
                                   const MeshingOptions& options);
 
-double volume(const BodyMesh& mesh);
-
 }  // namespace curveups

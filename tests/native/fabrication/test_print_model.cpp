@@ -302,7 +302,7 @@ TEST(Meshes, OfCylindersHaveTheirVolume) {
     ASSERT_FALSE(model.anchors.empty());
     for (const PrintBody& anchor : model.anchors) {
       const BodyMesh mesh = mesh_body(anchor, {deviation, true});
-      EXPECT_NEAR(volume(mesh), volume(anchor), 1e-9 * volume(anchor));
+      EXPECT_NEAR(test::volume(mesh), volume(anchor), 1e-9 * volume(anchor));
       double corner = 0;
       for (const Vec3& q : mesh.points) {
         corner = std::max(corner, (q - anchor.circles[0].centre).head<2>().norm());

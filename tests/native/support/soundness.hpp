@@ -29,6 +29,15 @@ inline std::string unsound(const std::vector<PrintBody>& bodies) {
   return text;
 }
 
+inline double volume(const BodyMesh& mesh) {
+  double sum = 0;
+  const Vec3 o = mesh.points[0];
+  for (const auto& t : mesh.triangles) {
+    sum += (mesh.points[t[0]] - o).cross(mesh.points[t[1]] - o).dot(mesh.points[t[2]] - o);
+  }
+  return sum / 6;
+}
+
 // Every edge twice, in opposite directions.
 inline bool watertight(const BodyMesh& mesh) {
   std::map<std::pair<int, int>, int> edges;
