@@ -33,13 +33,7 @@ double largest_row(const Motions& rows) {
 }  // namespace
 
 ContactWorld::ContactWorld(std::vector<RigidBody> bodies, Poses start, const WorldOptions& options)
-    : bodies_(std::move(bodies)), poses_(std::move(start)), options_(options) {
-  if (bodies_.size() != poses_.size()) {
-    throw InvalidInput("there are " + std::to_string(bodies_.size()) + " bodies and " +
-                           std::to_string(poses_.size()) + " poses",
-                       "give each body a pose");
-  }
-}
+    : bodies_(std::move(bodies)), poses_(std::move(start)), options_(options) {}
 
 void ContactWorld::set_poses(const Poses& poses) {
   poses_ = poses;

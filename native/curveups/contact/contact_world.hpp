@@ -61,6 +61,7 @@ struct StepReport {
 
 class ContactWorld {
  public:
+  // start: of each body.
   ContactWorld(std::vector<RigidBody> bodies, Poses start, const WorldOptions& options);
 
   // More bodies, after the others. Before the first step.

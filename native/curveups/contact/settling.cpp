@@ -50,14 +50,13 @@ Settling::Settling(const Settling& other)
 void Settling::settle(const Conditions& conditions, double friction, SolvedDesign* elements) {
   ContactWorld& world = *built_.world;
   bool still = true;
-  if (!compressed_ || !(conditions == conditions_)) {
+  if (!compressed_ || !(conditions == built_.conditions)) {
     drift_before_ = drift_;
     compressed_.reset();
     built_.set(conditions);
     world.set_friction(std::numeric_limits<double>::infinity());
     still = come_to_rest(elements);
     compressed_ = std::make_shared<ClosestPoints>(surface());
-    conditions_ = conditions;
   }
   friction_ = friction;
   world.set_friction(friction);
@@ -154,15 +153,14 @@ std::optional<Finding> Settling::failure() const {
 }
 
 Settling::State Settling::state() const {
-  return {built_.world->state(), conditions_, friction_,      drift_,
-          drift_before_,         at_rest_,    contact_force_, compressed_};
+  return {built_.world->state(), built_.conditions, friction_,      drift_,
+          drift_before_,         at_rest_,          contact_force_, compressed_};
 }
 
 void Settling::restore(const State& state) {
   built_.set(state.conditions);
   built_.world->restore(state.world);
   built_.world->set_friction(state.friction);
-  conditions_ = state.conditions;
   friction_ = state.friction;
   drift_ = state.drift;
   drift_before_ = state.drift_before;

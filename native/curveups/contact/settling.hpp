@@ -28,7 +28,7 @@ class Settling {
   // rest takes the place of what they pull in the actuated configuration. Throws Cancelled, what
   // TileWorld::solve_elements throws.
   void settle(const Conditions& conditions, double friction, SolvedDesign* elements = nullptr);
-  const Conditions& conditions() const { return conditions_; }
+  const Conditions& conditions() const { return built_.conditions; }
   double friction() const { return friction_; }
 
   // Of the last one.
@@ -77,7 +77,6 @@ class Settling {
   TileWorld built_;
   double hold_tolerance_;
   int most_iterations_;
-  Conditions conditions_;
   double friction_ = 0, drift_ = 0, drift_before_ = 0;
   double element_change_ = 0;
   bool at_rest_ = false;
