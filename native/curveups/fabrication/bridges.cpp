@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "curveups/bodies/convex_distance.hpp"
@@ -121,46 +120,25 @@ std::optional<Span> find_span(const ConvexBody& a, const ConvexBody& b,
   return span;
 }
 
-// The bridges made so far, found by the squares of the bed that their boxes cover.
+// The bridges made so far.
 class TakenPlaces {
  public:
-  bool clear_of(const ConvexBody& box) const {
-    for (const auto& square : squares(box)) {
-      const auto there = taken_.find(square);
-      if (there == taken_.end()) continue;
-      for (int other : there->second) {
-        if (distance(boxes_[other], box) < apart) return false;
-      }
+  bool clear_of(const ConvexBody& bridge) const {
+    const Box box = bounding_box(bridge);
+    for (std::size_t k = 0; k < bridges_.size(); ++k) {
+      const Vec3 between = (box.low - boxes_[k].high).cwiseMax(boxes_[k].low - box.high);
+      if (between.maxCoeff() < apart && distance(bridges_[k], bridge) < apart) return false;
     }
     return true;
   }
-  void add(ConvexBody box) {
-    for (const auto& square : squares(box)) {
-      taken_[square].push_back(static_cast<int>(boxes_.size()));
-    }
-    boxes_.push_back(std::move(box));
+  void add(ConvexBody bridge) {
+    boxes_.push_back(bounding_box(bridge));
+    bridges_.push_back(std::move(bridge));
   }
 
  private:
-  static constexpr double side = 5;  // mm
-
-  // Those within `apart` of the box.
-  static std::vector<std::array<int, 2>> squares(const ConvexBody& body) {
-    const Box box = bounding_box(body);
-    std::array<int, 2> low, high;
-    for (int k = 0; k < 2; ++k) {
-      low[k] = static_cast<int>(std::floor((box.low[k] - apart) / side));
-      high[k] = static_cast<int>(std::floor((box.high[k] + apart) / side));
-    }
-    std::vector<std::array<int, 2>> out;
-    for (int x = low[0]; x <= high[0]; ++x) {
-      for (int y = low[1]; y <= high[1]; ++y) out.push_back({x, y});
-    }
-    return out;
-  }
-
-  std::vector<ConvexBody> boxes_;
-  std::map<std::array<int, 2>, std::vector<int>> taken_;
+  std::vector<Box> boxes_;
+  std::vector<ConvexBody> bridges_;
 };
 
 double thickness(const Parameters& p) {
