@@ -145,8 +145,7 @@ def write_kit(results: Results, path: Path, job: Job, order: Order = Order(),
             nonlocal reached
             if part >= 0 or count > 1:
                 reached = max(reached, (done + min(max(part, 0.0), 1.0)) / count)
-            if not job(doing, reached):
-                raise Stopped
+            job.go_on(doing, reached)
 
         def begin(what: str, number: int = 0, of: int = 1) -> None:
             nonlocal doing, done, count, reached

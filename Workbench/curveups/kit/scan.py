@@ -7,12 +7,13 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ..base.errors import CurveUpsError, Stopped, tile_name
+from ..base.errors import CurveUpsError, tile_name
 from ..base.native import native
 from ..base.output import Folder
 from ..base.reading import read_text
@@ -110,11 +111,6 @@ def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
 
     V, F = np.asarray(design.V), np.asarray(design.F)
     edge = float(native.mean_edge_length(V, F))
-
-    def go_on(done: float) -> None:
-        if not job("registering the scan", done):
-            raise Stopped
-
     if len(scan.tiles):
         middles = V[F].mean(1)[scan.tiles]
         R, t = register_markers(scan.points, middles)
@@ -123,7 +119,7 @@ def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
         owners = scan.tiles
         spread = float(np.sqrt((away ** 2).mean()))
     else:
-        laid = register(scan.points, V, F, edge, go_on)
+        laid = register(scan.points, V, F, edge, partial(job.go_on, "registering the scan"))
         R, t, others, spread = laid.R, laid.t, laid.others, laid.spread
         points = laid(scan.points)
         owners = native.closest_faces(points, V, F)

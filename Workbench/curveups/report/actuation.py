@@ -129,8 +129,7 @@ def read_answer(folder: Path, design: Any, parameters: Any) -> dict[str, Any]:
 
 def write_frame(model: Any, rows: np.ndarray, folder: Folder, name: str, job: Job) -> None:
     """The tiles of a PrintModel where a frame has them, as STEP."""
-    if not job(f"writing {name}"):
-        raise Stopped
+    job.go_on(f"writing {name}")
     posed = model.posed(rows)
     folder.write(name, lambda place: posed.write("step", "actuated", str(place), job))
 

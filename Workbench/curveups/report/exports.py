@@ -122,8 +122,7 @@ def _prepare(place: Folder, ready: list[Prepared], names: Mapping[File, str], pr
     model = results["solids"].model
     for (kind, ending), file in names.items():
         if kind in (*results["solids"].kinds, "print", "actuated"):
-            if not job(f"writing {file}"):
-                raise Stopped
+            job.go_on(f"writing {file}")
             ready.append(place.prepare(file, _writer(model, kind, ending, job)))
 
 
@@ -155,8 +154,7 @@ def write_spares(project: Project, folder: Path, tiles: str, job: Job) -> list[s
     with Folder(folder) as place, translated(project.where):
         for one in native.print_formats():
             kind, file = "tiles" if "tiles" in one.kinds else "print", f"{project.name}-spares.{one.ending}"
-            if not job(f"writing {file}"):
-                raise Stopped
+            job.go_on(f"writing {file}")
             place.write(file, _writer(spares, kind, one.ending, job))
     return list(place.files)
 

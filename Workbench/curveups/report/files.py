@@ -107,8 +107,7 @@ class Writing:
         try:
             for one in draw(results):
                 drawn.append(one)
-                if not self._job("drawing pictures"):
-                    raise Stopped
+                self._job.go_on("drawing pictures")
         except Stopped:
             raise
         except Exception:  # whoever makes the page says so
@@ -189,14 +188,15 @@ class Writing:
                 if kind in (*solids.kinds, "print", "actuated"):
                     file = _print_name(name, kind, one.ending)
                     self._doing = f"writing {file}"
+                    self._job.go_on(self._doing)
                     # Asks for nothing but a stop: what is shown meanwhile is the checks' progress.
-                    _write(self._folder, file, self._job,
-                           lambda path: model.write(one.ending, kind, path, lambda *_: not self._job.stopped))
+                    self._folder.write(file, lambda path: model.write(one.ending, kind, str(path),
+                                                                      lambda *_: not self._job.stopped))
 
     def _prepare_document(self, results: Results, folder: Folder) -> tuple[Prepared, dict[str, str]]:
         """The document under its temporary name, and versions of software."""
         name, software = _document_name(results.name), dict[str, str]()
-        _go_on(self._job, name)
+        self._job.go_on(f"writing {name}")
         document = folder.prepare(name, lambda path: software.update(self._write_document(results, path)))
         return document, software
 
@@ -258,16 +258,6 @@ def _document_name(name: str) -> str:
 
 def _cuts_name(name: str) -> str:
     return f"{name}-cuts.json"
-
-
-def _write(folder: Folder, name: str, job: Job, writer: Callable[[str], None]) -> None:
-    _go_on(job, name)
-    folder.write(name, lambda path: writer(str(path)))
-
-
-def _go_on(job: Job, name: str) -> None:
-    if not job(f"writing {name}"):
-        raise Stopped
 
 
 def write_reports(results: Results, folder: Folder, rows: list[Row] | None = None, stopped: bool = False,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Optional, Sequence
 
-from ..base.errors import CurveUpsError, Stopped
+from ..base.errors import CurveUpsError
 from ..base.findings import Finding
 from ..base.native import native
 from .advice import Sizes as Options, checked_sizes, tried_sizes
@@ -79,8 +79,7 @@ def other_sizes(inputs: Inputs, job: Job) -> OtherSizes:
 
 def _valid(inputs: Inputs, sizes: Sizes, job: Job, steps: list[int]) -> bool:
     """Whether a copy of the project says so before repair has taken the steps that are left."""
-    if not job("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes)):
-        raise Stopped
+    job.go_on("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes))
     try:
         found = trial(inputs, dict(sizes), ("verification",), job, steps)
     except CurveUpsError:

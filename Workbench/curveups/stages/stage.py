@@ -16,7 +16,7 @@ from typing import Any, Callable, ClassVar, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
-from ..base.errors import CurveUpsError
+from ..base.errors import CurveUpsError, Stopped
 from ..base.findings import Finding
 from ..base.parameters import table
 from ..base.progress import Progress
@@ -107,6 +107,11 @@ class Job:
         if not self.stopped and self.progress and not self.progress(what, fraction):
             self.stopped = True
         return not self.stopped
+
+    def go_on(self, what: str, fraction: float = -1.0) -> None:
+        """Reports, and raises Stopped where the work is to stop."""
+        if not self(what, fraction):
+            raise Stopped
 
     def listener(self, stage: str) -> Optional[Callable[..., bool]]:
         """For the native module: hands iterates on, where anybody listens."""
