@@ -592,7 +592,7 @@ def test_a_change_is_judged_as_the_design_made_with_it_is(risen, helped):
         assert said["valid"] == valid and said["arrives"] == block["arrives"]
         if block["arrives"] is not None:
             assert said["shortfall_mm"] == block["shortfall_mm"]
-            assert list(map(tuple, said["open_contacts"])) == block["open_contacts"]
+            assert said["open_contacts"] == block["open_contacts"]
 
 
 def test_the_page_has_a_row_for_each_change(helped):

@@ -8,12 +8,6 @@
 namespace curveups::bindings {
 namespace {
 
-py::list pairs_list(const std::vector<std::array<int, 2>>& pairs) {
-  py::list out;
-  for (const std::array<int, 2>& pair : pairs) out.append(py::make_tuple(pair[0], pair[1]));
-  return out;
-}
-
 py::dict end_block(const ActuatedDesign& found, const PathEnd& end) {
   py::dict out;
   out["friction_coefficient"] = end.friction_coefficient;
@@ -23,8 +17,8 @@ py::dict end_block(const ActuatedDesign& found, const PathEnd& end) {
   out["energy_n_mm"] = end.energy;
   out["normal_mean"] = end.push;
   out["shortfall_mm"] = end.shortfall;
-  out["open_contacts"] = pairs_list(end.open_contacts);
-  out["wedged"] = pairs_list(end.wedged);
+  out["open_contacts"] = end.open_contacts;
+  out["wedged"] = end.wedged;
   out["scan"] = scan_block(end.scan);
   out["steps"] = end.steps;
   out["iterations"] = end.iterations;

@@ -9,17 +9,13 @@ namespace {
 
 // As report.json has it.
 py::dict block(const SettledDesign& settled) {
-  py::list open;
-  for (const std::array<int, 2>& pair : settled.open_contacts) {
-    open.append(py::make_tuple(pair[0], pair[1]));
-  }
   py::dict out;
   out["friction_coefficient"] = settled.friction_coefficient;
   out["hold_tolerance_mm"] = settled.hold_tolerance;
   out["converged"] = settled.converged;
   out["normal_mean"] = settled.normal_mean;
   out["normal_min"] = settled.normal_min;
-  out["open_contacts"] = open;
+  out["open_contacts"] = settled.open_contacts;
   out["element_change"] = settled.element_change;
   out["largest_slip_mm"] = settled.largest_slip;
   out["drift_mm"] = settled.drift;

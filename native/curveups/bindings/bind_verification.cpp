@@ -52,11 +52,7 @@ py::dict contact_block(const ContactFigures& f) {
   out["points"] = f.points;
   out["points_below_f_min"] = f.points_below_f_min;
   out["pulling_points"] = f.pulling_points;
-  py::list invalid;
-  for (const std::array<int, 2>& pair : f.invalid_contacts) {
-    invalid.append(py::make_tuple(pair[0], pair[1]));
-  }
-  out["invalid_contacts"] = invalid;
+  out["invalid_contacts"] = f.invalid_contacts;
   out["friction_ratio_mean"] = f.friction_ratio_mean;
   out["friction_ratio_max"] = f.friction_ratio_max;
   out["imbalance"] = f.imbalance;
