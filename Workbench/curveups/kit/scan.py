@@ -213,8 +213,7 @@ def _page(design: Any, found: dict[str, Any]) -> str:
         values = np.full(len(design.F), np.nan)
         for one in found["tiles"]:
             values[int(one["tile"][1:]) - 1] = one["median_mm"]
-        drawn, note = html.pictures_or_note(
-            lambda: [html.view("flat", design=design, values=values, label="median deviation, mm")])
-        parts += [*(html.picture(one, "Median deviation of each tile, on the flat layout. Tiles without "
-                                      "colour have no points.") for one in drawn), *note]
+        parts += html.pictured("flat", "Median deviation of each tile, on the flat layout. Tiles without "
+                               "colour have no points.",
+                               design=design, values=values, label="median deviation, mm")
     return html.page(title, parts)

@@ -96,8 +96,9 @@ def write_actuation(results: Results, path: Path, job: Job,
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(ANSWER, to_text({
-            "format": FORMAT, "version": VERSION, "name": results.name, "status": _status(stopped),
-            "tiles": len(found.design.F), "from": results[START].begin,
+            "format": FORMAT, "version": VERSION, "name": results.name,
+            "status": "stopped" if stopped else "complete", "tiles": len(found.design.F),
+            "from": results[START].begin,
             "of": made_from(results.design, results.parameters), "actuation": block,
             "findings": [one.entry() for one in found.findings()],
             **({"compensation": compensation.report()} if compensation else {}),
@@ -132,10 +133,6 @@ def write_frame(model: Any, rows: np.ndarray, folder: Folder, name: str, job: Jo
     job.go_on(f"writing {name}")
     posed = model.posed(rows)
     folder.write(name, lambda place: posed.write("step", "actuated", str(place), job))
-
-
-def _status(stopped: bool) -> str:
-    return "stopped" if stopped else "complete"
 
 
 def _compact(value: Any) -> str:
@@ -192,8 +189,7 @@ def _page(found: Actuation, name: str, block: Mapping[str, Any]) -> str:
              *(f"<p>{escape(text)}</p>" for text in (*map(str, others), remedy) if text),
              html.picture(moving_view(found), "Drag to turn. Fronts are yellow, backs are blue.")]
     if found.pressed_tiles:
-        drawn, note = html.pictures_or_note(lambda: [html.view("hands", found=found)])
-        parts += ["<h2>By hand</h2>", *(html.picture(one, HANDS) for one in drawn), *note, _touches(block)]
+        parts += ["<h2>By hand</h2>", *html.pictured("hands", HANDS, found=found), _touches(block)]
     if said.tiles:
         parts.append(f'<p class="note">Tiles of open contacts: {escape(tile_list(said.tiles))}</p>')
     parts += released(block)
@@ -213,7 +209,6 @@ def _page(found: Actuation, name: str, block: Mapping[str, Any]) -> str:
 
 
 def _touches(block: Mapping[str, Any]) -> str:
-    """The touches as a table."""
     return tables.table(
         [(", ".join(f"{one:.2f}" for one in touch["direction"]), touch["way"], touch["force_n"],
           ", ".join(map(tile_name, touch["tiles"]))) for touch in block["hands"]],

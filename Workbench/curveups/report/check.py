@@ -123,12 +123,11 @@ def build_page(results: Results) -> str:
     found, blocked = results["feasibility"], results["trial layout"].blocked
     kind, word = ("valid", "Feasible") if not blocked else ("invalid", "Not feasible")
     said = "".join(f"<li>{html.escape(line)}</li>" for line in _said(results))
-    shown, note = html.pictures_or_note(
-        lambda: [html.view("blocked", V=found.V, F=found.F, marks=_marks(len(found.F), blocked))])
     parts = [f"<h1>{html.escape(results.title)}</h1>",
              f'<p><span class="verdict {kind}">{word}</span> &nbsp; {len(found.F)} tiles</p><ul>{said}</ul>',
-             *note, *(html.picture(png, "The target from both sides: tiles that can't be made in red, those "
-                                        "that are likely to fail in orange.") for png in shown),
+             *html.pictured("blocked", "The target from both sides: tiles that can't be made in red, those "
+                            "that are likely to fail in orange.",
+                            V=found.V, F=found.F, marks=_marks(len(found.F), blocked)),
              "<h2>Margins</h2>", tables.table(rows(results), HEAD), f'<p class="note">{ESTIMATE}</p>']
     if blocked:
         parts += ["<h2>Obstacles</h2>",

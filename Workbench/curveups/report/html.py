@@ -74,6 +74,12 @@ def pictures_or_note(draw: Callable[[], Iterable[Drawn]]) -> tuple[list[Drawn], 
         return [], [f'<p class="note">The pictures could not be drawn: {said}.</p>']
 
 
+def pictured(name: str, caption: str, **data: Any) -> list[str]:
+    """A picture with its caption as parts of a page, or what the page says where it can't be drawn."""
+    drawn, note = pictures_or_note(lambda: [view(name, **data)])
+    return [*(picture(one, caption) for one in drawn), *note]
+
+
 def build_html(results: Results, report: dict, drawn: Optional[Sequence[Drawn]] = None) -> str:
     """The page for the results of a run and their report; `drawn`: its pictures, where they are there."""
     shown, note = pictures_or_note(lambda: draw(results) if drawn is None else drawn)
