@@ -11,6 +11,7 @@ from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
 
+from ..base.edges import sides_of_edges
 from ..base.errors import Stopped
 from ..base.language import ENGLISH, Language
 from ..base.native import native
@@ -74,16 +75,13 @@ class Kit:
         design = self.results.design
         V, F = np.asarray(design.V), np.asarray(design.F)
         piece = np.asarray(native.pieces_of_faces(V, F, design.cuts))
-        beside: dict[tuple[int, ...], list[int]] = {tuple(sorted(map(int, e))): [] for e in design.cuts}
-        for tile, corners in enumerate(F.tolist()):
-            for a, b in zip(corners, corners[1:] + corners[:1]):
-                if (edge := tuple(sorted((a, b)))) in beside:
-                    beside[edge].append(tile)
+        sides = sides_of_edges(F)
         middles: dict[tuple[int, ...], dict[tuple[int, ...], np.ndarray]] = {}  # by pieces and tiles
-        for edge, pair in beside.items():
+        for a, b in np.sort(design.cuts, axis=1).tolist():
+            pair = tuple(tile for tile, _ in sides[a, b])
             between = tuple(sorted({int(piece[tile]) for tile in pair}))
             if len(between) == 2:
-                middles.setdefault(between, {})[tuple(sorted(pair))] = V[list(edge)].mean(0)
+                middles.setdefault(between, {})[pair] = V[[a, b]].mean(0)
         most = max(1, min(4, MOST_NAMED // max(1, len(middles))))
         named = [pair for _, found in sorted(middles.items()) for pair in _far_apart(found, most)]
         return {"pairs": sorted(list(pair) for found in middles.values() for pair in found),

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
+from ..base.edges import sides_of_edges
 from . import pictures
 
 MADE, PROPOSED = "#1565c0", "#d81b60"
@@ -25,7 +26,7 @@ def cut_view(design: Any, cuts: Sequence[dict], width: float = 10.0) -> bytes:
     layout.axis("off")
     front = figure.add_axes([0.53, 0.51, 0.46, 0.47])
     behind = figure.add_axes([0.53, 0.02, 0.46, 0.47])
-    sides = _sides(np.asarray(design.F))
+    sides = sides_of_edges(design.F)
     on_shape = []
     for number, cut in enumerate(cuts, 1):
         colour = MADE if cut["applied"] else PROPOSED
@@ -38,13 +39,3 @@ def cut_view(design: Any, cuts: Sequence[dict], width: float = 10.0) -> bytes:
     for axes, turned in ((front, False), (behind, True)):
         pictures._draw_actuated(axes, design, turned, lines=on_shape)
     return pictures._png(figure)
-
-
-def _sides(F: np.ndarray) -> dict[tuple[int, int], list[tuple[int, int]]]:
-    """The tiles at each edge, with which side of theirs it is."""
-    sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
-    for tile, face in enumerate(F.tolist()):
-        for t in range(3):
-            a, b = face[t], face[(t + 1) % 3]
-            sides.setdefault((min(a, b), max(a, b)), []).append((tile, t))
-    return sides

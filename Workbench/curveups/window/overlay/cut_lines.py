@@ -8,6 +8,7 @@ from typing import Any, Iterable, Mapping, Sequence
 import numpy as np
 from pivy import coin
 
+from ...base.edges import sides_of_edges
 from .nodes import fill
 
 # Apart in lightness as well as in hue.
@@ -53,13 +54,8 @@ class CutLines:
             fill(lines.numVertices, np.full(len(places) // 2, 2, np.int32))
 
     def _know(self, F: np.ndarray) -> None:
-        if F is self._F:
-            return
-        self._F, self._sides = F, {}
-        for tile, face in enumerate(np.asarray(F).tolist()):
-            for k in range(3):
-                a, b = face[k], face[(k + 1) % 3]
-                self._sides.setdefault((min(a, b), max(a, b)), []).append((tile, k))
+        if F is not self._F:
+            self._F, self._sides = F, sides_of_edges(F)
 
     def _ends(self, corners: np.ndarray, shift: np.ndarray, sides: list[tuple[int, int]]) -> np.ndarray:
         tile, k = np.array(sides).T
