@@ -9,6 +9,7 @@ from typing import Any, Callable
 import numpy as np
 
 from ..base.language import Text
+from ..report.shop import has_bridges
 from .beds import FIT, bed_name
 from .drawing import Drawing, dxf, tiled_pdf
 from .kit import Kit
@@ -29,7 +30,7 @@ def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
         for ending in ("3mf", "step"):
             found[kit.named((bed, ending))] = partial(_bed, kit, number, ending)
         found[kit.named((f"{bed}-prusa", "3mf"))] = partial(_project, kit, number)
-        for ending in ("stl", "3mf") if kit.has_bridges else ():
+        for ending in ("stl", "3mf") if has_bridges(kit.results.parameters) else ():
             found[kit.named((f"{bed}-fused", ending))] = partial(_fused, kit, number, ending)
     if kit.beds.seams:
         found[f"{kit.name}-frame.dxf"] = lambda: dxf(frame(kit))

@@ -17,6 +17,7 @@ import numpy as np
 
 from ..base.language import Text
 from ..base.native import native
+from ..report.shop import has_bridges
 from .ring import DOWEL
 
 EDGE, INSET = 15.0, 2.0               # mm, of the tiles of a strip and their pins
@@ -74,14 +75,14 @@ def _changed(parameters: Any, **values: Any) -> Any:
     return own
 
 
-def strip(name: str, parameters: Any, gaps: tuple[float, ...]) -> Any:
-    """Tiles in a row with these gaps between them, as a native PrintModel."""
-    count, height = len(gaps) + 1, EDGE * math.sqrt(3) / 2
+def strip(name: str, parameters: Any) -> Any:
+    """Tiles in a row, d_gap_min apart, as a native PrintModel."""
+    count, height, gap = len(GAPS) + 1, EDGE * math.sqrt(3) / 2, parameters.get("d_gap_min")
     V = np.array([(k * EDGE / 2, (k % 2) * height, 0.0) for k in range(count + 2)])
     F = np.array([(k, k + 2, k + 1) if k % 2 == 0 else (k, k + 1, k + 2) for k in range(count)], np.int32)
     normals = [(math.sqrt(0.75), (-1) ** k * 0.5) for k in range(count - 1)]
-    moves = np.vstack([[0, 0], np.cumsum([gap * np.array(n) for gap, n in zip(gaps, normals)], axis=0)])
-    return _model(name, parameters, V, F, V[F][:, :, :2] + moves[:, None], INSET)
+    moves = np.vstack([[0, 0], np.cumsum([gap * np.array(n) for n in normals], axis=0)])
+    return _model(name, _changed(parameters), V, F, V[F][:, :, :2] + moves[:, None], INSET)
 
 
 def sliding() -> tuple[np.ndarray, np.ndarray]:
@@ -140,21 +141,12 @@ def _bars(parameters: Any) -> Any:
     return plates("clamp bars", bars, 2 * DOWEL, 1.5 * DOWEL)
 
 
-def _gaps(parameters: Any) -> tuple[float, ...]:
-    return (parameters.get("d_gap_min"),) * len(GAPS)
-
-
 def _height(parameters: Any) -> float:
     return float(2 * parameters.get("H_pin") + parameters.get("H_body"))
 
 
 def _has_walls(bumps: str, parameters: Any) -> bool:
     return bool(parameters.get("bumps") == bumps)
-
-
-def _bridges(parameters: Any) -> bool:
-    support = native.support_kind(parameters)
-    return bool(support.bodies) and not support.soluble
 
 
 COUPONS = (
@@ -177,7 +169,7 @@ from a corner towards the side that faces it. Enter the largest force of each (p
 along that side, {side:.1f} mm. {peel}"""),
            lambda parameters: {"glue": [{"force_n": None, "area_mm2": PIN}] * (len(GAPS) + 1),
                                "peel": [{"force_n": None, "width_mm": SIDE}] * (len(GAPS) + 1)},
-           lambda parameters: strip("glue", _changed(parameters), _gaps(parameters))),
+           partial(strip, "glue")),
     Coupon("gaps", Text("Gaps of 0.2 to 0.6 mm"),
            Text("""Push feeler gauges through each gap of the comb, on the side that lay on the bed, where the
 first layers swell. Enter the thickest that passes all along, and 0 where none does. The gaps get wider from
@@ -190,7 +182,7 @@ it) is below the first gap that is open: its d_gap_min has to be larger."""),
 neighbour up with a thread around it, at right angles to the row, until the bridges between them break.
 Enter the largest force of each. It compares shops and printers: no design computes with it."""),
            lambda parameters: {"bridges": [{"force_n": None}] * len(GAPS)},
-           lambda parameters: strip("bridges", _changed(parameters), _gaps(parameters)), _bridges),
+           partial(strip, "bridges"), has_bridges),
     Coupon("growth", Text("Growth of the printer"),
            Text("""Measure both widths of each of the three blocks by calliper, in their middles and away
 from the side that lay on the bed. Half of what they are wider is what each wall grows: the parameter

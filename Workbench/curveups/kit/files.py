@@ -22,7 +22,7 @@ from ..report.assembly import GLUE_LAYER, glue_asked, glue_volumes, steps
 from ..report.data import build_report, to_text
 from ..report.exports import Choice, File, doubtful, file_names, plain, run_under
 from ..report.files import keep_design
-from ..report.shop import latex, quote, rules
+from ..report.shop import has_bridges, latex, quote, rules
 from ..stages import RISEN, asked_by
 from ..stages.solids import amounts, read_printer
 from ..stages.stage import Job
@@ -191,7 +191,7 @@ def _print_files(kit: Kit, names: Mapping[File, str]) -> Iterator[tuple[str, Wri
     if not kit.beds:
         shop = import_module(".print_shop", __package__)
         yield kit.named(_OF_ONE_BED[0]), _holding(partial(shop.project, kit))
-        for body, ending in _OF_ONE_BED[1:] if kit.has_bridges else ():
+        for body, ending in _OF_ONE_BED[1:] if has_bridges(kit.results.parameters) else ():
             yield kit.named((body, ending)), _holding(partial(shop.fused, kit, ending))
 
 

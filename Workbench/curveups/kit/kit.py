@@ -88,12 +88,6 @@ class Kit:
                 "named": [list(pair) for pair in named]}
 
     @property
-    def has_bridges(self) -> bool:
-        """Whether breakaway bridges join the tiles of the print."""
-        support = native.support_kind(self.results.parameters)
-        return bool(support.bodies) and not support.soluble
-
-    @property
     def model(self) -> Any:
         """The native PrintModel."""
         return self.results["solids"].model

@@ -55,6 +55,12 @@ def rules(report: Mapping[str, Any], parameters: Any, say: Language = ENGLISH) -
               if tilted else [])]
 
 
+def has_bridges(parameters: Any) -> bool:
+    """Whether breakaway bridges join the tiles of the print."""
+    support = native.support_kind(parameters)
+    return bool(support.bodies) and not support.soluble
+
+
 def is_tilted(parameters: Any) -> bool:
     """Whether a layer of the print lying flat would hold to the vat by its whole area."""
     return "resin" in read_printer(parameters.get("printer"))["name"] \
@@ -95,7 +101,7 @@ def quote(report: Mapping[str, Any], parameters: Any, quantity: int = 1, say: La
                    material=say(printer["material_class"])) if bath else \
         say("one material: {material}", material=say(printer["material_class"]))
     volumes = {say("tiles"): block["tile_volume_cm3"], say("anchors"): block["anchor_volume_cm3"]}
-    if support.bodies and not support.soluble:
+    if has_bridges(parameters):
         volumes[say(support.bodies)] = own
     parts = ", ".join(f"{kind} {volume:.1f} cm³" for kind, volume in volumes.items())
     soluble = say("{volume:.1f} cm³ (soluble)", volume=soft) if support.soluble else f"{soft:.1f} cm³"
