@@ -76,17 +76,16 @@ def beds(design: Any, model: Any, printer: dict[str, Any], shapes: Any, asked: A
     bed = printer["bed_mm"]
     if fits_bed(model.bbox, printer) or model.bbox[2] > bed[2] or not max(bed) > 0:
         return None
-    everything = {piece: 0 for piece in range(model.piece_count)}
-    for found in (_turned(model, everything, bed), _packed(model, bed)):
+    for found in (_on_one(model, bed), _packed(model, bed)):
         if found:
             return Beds(model, found)
     return _fewer_anchors(design, model, bed, shapes, asked) or _cut(design, model, printer, shapes, asked)
 
 
-def _turned(model: Any, groups: Mapping[int, int], bed: Sequence[float]) -> Optional[list[dict[int, Place]]]:
+def _on_one(model: Any, bed: Sequence[float]) -> Optional[list[dict[int, Place]]]:
     """All as it stands on one bed."""
     turn = _best_turn(np.concatenate([*_points(model).values()]), bed)
-    return None if turn is None else [{piece: (*turn[:2], turn[2]) for piece in groups}]
+    return None if turn is None else [{piece: turn for piece in range(model.piece_count)}]
 
 
 def _packed(model: Any, bed: Sequence[float]) -> Optional[list[dict[int, Place]]]:
@@ -96,7 +95,7 @@ def _packed(model: Any, bed: Sequence[float]) -> Optional[list[dict[int, Place]]
         turn = _best_turn(points, bed)
         if turn is None:
             return None
-        sizes[piece] = (np.ptp(points @ _matrix(turn[2]).T, axis=0), turn)
+        sizes[piece] = (np.ptp(points @ turned(turn[2]).T, axis=0), turn)
     found: list[dict[int, Place]] = []
     x = y = high = np.inf
     for piece in sorted(sizes, key=lambda one: (-sizes[one][0][1], one)):
@@ -132,16 +131,14 @@ def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any, a
     turn = _best_turn(tiles, room)
     if turn is None:
         return None
-    back = _matrix(-turn[2])
     half = np.array(bed[:2]) / 2
-    corners = (np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * half - turn[:2]) @ back.T
-    region = [*corners]
+    region = (np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * half - turn[:2]) @ turned(-turn[2]).T
     own = native.Parameters(design.parameters)
     anchors = model.piece_of_bodies("anchors")
     for engraved in (own.get("engrave"), False):
         own.set("engrave", engraved)
-        made = _made(asked, design.with_parameters(own), region=region)
-        found = made and _turned(made, {piece: 0 for piece in range(made.piece_count)}, bed)
+        made = _made(asked, design.with_parameters(own), region=[*region])
+        found = made and _on_one(made, bed)
         if found:
             return Beds(made, found, left_out=len(anchors) - len(made.piece_of_bodies("anchors")))
     return None
@@ -177,10 +174,10 @@ def _divisions(design: Any, bed: Sequence[float], shapes: Any, asked: Asked
             first = 0
             for piece in range(int(pieces.max()) + 1):
                 own = pieces == piece
-                parts[own] = first + _grid(middles[own] @ _matrix(turn).T, columns, rows, bed, reach)
+                parts[own] = first + _grid(middles[own] @ turned(turn).T, columns, rows, bed, reach)
                 first = int(parts[own].max()) + 1
             parts = _joined(_smooth(parts, contacts), contacts)
-            corners = np.asarray(shapes.flat)[..., :2] @ _matrix(turn).T
+            corners = np.asarray(shapes.flat)[..., :2] @ turned(turn).T
             if all(_has_room(corners[parts == part].reshape(-1, 2),
                              corners[pieces == pieces[parts == part][0]].reshape(-1, 2), bed, reach)
                    for part in range(int(parts.max()) + 1)):
@@ -278,8 +275,8 @@ def _best_turn(points: np.ndarray, bed: Sequence[float]) -> Optional[Place]:
     hull = points[ConvexHull(points).vertices]
     best: Optional[tuple[float, Place]] = None
     for turn in TURNS:
-        turned = hull @ _matrix(turn).T
-        low, high = turned.min(0), turned.max(0)
+        placed = hull @ turned(turn).T
+        low, high = placed.min(0), placed.max(0)
         fits = (high - low <= np.array(bed[:2]) + 1e-6).all()
         if fits and (best is None or high[1] - low[1] < best[0] - 1e-6):
             x, y = map(float, -(low + high) / 2)
@@ -287,6 +284,7 @@ def _best_turn(points: np.ndarray, bed: Sequence[float]) -> Optional[Place]:
     return best[1] if best else None
 
 
-def _matrix(degrees: float) -> np.ndarray:
+def turned(degrees: float) -> np.ndarray:
+    """The matrix of a turn in the plane."""
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     return np.array([[c, -s], [s, c]])

@@ -17,6 +17,7 @@ from ..report.assembly import glue_asked
 from ..report.data import to_text
 from ..report.print_pictures import draw_print
 from . import drawing
+from .beds import turned
 from .coupons import (FOOT_ANGLE, GRIP, NARROW, PIN, SIDE, WIDE, Coupon, measured, pull, sliding, stretches,
                       wanted)
 from .drawing import BORDER, PAPERS, Drawing
@@ -146,17 +147,12 @@ def _page(kit: Kit, coupon: Coupon) -> Figure:
 def _slope(page: Any, low: float) -> None:
     """Both tiles on the board, when the upper one begins to slide."""
     V, F = sliding()
-    tiles = V[F][:, :, :2] @ _turn(180 - FOOT_ANGLE).T + (0.75 * BOARD, 0)
+    tiles = V[F][:, :, :2] @ turned(180 - FOOT_ANGLE).T + (0.75 * BOARD, 0)
     board = np.array([(0, 0), (BOARD, 0), (BOARD, -2), (0, -2)])
     for points, colour in ((board, "#d9cfb8"), *((corners, "#3a6ea5") for corners in tiles)):
-        x, y = _turn(-RAISED) @ points.T
+        x, y = turned(-RAISED) @ points.T
         page.fill(x + (PAPERS["A4"][0] - BOARD) / 2, y + low + 0.3 * BOARD, facecolor=colour,
                   edgecolor="black", linewidth=0.5)
-
-
-def _turn(degrees: float) -> np.ndarray:
-    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
-    return np.array([[c, -s], [s, c]])
 
 
 def _table(page: Any, low: float, name: str, rows: list[Mapping[str, Any]]) -> float:
