@@ -11,7 +11,7 @@ import numpy as np
 from ..base.language import Text
 from ..report.shop import has_bridges
 from .beds import FIT, bed_name
-from .drawing import Drawing, dxf, tiled_pdf
+from .drawing import Drawing, made
 from .kit import Kit
 from .print_shop import fused, project
 
@@ -25,32 +25,21 @@ def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
     found: dict[str, Callable[[], bytes]] = {}
     if kit.beds is None:
         return found
-    for number in range(len(kit.beds.places)):
+    for number, model in enumerate(kit.prints):
         bed = bed_name(number)
         for ending in ("3mf", "step"):
-            found[kit.named((bed, ending))] = partial(_bed, kit, number, ending)
-        found[kit.named((f"{bed}-prusa", "3mf"))] = partial(_project, kit, number)
+            found[kit.named((bed, ending))] = partial(kit.written, model, ending, "print")
+        found[kit.named((f"{bed}-prusa", "3mf"))] = partial(project, kit, model)
         for ending in ("stl", "3mf") if has_bridges(kit.results.parameters) else ():
-            found[kit.named((f"{bed}-fused", ending))] = partial(_fused, kit, number, ending)
+            found[kit.named((f"{bed}-fused", ending))] = partial(fused, kit, ending, model)
     if kit.beds.seams:
-        found[f"{kit.name}-frame.dxf"] = lambda: dxf(frame(kit))
-        found[f"{kit.name}-frame.pdf"] = lambda: tiled_pdf(frame(kit), [kit.say(_NOTE)], kit.go_on, kit.say)
+        for kind in ("dxf", "pdf"):
+            found[f"{kit.name}-frame.{kind}"] = partial(_frame, kit, kind)
     return found
 
 
-def _bed(kit: Kit, number: int, ending: str) -> bytes:
-    assert kit.beds is not None
-    return kit.written(kit.beds.bed(number), ending, "print")
-
-
-def _project(kit: Kit, number: int) -> bytes:
-    assert kit.beds is not None
-    return project(kit, kit.beds.bed(number))
-
-
-def _fused(kit: Kit, number: int, ending: str) -> bytes:
-    assert kit.beds is not None
-    return fused(kit, ending, kit.beds.bed(number))
+def _frame(kit: Kit, kind: str) -> bytes:
+    return made(frame(kit), kind, [kit.say(_NOTE)], kit.go_on, kit.say)
 
 
 def frame(kit: Kit) -> Drawing:
@@ -58,12 +47,12 @@ def frame(kit: Kit) -> Drawing:
     parts without slabs, which hold by their bridges, their tiles and anchors."""
     assert kit.beds is not None
     pockets = [_grown(np.asarray(loops[0]), FIT) for loops in kit.model.outlines]
-    made = kit.beds.model
+    model = kit.beds.model
     parts = [(f"{part + 1}", [np.asarray(loops[0])])
-             for part, loops in zip(made.piece_of_bodies("support"), made.outlines)]
+             for part, loops in zip(model.piece_of_bodies("support"), model.outlines)]
     if not parts:
-        bodies = [(part, outline) for kind in ("tiles", "anchors") if made.volumes[kind]
-                  for part, outline in zip(made.piece_of_bodies(kind), outlines_of(made, kind))]
+        bodies = [(part, outline) for kind in ("tiles", "anchors") if model.volumes[kind]
+                  for part, outline in zip(model.piece_of_bodies(kind), outlines_of(model, kind))]
         parts = [(f"{part + 1}", [outline for other, outline in bodies if other == part])
                  for part in sorted({part for part, _ in bodies})]
     lines = [*pockets, *(line for _, found in parts for line in found)]
@@ -73,10 +62,10 @@ def frame(kit: Kit) -> Drawing:
     if pockets:
         drawing.box("cut", 0, 0, float(size[0]), float(size[1]))
     for pocket in pockets:
-        drawing.line("cut", *(np.vstack([pocket, pocket[:1]]) - low))
+        drawing.closed("cut", pocket - low)
     for name, found in parts:
         for line in found:
-            drawing.line("control", *(np.vstack([line, line[:1]]) - low))
+            drawing.closed("control", line - low)
         x, y = np.concatenate(found).mean(0) - low
         drawing.centred(float(x), float(y), 6.0, name)
     return drawing

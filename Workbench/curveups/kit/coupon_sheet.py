@@ -41,9 +41,8 @@ def files(kit: Kit) -> dict[str, Callable[[], bytes]]:
     strips = latex_strips(kit)
     notes = [say("Cut both strips along the outer lines. Bars clamp them from the inner lines outwards.")]
     return {**found,
-            f"{kit.name}-strips.pdf": lambda: drawing.tiled_pdf(strips, notes, kit.go_on, say),
-            f"{kit.name}-strips.svg": lambda: drawing.svg(strips),
-            f"{kit.name}-strips.dxf": lambda: drawing.dxf(strips),
+            **{f"{kit.name}-strips.{kind}": partial(drawing.made, strips, kind, notes, kit.go_on, say)
+               for kind in ("pdf", "svg", "dxf")},
             f"{kit.name}-coupons.pdf": lambda: sheet(kit),
             f"{kit.name}-MEASURED.json": lambda: to_text(measured(parameters)).encode()}
 

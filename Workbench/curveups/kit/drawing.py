@@ -54,6 +54,10 @@ class Drawing:
         """The outline of a rectangle from its lower left corner."""
         self.line(layer, (x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y))
 
+    def closed(self, layer: str, points: np.ndarray) -> None:
+        """The line around an area, n x 2 points."""
+        self.line(layer, *points, points[0])
+
     def circle(self, layer: str, x: float, y: float, radius: float) -> None:
         self.circles.setdefault(layer, []).append((x, y, radius))
 
@@ -87,16 +91,28 @@ class Drawing:
                        {layer: found for layer, found in circles.items() if found}, texts)
 
 
+def made(drawing: Drawing, kind: str, notes: Sequence[str] = (), go_on: Callable[[], object] = lambda: None,
+         say: Language = ENGLISH) -> bytes:
+    """As svg, dxf or pdf. notes, go_on, say: of a pdf."""
+    if kind == "pdf":
+        return tiled_pdf(drawing, notes, go_on, say)
+    return (svg if kind == "svg" else dxf)(drawing)
+
+
 def svg(drawing: Drawing) -> bytes:
     """With a group a layer."""
     figure, axes = sheet(*drawing.size)
     draw(axes, drawing)
-    return saved(figure, "svg")
+    stream = io.BytesIO()
+    figure.savefig(stream, format="svg", dpi=DOTS, metadata={"Date": None})
+    return stream.getvalue()
 
 
 def dxf(drawing: Drawing) -> bytes:
     """R2000, in mm, with a layer each."""
-    with _no_dates():
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    ezdxf.options.write_fixed_meta_data_for_testing = True  # fixed dates and ids
+    try:
         document = ezdxf.new("R2000", units=4)
         space = document.modelspace()
         for layer in (*drawing.lines, *drawing.circles, "text"):
@@ -112,18 +128,9 @@ def dxf(drawing: Drawing) -> bytes:
             space.add_text(text, dxfattribs={"layer": "text", "height": height, "insert": Vec2(x, y)})
         stream = io.StringIO()
         document.write(stream)
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before
     return stream.getvalue().encode(document.output_encoding, errors="dxfreplace")
-
-
-class _no_dates:
-    """While it is entered, ezdxf writes fixed dates and ids."""
-
-    def __enter__(self) -> None:
-        self._before = ezdxf.options.write_fixed_meta_data_for_testing
-        ezdxf.options.write_fixed_meta_data_for_testing = True
-
-    def __exit__(self, *_: Any) -> None:
-        ezdxf.options.write_fixed_meta_data_for_testing = self._before
 
 
 def whole(drawing: Drawing, width: float) -> Figure:
@@ -146,20 +153,10 @@ def sheet(width: float, height: float) -> tuple[Figure, Any]:
     return figure, axes
 
 
-def saved(figure: Figure, kind: str) -> bytes:
-    """The bytes of a figure as svg or pdf."""
-    stream = io.BytesIO()
-    figure.savefig(stream, format=kind, dpi=DOTS, metadata={"Date": None} if kind == "svg" else _PDF)
-    return stream.getvalue()
-
-
-_PDF: dict[str, Any] = {"CreationDate": None, "Producer": None, "Creator": None}
-
-
 def book(figures: Iterator[Figure], go_on: Callable[[], object] = lambda: None) -> bytes:
     """A PDF with a page a figure."""
     stream = io.BytesIO()
-    with PdfPages(stream, metadata=_PDF) as pages:
+    with PdfPages(stream, metadata={"CreationDate": None, "Producer": None, "Creator": None}) as pages:
         for figure in figures:
             pages.savefig(figure, dpi=DOTS)
             go_on()
@@ -183,8 +180,8 @@ def tiles(drawing: Drawing, paper: str) -> list[tuple[int, int, Box]]:
     return found
 
 
-def tiled_pdf(drawing: Drawing, notes: Sequence[str], go_on: Callable[[], object] = lambda: None,
-              say: Language = ENGLISH) -> bytes:
+def tiled_pdf(drawing: Drawing, notes: Sequence[str], go_on: Callable[[], object], say: Language = ENGLISH
+              ) -> bytes:
     """For each paper a cover with the whole and its parts, then the parts at full size."""
     def pages() -> Iterator[Figure]:
         for paper in PAPERS:

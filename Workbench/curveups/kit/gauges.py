@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from .drawing import Drawing, dxf, svg
+from .drawing import Drawing, made
 from .kit import Kit
 from .underside import SHEET, named
 
@@ -12,7 +12,7 @@ GAP = 6.0  # mm between ribs
 
 def make(kit: Kit, kind: str) -> bytes:
     """The ribs as dxf or svg."""
-    return (svg if kind == "svg" else dxf)(ribs(kit))
+    return made(ribs(kit), kind)
 
 
 def ribs(kit: Kit) -> Drawing:

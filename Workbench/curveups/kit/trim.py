@@ -13,7 +13,7 @@ from ..base.language import Text
 from ..report import pictures
 from ..report.assembly import TRIM
 from .bed_files import outlines_of
-from .drawing import INCH, LAYERS, Drawing, draw, dxf, svg, tiled_pdf
+from .drawing import INCH, LAYERS, Drawing, draw, made
 from .kit import Kit
 
 STOP = 1.0  # mm, radius of a hole that keeps a slit in the membrane from tearing on
@@ -24,9 +24,7 @@ Edge = tuple[int, int]  # tile, edge
 
 def make(kit: Kit, kind: str) -> bytes:
     """The marks as pdf, svg or dxf."""
-    if kind == "pdf":
-        return tiled_pdf(marks(kit), [kit.say(_NOTE, trim=TRIM)], kit.go_on, kit.say)
-    return (svg if kind == "svg" else dxf)(marks(kit))
+    return made(marks(kit), kind, [kit.say(_NOTE, trim=TRIM)], kit.go_on, kit.say)
 
 
 _NOTE = Text("""Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before
@@ -47,13 +45,13 @@ def marks(kit: Kit) -> Drawing:
     size = (float(high[0] - low[0]), float(high[1] - low[1]))
     drawing = Drawing(kit.say("{title}, trim", title=kit.title), size)
     for outline in outlines:
-        drawing.line("cut", *(np.vstack([outline, outline[:1]]) - low))
+        drawing.closed("cut", outline - low)
     for x, y in holes:
         drawing.circle("cut", float(x - low[0]), float(y - low[1]), STOP)
     for tile in sorted({tile for loop in loops for tile, _ in loop}):
-        drawing.line("grid", *(pins[tile, 0][[0, 1, 2, 0]] - low))
+        drawing.closed("grid", pins[tile, 0] - low)
     for anchor in anchors:
-        drawing.line("control", *(np.vstack([anchor, anchor[:1]]) - low))
+        drawing.closed("control", anchor - low)
     return drawing
 
 
