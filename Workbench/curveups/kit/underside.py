@@ -8,7 +8,7 @@ stop at what is nearest.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Iterator, Mapping, Sequence
 
@@ -162,9 +162,7 @@ class Rib:
     place: float
     x: np.ndarray
     top: np.ndarray
-
-    def __post_init__(self) -> None:
-        self.slots: list[tuple[float, float]] = []
+    slots: list[tuple[float, float]] = field(default_factory=list)
 
     @property
     def length(self) -> float:

@@ -7,16 +7,16 @@ import json
 import sys
 from pathlib import Path
 
-from ..project.verdict import HOLDS
+from ..project.verdict import Verdict
 
 
 def summary(folder: Path) -> str:
     """Verdict, figures and files of the run in `folder`."""
     report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
-    verdict = {True: "valid", False: "not valid", None: "not judged"}[report["valid"]]
+    verdict = Verdict(report["valid"], holds=report.get("holds"))
     area = report["area"]
-    lines = [f"{report['name']}: {report['tiles']} tiles, {report['contacts']} contacts, {verdict}, "
-             f"{HOLDS[report.get('holds')]}"]
+    lines = [f"{report['name']}: {report['tiles']} tiles, {report['contacts']} contacts, "
+             f"{verdict.word}"]
     lines += [f"  {reason}" for reason in report["reasons"]]
     lines.append(f"area {area['actuated_cm2']:.1f} cm2 actuated, {area['flat_cm2']:.1f} cm2 flat "
                  f"(ratio {area['ratio']:.2f})")
