@@ -8,9 +8,10 @@ import json
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Mapping
 
 from .errors import CurveUpsError
+from .native import native
 
 _FILE = Path(__file__).with_name("parameters.json")
 _SOLIDS, _PHYSICS = {"tiles", "bodies", "support"}, {"physics", "recheck", "settle"}
@@ -64,6 +65,14 @@ def table() -> tuple[Parameter, ...]:
 def parameter(name: str) -> Parameter:
     """The row of one parameter. Raises KeyError for an unknown name."""
     return _by_name()[name]
+
+
+def with_values(parameters: Any, values: Mapping[str, Any]) -> Any:
+    """A copy of native Parameters with other values of some."""
+    changed = native.Parameters(parameters)
+    for name, value in values.items():
+        changed.set(name, value)
+    return changed
 
 
 @lru_cache(maxsize=None)

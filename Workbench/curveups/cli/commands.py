@@ -12,8 +12,8 @@ from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError,
 from ..base.findings import Finding
 from ..base.language import Language
 from ..base.native import native, translated
-from ..base.parameters import parameter, table
 from ..base.output import Folder, is_text, plain_name, require_folder_name, safe_name
+from ..base.parameters import parameter, table, with_values
 from ..base.profiles import MATERIALS, NOTES, of_material, profile_path
 from ..base.progress import Interrupt, Reporter
 from ..base.reading import read_text
@@ -132,9 +132,7 @@ def verify(options: Any, session: Session) -> int:
         require_folder_name(options.output)
     design = _read_design(options.design)
     project = Project.of_design(design, str(options.design))
-    parameters = project.parameters
-    parameters.set("run_verification", True)
-    project.parameters = parameters
+    project.parameters = with_values(project.parameters, {"run_verification": True})
     results = project.run(asked_by("verify"), session.job, strict=True)
     if options.output:
         with session.interrupt.shielded():

@@ -18,6 +18,7 @@ from ..base.errors import CurveUpsError, Stopped
 from ..base.findings import Finding
 from ..base.native import native, translated
 from ..base.output import safe_name
+from ..base.parameters import with_values
 from ..stages import BY_NAME
 from ..stages.design import FinishedDesign
 from ..stages.stage import Inputs, Job, Picture, Result, Row, Stage, digest
@@ -145,10 +146,8 @@ class Project:
     def elsewhere(self, values: Mapping[str, Any], goals: Sequence[str], job: Job,
                   known: Mapping[str, Made] = MappingProxyType({})) -> Results:
         """What a copy makes with other values of some parameters. known: results besides its own."""
-        twin, parameters = self.copy(), self.parameters
-        for name, value in values.items():
-            parameters.set(name, value)
-        twin.parameters = parameters
+        twin = self.copy()
+        twin.parameters = with_values(self.parameters, values)
         twin._made.update(known)
         return twin.run(goals, job)
 
@@ -234,13 +233,7 @@ def _records(made: Mapping[str, Made]) -> Records:
 def _decided(names: Iterable[str], records: Records, parameters: Any) -> Any:
     """The parameters for what reads these results: the project's, but for those that they, and what
     they were made from, decide."""
-    values = settled(names, records)
-    if not values:
-        return parameters
-    changed = native.Parameters(parameters)
-    for name, value in values.items():
-        changed.set(name, value)
-    return changed
+    return with_values(parameters, settled(names, records))
 
 
 class _Run:

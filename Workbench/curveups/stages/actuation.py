@@ -11,6 +11,7 @@ import numpy as np
 
 from ..base.findings import Finding
 from ..base.native import native, translated
+from ..base.parameters import parameter, with_values
 from ..base.releases import CUT
 from . import settle
 from .stage import Inputs, Job, Picture, Result, Row, Stage, digest
@@ -147,9 +148,8 @@ class Actuation(Result):
 def path_digest(design: Any) -> str:
     """Of what a frame's memory depends on: that of other designs is of no use. With another friction, or
     another tolerance, a path goes on from where it was."""
-    own, defaults = native.Parameters(design.parameters), native.Parameters()
-    for name in ("friction_coefficient", "hold_tolerance"):
-        own.set(name, defaults.get(name))
+    own = with_values(design.parameters, {name: parameter(name).default
+                                          for name in ("friction_coefficient", "hold_tolerance")})
     return digest(native.MEMORY_FORMAT, native.write_design(design.with_parameters(own)))
 
 

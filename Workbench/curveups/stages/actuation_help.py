@@ -12,8 +12,8 @@ import numpy as np
 from ..base.errors import CurveUpsError, Stopped
 from ..base.findings import Finding
 from ..base.native import native, translated
+from ..base.parameters import parameter, with_values
 from ..base.releases import CUT
-from ..base.parameters import parameter
 from ..base.value import Value
 from . import actuation, settle
 from .stage import Inputs, Job, Result, Row, Stage
@@ -204,9 +204,7 @@ def _try(design: Any, change: Change, fraction: float, where: str, job: Job, rel
 def _made(design: Any, change: Change, job: Job) -> tuple[Any, bool]:
     """The design with a change, laid out anew and repaired where its layout depends on that; and whether it
     is valid."""
-    parameters = native.Parameters(design.parameters)
-    for name, value in change.values.items():
-        parameters.set(name, value)
+    parameters = with_values(design.parameters, change.values)
     parameters.check()
     if not len(change.edges) and all(name in _KEEPS_LAYOUT for name in change.values):
         changed = design.with_parameters(parameters)

@@ -11,8 +11,8 @@ from typing import Optional, Sequence
 
 from ..base.errors import CurveUpsError
 from ..base.findings import Finding
-from ..base.native import native
-from .advice import Sizes as Options, checked_sizes, tried_sizes
+from ..base.parameters import with_values
+from .advice import Sizes, checked_sizes, tried_sizes
 from .feasibility import sizes_do
 from .size_search import value_range
 from .sizes import sizes_that_do
@@ -22,7 +22,6 @@ from .trial import MOST_TILES, REPAIR_STEPS, trial
 # What is tried, as factors of what is set.
 _TRIED: tuple[dict[str, float], ...] = ({"H_pin": 1.25}, {"H_pin": 1.5}, {"H_body": 0.5},
                                         {"H_body": 0.4, "H_pin": 1.25})
-Sizes = tuple[tuple[str, float], ...]
 
 
 @dataclass(frozen=True)
@@ -33,7 +32,7 @@ class OtherSizes(Result):
     found: Optional[Sizes] = None
     tried: int = 0
     was_stopped: bool = False
-    checked: Sequence[Options] = ()
+    checked: Sequence[Sizes] = ()
 
     @property
     def stopped(self) -> bool:
@@ -52,8 +51,7 @@ def _run(inputs: Inputs, job: Job) -> OtherSizes:
         return OtherSizes()
     if verification.valid and not inputs["clearances"].broken:
         return OtherSizes()
-    unmended = native.Parameters(inputs.parameters)
-    unmended.set("mend", "off")
+    unmended = with_values(inputs.parameters, {"mend": "off"})
     if not sizes_do(inputs["fairing"].V, inputs["target"].F, inputs["cuts"].edges, unmended, job):
         return OtherSizes(checked=tuple(sizes_that_do(inputs, inputs["cut request"], job)[0]))
     cut = verification.blocks["physics"]["membrane_clearance_mm"] < 0

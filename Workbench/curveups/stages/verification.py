@@ -11,6 +11,7 @@ import numpy as np
 from ..base.errors import CurveUpsError
 from ..base.findings import Finding, all_of, failed
 from ..base.native import native
+from ..base.parameters import with_values
 from .stage import Inputs, Job, Picture, Result, Row, Stage
 
 BLOCKS = ("physics", "contact_forces", "unilateral", "glue")
@@ -195,8 +196,8 @@ class Recheck(Result):
 def _recheck(inputs: Inputs, job: Job) -> Recheck:
     if not inputs.parameters.get("run_mesh_refinement_check") or not inputs["verification"].valid:
         return Recheck()
-    finer = native.Parameters(inputs.parameters)
-    finer.set("mesh_size", max(0.05, 0.5 * finer.get("mesh_size")))
+    finer = with_values(inputs.parameters,
+                        {"mesh_size": max(0.05, 0.5 * inputs.parameters.get("mesh_size"))})
     return Recheck(verify(inputs["design"].design.with_parameters(finer), job), ran=True)
 
 
