@@ -157,8 +157,7 @@ def search(monkeypatch):
                           for name in ("L", "H_body", "H_pin")})
 
         monkeypatch.setattr(size_search, "decide", decide)
-        return (size_search.SizeSearch(inputs["target"].source_V, inputs["target"].source_F,
-                                       inputs["cut request"], of.parameters, Job()),
+        return (size_search.SizeSearch(inputs["target"], inputs["cut request"], of.parameters, Job()),
                 replace(inputs, elsewhere=lambda values, goals, job: {"feasibility": None}))
 
     return made

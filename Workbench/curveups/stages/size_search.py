@@ -12,9 +12,9 @@ from typing import Any, Callable, Mapping, Optional, Sequence, TypeVar
 
 import numpy as np
 
-from ..base.parameters import parameter
 from ..base.errors import CurveUpsError, Stopped
-from ..base.native import native, translated
+from ..base.native import translated
+from ..base.parameters import parameter, with_values
 from .advice import Sizes
 from .cut_request import CutRequest
 from .division import all_cuts
@@ -64,12 +64,11 @@ class Candidate:
 
 
 class SizeSearch:
-    """Sizes on one surface (V, F, creases: what is remeshed). What can't be remeshed or has no tiles is not
-    feasible; only stopping ends the search. `sag`: as sizes_do has it."""
+    """Sizes on the surface of a Target, made with the L of the parameters. What can't be remeshed or has no
+    tiles is not feasible; only stopping ends the search. `sag`: as sizes_do has it."""
 
-    def __init__(self, V: np.ndarray, F: np.ndarray, cuts: CutRequest, parameters: Any, job: Job,
-                 creases: Optional[np.ndarray] = None, sag: float = SAG):
-        self._surface, self._creases, self._cuts = (V, F), creases, cuts
+    def __init__(self, target: Any, cuts: CutRequest, parameters: Any, job: Job, sag: float = SAG):
+        self._target, self._cuts = target, cuts
         self._outer, self._job, self._trying = job, Job(self._tell), ""
         self._parameters, self._least_sag, self._sag = parameters, sag, sag
         self.thinnest = max(value_range("H_body")[0], parameters.get("p_floor"))  # that a printer makes
@@ -79,7 +78,7 @@ class SizeSearch:
         self._steps = _MOST_STEPS
         self._failed: list[tuple[np.ndarray, float]] = []  # L, H_body, H_pin; the factor of what is near
         self._chord_errors: dict[float, float] = {}
-        corners = V[F]
+        corners = target.source_V[target.source_F]
         self._area = float(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0],
                                                    corners[:, 2] - corners[:, 0]), axis=1).sum() / 2)
         self._mesh = lru_cache(maxsize=1)(self._remesh)  # thicknesses are tried on one mesh
@@ -87,11 +86,6 @@ class SizeSearch:
     def tiles(self, L: float) -> float:
         """About how many tiles of this length there would be."""
         return self._area / (math.sqrt(3) / 4 * L * L)
-
-    def start_from(self, L: float, made: Any) -> None:
-        """What there is already at this length: V, F, chord error."""
-        self._mesh = lru_cache(maxsize=1)(
-            lambda asked: (made.V, made.F, made.chord_error) if asked == L else self._remesh(asked))
 
     def __call__(self, L: float, H_body: float, H_pin: Optional[float] = None) -> Candidate:
         """H_pin: else as it is set."""
@@ -209,9 +203,7 @@ class SizeSearch:
         return self._outer(self._trying)
 
     def _try(self, L: float, H_body: float, H_pin: float) -> Candidate:
-        values = native.Parameters(self._parameters)
-        for name, value in (("L", L), ("H_body", H_body), ("H_pin", H_pin)):
-            values.set(name, value)
+        values = with_values(self._parameters, {"L": L, "H_body": H_body, "H_pin": H_pin})
         tiles = 0
         try:
             with translated():
@@ -224,7 +216,9 @@ class SizeSearch:
         return Candidate(L, H_body, H_pin, tiles, feasible)
 
     def _remesh(self, L: float) -> tuple[np.ndarray, np.ndarray, float]:
-        made = remesh(*self._surface, L, self._parameters, self._job, self._creases)
+        made = self._target
+        if L != self._parameters.get("L"):
+            made = remesh(made.source_V, made.source_F, L, self._parameters, self._job, made.creases)
         return made.V, made.F, float(made.chord_error)
 
     def largest_thickness(self, L: float, most: float) -> Optional[float]:

@@ -10,7 +10,8 @@ from typing import Any, Callable, Collection, Iterator, Mapping, Optional
 
 from ..base.errors import CurveUpsError
 from ..base.findings import Finding
-from ..base.native import native, translated
+from ..base.native import translated
+from ..base.parameters import with_values
 from ..base.value import Value
 from .advice import Sizes, other_sizes
 from .cut_request import CutRequest
@@ -53,7 +54,7 @@ def choose(inputs: Inputs, names: Collection[str], job: Job) -> Chosen:
     if "L" in names and not _can_remesh(target, cuts):
         raise CurveUpsError("L can't be auto where the mesh is given", inputs.where,
                             "give cuts as polylines, or L as a number")
-    search = _search(target, cuts, parameters, job)
+    search = SizeSearch(target, cuts, parameters, job)
     largest = _largest(search, parameters, names, inputs.where)
 
     def again() -> Optional[Sizes]:
@@ -123,15 +124,7 @@ def _one(name: str, value: Optional[float]) -> Optional[Sizes]:
 def _unmended_search(target: Any, cuts: CutRequest, parameters: Any, job: Job, sag: float = SAG
                      ) -> SizeSearch:
     """With mending a size takes up to ten seconds."""
-    unmended = native.Parameters(parameters)
-    unmended.set("mend", "off")
-    return _search(target, cuts, unmended, job, sag)
-
-
-def _search(target: Any, cuts: CutRequest, parameters: Any, job: Job, sag: float = SAG) -> SizeSearch:
-    search = SizeSearch(target.source_V, target.source_F, cuts, parameters, job, target.creases, sag)
-    search.start_from(parameters.get("L"), target)
-    return search
+    return SizeSearch(target, cuts, with_values(parameters, {"mend": "off"}), job, sag)
 
 
 def _can_remesh(target: Any, cuts: CutRequest) -> bool:
