@@ -98,10 +98,6 @@ class ActuationHelp(Result):
     was_stopped: bool = False
 
     @property
-    def stopped(self) -> bool:
-        return self.was_stopped
-
-    @property
     def nearer(self) -> list[Trial]:
         """Valid designs that come nearer than the present one, or arrive."""
         return [one for one in self.trials if _helps(one, self.before)]

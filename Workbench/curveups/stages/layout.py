@@ -34,10 +34,6 @@ class Layout(Result):
         return design_digest(self.design)
 
     @property
-    def stopped(self) -> bool:
-        return self.was_stopped
-
-    @property
     def unsettled(self) -> Optional[Finding]:
         """What to say of a layout that the optimiser gave up; None where it settled."""
         if self.converged or self.was_stopped:

@@ -34,10 +34,6 @@ class OtherSizes(Result):
     was_stopped: bool = False
     checked: Sequence[Sizes] = ()
 
-    @property
-    def stopped(self) -> bool:
-        return self.was_stopped
-
     def advice(self) -> Sequence[Finding]:
         return (*checked_sizes(self.checked), *tried_sizes(self.found, self.tried))
 

@@ -56,8 +56,9 @@ class Result(Value):
 
     @property
     def stopped(self) -> bool:
-        """Whether this is the best so far of work that was stopped."""
-        return False
+        """Whether this is the best so far of work that was stopped: what its field was_stopped says, where
+        there is one."""
+        return bool(getattr(self, "was_stopped", False))
 
     def settles(self) -> Mapping[str, Any]:
         """Parameters that this decides for all that follows."""

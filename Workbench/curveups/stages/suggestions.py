@@ -9,7 +9,7 @@ from typing import Any, Optional, Sequence
 
 import numpy as np
 
-from ..base.errors import CurveUpsError, Stopped
+from ..base.errors import Stopped
 from ..base.findings import Finding, all_of, failed
 from ..base.native import native
 from ..base.value import Value
@@ -114,10 +114,6 @@ class Suggestions(Result):
     failure: Optional[Finding] = None
     design: Any = None
 
-    @property
-    def stopped(self) -> bool:
-        return self.was_stopped
-
     def report(self) -> dict[str, Any]:
         cuts = [cut.entry(True) for cut in self.applied] + [cut.entry(False) for cut in self.proposed]
         blocks: dict[str, Any] = {"suggested_cuts": cuts} if cuts else {}
@@ -172,16 +168,13 @@ def _run(inputs: Inputs, job: Job) -> Suggestions:
                        bool(search.stopped), design=design)
 
 
-def _failed(error: CurveUpsError, inputs: Inputs) -> Suggestions:
+def _ended(inputs: Inputs, **how: Any) -> Suggestions:
     return Suggestions(_applied(inputs), general=inputs["repair"].suggestions,
-                       failure=failed("cuts", error), design=inputs["design"].design)
+                       design=inputs["design"].design, **how)
 
 
-def _stopped(stage: str, inputs: Inputs) -> Suggestions:
-    return Suggestions(_applied(inputs), general=inputs["repair"].suggestions, was_stopped=True,
-                       design=inputs["design"].design)
-
-
-READS = ("target", "fairing", "cut request", "layout", "repair", "design", "figures", "verification")
-STAGE = Stage("suggestions", READS, frozenset({"tiles", "layout"}), _run, _failed, _stopped,
+STAGE = Stage("suggestions", ("target", "fairing", "cut request", "layout", "repair", "design", "figures",
+                              "verification"), frozenset({"tiles", "layout"}), _run,
+              lambda error, inputs: _ended(inputs, failure=failed("cuts", error)),
+              lambda stage, inputs: _ended(inputs, was_stopped=True),
               label="Suggestions", asked_by=("solve",))
