@@ -114,10 +114,9 @@ class Project:
         self._parameters = self._checked(parameters)
 
     @classmethod
-    def of_design(cls, design: Any, where: str = "", known: Mapping[str, Made] | None = None) -> "Project":
+    def of_design(cls, design: Any, where: str = "") -> "Project":
         """The project of a native Design that exists."""
-        given = {"design": FinishedDesign(design)}
-        return cls(safe_name(design.name), design.parameters, given, where, known)
+        return cls(safe_name(design.name), design.parameters, {"design": FinishedDesign(design)}, where)
 
     @property
     def parameters(self) -> Any:

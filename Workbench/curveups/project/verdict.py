@@ -31,22 +31,18 @@ class Verdict:
 
 def judge(results: Mapping[str, Any], note: Optional[Finding] = None) -> Verdict:
     """The verdict on the results of a run. note: why there is no verification."""
-    valid, reasons = _judge(results, note)
-    return Verdict(valid, reasons, results[SETTLED].holds if SETTLED in results else None)
-
-
-def _judge(results: Mapping[str, Any], note: Optional[Finding]) -> tuple[Optional[bool], tuple[Finding, ...]]:
+    holds = results[SETTLED].holds if SETTLED in results else None
     reasons = [reason for result in results.values() for reason in result.reasons()]
     verification = results.get(VERDICT)
     if verification is not None and reasons and not verification.failure:
         reasons += [advice for result in results.values() for advice in result.advice()]
     if reasons:
-        return False, unique(reasons)
+        return Verdict(False, unique(reasons), holds)
     if verification is not None and verification.valid:
         # What was asked for besides and is not known, as the work was stopped.
         notes = [getattr(result, "note", None) for name, result in results.items()
                  if name in BY_NAME and BY_NAME[name].judges]
-        open_questions = [note for note in notes if note]
-        return (None, tuple(open_questions)) if open_questions else (True, ())
+        open_questions = tuple(note for note in notes if note)
+        return Verdict(None if open_questions else True, open_questions, holds)
     note = verification.note if verification is not None else note
-    return None, (note,) if note else ()
+    return Verdict(None, (note,) if note else (), holds)

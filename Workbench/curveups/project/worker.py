@@ -16,12 +16,12 @@ import math
 import threading
 import time
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Callable, Optional, Sequence
 
 import numpy as np
 
 from ..base.errors import CurveUpsError, Stopped
-from ..base.findings import Finding
 from ..base.native import translated
 from ..stages.stage import Job
 from .project import Project
@@ -139,16 +139,10 @@ class Worker:
         """Whether nothing more is to be polled for."""
         return not self.busy and self not in _COLLECTING
 
-    def start(self, project: Project, goals: Sequence[str], on_done: OnDone,
-              note: Optional[Finding] = None) -> None:
+    def start(self, project: Project, goals: Sequence[str], on_done: OnDone) -> None:
         """Makes the goals on a copy of the project, so that cancelling leaves nothing behind. on_done gets
         the Results as outcome's value: `stopped` says whether they are the best so far."""
-        twin = project.copy()
-
-        def run(job: Job) -> Any:
-            return twin.run(goals, job, note=note)
-
-        self.start_work(run, on_done)
+        self.start_work(partial(project.copy().run, goals), on_done)
 
     def start_work(self, work: Work, on_done: OnDone) -> None:
         """Any work that takes a Job. Raises CurveUpsError where there is work already."""
