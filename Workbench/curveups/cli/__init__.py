@@ -24,9 +24,6 @@ from ..base.releases import CUT, RELEASES
 _EPILOG = """exit status: 0 valid, or verification was off; 1 finished, but not valid; 2 bad input or usage,
 nothing written; 3 stopped, the best so far was written; 4 a file could not be written"""
 _NO_MEMORY = "there is not enough memory (this machine): use larger tiles or a smaller target"
-MOST_CUTS = 100
-MOST_PIECES = 1000
-MOST_ROUNDS = 9
 
 
 class _Parser(argparse.ArgumentParser):
@@ -47,7 +44,7 @@ def make_parser() -> argparse.ArgumentParser:
     design = _command(commands, "design", "design a target, from its surface to print files")
     _target_arguments(design)
     _cuts_argument(design)
-    design.add_argument("--auto-cuts", type=_count, default=0, metavar="N",
+    design.add_argument("--auto-cuts", type=_number_of("cuts", 0, 100), default=0, metavar="N",
                         help="make up to N suggested cuts; the first opens a closed target")
     design.add_argument("--no-remesh", action="store_true", help="take the mesh as it is")
     design.add_argument("--no-solids", action="store_true",
@@ -81,7 +78,8 @@ def make_parser() -> argparse.ArgumentParser:
     kit.add_argument("design", type=Path, metavar="DESIGN.json")
     _output_argument(kit)
     _set_argument(kit)
-    kit.add_argument("--quantity", type=_pieces, default=1, metavar="N", help="how many to order")
+    kit.add_argument("--quantity", type=_number_of("pieces", 1, 1000), default=1, metavar="N",
+                     help="how many to order")
     kit.add_argument("--names", default="{name}-{body}", metavar="MASK",
                      help="names of print files, of {name}, {body}, {material}, {thickness} and {quantity}")
     kit.add_argument("--prices", default="", metavar="hour=3,...",
@@ -121,32 +119,21 @@ def make_parser() -> argparse.ArgumentParser:
     actuate.add_argument("--try-changes", action="store_true",
                          help="where it does not arrive, try other friction, bumps, gaps and thickness, and "
                               "a cut, each with a path of its own")
-    actuate.add_argument("--compensate", type=_rounds, default=0, metavar="N",
+    actuate.add_argument("--compensate", type=_number_of("rounds", 1, 9), default=0, metavar="N",
                          help="first move the surface against the shape in which it settles and solve again, "
                               "N times, and write the best as design.json")
     _set_argument(actuate)
     return parser
 
 
-def _count(text: str) -> int:
-    """A whole number that is not negative."""
-    if not text.isdecimal() or not text.isascii() or int(text) > MOST_CUTS:
-        raise argparse.ArgumentTypeError(f"'{text}' is no number of cuts from 0 to {MOST_CUTS}")
-    return int(text)
+def _number_of(what: str, least: int, most: int) -> Callable[[str], int]:
+    """The type of an argument that is a whole number in this range."""
+    def number(text: str) -> int:
+        if not text.isdecimal() or not text.isascii() or not least <= int(text) <= most:
+            raise argparse.ArgumentTypeError(f"'{text}' is no number of {what} from {least} to {most}")
+        return int(text)
 
-
-def _pieces(text: str) -> int:
-    """A number of pieces to order."""
-    if not text.isdecimal() or not text.isascii() or not 1 <= int(text) <= MOST_PIECES:
-        raise argparse.ArgumentTypeError(f"'{text}' is no number of pieces from 1 to {MOST_PIECES}")
-    return int(text)
-
-
-def _rounds(text: str) -> int:
-    """How often to compensate."""
-    if not text.isdecimal() or not text.isascii() or not 1 <= int(text) <= MOST_ROUNDS:
-        raise argparse.ArgumentTypeError(f"'{text}' is no number of rounds from 1 to {MOST_ROUNDS}")
-    return int(text)
+    return number
 
 
 def _folder(text: str) -> Path:
