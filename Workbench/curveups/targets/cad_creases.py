@@ -46,16 +46,22 @@ def creases(faces: Sequence[Any], V: np.ndarray, angle: float) -> np.ndarray:
 def _turn(edge: Any, first: Any, second: Any) -> float:
     """The largest angle between the normals of two faces along their edge, degrees; 0 where there is none."""
     largest = 0.0
-    for t in np.linspace(edge.FirstParameter, edge.LastParameter, _PLACES + 2)[1:-1]:
+    for a, b in normals_along(edge, first, second, _PLACES):
+        cross, dot = a.cross(b).Length, a.dot(b)
+        if math.isfinite(cross) and math.isfinite(dot):
+            largest = max(largest, math.degrees(math.atan2(cross, dot)))
+    return largest
+
+
+def normals_along(edge: Any, first: Any, second: Any, places: int) -> Iterator[tuple[Any, Any]]:
+    """The normals of two faces at places that are spread evenly along their edge, but for its ends."""
+    for t in np.linspace(edge.FirstParameter, edge.LastParameter, places + 2)[1:-1]:
         try:
             point = edge.valueAt(float(t))
             a, b = (face.normalAt(*face.Surface.parameter(point)) for face in (first, second))
         except Exception:  # a degenerate edge, or a tip; FreeCAD raises its own types
             continue
-        cross, dot = a.cross(b).Length, a.dot(b)
-        if math.isfinite(cross) and math.isfinite(dot):
-            largest = max(largest, math.degrees(math.atan2(cross, dot)))
-    return largest
+        yield a, b
 
 
 class _Vertices:

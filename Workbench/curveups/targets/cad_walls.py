@@ -10,7 +10,7 @@ from typing import Any, Iterator, Optional, Sequence
 
 import numpy as np
 
-from .cad_creases import shared_edges
+from .cad_creases import normals_along, shared_edges
 
 _EVEN = 0.2          # by which a wall may be thinner or thicker than most of it, relative: lofts are
 _OPPOSITE = -0.9     # of normals: the faces of a wall look away from one another
@@ -158,16 +158,8 @@ def _meetings(faces: Sequence[Any]) -> Iterator[tuple[int, int, float, bool]]:
     """Edges between two faces: their numbers, the edge's length, whether the faces go over into one another
     without a bend."""
     for edge, first, second in shared_edges(faces):
-        yield first, second, float(edge.Length), _is_smooth(edge, faces[first], faces[second])
-
-
-def _is_smooth(edge: Any, first: Any, second: Any) -> bool:
-    try:
-        point = edge.valueAt((edge.FirstParameter + edge.LastParameter) / 2)
-        normals = [face.normalAt(*face.Surface.parameter(point)) for face in (first, second)]
-    except Exception:  # a degenerate edge; FreeCAD raises its own types
-        return False
-    return bool(normals[0].dot(normals[1]) > _SMOOTH)
+        smooth = any(a.dot(b) > _SMOOTH for a, b in normals_along(edge, faces[first], faces[second], 1))
+        yield first, second, float(edge.Length), smooth
 
 
 def _two_sides(skin: np.ndarray, meetings: Sequence[tuple[int, int, float, bool]], face: np.ndarray,
