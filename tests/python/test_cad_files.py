@@ -20,6 +20,11 @@ from curveups.targets.cad_parts import Choice
 MOST_MUTATIONS = 12  # a file, of some 130 to 370 lines
 
 
+@pytest.fixture(autouse=True)
+def impatient(monkeypatch):
+    monkeypatch.setattr(cad_files, "_TIME_LIMIT_MOST", 30.0)
+
+
 @pytest.fixture(scope="module")
 def open_box(tmp_path_factory):
     """A box without a lid, 40 x 30 x 20 mm, in the three formats: 5 faces, 10 triangles."""
@@ -71,7 +76,7 @@ def test_no_deletion_of_a_line_loses_a_face(open_box, tmp_path, ending):
     for place in random.Random(1).sample(range(len(lines) - 1), MOST_MUTATIONS):
         path.write_bytes(b"\n".join(lines[:place] + lines[place + 1:]))
         try:
-            F = cad_files.read_cad(path, 0.1, time_limit=20).F
+            F = cad_files.read_cad(path, 0.1).F
         except CurveUpsError as error:
             refused += 1
             assert error.where == str(path) and error.remedy
@@ -149,10 +154,11 @@ def sleeper(monkeypatch):
     return started
 
 
-def test_a_reader_that_does_not_return_is_ended(open_box, sleeper):
+def test_a_reader_that_does_not_return_is_ended(open_box, sleeper, monkeypatch):
+    monkeypatch.setattr(cad_files, "_TIME_LIMIT_MOST", 1.0)
     asked = iter([True, True, True])
     with pytest.raises(CurveUpsError, match="within 1 s"):
-        cad_files.read_cad(open_box / "box.brep", 0.1, time_limit=1.0)
+        cad_files.read_cad(open_box / "box.brep", 0.1)
     with pytest.raises(Stopped):
         cad_files.read_cad(open_box / "box.brep", 0.1, go_on=lambda _: next(asked, False))
     assert len(sleeper) == 2 and all(process.poll() is not None for process in sleeper)
@@ -197,7 +203,7 @@ for name, shape in shapes.items():
 
 
 def area_of(path):
-    found = cad_files.read_cad(path, 0.1, time_limit=30)
+    found = cad_files.read_cad(path, 0.1)
     sides = found.V[found.F][:, 1:] - found.V[found.F][:, :1]
     return np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1).sum() / 2
 

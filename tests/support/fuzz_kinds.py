@@ -134,8 +134,8 @@ def check_cad(path, number, lossy):
 
 
 def _read_cad(path):
-    with mock.patch.object(cad_files, "_run", _forked):
-        found = cad_files.read_cad(path, 0.5, time_limit=CAD_SECONDS)
+    with mock.patch.multiple(cad_files, _run=_forked, _TIME_LIMIT_MOST=CAD_SECONDS):
+        found = cad_files.read_cad(path, 0.5)
     return found.V, found.F
 
 

@@ -73,13 +73,11 @@ class Read:
 
 
 def read_cad(path: Path, deflection: float, go_on: GoOn = lambda _: True,
-             choice: Choice = Choice(), time_limit: Optional[float] = None) -> Read:
+             choice: Choice = Choice()) -> Read:
     """What is chosen of a STEP, IGES or BREP file, mm; `deflection` is the largest distance of the triangles
-    from its surface, mm. Without a time limit (seconds) the file's size sets one. Raises CurveUpsError, and
-    Stopped where `go_on` says so."""
+    from its surface, mm. Raises CurveUpsError, and Stopped where `go_on` says so."""
     data = path.read_bytes()
-    if time_limit is None:
-        time_limit = min(_TIME_LIMIT + _TIME_LIMIT_MB * len(data) / 1e6, _TIME_LIMIT_MOST)
+    time_limit = min(_TIME_LIMIT + _TIME_LIMIT_MB * len(data) / 1e6, _TIME_LIMIT_MOST)
     ending = path.suffix.lower()
     kind = _SAME.get(ending, ending)
     if kind == ".iges" and not _is_whole_iges(data):
