@@ -87,18 +87,13 @@ class Folder:
     def __init__(self, path: Path):
         self.path = path
         self.files: dict[str, int] = {}
-        self._made = self._make()
-
-    def _make(self) -> list[Path]:
-        missing = []
+        self._made: list[Path] = []  # folders, the lowest first
         try:
-            missing = [place for place in (self.path, *self.path.parents) if not place.exists()]
-            self.path.mkdir(parents=True, exist_ok=True)
+            self._made = [place for place in (path, *path.parents) if not place.exists()]
+            path.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            self._made = missing
             self._remove_made()
-            raise _unusable(self.path, error) from error
-        return missing
+            raise _unusable(path, error) from error
 
     def _remove_made(self) -> None:
         for place in self._made:
