@@ -43,7 +43,7 @@ def read_ply(path: Path, go_on: GoOn) -> Mesh:
     if path.stat().st_size > MOST_BYTES:
         raise CurveUpsError("the file is too large", str(path), "simplify the mesh")
     data = path.read_bytes()
-    data = data[3:] if data.startswith(b"\xef\xbb\xbf") else data
+    data = data.removeprefix(b"\xef\xbb\xbf")
     try:
         order, elements, at = _header(data)
         body: Any = _Bytes(data, at, order, go_on) if order else _Lines(data[at:], go_on)

@@ -30,7 +30,7 @@ def read_stl(path: Path, go_on: GoOn) -> Mesh:
     if path.stat().st_size > MOST_BYTES:
         raise CurveUpsError("the file is too large", str(path), "simplify the mesh")
     data = path.read_bytes()
-    text = data[3:] if data.startswith(b"\xef\xbb\xbf") else data
+    text = data.removeprefix(b"\xef\xbb\xbf")
     is_text = text.lstrip()[:5].lower() == b"solid" and b"facet" in text[:2000].lower()
     corners = _from_text(text, path, go_on) if is_text else _from_bytes(data, path)
     few_enough(len(corners), path)
