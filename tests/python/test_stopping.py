@@ -14,7 +14,7 @@ import pytest
 from running import command, dome, environment
 from schema import check_design, check_report
 
-from curveups.base.progress import Reporter
+from curveups.base.progress import Interrupt, Reporter
 
 
 def interrupted(word, *arguments, wait=0.0):
@@ -153,7 +153,8 @@ def test_the_bar_of_work_whose_end_is_not_known_moves(monkeypatch):
             return True
 
     shown = Terminal()
-    bar = Reporter(stream=shown)
+    monkeypatch.setattr("sys.stderr", shown)
+    bar = Reporter(Interrupt(), quiet=False)
     for now in range(4):
         monkeypatch.setattr("curveups.base.progress.time.monotonic", lambda: 100.0 + now)
         assert bar("reading the target", -1.0)

@@ -13,7 +13,7 @@ import threading
 import time
 from contextlib import contextmanager
 from types import FrameType
-from typing import Any, Callable, Iterator, Optional, TextIO
+from typing import Any, Callable, Iterator, Optional
 
 Progress = Callable[[str, float], bool]
 
@@ -72,10 +72,9 @@ class Reporter:
 
     WIDTH = 30
 
-    def __init__(self, interrupt: Optional[Interrupt] = None, quiet: bool = False,
-                 stream: Optional[TextIO] = None):
+    def __init__(self, interrupt: Interrupt, quiet: bool):
         self._interrupt = interrupt
-        self._stream = stream or sys.stderr
+        self._stream = sys.stderr
         self._quiet = quiet
         self._terminal = not quiet and self._stream.isatty()
         self._what = ""
@@ -86,7 +85,7 @@ class Reporter:
     def __call__(self, what: str, fraction: float = -1.0) -> bool:
         if not self._quiet:
             self._bar(what, fraction) if self._terminal else self._line(what)
-        return self._interrupt is None or not self._interrupt.requested
+        return not self._interrupt.requested
 
     def say(self, text: str) -> None:
         """A line of its own."""

@@ -225,11 +225,11 @@ class _CleanOutput:
         os.close(self._kept)
 
 
-def run(arguments: Optional[list[str]], reporter_of: Callable[..., Reporter] = Reporter) -> int:
+def run(arguments: Optional[list[str]]) -> int:
     """Runs one command and returns its exit status; raises CurveUpsError."""
     options = make_parser().parse_args(_one_setting_each(sys.argv[1:] if arguments is None else arguments))
     with Interrupt() as interrupt, _CleanOutput() as output:
-        reporter = reporter_of(interrupt, getattr(options, "quiet", False))
+        reporter = Reporter(interrupt, getattr(options, "quiet", False))
         try:
             # Loaded only now, so that --help works where the native module is broken.
             claim_memory_of_blas()
@@ -255,22 +255,15 @@ def main(arguments: Optional[list[str]] = None) -> int:
         return STOPPED
     except BrokenPipeError:
         return NOT_WRITTEN
-    except MemoryError:
-        _tell(_NO_MEMORY)
-        return _nothing_or_some(before)
     except Exception as error:  # otherwise Python would end with status 1, which means "not valid"
-        if getattr(error, "errno", None) == errno.ENOMEM or str(error) == "can't start new thread":
+        if (isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM
+                or str(error) == "can't start new thread"):
             _tell(_NO_MEMORY)
-            return _nothing_or_some(before)
-        text = " ".join(str(error).split())
-        _tell(f"unexpected {type(error).__name__}{f' ({text})' if text else ''}: please report it, with "
-              "what CURVEUPS_DEBUG=1 shows")
-        return _nothing_or_some(before)
-
-
-def _nothing_or_some(before: int) -> int:
-    """The status after something unexpected: 2 says that nothing was written."""
-    return BAD_INPUT if Folder.written == before else NOT_WRITTEN
+        else:
+            text = " ".join(str(error).split())
+            _tell(f"unexpected {type(error).__name__}{f' ({text})' if text else ''}: please report it, with "
+                  "what CURVEUPS_DEBUG=1 shows")
+        return BAD_INPUT if Folder.written == before else NOT_WRITTEN  # 2 says that nothing was written
 
 
 def _tell(text: str) -> None:
