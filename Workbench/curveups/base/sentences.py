@@ -17,7 +17,7 @@ OR = " or "                 # between findings
 WORDS = ("front", "back", "gap", "pin area", "pin keep-out", "inset at its limit", "open", "invalid",
          "faces turned over", "no volume", "volume", "front pin", "back pin", "height of the pins",
          "body", "bump", "joint hole", "wall beside the joint hole", "notch of the bridge",
-         "stroke of the engraving", "out of date", "invalid")
+         "stroke of the engraving", "out of date")
 
 # What long work says that it is doing; {0} stands for a name or a number.
 PROGRESS = (

@@ -73,8 +73,7 @@ def _add(chosen: Chosen, body: Any, choice: Choice, shape: Any, where: str) -> N
 
 
 def _skin(chosen: Chosen, body: Any, wall: Wall, choice: Choice) -> list[Any]:
-    skins = {"outer": (wall.outer, wall.inner), "inner": (wall.inner, wall.outer)}
-    own, other = skins.get(choice.skin, skins["outer"])
+    own, other = (wall.inner, wall.outer) if choice.skin == "inner" else (wall.outer, wall.inner)
     thickness = _exact(body, wall)
     chosen.wall = max(thickness, chosen.wall or 0.0)
     if choice.skin == "middle":
