@@ -8,8 +8,6 @@ from typing import Any
 from ..panels.actuate import ActuatePanel
 from ..panels.panel import show
 from ..qt import QT_TRANSLATE_NOOP
-from ..runs import reason
-from ..selection import chosen_design
 from .command import PanelCommand
 
 
@@ -22,9 +20,7 @@ class Actuate(PanelCommand):
                                 "Let the piece rise from flat under its membranes, and find out whether it "
                                 "arrives by itself and what holds it back")
     panel = ActuatePanel
-
-    def reason(self) -> str:
-        return super().reason() or reason("actuate", chosen_design())
+    which = "actuate"
 
     def work(self, design: Any) -> None:
         panel = show(ActuatePanel, design)

@@ -15,7 +15,6 @@ class BuildSolids(RunCommand):
     tooltip = QT_TRANSLATE_NOOP("CurveUps_BuildSolids",
                                 "Build the solids of tiles, support and anchors with the present "
                                 "parameters")
-    shortcut = ""
     which = "build_solids"
 
 

@@ -3,10 +3,8 @@
 
 from __future__ import annotations
 
-from .. import runs
 from ..panels.check import CheckPanel
 from ..qt import QT_TRANSLATE_NOOP
-from ..selection import chosen_design
 from .command import PanelCommand
 
 
@@ -20,9 +18,7 @@ class Check(PanelCommand):
                                 "work, before you solve")
     shortcut = "C, K"
     panel = CheckPanel
-
-    def reason(self) -> str:
-        return super().reason() or runs.reason("check", chosen_design())
+    which = "check"
 
 
 COMMAND = Check()

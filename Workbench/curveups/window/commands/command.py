@@ -8,6 +8,7 @@ from typing import Any, Sequence
 
 import FreeCADGui
 
+from .. import runs
 from ..guide import link_to
 from ..notice import errors_shown
 from ..panels.panel import Panel, obstacle, show
@@ -86,12 +87,14 @@ class DesignCommand(Command):
 
 
 class PanelCommand(DesignCommand):
-    """One that opens a panel."""
+    """One that opens a panel. `which`: the run (runs.reason) that the panel is for, if it is for one."""
 
     panel: type[Panel]
+    which = ""
 
     def reason(self) -> str:
-        return super().reason() or obstacle()
+        found = super().reason() or obstacle()
+        return found or (runs.reason(self.which, chosen_design()) if self.which else "")
 
     def work(self, design: Any) -> None:
         show(self.panel, design)

@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from ..panels.export import ExportPanel
 from ..qt import QT_TRANSLATE_NOOP
-from ..runs import reason
-from ..selection import chosen_design
 from .command import PanelCommand
 
 
@@ -20,9 +18,7 @@ class Export(PanelCommand):
                                 "shop")
     shortcut = "C, E"
     panel = ExportPanel
-
-    def reason(self) -> str:
-        return super().reason() or reason("export", chosen_design())
+    which = "export"
 
 
 COMMAND = Export()

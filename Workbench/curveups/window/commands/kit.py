@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from ..panels.kit import KitPanel
 from ..qt import QT_TRANSLATE_NOOP
-from ..runs import reason
-from ..selection import chosen_design
 from .command import PanelCommand
 
 
@@ -19,9 +17,7 @@ class Kit(PanelCommand):
                                 "Write the order for the print shop, templates for the latex and the steps "
                                 "of assembly")
     panel = KitPanel
-
-    def reason(self) -> str:
-        return super().reason() or reason("kit", chosen_design())
+    which = "kit"
 
 
 COMMAND = Kit()

@@ -7,20 +7,13 @@ from typing import Any
 
 from ..panels.panel import show
 from ..panels.solve import SolvePanel
-from ..runs import reason
-from ..selection import chosen_design
 from .command import PanelCommand
 
 
 class RunCommand(PanelCommand):
     """A command that opens the design's panel and starts a run."""
 
-    which = ""
     panel = SolvePanel
-
-    def reason(self) -> str:
-        design = chosen_design()
-        return super().reason() or reason(self.which, design)
 
     def work(self, design: Any) -> None:
         show(SolvePanel, design).run(self.which)

@@ -13,7 +13,6 @@ from ...base.releases import RELEASES
 from ...features import actions, live
 from ...features.live import stored
 from ...features.status import OUT_OF_DATE
-from ...project.worker import Status
 from ...stages import HELP, RISEN, START
 from ...stages.actuation import Actuation, ActuationStart, tiles_digest
 from .. import runs
@@ -25,7 +24,7 @@ from ..overlay.showing import uncover
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from ..units import text_of
-from .panel import Panel, enable, idle
+from .panel import Panel, enable
 
 _FRAME = 80  # ms between two pictures
 _MOST_CHANGES = 3  # that are named: the report has all
@@ -46,8 +45,6 @@ class ActuatePanel(Panel):
         form.run.clicked.connect(lambda *_: self.run())
         form.chosen.clicked.connect(lambda *_: self._press_selected())
         form.changes.clicked.connect(lambda *_: self._try_changes())
-        form.stop.clicked.connect(lambda *_: LIVE.stop())
-        form.cancel.clicked.connect(lambda *_: LIVE.cancel())
         form.frame.valueChanged.connect(lambda *_: self._draw())
         form.frame.sliderPressed.connect(lambda: self._play(False))
         form.play.clicked.connect(lambda *_: self._play(not self._clock.isActive()))
@@ -56,7 +53,6 @@ class ActuatePanel(Panel):
         form.save.clicked.connect(lambda *_: self._save())
         self._take(None)
         self._follow()
-        self._show_running(LIVE.runs_on(design))
         self._draw()
 
     def close(self) -> None:
@@ -211,11 +207,6 @@ class ActuatePanel(Panel):
         for button in (form.run, form.chosen):
             enable(button, runs.reason("actuate", self.design))
         self._enable_changes()
-        for button in (form.stop, form.cancel):
-            enable(button, idle(running))
-
-    def _show_run(self, status: Status, goes_on: bool) -> None:
-        self._show_running(goes_on and LIVE.runs_on(self.design))
 
 
 def _words_of_phase(name: str) -> str:

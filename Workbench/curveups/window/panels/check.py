@@ -23,7 +23,7 @@ from ..notice import errors_shown, show_line, shown, words_of
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from ..units import row_in_user_units
-from .panel import Panel, enable, idle
+from .panel import Panel, enable
 
 _MOST, _LETTERS = 300, 24  # obstacles; letters in a line
 # The fields of the overlay that show the margins.
@@ -49,7 +49,6 @@ class CheckPanel(Panel):
         form.margins.header().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
         form.obstacles.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         form.check.clicked.connect(lambda *_: self.check())
-        form.cancel.clicked.connect(lambda *_: LIVE.cancel())
         form.use_length.clicked.connect(lambda *_: self._use("L"))
         form.use_thickness.clicked.connect(lambda *_: self._use("H_body"))
         form.use_pin.clicked.connect(lambda *_: self._use("H_pin"))
@@ -59,7 +58,6 @@ class CheckPanel(Panel):
         form.obstacles.itemSelectionChanged.connect(lambda: self._go())
         self._follow()
         self._overlay.show_target(True)
-        self._show_running(False)
         if not self._is_current():
             self.check()
 
@@ -205,7 +203,6 @@ class CheckPanel(Panel):
         form = self.form
         old = "" if self._is_current() else translate("CurveUps_Check", "Out of date: check again")
         enable(form.check, runs.reason("check", self.design))
-        enable(form.cancel, idle(mine))
         enable(form.sizes, LIVE.obstacle() or old)
         for part in (form.progress, form.doing):
             part.setVisible(mine)

@@ -24,7 +24,7 @@ from ..overlay.picking import Pick
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from .cut_layout import CutLayout
-from .panel import Panel, enable, idle
+from .panel import Panel, enable
 
 _INTERVAL = 150  # ms between looks at whether the cuts have changed elsewhere, by undo above all
 
@@ -49,13 +49,12 @@ class CutsPanel(Panel):
         form.remove.clicked.connect(lambda *_: self._remove())
         form.suggest.clicked.connect(lambda *_: self._suggest())
         form.accept.clicked.connect(lambda *_: self._accept())
-        form.stop.clicked.connect(lambda *_: LIVE.stop())
         form.live.toggled.connect(lambda on: self._lay_out() if on else self._stop_layout())
         form.cuts.itemSelectionChanged.connect(lambda: self._draw())
         form.suggested.itemSelectionChanged.connect(lambda: self._show_suggestion())
         form.suggested.setVisible(False)
         form.cuts.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        self._show_buttons(LIVE.runs_on(design))
+        self._show_buttons()
         self._follow()
         self._timer = QtCore.QTimer(form)
         self._timer.timeout.connect(lambda: self._look_at_cuts())
@@ -197,7 +196,7 @@ class CutsPanel(Panel):
     def _draw(self) -> None:
         if self._paths is None or self._overlay.closed:
             return
-        self._show_buttons(LIVE.runs_on(self.design))
+        self._show_buttons()
         kinds = {"hovered": self._preview, "selected": self._selected(),
                  "suggested": [edge for cut in self._chosen() for edge in cut.edges.tolist()],
                  "cut": self._edges()}
@@ -240,7 +239,7 @@ class CutsPanel(Panel):
     def _show_suggestion(self) -> None:
         """What it is predicted to gain, in full."""
         chosen = self._chosen()
-        self._show_buttons(LIVE.runs_on(self.design))
+        self._show_buttons()
         self.form.gain.setText(str(chosen[-1]) if chosen else "")
         self._draw()
 
@@ -289,9 +288,8 @@ class CutsPanel(Panel):
             return  # that it was cancelled for the next cut is no news
         super()._say(text)
 
-    def _show_buttons(self, mine: bool) -> None:
+    def _show_buttons(self) -> None:
         chosen = bool(self._chosen())
-        enable(self.form.stop, idle(mine))
         enable(self.form.suggest, LIVE.obstacle())
         enable(self.form.accept, "" if chosen else translate(
             "CurveUps_Cuts", "Click Suggest first, then select a cut"))
@@ -300,7 +298,7 @@ class CutsPanel(Panel):
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
         mine = goes_on and LIVE.runs_on(self.design)
-        self._show_buttons(mine)
+        self._show_buttons()
         if mine:
             self.form.doing.setText(f"{status.what}, {status.seconds:.1f} s")
             self._draw()

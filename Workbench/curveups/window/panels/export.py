@@ -13,7 +13,6 @@ from ...base.errors import CurveUpsError
 from ...base.native import native
 from ...features import actions
 from ...features.document import settings_of
-from ...project.worker import Status
 from ...report.exports import Choice, choices, file_names, replaced
 from ..guide import link
 from ..macro import call, named
@@ -23,7 +22,7 @@ from ..run import LIVE, Task
 from ..units import show_number
 from . import preferences
 from .folder_row import FolderRow
-from .panel import Panel, enable, idle
+from .panel import Panel, enable
 
 
 class ExportPanel(Panel):
@@ -46,12 +45,10 @@ class ExportPanel(Panel):
         form.names.setText(preferences.export_mask())
         self._folder = FolderRow(form, design, "ExportFolder", "print")
         form.write.clicked.connect(lambda *_: self.write())
-        form.cancel.clicked.connect(lambda *_: LIVE.cancel())
         form.files.itemChanged.connect(lambda *_: self._show_names())
         form.names.textChanged.connect(lambda *_: self._show_names())
         form.insist.toggled.connect(lambda *_: self._show_running(LIVE.runs_on(design)))
         self._show_names()
-        self._show_running(LIVE.runs_on(design))
         self._follow()
 
     def choice(self) -> Choice:
@@ -128,11 +125,7 @@ class ExportPanel(Panel):
         refused = bool(actions.doubts(self.design)) and not form.insist.isChecked()
         enable(form.write, LIVE.obstacle() or (
             translate("CurveUpsExport", "The design is doubtful: insist on its files") if refused else ""))
-        enable(form.cancel, idle(running))
         enable(form.files, LIVE.obstacle() if running else "")
-
-    def _show_run(self, status: Status, goes_on: bool) -> None:
-        self._show_running(goes_on and LIVE.runs_on(self.design))
 
 
 def _links(folder: Path, names: list[str]) -> list[str]:

@@ -12,7 +12,6 @@ from ...features import actions
 from ...features.document import settings_of
 from ...features.status import OUT_OF_DATE
 from ...kit.files import Order, last_order, print_names
-from ...project.worker import Status
 from ...stages.solids import KINDS
 from .. import runs
 from ..guide import link
@@ -21,7 +20,7 @@ from ..notice import errors_shown, shown
 from ..qt import translate
 from ..run import LIVE, Task
 from .folder_row import FolderRow
-from .panel import Panel, enable, idle
+from .panel import Panel, enable
 
 
 class KitPanel(Panel):
@@ -42,9 +41,7 @@ class KitPanel(Panel):
         form.quantity.valueChanged.connect(lambda *_: self._show_names())
         form.prices.textChanged.connect(lambda *_: self._show_names())
         form.write.clicked.connect(lambda *_: self.write())
-        form.cancel.clicked.connect(lambda *_: LIVE.cancel())
         self._show_names()
-        self._show_running(LIVE.runs_on(design))
         self._follow()
         if not design.Kit.startswith(OUT_OF_DATE):
             self._show_links()
@@ -106,7 +103,3 @@ class KitPanel(Panel):
 
     def _show_running(self, running: bool) -> None:
         enable(self.form.write, runs.reason("kit", self.design))
-        enable(self.form.cancel, idle(running))
-
-    def _show_run(self, status: Status, goes_on: bool) -> None:
-        self._show_running(goes_on and LIVE.runs_on(self.design))

@@ -63,15 +63,10 @@ def enable(button: Any, reason: str = "") -> None:
     button.setStatusTip(reason)
 
 
-def idle(running: bool) -> str:
-    """Why there is nothing to stop; empty where there is."""
-    return "" if running else translate("CurveUps", "Nothing is at work")
-
-
 class Panel(ABC):
     """FreeCAD's task dialog for a design: `form` is its widget, and None once FreeCAD has closed it without
     asking. Where the form has a `line`, messages come there, the panel is told how runs go, and shows how far
-    they are in the form's `progress`."""
+    they are in the form's `progress`; its `stop` and `cancel` end this design's run."""
 
     form: Any
     TOPIC = ""  # of the guide: the command that opens it
@@ -93,6 +88,9 @@ class Panel(ABC):
         for name in ("line", "verdict", "doubts"):
             if hasattr(self.form, name):
                 getattr(self.form, name).linkActivated.connect(lambda link: follow_link(link))
+        for name, end in (("stop", lambda *_: LIVE.stop()), ("cancel", lambda *_: LIVE.cancel())):
+            if hasattr(self.form, name):
+                getattr(self.form, name).clicked.connect(end)
         # Once for many changes: a legend that is dragged changes with every move of the mouse.
         self._later = QtCore.QTimer(self.form)
         self._later.setSingleShot(True)
@@ -107,7 +105,9 @@ class Panel(ABC):
             self._say("")
             show_in(self._say)
             LIVE.observe(self._run_changed)
-            self._show_progress(WORKER.status(), LIVE.runs_on(self.design))
+            running = LIVE.runs_on(self.design)
+            self._show_progress(WORKER.status(), running)
+            self._show_running(running)
         self.show()
 
     @abstractmethod
@@ -116,9 +116,18 @@ class Panel(ABC):
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
         """How the run of the window stands, whatever design it is for."""
+        self._show_running(goes_on and LIVE.runs_on(self.design))
+
+    def _show_running(self, running: bool) -> None:
+        """What can be done while this design's run goes on, and after it."""
 
     def _show_progress(self, status: Status, running: bool) -> None:
-        """How far this design's run is, and what it does, where the form has a place for that."""
+        """How far this design's run is, and what it does, where the form has a place for that; and whether
+        there is something to end."""
+        for name in ("stop", "cancel"):
+            if hasattr(self.form, name):
+                enable(getattr(self.form, name),
+                       "" if running else translate("CurveUps", "Nothing is at work"))
         bar = getattr(self.form, "progress", None)
         if bar is None:
             return

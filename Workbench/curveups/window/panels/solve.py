@@ -32,7 +32,7 @@ from .check import choose_sizes
 from .curves import Curves
 from .edits import Edits
 from .held_tiles import HeldTiles
-from .panel import Panel, enable, idle
+from .panel import Panel, enable
 from .parameter_rows import ParameterRows
 
 _GROUPS = {
@@ -95,7 +95,6 @@ class SolvePanel(Panel):
         self._began: dict[str, float] = {}
         self._prepare_buttons()
         self._prepare_parameters()
-        self._show_running(LIVE.runs_on(design))
         self._follow()
 
     def close(self) -> None:
@@ -125,8 +124,6 @@ class SolvePanel(Panel):
         form = self.form
         for which in ("solve", "verify", "repair"):
             getattr(form, which).clicked.connect(self._runner(which))
-        form.stop.clicked.connect(lambda: LIVE.stop())
-        form.cancel.clicked.connect(lambda: LIVE.cancel())
         form.live.setChecked(preferences.draws_live())
         form.live.toggled.connect(lambda value: preferences.set_draws_live(bool(value)))
         header = form.stages.header()
@@ -317,8 +314,6 @@ class SolvePanel(Panel):
         form = self.form
         for which in ("solve", "verify", "repair"):
             enable(getattr(form, which), runs.reason(which, self.design))
-        for button in (form.stop, form.cancel):
-            enable(button, idle(running))
         enable(form.parameters, LIVE.obstacle() if running else "")
 
     def _show_run(self, status: Status, goes_on: bool) -> None:
