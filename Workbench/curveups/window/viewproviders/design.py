@@ -1,29 +1,60 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The Design object in the tree."""
+"""The Design object in the tree and in the 3D view."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from ...base.errors import tile_name
 from ...features.proxy import SLOTS
-from ..overlay.view import OverlayView
+from .. import overlays
+from ..overlay import watching
+from ..overlay.overlay import Overlay
 from .view import View
 
 
-class DesignView(OverlayView, View):
-    """Icon of a Design, and what is below it; the overlay, its display, hangs on it."""
+class DesignView(View):
+    """Icon of a Design, and what is below it; the overlay, its display, hangs on it. FreeCAD's selection
+    knows tiles by their names, T00001 and so on."""
+
+    overlay: Any = None
 
     MENU = ("CurveUps_Solve", "CurveUps_Verify", "CurveUps_Repair", "CurveUps_Actuate",
             "CurveUps_BuildSolids", "CurveUps_ShowFlat", "CurveUps_ShowActuated", "CurveUps_ShowSolids",
             "CurveUps_Export", "CurveUps_Report")
 
     def attach(self, view: Any) -> None:
-        View.attach(self, view)
-        OverlayView.attach(self, view)
+        super().attach(view)
+        watching.start()
+        self.overlay = Overlay(view)
+        overlays.add(view.Object, self.overlay)
+        view.addDisplayMode(self.overlay.node, "Tiles")
+        self.overlay.refresh()
 
     def updateData(self, obj: Any, name: str) -> None:
-        View.updateData(self, obj, name)
-        OverlayView.updateData(self, obj, name)
+        super().updateData(obj, name)
+        if self.overlay is not None:
+            self.overlay.data_changed(name)
+
+    def onChanged(self, view: Any, name: str) -> None:
+        if self.overlay is not None:
+            self.overlay.view_changed(name)
+
+    def getDisplayModes(self, view: Any) -> list[str]:
+        return ["Tiles"]
+
+    def getDefaultDisplayMode(self) -> str:
+        return "Tiles"
+
+    def setDisplayMode(self, mode: str) -> str:
+        return "Tiles"
+
+    def useNewSelectionModel(self) -> bool:
+        return True
+
+    def getElementPicked(self, picked: Any) -> str:
+        tile = self.overlay.tile_of(picked) if self.overlay is not None else -1
+        return tile_name(tile) if tile >= 0 else ""
 
     def setEdit(self, view: Any, mode: int = 0) -> bool:
         """Opens the panel; FreeCAD has no need of an edit mode."""
