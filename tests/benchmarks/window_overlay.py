@@ -100,7 +100,7 @@ def work():
         morph = median(lambda k: overlay.set_morph((k + 1) / 10))
         overlay.set_morph(1)
         width, height = view.getSize()
-        picked = median(lambda k: pick(view, (width // 2, height // 2)))
+        picked = median(lambda k: pick(view, (width // 2, height // 2), design))
         actuated = frames(view)
         design.ViewObject.Pins = True
         pins = frames(view)

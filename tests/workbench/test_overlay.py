@@ -88,8 +88,8 @@ def click_on(view, pixel):
     mouse(view, pixel, "MouseMove", "MouseButtonPress", "MouseButtonRelease")
 
 
-def picked(view, pixel):
-    found = pick(view, pixel)
+def picked(view, pixel, design):
+    found = pick(view, pixel, design)
     assert found is not None
     return found
 
@@ -202,12 +202,12 @@ def test_picking_gives_tiles_and_edges(dome_document, pictures):
         assert selected() == [("Design", f"T{tile + 1:05d}")], (tile, selected())
         assert overlay.selected == [tile]
         assert "Normal force" in FreeCADGui.getMainWindow().statusBar().currentMessage()
-        found = picked(view, pixel)
+        found = picked(view, pixel, design)
         assert (found.tile, found.edge) == (tile, edge), (tile, edge, found)
         assert found.vertices == (scene.F[tile, edge], scene.F[tile, (edge + 1) % 3])
         assert np.abs(found.point - third(overlay.figures()[0][0], tile, edge)).max() < 0.2, found.point
     width, height = size(view)
-    assert pick(view, (width - 3, 3)) is None
+    assert pick(view, (width - 3, 3), design) is None
     # The same tile lights up wherever it is drawn, and is picked there.
     design.ViewObject.Both = True
     view.fitAll()
@@ -224,7 +224,7 @@ def test_picking_gives_tiles_and_edges(dome_document, pictures):
         wanted = np.array([number >> bits & 255 for bits in (24, 16, 8)]) / 255
         shade = lit.max() / wanted.max()
         assert np.abs(lit - was).max() > 0.1 and np.abs(lit - shade * wanted).max() < 0.2, (lit, was, wanted)
-        assert picked(view, pixel).tile == 20
+        assert picked(view, pixel, design).tile == 20
         FreeCADGui.Selection.clearSelection()  # a second click takes the whole design, as FreeCAD does
         click_on(view, pixel)
         assert selected() == [("Design", "T00021")], selected()
@@ -238,7 +238,7 @@ def test_picking_gives_tiles_and_edges(dome_document, pictures):
     design.Placement.Base = FreeCAD.Vector(30, 20, 0)
     settle(200)
     pixel = pixel_of(view, third(corners, 20, 0) + [30, 20, 0])
-    found = picked(view, pixel)
+    found = picked(view, pixel, design)
     assert found.tile == 20 and np.abs(found.point - third(corners, 20, 0) - [30, 20, 0]).max() < 0.2
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the mouse is on the tiles, down to the edge: for tools that pick edges.
 
-    pick(view, position) -> Pick or None
+    pick(view, position, design) -> Pick or None
 
 `view`: a 3D view (`FreeCADGui.ActiveDocument.ActiveView`); `position`: pixels from its lower left
 corner, as FreeCAD's event callbacks have it in event["Position"].
@@ -12,10 +12,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Optional, Sequence
 
+import FreeCAD
 import numpy as np
 from pivy import coin
 
-from ..overlays import overlays
+from ..overlays import overlay_of
 from .overlay import Overlay
 
 
@@ -33,21 +34,21 @@ class Pick:
     ends: np.ndarray
 
 
-def pick(view: Any, position: Sequence[float], design: Any = None) -> Optional[Pick]:
-    """The nearest tile below a position, of one Design or of all that are shown; None beside them."""
+def pick(view: Any, position: Sequence[float], design: Any) -> Optional[Pick]:
+    """The nearest tile of a Design below a position; None beside them, and where it is not shown."""
+    overlay = overlay_of(design)
+    if not overlay.visible():
+        return None
     start, along = ray(view, position)
     best, nearest = None, np.inf
-    for overlay in overlays(view_document(view)):
-        if design is not None and overlay.object != design or not overlay.object.ViewObject.Visibility:
-            continue
-        place = overlay.placement().inverse()
-        origin = np.array(place.multVec(_vector(start)))
-        towards = np.array(place.Rotation.multVec(_vector(along)))
-        for corners, shift in overlay.figures():
-            tile, distance = nearest_tile(corners, origin - shift, towards)
-            if tile >= 0 and distance < nearest:
-                point = origin + distance * towards
-                nearest, best = distance, _on_tile(overlay, tile, corners, shift, point, place.inverse())
+    place = overlay.placement().inverse()
+    origin = np.array(place.multVec(FreeCAD.Vector(*start)))
+    towards = np.array(place.Rotation.multVec(FreeCAD.Vector(*along)))
+    for corners, shift in overlay.figures():
+        tile, distance = nearest_tile(corners, origin - shift, towards)
+        if tile >= 0 and distance < nearest:
+            point = origin + distance * towards
+            nearest, best = distance, _on_tile(overlay, tile, corners, shift, point, place.inverse())
     return best
 
 
@@ -96,27 +97,5 @@ def _on_tile(overlay: Overlay, tile: int, corners: np.ndarray, shift: np.ndarray
     share = np.clip(share, 0, 1)
     edge = int(np.argmin(np.linalg.norm(ends[:, 0] + share[:, None] * along - point, axis=1)))
     a, b = (int(overlay.scene.F[tile, k]) for k in (edge, (edge + 1) % 3))
-    world = [np.array(place.multVec(_vector(p))) for p in (point, *ends[edge])]
+    world = [np.array(place.multVec(FreeCAD.Vector(*p))) for p in (point, *ends[edge])]
     return Pick(overlay, tile, edge, (a, b), world[0], np.array(world[1:]))
-
-
-def view_document(view: Any) -> str:
-    """The name of the document that a 3D view shows."""
-    import FreeCADGui
-
-    for name, document in ((d.Name, FreeCADGui.getDocument(d.Name)) for d in _documents()):
-        if any(other == view for other in document.mdiViewsOfType("Gui::View3DInventor")):
-            return name
-    return ""
-
-
-def _documents() -> list:
-    import FreeCAD
-
-    return list(FreeCAD.listDocuments().values())
-
-
-def _vector(values: np.ndarray) -> Any:
-    import FreeCAD
-
-    return FreeCAD.Vector(*map(float, values))
