@@ -16,16 +16,16 @@ import numpy as np
 from ...base.errors import CurveUpsError, tile_name
 from ...base.native import translated
 from ...features.document import design_project_of, project_of
-from ..notice import words_of
+from ..notice import errors_shown, words_of
 from ..overlays import overlays
 from ..qt import QtCore, translate
+from ..run import LIVE, Task
 from ..units import short, user_unit
 from . import cameras, colours, mouse, origin
 from .fields import MEMBRANE, Field
 from .legend import Content, Dragging, Legend, arrange
-from .membranes import compute
 from .picture import Picture
-from .scene import NO_FIELD, Membrane, Scene, scene_of, target_scene_of
+from .scene import NO_FIELD, Scene, membranes_of, scene_of, target_scene_of
 
 AUTOMATIC = "Automatic"
 _GROUP = "Overlay"
@@ -128,16 +128,6 @@ class Overlay:
         self._shown, self._iterating = None, True
         self._take(scene)
 
-    def design(self) -> Any:
-        """The native Design as it is drawn. Raises CurveUpsError where there is none."""
-        project = design_project_of(self.object)
-        return project.latest("design").design.with_parameters(project.parameters)
-
-    def show_membranes(self, membranes: tuple[Membrane, ...]) -> None:
-        """Draws membranes that were computed for `design()` (see scene.membranes_of), until it changes."""
-        if self.scene is not None and membranes and not self._iterating:
-            self._take(self.scene.with_membranes(membranes))
-
     def show_scene(self, scene: Optional[Scene]) -> None:
         """Draws any scene, until `show_design`."""
         self._shown = None
@@ -197,9 +187,20 @@ class Overlay:
             self._colour()
 
     def _compute_membranes(self) -> None:
-        """They are stored nowhere: most of a verification, and seldom looked at."""
-        if self.scene is not None and self.scene.flat is not None and not self._iterating:
-            compute(self)
+        """Starts their run, and draws them until the design changes. They are stored nowhere: most of a
+        verification, and seldom looked at."""
+        if self.scene is None or self.scene.flat is None or self._iterating:
+            return
+
+        def draw(_: Any, membranes: Any) -> None:
+            if self.scene is not None and membranes and not self._iterating:
+                self._take(self.scene.with_membranes(membranes))
+
+        title = translate("CurveUps_Overlay", "Membranes")
+        with errors_shown(title):
+            project = design_project_of(self.object)
+            design = project.latest("design").design.with_parameters(project.parameters)
+            LIVE.start(self.object, Task(title, lambda job: membranes_of(design, job), draw))
 
     # What the user chooses.
 
