@@ -96,7 +96,8 @@ def frames(view):
     return count / (time.perf_counter() - start)
 
 def work():
-    from curveups.features.document import build_bodies, new_design
+    from curveups.features.actions import build_solids
+    from curveups.features.document import new_design
     from curveups.window.overlays import overlay_of
     window = FreeCADGui.getMainWindow()
     window.resize(1440, 900)
@@ -120,7 +121,7 @@ def work():
     found['frames a second, flat'] = frames(view)
     overlay_of(design).set_morph(1)
     found['frames a second, actuated'] = frames(view)
-    found['solids'] = seconds(lambda: build_bodies(design))
+    found['solids'] = seconds(lambda: build_solids(design))
 
     canvas, before = canvas_of_view(), thickness(overlay_of(design))
 

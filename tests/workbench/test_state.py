@@ -195,9 +195,9 @@ def test_a_refused_value_stays_and_is_said(capfd, dome_document, tmp_path, name,
     assert len(design.Reasons) == 1 and reason in design.Reasons[0], list(design.Reasons)
     assert document.Tiles.Shape.Volume == volume and design.Results == results
     if name == "PMin":  # of the layout: solids are of that which there is
-        documents.build_bodies(design)
+        actions.build_solids(design)
     else:
-        assert reason in refused(documents.build_bodies, design)
+        assert reason in refused(actions.build_solids, design)
     if name != "HBody":
         assert design.Label in refused(documents.settings_of, design)
     document, design = reopened(document, tmp_path / "copy.FCStd")

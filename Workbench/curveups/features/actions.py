@@ -25,7 +25,7 @@ from ..stages import RISEN, asked_by, sizes
 from ..stages.layout import Layout
 from ..stages.stage import Job
 from . import live, properties, rebuild, status
-from .document import Stored, reasons_of, state_of, take, take_bodies, to_store
+from .document import Stored, reasons_of, state_of, take, to_store
 from .keys import Keys, read_keys, write_keys
 
 
@@ -228,7 +228,7 @@ def _run(which: str, design: Any) -> Results:
     ran = _made.pop((which, design.Document.Name, design.Name), None) or prepare(which, design)[1](Job())
     results = ran.results
     if which == "build_solids":
-        take_bodies(design, results)
+        rebuild.take(design, results)
     else:
         with transaction(design.Document, RUNS[which].title):
             first = "design" not in read_keys(design).records

@@ -20,7 +20,6 @@ from ..project import saved_results
 from ..project.keys import changes
 from ..project.project import Made, Project, Results
 from ..stages import BY_NAME, SETTLED, VERDICT
-from ..stages.stage import Job
 from . import live, properties, rebuild, status, target
 from .bodies import KINDS, BodiesProxy
 from .cuts import CutsProxy, edges_of, write_cuts
@@ -28,20 +27,17 @@ from .design import DesignProxy
 from .figures import write_figures
 from .keys import Keys, digest_of_edges, digest_of_text, read_keys, write_keys
 from .layout import LayoutProxy, write_layout
+from .live import design_project_of, project_of, settings_of
 from .proxy import SLOTS, design_of, designs, show, write
 from .target import is_target
 from .verification import VerificationProxy, write_verification
 
-__all__ = ["build_bodies", "design_of", "design_project_of", "designs", "has_layout", "new_design",
+__all__ = ["design_of", "design_project_of", "designs", "has_layout", "new_design",
            "project_of", "set_cuts", "set_running", "set_source", "settings_of", "state_of", "take",
            "visibility"]
 
 # Pictures of membranes are most of a verification and are made anew where they are asked for.
 _NOT_STORED = ("membranes",)
-
-project_of = live.project_of
-design_project_of = live.design_project_of
-settings_of = live.settings_of
 
 
 def new_design(document: Any, source: Any, label: str = "") -> Any:
@@ -99,7 +95,7 @@ def to_store(before: Project, results: Results, timed: bool = True) -> Stored:
 
 def take(obj: Any, results: Results, timed: bool = True, stored: Optional[Stored] = None) -> None:
     """A run's results become those of the Design and what is below it. To be called inside of the
-    caller's transaction; solids follow (build_bodies). `stored`: from `to_store`, where it is of what the
+    caller's transaction; solids follow (rebuild.py). `stored`: from `to_store`, where it is of what the
     Design holds now; made here where it is not given."""
     before = live.stored(obj)
     stored = stored or to_store(before, results, timed)
@@ -178,23 +174,6 @@ def set_running(obj: Any, running: bool) -> None:
     """Says whether a command works on a Design just now; nothing else sets a state."""
     obj.Proxy.running = running
     obj.Proxy.refresh(obj)
-
-
-def build_bodies(obj: Any, job: Optional[Job] = None) -> None:
-    """Solids of the layout for the parameters as they are, into Tiles, Support and Anchors. Not inside
-    of a transaction, which would copy them. Raises Stopped where the job was stopped."""
-    project = live.design_project_of(obj)
-    try:
-        results = project.run(rebuild.GOALS, job, strict=True)
-    except CurveUpsError as error:
-        rebuild.fail(obj, error)
-        raise
-    take_bodies(obj, results)
-
-
-def take_bodies(obj: Any, results: Results) -> None:
-    """Solids that were built elsewhere, by a run of design_project_of for rebuild.GOALS."""
-    rebuild.take(obj, results)
 
 
 def visibility(obj: Any, solids: bool) -> dict[str, bool]:
