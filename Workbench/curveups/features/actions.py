@@ -104,6 +104,12 @@ def hand_over(which: str, design: Any, made: Any) -> None:
     _made[which, design.Document.Name, design.Name] = made
 
 
+def _made_by(which: str, design: Any, work: Callable[[], Callable[[Job], Any]]) -> Any:
+    """What a thread has handed over, or what the work makes now."""
+    made = _made.pop((which, design.Document.Name, design.Name), None)
+    return work()(Job()) if made is None else made
+
+
 def divide(design: Any) -> Results:
     """The target, divided into tiles: what cuts run along."""
     return _run("divide", design)
@@ -119,9 +125,7 @@ def choose_sizes(design: Any, names: Collection[str] = sizes.AUTOMATIC) -> sizes
     """Sets the length L of the tiles, their thickness H_body or both to what `auto` is on the command line
     (sizes.choose), and says what a trial layout with them has shown. Raises CurveUpsError where there are
     none, or where an expression says what they are."""
-    found = _made.pop(("choose_sizes", design.Document.Name, design.Name), None)
-    if found is None:
-        found = sizes_work(design, names)(Job())
+    found: sizes.Chosen = _made_by("choose_sizes", design, lambda: sizes_work(design, names))
     with transaction(design.Document, "Choose Sizes"):
         for name, value in found.values.items():
             properties.write_parameter(design, name, value)
@@ -194,8 +198,7 @@ def try_changes(design: Any) -> Results:
 
 def write_frame(design: Any, path: str, number: int = -1) -> None:
     """The tiles where a frame of the path from flat has them, by default the last, as a STEP file."""
-    if not _made.pop(("write_frame", design.Document.Name, design.Name), False):
-        frame_work(design, path, number)(Job())
+    _made_by("write_frame", design, lambda: frame_work(design, path, number))
 
 
 def frame_work(design: Any, path: str, number: int) -> Callable[[Job], bool]:
@@ -225,7 +228,7 @@ def build_solids(design: Any) -> Results:
 
 
 def _run(which: str, design: Any) -> Results:
-    ran = _made.pop((which, design.Document.Name, design.Name), None) or prepare(which, design)[1](Job())
+    ran: Ran = _made_by(which, design, lambda: prepare(which, design)[1])
     results = ran.results
     if which == "build_solids":
         rebuild.take(design, results)
@@ -243,11 +246,8 @@ def export(design: Any, folder: str, files: Sequence[File] = (), mask: str = Cho
     """Writes files of a design: pairs of body and ending ("print", "step"), all where none are given;
     their names. Raises CurveUpsError for a design that is not as it should be printed, unless one
     insists on it: the files say so then."""
-    written = _made.pop(("export", design.Document.Name, design.Name), None)
-    if written is not None:
-        return written
-    choice = Choice(tuple(files) or tuple(choices()), mask, deviation, reports, doubts(design), insist)
-    return export_work(design, folder, choice)(Job())
+    return _made_by("export", design, lambda: export_work(design, folder, Choice(
+        tuple(files) or tuple(choices()), mask, deviation, reports, doubts(design), insist)))
 
 
 def export_work(design: Any, folder: str, choice: Choice) -> Callable[[Job], list[str]]:
@@ -265,8 +265,7 @@ def write_print(design: Any, path: str, ending: str = "step", kind: str = "print
 
 def report(design: Any, folder: str) -> str:
     """Writes report.html and report.json into a folder; the page's path."""
-    written = _made.pop(("report", design.Document.Name, design.Name), None)
-    return written if written is not None else report_work(design, folder)(Job())
+    return _made_by("report", design, lambda: report_work(design, folder))
 
 
 def report_work(design: Any, folder: str) -> Callable[[Job], str]:
@@ -290,13 +289,12 @@ def kit(design: Any, folder: str, quantity: int = 1, mask: str = kit_files.Order
         prices: str = "") -> str:
     """Writes the fabrication kit into a folder, unless it holds that of the design as it is; the page of its
     assembly."""
-    written = _made.pop(("kit", design.Document.Name, design.Name), None)
-    if written is None:
-        written = kit_work(design, folder, kit_files.Order(quantity, mask, language, prices))(Job())
+    written: WrittenKit = _made_by("kit", design, lambda: kit_work(
+        design, folder, kit_files.Order(quantity, mask, language, prices)))
     if written.keys is not None:
         write_keys(design, written.keys, "KitKeys")
         design.Proxy.refresh(design)
-    return str(written.page)
+    return written.page
 
 
 def kit_work(design: Any, folder: str, order: kit_files.Order) -> Callable[[Job], WrittenKit]:

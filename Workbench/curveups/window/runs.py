@@ -5,6 +5,7 @@ tiles that Cuts needs."""
 from __future__ import annotations
 
 from contextlib import suppress
+from functools import partial
 from typing import Any, Callable, Optional
 
 from ..base.errors import CurveUpsError
@@ -39,7 +40,14 @@ def start(which: str, design: Any, told: Optional[Callable[[], None]] = None) ->
         raise CurveUpsError(wrong)
     title = translate("CurveUps_" + _camel(which), actions.RUNS[which].title)
     project, work = actions.prepare(which, design)
-    LIVE.start(design, Task(title, _measuring(work), _finisher(which), project, told, _recompute))
+    LIVE.start(design, Task(title, _measuring(work), partial(finish, which), project, told, _recompute))
+
+
+def finish(which: str, design: Any, made: Any, *arguments: str) -> None:
+    """Hands what a thread has made to the function of `actions` of its name, and calls that for macros, too,
+    with arguments as Python text."""
+    actions.hand_over(which, design, made)
+    call(f"actions.{which}", named(design), *arguments)
 
 
 def _measuring(work: actions.Work) -> actions.Work:
@@ -52,14 +60,6 @@ def _measuring(work: actions.Work) -> actions.Work:
         return ran
 
     return run
-
-
-def _finisher(which: str) -> Any:
-    def finish(design: Any, results: Any) -> None:
-        actions.hand_over(which, design, results)
-        call(f"actions.{which}", named(design))
-
-    return finish
 
 
 def _recompute(design: Any) -> None:

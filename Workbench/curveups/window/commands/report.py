@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from ...features import actions
-from ..macro import call, named
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
 from ..run import LIVE, Task
-from ..runs import reason
+from ..runs import finish, reason
 from ..selection import chosen_design
 from .command import DesignCommand
 
@@ -28,22 +27,21 @@ class Report(DesignCommand):
         return super().reason() or reason("report", chosen_design())
 
     def work(self, design: Any) -> None:
-        folder = folder_of(design)
+        folder = _folder_of(design)
 
         def opened(design: Any, page: str) -> None:
-            actions.hand_over("report", design, page)
-            call("actions.report", named(design), repr(str(folder)))
+            finish("report", design, page, repr(str(folder)))
             QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(page))
 
         work = actions.report_work(design, str(folder))
         LIVE.start(design, Task(translate(self.name, self.text), work, opened))
 
 
-def folder_of(design: Any, what: str = "report") -> Path:
+def _folder_of(design: Any) -> Path:
     """Beside the document; in a temporary folder where that was never saved."""
     saved = design.Document.FileName
     place = Path(saved).parent if saved else Path(tempfile.mkdtemp(prefix="curveups-"))
-    return place / f"{actions.file_name(design)}-{what}"
+    return place / f"{actions.file_name(design)}-report"
 
 
 COMMAND = Report()

@@ -16,7 +16,6 @@ from ...features.status import OUT_OF_DATE
 from ...stages import HELP, RISEN, START
 from ...stages.actuation import Actuation, ActuationStart, tiles_digest
 from .. import runs
-from ..macro import call, named
 from ..notice import errors_shown, show_line, shown, words_of
 from ..overlay.cameras import active_view
 from ..overlay.scene import path_scene_of
@@ -182,8 +181,7 @@ class ActuatePanel(Panel):
         title = translate("CurveUps_Actuate", "Export STEP")
 
         def written(design: Any, made: Any) -> None:
-            actions.hand_over("write_frame", design, made)
-            call("actions.write_frame", named(design), repr(path), str(number))
+            runs.finish("write_frame", design, made, repr(path), str(number))
             show_line(translate("CurveUps_Actuate", "written: {path}", path=path))
 
         with errors_shown(title):

@@ -18,7 +18,7 @@ from ...stages import asked_by
 from ...stages.sizes import Recommendation
 from ...stages.trial_layout import FAILED, PASSED
 from .. import runs
-from ..macro import assign, call, named
+from ..macro import assign
 from ..notice import errors_shown, show_line, shown, words_of
 from ..qt import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from ..run import LIVE, Task
@@ -224,8 +224,7 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
     title = translate("CurveUps_Check", "Choose Sizes")
 
     def finish(obj: Any, found: Any) -> None:
-        actions.hand_over("choose_sizes", obj, found)
-        call("actions.choose_sizes", named(obj), repr(names))
+        runs.finish("choose_sizes", obj, found, repr(names))
         obj.Document.recompute()
         values = ", ".join(f"{properties.property_name(name)} = {properties.shown(_row(name), value)}"
                            for name, value in found.values.items())

@@ -14,8 +14,8 @@ from ...base.native import native
 from ...features import actions
 from ...features.document import settings_of
 from ...report.exports import Choice, choices, file_names, replaced
+from .. import runs
 from ..guide import link
-from ..macro import call, named
 from ..notice import errors_shown, shown
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
@@ -77,9 +77,8 @@ class ExportPanel(Panel):
 
     def _written(self, design: Any, names: list[str]) -> None:
         folder, choice = self._written_to
-        actions.hand_over("export", design, names)
-        call("actions.export", named(design), repr(folder), repr(choice.files), repr(choice.mask),
-             repr(choice.deviation), repr(choice.reports), repr(choice.insist))
+        runs.finish("export", design, names, *map(repr, (
+            folder, choice.files, choice.mask, choice.deviation, choice.reports, choice.insist)))
         said = escape(translate("CurveUpsExport", "files in {folder}: {count}", count=len(names),
                                 folder=folder))
         self._say(f"{said}<br>{' · '.join(_links(Path(folder), names))}")

@@ -15,7 +15,6 @@ from ...kit.files import Order, last_order, print_names
 from ...stages.solids import KINDS
 from .. import runs
 from ..guide import link
-from ..macro import call, named
 from ..notice import errors_shown, shown
 from ..qt import translate
 from ..run import LIVE, Task
@@ -59,10 +58,9 @@ class KitPanel(Panel):
             self._names(order)
 
             def written(design: Any, made: actions.WrittenKit) -> None:
-                actions.hand_over("kit", design, made)
-                call("actions.kit", named(design), repr(folder), f"quantity={order.quantity}",
-                     f"mask={order.mask!r}", f"language={order.language!r}",
-                     f"prices={order.prices!r}")
+                runs.finish("kit", design, made, repr(folder), f"quantity={order.quantity}",
+                            f"mask={order.mask!r}", f"language={order.language!r}",
+                            f"prices={order.prices!r}")
                 self._show_links()
 
             work = actions.kit_work(self.design, folder, order)
