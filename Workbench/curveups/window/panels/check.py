@@ -8,6 +8,7 @@ from textwrap import fill
 from typing import Any, Mapping, Optional
 
 from ...base.errors import CurveUpsError, tile_name
+from ...base.parameters import parameter
 from ...base.sentences import ESTIMATE, MARGINS
 from ...features import actions, document, properties
 from ...features.actions import transaction
@@ -125,9 +126,7 @@ class CheckPanel(Panel):
                              ("H_pin", form.use_pin)):
             sizes = sizes_to_use(name, found)
             button.setVisible(any(not properties.same(value, get(name)) for name, value in sizes.items()))
-            button.setText(translate("CurveUps_Check", "Use {sizes}", sizes=", ".join(
-                f"{properties.property_name(name)} = {properties.shown(_row(name), value)}"
-                for name, value in sizes.items())))
+            button.setText(translate("CurveUps_Check", "Use {sizes}", sizes=_words_of_sizes(sizes)))
 
     def _fill_margins(self, found: Results) -> None:
         tree = self.form.margins
@@ -226,8 +225,7 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
     def finish(obj: Any, found: Any) -> None:
         runs.finish("choose_sizes", obj, found, repr(names))
         obj.Document.recompute()
-        values = ", ".join(f"{properties.property_name(name)} = {properties.shown(_row(name), value)}"
-                           for name, value in found.values.items())
+        values = _words_of_sizes(found.values)
         why = "; ".join(shown(obj, one, False) for one in found.beyond)
         show_line(_line_of(found.trial, values, why))
 
@@ -260,5 +258,6 @@ def sizes_to_use(name: str, found: Results) -> dict[str, float]:
     return {} if value is None else {name: value}
 
 
-def _row(name: str) -> Any:
-    return next(row for row in properties.rows() if row.name == name)
+def _words_of_sizes(values: Mapping[str, float]) -> str:
+    return ", ".join(f"{properties.property_name(name)} = {properties.shown(parameter(name), value)}"
+                     for name, value in values.items())
