@@ -9,7 +9,7 @@ import numpy as np
 from pivy import coin
 
 from ...base.edges import sides_of_edges
-from .nodes import fill
+from .nodes import fill, unlit, unpickable
 
 # Apart in lightness as well as in hue.
 COLOURS = {"cut": (0.0, 0.0, 0.0), "selected": (0.90, 0.62, 0.0), "hovered": (0.34, 0.71, 0.91),
@@ -25,12 +25,8 @@ class CutLines:
         self._F: Any = None
         self._sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
         self.node = coin.SoSeparator()
-        never = coin.SoPickStyle()
-        never.style = coin.SoPickStyle.UNPICKABLE
-        plain = coin.SoLightModel()
-        plain.model = coin.SoLightModel.BASE_COLOR
-        for part in (never, plain):
-            self.node.addChild(part)
+        self.node.addChild(unpickable())
+        self.node.addChild(unlit())
         self._lines = {kind: self._add_lines(COLOURS[kind], _WIDTHS[kind]) for kind in COLOURS}
         overlay.node.addChild(self.node)
 

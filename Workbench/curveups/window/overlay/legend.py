@@ -20,7 +20,7 @@ from ..qt import QtCore, ink_and_paper
 from ..units import short, user_unit
 from . import colours
 from .mouse import Mouse
-from .nodes import Markers, fill
+from .nodes import Markers, fill, unlit, unpickable
 
 LEFT, WIDTH, HEIGHT = 30, 16, 230   # of the bar, px
 BEYOND = 0.12                       # share of the bar that lies beyond either end of the range
@@ -67,13 +67,10 @@ class Legend:
         self.left, self.width = float(LEFT), 0.0  # of the bar, and of the whole, px
         self.heading = ""                # above the title, where there are several
         self._body = coin.SoSeparator()
-        before, light = coin.SoCallback(), coin.SoLightModel()
+        before, drawn = coin.SoCallback(), coin.SoAnnotation()
         before.setCallback(self._fit)
-        light.model = coin.SoLightModel.BASE_COLOR
-        pick = coin.SoPickStyle()
-        pick.style = coin.SoPickStyle.UNPICKABLE
-        drawn = coin.SoAnnotation()
-        for part in (pick, coin.SoResetTransform(), before, self._camera, light, self._place, self._body):
+        for part in (unpickable(), coin.SoResetTransform(), before, self._camera, unlit(), self._place,
+                     self._body):
             drawn.addChild(part)
         # Not part of the scene's extent: or "fit all" and clipping planes would count pixels as mm.
         self._only_drawn = coin.SoSwitch()

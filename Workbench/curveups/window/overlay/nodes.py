@@ -53,7 +53,7 @@ class Prisms:
         for part in (hints, colours, self._points, self._normals, normals, materials, behind, self._faces):
             faces.addChild(part)
         self._rims = coin.SoLevelOfDetail()
-        for part in (_flat_colour((0.15, 0.15, 0.15)), _unpickable(), self._corners, self._lines):
+        for part in (_flat_colour((0.15, 0.15, 0.15)), unpickable(), self._corners, self._lines):
             lines.addChild(part)
         self._rims.addChild(lines)
         self._rims.addChild(coin.SoInfo())
@@ -100,10 +100,8 @@ class Outlines:
         self.node = coin.SoAnnotation()
         self._colour, style = coin.SoBaseColor(), coin.SoDrawStyle()
         style.lineWidth = width
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
         self._points, self._lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
-        for part in (_unpickable(), light, self._colour, style, self._points, self._lines):
+        for part in (unpickable(), unlit(), self._colour, style, self._points, self._lines):
             self.node.addChild(part)
 
     def set_corners(self, corners: np.ndarray, colour: tuple[float, ...]) -> None:
@@ -129,7 +127,7 @@ class Markers:
         mark.markerIndex = getattr(coin.SoMarkerSet, self.SHAPES[shape])
         depth = coin.SoDepthBuffer()
         depth.write = False  # otherwise the disc hides its mark, which is no nearer
-        for part in (_unpickable(), depth, self._points, _flat_colour((1, 1, 1)), disc, _flat_colour(colour),
+        for part in (unpickable(), depth, self._points, _flat_colour((1, 1, 1)), disc, _flat_colour(colour),
                      mark):
             self.node.addChild(part)
 
@@ -152,7 +150,7 @@ class Sheet:
         hints, materials = coin.SoShapeHints(), coin.SoMaterialBinding()
         hints.vertexOrdering, hints.faceType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.CONVEX
         materials.value = coin.SoMaterialBinding.PER_FACE
-        for part in (hints, _unpickable(), colours, materials, self._points, self._faces):
+        for part in (hints, unpickable(), colours, materials, self._points, self._faces):
             self.node.addChild(part)
 
     def set_shape(self, points: np.ndarray, triangles: np.ndarray) -> None:
@@ -168,17 +166,24 @@ class Sheet:
 
 
 def _flat_colour(colour: tuple[float, float, float]) -> Any:
-    group, light, base = coin.SoGroup(), coin.SoLightModel(), coin.SoBaseColor()
-    light.model = coin.SoLightModel.BASE_COLOR
+    group, base = coin.SoGroup(), coin.SoBaseColor()
     base.rgb = colour
     binding = coin.SoMaterialBinding()
     binding.value = coin.SoMaterialBinding.OVERALL
-    for part in (light, base, binding):
+    for part in (unlit(), base, binding):
         group.addChild(part)
     return group
 
 
-def _unpickable() -> Any:
+def unlit() -> Any:
+    """Colours as they are, whatever the light."""
+    light = coin.SoLightModel()
+    light.model = coin.SoLightModel.BASE_COLOR
+    return light
+
+
+def unpickable() -> Any:
+    """The mouse does not meet what follows."""
     style = coin.SoPickStyle()
     style.style = coin.SoPickStyle.UNPICKABLE
     return style
