@@ -22,7 +22,7 @@ from ..run import LIVE, Task
 from ..units import show_number
 from . import preferences
 from .folder_row import FolderRow
-from .panel import Panel, enable
+from .panel import Panel, enable, fit_columns
 
 
 class ExportPanel(Panel):
@@ -35,9 +35,7 @@ class ExportPanel(Panel):
         self._parameters = settings_of(design)
         self._written_to = "", Choice(())
         form = self.form
-        form.files.header().setStretchLastSection(False)
-        form.files.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        form.files.header().setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
+        fit_columns(form.files)
         self._tick_files()
         form.deviation.setProperty("unit", "mm")
         form.deviation.setProperty("minimum", 0.0001)

@@ -11,7 +11,7 @@ from ..overlay.overlay import AUTOMATIC
 from ..overlay.scene import NO_FIELD
 from ..qt import QT_TRANSLATE_NOOP, QtWidgets, translate
 from ..units import user_unit
-from .panel import Panel, enable
+from .panel import Panel, enable, fill_fields
 
 # Shown by names that stand elsewhere.
 _MARKED = (QT_TRANSLATE_NOOP("CurveUps_ColourMaps", "Automatic"),
@@ -51,11 +51,7 @@ class OverlayPanel(Panel):
         form, overlay, view = self.form, self._overlay, self._view
         self._filling = True
         try:
-            names = [*overlay.fields(), NO_FIELD]
-            if names != [form.field.itemData(k) for k in range(form.field.count())]:
-                form.field.clear()
-                for name in names:
-                    form.field.addItem(translate("CurveUps_Fields", name), name)
+            fill_fields(form.field, [*overlay.fields(), NO_FIELD])
             one = overlay.field()
             form.field.setCurrentIndex(form.field.findData(one.name if one else NO_FIELD))
             form.map.setCurrentIndex(form.map.findData(view.ColourMap))

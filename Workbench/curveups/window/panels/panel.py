@@ -63,6 +63,22 @@ def enable(button: Any, reason: str = "") -> None:
     button.setStatusTip(reason)
 
 
+def fill_fields(box: Any, names: list[str]) -> None:
+    """Fields of an overlay by name, into a box that may have them already."""
+    if names != [box.itemData(k) for k in range(box.count())]:
+        box.clear()
+        for name in names:
+            box.addItem(translate("CurveUps_Fields", name), name)
+
+
+def fit_columns(tree: Any) -> None:
+    """The first column takes what its others leave."""
+    header = tree.header()
+    header.setStretchLastSection(False)
+    header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+    header.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
+
+
 class Panel(ABC):
     """FreeCAD's task dialog for a design: `form` is its widget, and None once FreeCAD has closed it without
     asking. Where the form has a `line`, messages come there, the panel is told how runs go, and shows how far

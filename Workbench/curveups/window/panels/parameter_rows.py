@@ -17,6 +17,7 @@ from ..notice import errors_shown
 from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, freecad_field, translate
 from ..units import in_user_units, show_number, whole
+from .preferences import plain
 
 PAUSE = 400  # ms without typing after which an edit counts
 
@@ -74,7 +75,7 @@ class ParameterRows:
         pending, self._pending = self._pending, {}
         # A field that follows an expression or a script says what the property has already.
         pending = {name: value for name, value in pending.items()
-                   if value != _number_of(getattr(self._object, name))}
+                   if value != plain(getattr(self._object, name))}
         if not pending:
             return
         document = self._object.Document
@@ -193,12 +194,8 @@ def _show(field: Any, value: Any) -> None:
         field.setText(value)
     elif isinstance(field, QtWidgets.QSpinBox):
         field.setValue(value)
-    elif not field.hasFocus() or field.property("rawValue") != _number_of(value):  # or while it is typed
+    elif not field.hasFocus() or field.property("rawValue") != plain(value):  # or while it is typed
         show_number(field, value)
-
-
-def _number_of(value: Any) -> Any:
-    return value.Value if hasattr(value, "Unit") else value
 
 
 def _spaced(name: str) -> str:

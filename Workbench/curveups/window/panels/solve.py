@@ -32,7 +32,7 @@ from .check import choose_sizes
 from .curves import Curves
 from .edits import Edits
 from .held_tiles import HeldTiles
-from .panel import Panel, enable
+from .panel import Panel, enable, fit_columns
 from .parameter_rows import ParameterRows
 
 _GROUPS = {
@@ -126,15 +126,9 @@ class SolvePanel(Panel):
             getattr(form, which).clicked.connect(self._runner(which))
         form.live.setChecked(preferences.draws_live())
         form.live.toggled.connect(lambda value: preferences.set_draws_live(bool(value)))
-        header = form.stages.header()
-        header.setStretchLastSection(False)
-        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        header.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
+        fit_columns(form.stages)
         form.stages.setFixedHeight(8 * form.stages.fontMetrics().height())
-        header = form.window.header()
-        header.setStretchLastSection(False)
-        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        header.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
+        fit_columns(form.window)
         form.window.itemClicked.connect(self._select_failing)
 
     def _runner(self, which: str) -> Callable[..., None]:

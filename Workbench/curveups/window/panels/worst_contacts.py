@@ -11,7 +11,7 @@ from ...base.errors import tile_name
 from ..overlay.fields import MEMBRANE, Field
 from ..qt import QtWidgets, translate
 from ..units import text_of
-from .panel import Panel
+from .panel import Panel, fill_fields
 
 _MOST = 300  # rows
 
@@ -42,10 +42,7 @@ class WorstContactsPanel(Panel):
         self._filling = True
         try:
             names = [name for name, field in self._fields().items() if field.on != MEMBRANE]
-            if names != [form.field.itemData(k) for k in range(form.field.count())]:
-                form.field.clear()
-                for name in names:
-                    form.field.addItem(translate("CurveUps_Fields", name), name)
+            fill_fields(form.field, names)
             if one is None or one.name not in names:
                 form.field.setCurrentIndex(-1)
                 form.rows.setRowCount(0)
