@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any, Callable, ClassVar, Optional
 
-READ_ONLY, TRANSIENT, HIDDEN, OUTPUT = 1, 2, 4, 8  # as addProperty takes them
+READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8  # as addProperty takes them
 
 # Slots of a Design, in the order of the tree.
 SLOTS = ("Target", "Cuts", "Layout", "Verification", "Tiles", "Support", "Anchors")
@@ -82,7 +82,7 @@ def add_part_properties(obj: Any, kind: str) -> None:
 
 
 def add(obj: Any, kind: str, name: str, group: str, tip: str, status: int = 0) -> None:
-    """A property that `obj` lacks; its status is restored where it is there already."""
+    """A property, where `obj` lacks it."""
     if name not in obj.PropertiesList:
         obj.addProperty(kind, name, group, tip, status)
 

@@ -30,7 +30,7 @@ class CutPaths:
         if tip in (a, b):
             return self._cuttable([(a, b)]), b if tip == a else a
         paths = {v: self._path(tip, v) for v in (a, b)}
-        near, far = sorted((a, b), key=lambda v: self._length(paths[v]))
+        near, far = sorted((a, b), key=lambda v: self.length(paths[v]))
         found = self._cuttable(paths[near])
         if not self._cuttable([(a, b)]):
             return found, near
@@ -38,7 +38,10 @@ class CutPaths:
 
     def length(self, edges: Sequence[Edge]) -> float:
         """mm."""
-        return self._length(edges)
+        if not len(edges):
+            return 0.0
+        ends = self.V[np.asarray(edges, int)]
+        return float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
 
     def _path(self, start: int, end: int) -> list[Edge]:
         if start == end:
@@ -49,12 +52,6 @@ class CutPaths:
     def _cuttable(self, edges: Sequence[Edge]) -> list[Edge]:
         found = [(min(edge), max(edge)) for edge in edges]
         return [edge for edge in found if edge in self.interior]
-
-    def _length(self, edges: Sequence[Edge]) -> float:
-        if not len(edges):
-            return 0.0
-        ends = self.V[np.asarray(edges, int)]
-        return float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
 
 
 def groups(edges: Sequence[Sequence[int]]) -> list[list[Edge]]:
