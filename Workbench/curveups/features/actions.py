@@ -25,7 +25,7 @@ from ..stages import RISEN, asked_by, sizes
 from ..stages.layout import Layout
 from ..stages.stage import Job
 from . import live, properties, rebuild, status
-from .document import Stored, reasons_of, state_of, take, to_store
+from .document import Stored, take, to_store
 from .keys import Keys, read_keys, write_keys
 
 
@@ -321,12 +321,11 @@ def kit_work(design: Any, folder: str, order: kit_files.Order) -> Callable[[Job]
 
 def doubts(design: Any) -> tuple[Finding, ...]:
     """Why the design should not be printed as it is; none for one that nobody has judged."""
-    state, _ = state_of(design)
-    if state not in (status.OUT_OF_DATE, status.INVALID):
+    found = design.Proxy.state(design)
+    if found.state not in (status.OUT_OF_DATE, status.INVALID):
         return ()
-    reasons = reasons_of(design)
-    return (Finding.about("doubt", (tile for reason in reasons for tile in reason.tiles), state=state,
-                          reasons=reasons),)
+    return (Finding.about("doubt", (tile for reason in found.reasons for tile in reason.tiles),
+                          state=found.state, reasons=found.reasons),)
 
 
 def file_name(design: Any) -> str:

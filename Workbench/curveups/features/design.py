@@ -101,7 +101,7 @@ class DesignProxy(Proxy):
         self._refreshing = True
         try:
             relink(obj)
-            found = status.status_of(obj, self.refused(obj), self.running)
+            found = self.state(obj)
             write(obj, "Verdict", found.verdict)
             write(obj, "Holds", found.holds)
             write(obj, "Reasons", [properties.as_properties(obj, str(reason)) for reason in found.reasons])
@@ -116,6 +116,10 @@ class DesignProxy(Proxy):
                     write(part, "Reason", reason)
         finally:
             self._refreshing = False
+
+    def state(self, obj: Any) -> status.Status:
+        """What is current, and why something is not, from what the document holds now."""
+        return status.status_of(obj, self.refused(obj), self.running)
 
     @contextmanager
     def many_changes(self) -> Iterator[None]:

@@ -14,7 +14,6 @@ from typing import Any, Callable, Mapping, Optional
 import numpy as np
 
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding
 from ..base.native import translated
 from ..project import saved_results
 from ..project.keys import changes
@@ -161,13 +160,8 @@ def has_layout(obj: Any) -> bool:
 
 def state_of(obj: Any) -> tuple[str, str]:
     """State (empty, current, out of date, invalid, running) and reason of a Design."""
-    found = status.status_of(obj, obj.Proxy.refused(obj), obj.Proxy.running)
+    found = obj.Proxy.state(obj)
     return found.state, "; ".join(map(str, found.reasons))
-
-
-def reasons_of(obj: Any) -> tuple[Finding, ...]:
-    """Why a Design is not valid, or not what its properties say."""
-    return status.status_of(obj, obj.Proxy.refused(obj), obj.Proxy.running).reasons
 
 
 def set_running(obj: Any, running: bool) -> None:

@@ -13,7 +13,6 @@ import FreeCAD
 
 from ...base import profiles
 from ...features import properties
-from ...features.document import reasons_of
 from ...features.live import stored
 from ...features.status import OUT_OF_DATE
 from ...project.verdict import HOLDS
@@ -262,7 +261,8 @@ class SolvePanel(Panel):
         state = self.design.Status
         head = ", ".join(translate("CurveUpsSolve", word) for word in (
             self.design.Verdict if state == "current" else state, self.design.Holds))
-        lines = "<br>".join(shown(self.design, reason) for reason in reasons_of(self.design)[:6])
+        reasons = self.design.Proxy.state(self.design).reasons[:6]
+        lines = "<br>".join(shown(self.design, reason) for reason in reasons)
         if getattr(self.design, "Kit", "").startswith(OUT_OF_DATE):
             lines += "<br>" * bool(lines) + translate("CurveUpsSolve", "The fabrication kit is out of date")
         enable(self.form.revert, "" if self._edits.edited() else translate(
