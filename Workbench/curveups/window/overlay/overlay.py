@@ -106,7 +106,7 @@ class Overlay:
                 scene = (target_scene_of if self.shows_target else scene_of)(project)
         except CurveUpsError as error:
             self.note = words_of(error.what) + (f" ({words_of(error.remedy)})" if error.remedy else "")
-            self._explain()
+            self.explain()
             return
         self.note, self._shown = "", shown
         self._take(scene)
@@ -136,7 +136,7 @@ class Overlay:
     def data_changed(self, name: str) -> None:
         """A property of the Design has changed."""
         if name == "Placement":
-            self._place()
+            self._picture.place(self.placement())
         elif name == "Label":
             self._arrange_legends()
         elif name not in ("Label2", "Visibility", "ExpressionEngine", "Proxy"):
@@ -165,11 +165,7 @@ class Overlay:
             pass
         except Exception as error:  # of a timer: FreeCAD would print it as a traceback
             self.note = str(error)
-            self._explain()
-
-    def units_changed(self) -> None:
-        """The user's unit schema is another."""
-        self._explain()
+            self.explain()
 
     def view_changed(self, name: str) -> None:
         """A property of the view provider has changed."""
@@ -325,13 +321,13 @@ class Overlay:
         self._colour_tiles()  # first: faces would point beyond the colours
         self._colour_sheets()
         self._draw()
-        self._explain()
+        self.explain()
 
     def _draw(self) -> None:
         scene, view = self.scene, self._view
         assert scene is not None
         self._picture.draw(scene, view.Morph, view.Pins, view.Membranes, view.Both)
-        self._place()
+        self._picture.place(self.placement())
         self._mark()
         self._outline()
         self._tell()
@@ -340,7 +336,7 @@ class Overlay:
         self._colour_tiles()
         self._colour_sheets()
         self._mark()
-        self._explain()
+        self.explain()
 
     def _colour_map(self, one: Optional[Field]) -> str:
         name = self._view.ColourMap
@@ -374,8 +370,8 @@ class Overlay:
     def _outline(self) -> None:
         self._picture.outline(self.selected, self._hovered)
 
-    def _explain(self) -> None:
-        """The legend."""
+    def explain(self) -> None:
+        """Writes the legend, in the user's units."""
         self._tell()
         self._aged = self._ages()
         one, notes = self.field(), []
@@ -413,6 +409,3 @@ class Overlay:
             return not self.closed and bool(self._view.Visibility)
         except ReferenceError:  # the design is going
             return False
-
-    def _place(self) -> None:
-        self._picture.place(self.placement())

@@ -108,7 +108,7 @@ class _Units:
             return
         self._schema = schema
         for overlay in overlays():
-            overlay.units_changed()
+            overlay.explain()
         for observer in list(unit_observers):
             observer()
 
