@@ -89,7 +89,6 @@ class SolvePanel(Panel):
         place.setContentsMargins(0, 0, 0, 0)
         place.addWidget(self.curves)
         self._ranges: Any = None  # that are shown, and in which schema of units
-        self._rows: Optional[ParameterRows] = None
         self._held: Optional[HeldTiles] = None
         self._began: dict[str, float] = {}
         self._prepare_buttons()
@@ -100,19 +99,17 @@ class SolvePanel(Panel):
         """Ends edits. A run goes on."""
         if self._held:
             self._held.close()
-        if self._rows:
-            if self.form is None:
-                self._rows.stop()
-            else:
-                if not self._overlay.closed:
-                    self._rows.flush()
-                self._rows.close()
+        if self.form is None:
+            self._rows.stop()
+        else:
+            if not self._overlay.closed:
+                self._rows.flush()
+            self._rows.close()
         super().close()
 
     def run(self, which: str) -> None:
         """Starts a run: "solve", "verify", "repair", "build_solids"."""
-        if self._rows:
-            self._rows.flush()
+        self._rows.flush()
         self._say("")
         self.form.stages.clear()
         self._began = {}
@@ -152,7 +149,7 @@ class SolvePanel(Panel):
         form.remember.clicked.connect(lambda: preferences.remember(self.design, names))
         self._prepare_profiles()
         self._prepare_materials()
-        self._show_group()
+        self._rows = self._make_rows()
 
     def _prepare_profiles(self) -> None:
         menu = _menu(self.form.profile)
@@ -182,12 +179,11 @@ class SolvePanel(Panel):
 
     def _apply(self, function: str, names: tuple[str, ...], *_: Any) -> None:
         """*_: what a click hands over."""
-        if self._rows:
-            self._rows.flush()
+        self._rows.flush()
         with errors_shown(translate("CurveUpsSolve", "Parameters")):
             call(function, named(self.design), *map(repr, names))
             self.design.Document.recompute()
-        self._refresh_rows()
+        self._rows.refresh()
         self.show()
 
     def _automatic(self, name: str) -> Any:
@@ -202,16 +198,11 @@ class SolvePanel(Panel):
         return button
 
     def _pick_held(self) -> Any:
-        self._held = HeldTiles(self.design, self._refresh_rows)
+        self._held = HeldTiles(self.design, lambda: self._rows.refresh())
         return self._held.button
 
-    def _refresh_rows(self) -> None:
-        if self._rows:
-            self._rows.refresh()
-
     def _choose(self, name: str) -> None:
-        if self._rows:
-            self._rows.flush()
+        self._rows.flush()
         self._say("")
         choose_sizes(self.design, (name,))
 
@@ -222,12 +213,14 @@ class SolvePanel(Panel):
             self.form.group.setCurrentIndex(number)
 
     def _show_group(self) -> None:
-        if self._rows:
-            self._rows.flush()
-            self._rows.close()
+        self._rows.flush()
+        self._rows.close()
         if self._held:
             self._held.close()
             self._held = None
+        self._rows = self._make_rows()
+
+    def _make_rows(self) -> ParameterRows:
         names = self._groups.get(self.form.group.currentData(), [])
         basic = [name for name in names if self._is_basic(name)]
         self.form.all.setVisible(0 < len(basic) < len(names))
@@ -236,7 +229,7 @@ class SolvePanel(Panel):
         beside: dict[str, Callable[[], Any]] = {
             properties.property_name(name): partial(self._automatic, name) for name in AUTOMATIC}
         beside["HeldTiles"] = self._pick_held
-        self._rows = ParameterRows(self.form.rows, self.design, names, self.show, beside)
+        return ParameterRows(self.form.rows, self.design, names, self.show, beside)
 
     def _is_basic(self, name: str) -> bool:
         row = properties.parameter_of(name)
@@ -247,11 +240,10 @@ class SolvePanel(Panel):
         self._show_group()
 
     def _revert(self) -> None:
-        if self._rows:
-            self._rows.flush()  # what waits is taken back, too
+        self._rows.flush()  # what waits is taken back, too
         with errors_shown(""):
             self._edits.revert(translate("CurveUpsSolve", "Revert all edits"))
-        self._refresh_rows()
+        self._rows.refresh()
         self.show()
 
     def show(self) -> None:
@@ -317,8 +309,7 @@ class SolvePanel(Panel):
         self.curves.show_status(status)
         self._show_running(goes_on)
         if not goes_on and self.design.Document.Name in FreeCAD.listDocuments():
-            if self._rows:
-                self._rows.refresh()
+            self._rows.refresh()
             self.show()
 
     def _show_stage(self, status: Status, goes_on: bool) -> None:
