@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from typing import Any, Optional
 
-import numpy as np
-
 from ...base.errors import CurveUpsError
 from ...base.native import translated
 from ...base.releases import RELEASES
@@ -38,7 +36,6 @@ class ActuatePanel(Panel):
         super().__init__(design, "actuate",
                          translate("CurveUps_Actuate", "Path of {name}", name=design.Label))
         form = self.form
-        self._frames = np.empty((0, 0, 7))
         self._clock = QtCore.QTimer(form)
         self._clock.timeout.connect(lambda: self._advance())
         form.run.clicked.connect(lambda *_: self.run())
@@ -113,9 +110,8 @@ class ActuatePanel(Panel):
         if found is not None:
             with translated(self.design.Label):
                 self._scene = path_scene_of(found)
-            self._frames = found.frames
         before = form.frame.blockSignals(True)
-        form.frame.setRange(0, len(self._frames) - 1 if found else 0)
+        form.frame.setRange(0, len(found.frames) - 1 if found else 0)
         form.frame.setValue(form.frame.maximum())
         form.frame.blockSignals(before)
         form.at.setText("")
@@ -136,12 +132,12 @@ class ActuatePanel(Panel):
         if uncover(self.design):  # and the view is about to show the design
             QtCore.QTimer.singleShot(0, self._draw)
             return
-        self._overlay.show_scene(self._scene.posed(self._frames[number]))
+        self._overlay.show_scene(self._scene.posed(found.frames[number]))
         energy = text_of(float(found.energy[number]), "mJ", float(found.energy[0]))
         doing = _words_of_phase(found.doing[number])
         words = (translate("CurveUps_Actuate", "Frame {number} of {count}, {doing}: {energy} stored")
                  if doing else translate("CurveUps_Actuate", "Frame {number} of {count}: {energy} stored"))
-        self.form.at.setText(words.format(number=number + 1, count=len(self._frames), energy=energy,
+        self.form.at.setText(words.format(number=number + 1, count=len(found.frames), energy=energy,
                                           doing=doing))
 
     def _play(self, on: bool) -> None:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -33,7 +34,6 @@ class ExportPanel(Panel):
     def __init__(self, design: Any):
         super().__init__(design, "export", translate("CurveUpsExport", "Export {name}", name=design.Label))
         self._parameters = settings_of(design)
-        self._written_to = "", Choice(())
         form = self.form
         fit_columns(form.files)
         self._tick_files()
@@ -68,13 +68,12 @@ class ExportPanel(Panel):
             if other and not self._may_replace(folder, other, choice.reports):
                 return
             work = actions.export_work(self.design, folder, choice)
-            self._written_to = folder, choice
-            LIVE.start(self.design, Task(translate("CurveUpsExport", "Export"), work, self._written))
+            LIVE.start(self.design, Task(translate("CurveUpsExport", "Export"), work,
+                                         partial(self._written, folder, choice)))
             self._folder.keep()
             preferences.set_export_mask(choice.mask)
 
-    def _written(self, design: Any, names: list[str]) -> None:
-        folder, choice = self._written_to
+    def _written(self, folder: str, choice: Choice, design: Any, names: list[str]) -> None:
         runs.finish("export", design, names, *map(repr, (
             folder, choice.files, choice.mask, choice.deviation, choice.reports, choice.insist)))
         said = escape(translate("CurveUpsExport", "files in {folder}: {count}", count=len(names),
