@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import partial
-from pathlib import Path
 from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
@@ -42,12 +41,9 @@ _NOT_STORED = ("membranes",)
 def new_design(document: Any, source: Any, label: str = "") -> Any:
     """A Design with nothing solved. `source`: a Part or Mesh object of the document, a file's path or a
     built-in target's name."""
-    if not isinstance(source, (str, Path)):
-        target.require_surface(source)
-    elif not target.is_built_in(str(source)):
-        target.require_file(Path(source))
+    found = target.properties_for(source)
     obj = _add_objects(document)
-    target.set_source(obj.Target, source)
+    _write_source(obj.Target, found)
     obj.Label = label or target.name_of(source)
     obj.Proxy.refresh(obj)
     return obj
@@ -118,12 +114,17 @@ def take(obj: Any, results: Results, timed: bool = True, stored: Optional[Stored
 def set_source(obj: Any, source: Any) -> None:
     """Another target for a Design: a Part or Mesh object, a file's path or a built-in's name. The results
     stay, out of date."""
+    found = target.properties_for(source)
     if not target.is_target(obj.Target):
-        if not isinstance(source, (str, Path)):
-            target.require_surface(source)
         obj.Target = _add_target(obj.Document)
-    target.set_source(obj.Target, source)
+    _write_source(obj.Target, found)
     obj.Proxy.refresh(obj)
+
+
+def _write_source(obj: Any, found: Mapping[str, Any]) -> None:
+    """found: target.properties_for a source."""
+    for name, value in found.items():
+        write(obj, name, value)
 
 
 def set_cuts(obj: Any, edges: Any) -> None:

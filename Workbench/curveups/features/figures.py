@@ -42,7 +42,7 @@ FIGURES = (
     ("AnchorVolume", "App::PropertyVolume", "cm3", "Volume of the anchors", ()),
 )
 _UNITS = {name: unit for name, _, unit, *_ in FIGURES}
-_VOLUMES = {"Tiles": "TileVolume", "Support": "SupportVolume", "Anchors": "AnchorVolume"}  # by slot
+_VOLUMES = {"tiles": "TileVolume", "support": "SupportVolume", "anchors": "AnchorVolume"}  # by kind of body
 
 
 def add_figures(obj: Any, with_units: bool) -> None:
@@ -71,10 +71,10 @@ def write_figures(obj: Any, results: Results, solved: bool) -> None:
             _write(obj, name, 0)
 
 
-def write_volumes(obj: Any, volumes: Mapping[str, float], kinds: Mapping[str, str]) -> None:
-    """volumes: mm3 by kind; kinds: by slot."""
-    for slot, kind in kinds.items():
-        _write(obj, _VOLUMES[slot], volumes[kind] / 1000)
+def write_volumes(obj: Any, volumes: Mapping[str, float]) -> None:
+    """volumes: mm3 by kind of body."""
+    for kind, name in _VOLUMES.items():
+        _write(obj, name, volumes[kind] / 1000)
 
 
 def _write(obj: Any, name: str, value: Any) -> None:

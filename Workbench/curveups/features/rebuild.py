@@ -59,7 +59,7 @@ def take(obj: Any, results: Results) -> None:
         body = getattr(obj, slot)
         if body is not None:
             write_body(body, model.shape(kind), keys, obj.Placement)
-    write_volumes(obj, model.volumes, KINDS)
+    write_volumes(obj, model.volumes)
     write_keys(obj, keys, "RebuiltKeys")
     obj.Proxy.refresh(obj)
     for warning in results["bodies"].warnings():

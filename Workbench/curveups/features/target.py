@@ -61,19 +61,18 @@ def stamp_of(obj: Any) -> str:
     return f"{found} as it is" if found and obj.KeepMesh else found
 
 
-def set_source(obj: Any, source: Any) -> None:
-    """Makes `source` (a Part or Mesh object, a file's path or a built-in's name) the one source of a
-    Target. Raises CurveUpsError, and changes nothing then."""
-    link, file, built_in = None, "", ""
+def properties_for(source: Any) -> dict[str, Any]:
+    """What a Target has whose one source this is: a Part or Mesh object, a file's path or a built-in's name.
+    Raises CurveUpsError where that is none."""
+    found: dict[str, Any] = {"Source": None, "File": "", "BuiltIn": ""}
     if not isinstance(source, (str, Path)):
-        link = require_surface(source)
-    elif is_built_in(str(source)):
-        built_in = str(source)
+        found["Source"] = require_surface(source)
+    elif str(source) in dict(native.builtin_targets()):
+        found["BuiltIn"] = str(source)
     else:
-        file = str(require_file(Path(source)))
-    write(obj, "Source", link)
-    write(obj, "File", file)
-    write(obj, "BuiltIn", built_in)
+        require_readable(Path(source))
+        found["File"] = str(Path(source).absolute())
+    return found
 
 
 def name_of(source: Any) -> str:
@@ -104,16 +103,6 @@ def stamp_for(source: Source) -> str:
     """What `stamp_of` says of a Target that has this source."""
     found = source.stamp or source.built_in
     return found if source.remesh or not found else f"{found} as it is"
-
-
-def is_built_in(name: str) -> bool:
-    return name in dict(native.builtin_targets())
-
-
-def require_file(path: Path) -> Path:
-    """Raises CurveUpsError where that is no file a target could be read from."""
-    require_readable(path)
-    return path.absolute()
 
 
 def require_surface(obj: Any) -> Any:
