@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "curveups/core/checkpoint.hpp"
@@ -42,6 +43,35 @@ std::vector<std::vector<int>> disjoint_groups(const std::vector<TriangleMesh>& s
   return groups;
 }
 
+bool comes_before(const Points3& V, int a, int b) {
+  for (int k = 0; k < 3; ++k) {
+    if (V(a, k) != V(b, k)) return V(a, k) < V(b, k);
+  }
+  return a < b;
+}
+
+// Vertices by their places, faces by their vertices from the first one on: corefinement numbers
+// them by addresses in memory, which differ from run to run.
+TriangleMesh in_order(const TriangleMesh& mesh) {
+  const int count = static_cast<int>(mesh.V.rows());
+  std::vector<int> order(count), rank(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return comes_before(mesh.V, a, b); });
+  for (int k = 0; k < count; ++k) rank[order[k]] = k;
+  std::vector<std::array<int, 3>> faces;
+  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+    std::array<int, 3> face = {rank[mesh.F(f, 0)], rank[mesh.F(f, 1)], rank[mesh.F(f, 2)]};
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    faces.push_back(face);
+  }
+  std::sort(faces.begin(), faces.end());
+  TriangleMesh out{mesh.V(order, Eigen::all), Triangles(mesh.F.rows(), 3)};
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (int t = 0; t < 3; ++t) out.F(static_cast<int>(f), t) = faces[f][t];
+  }
+  return out;
+}
+
 }  // namespace
 
 TriangleMesh unite_meshes(const std::vector<TriangleMesh>& solids) {
@@ -76,7 +106,7 @@ TriangleMesh unite_meshes(const std::vector<TriangleMesh>& solids) {
     both.collect_garbage();
     all = std::move(both);
   }
-  return cgal::taken_from(all);
+  return in_order(cgal::taken_from(all));
 }
 
 }  // namespace curveups

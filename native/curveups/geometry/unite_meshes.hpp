@@ -11,7 +11,8 @@ namespace curveups {
 // The surface of the union of closed meshes, each oriented outwards and free of self-intersections.
 // None of them lies inside of another. Solids that touch no other keep their triangles. CGAL's
 // corefinement decides exactly; new corners are rounded to doubles. Throws SolverFailure where a
-// mesh is open or corefinement can't cut it, Cancelled.
+// mesh is open or corefinement can't cut it, Cancelled. The same solids give the same numbers:
+// vertices ascend by x, y and z, faces by their vertices.
 TriangleMesh unite_meshes(const std::vector<TriangleMesh>& solids);
 
 }  // namespace curveups

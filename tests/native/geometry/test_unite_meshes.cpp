@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/mesh_checks.hpp"
@@ -56,6 +57,21 @@ TEST(UniteMeshes, ChainOfTilesAndBridgesIsOneShell) {
   EXPECT_EQ(shells(united), 1);
   // In each gap: 1 of the first bridge, and 0.75 of the second less 0.25 that both have.
   EXPECT_NEAR(volume(united), 5 * 4 * 4 * 3 + 4 * (1 + 0.75 - 0.25), 1e-9);
+}
+
+TEST(UniteMeshes, NumbersFollowPlaces) {
+  // Corefinement's own order depends on addresses in memory.
+  const TriangleMesh united =
+      unite_meshes({box({0, 0, 0}, {4, 4, 3}), box({3.75, 1, 1}, {5.25, 2, 2})});
+  using Row = std::array<double, 3>;
+  std::vector<Row> places, faces;
+  for (const auto& v : united.V.rowwise()) places.push_back({v(0), v(1), v(2)});
+  for (const auto& f : united.F.rowwise()) {
+    EXPECT_EQ(f.minCoeff(), f(0));
+    faces.push_back({1. * f(0), 1. * f(1), 1. * f(2)});
+  }
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
+  EXPECT_TRUE(std::is_sorted(faces.begin(), faces.end()));
 }
 
 TEST(UniteMeshes, KeepsWhatTouchesNothing) {
