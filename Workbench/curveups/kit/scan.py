@@ -153,13 +153,16 @@ def compare(design: Any, scan: Scan, job: Job) -> dict[str, Any]:
 
 def predicted(path: Path) -> dict[str, Any]:
     """What settled forces say of a design that a scan would see, from the report.json beside it; empty where
-    it is not of this design.json."""
+    it is not of this design.json, or damaged."""
     try:
         report = json.loads((path.parent / "report.json").read_text("utf-8"))
         settled, size = report["settled"], path.stat().st_size
         if report.get("print", {}).get("files", {}).get(path.name, size) != size:
             return {}
-        return {"deviation": dict(settled["scan"]), "open": list(settled["open_contacts"])}
+        deviation = {name: float(value) for name, value in settled["scan"].items()}
+        if not {"mean_mm", "max_mm"} <= deviation.keys() or not np.isfinite([*deviation.values()]).all():
+            return {}
+        return {"deviation": deviation, "open": [[int(a), int(b)] for a, b in settled["open_contacts"]]}
     except (OSError, ValueError, LookupError, TypeError, AttributeError):
         return {}
 

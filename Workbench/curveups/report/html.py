@@ -235,7 +235,7 @@ def _words(name: str) -> str:
 
 def _warnings(warnings: list[dict]) -> str:
     return table([(item["what"] + (f" – {item['remedy']}" if item.get("remedy") else ""),
-                   tile_list(item.get("tiles", []), 12)) for item in warnings[:200]],
+                   tile_list(item.get("tiles", []), 12)) for item in warnings],
                  ("What", "Tiles"))
 
 

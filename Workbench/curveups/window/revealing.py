@@ -45,10 +45,16 @@ class Reveal:
         view = active_view(design.Document.Name)
         if not self._first or view is None or self._fitted not in (None, aim(view)):
             return
-        if self._fitted is None:  # an earlier document may have had the same name
+        if self._fitted is None:
             _cameras[design.Document.Name, design.Name] = view.getCamera()
         view.fitAll()
         self._fitted = aim(view)
+
+
+def forget(document: str) -> None:
+    """A document is closed: another may come to have its name."""
+    for key in [key for key in _cameras if key[0] == document]:
+        del _cameras[key]
 
 
 def follow_undo(document: Any) -> None:

@@ -31,6 +31,7 @@ class Follower:
         self._worker = Worker()
         self._design: Optional[Any] = None   # whose solids are being built
         self._values: dict[str, Any] = {}    # for what it is built
+        self._told = False  # the status bar says so
         self._wait, self._poll = QtCore.QTimer(), QtCore.QTimer()
         self._wait.setSingleShot(True)
         self._wait.setInterval(PAUSE)
@@ -112,10 +113,13 @@ class Follower:
         if self._worker.settled:
             self._poll.stop()
         if not self._worker.busy:
-            FreeCADGui.getMainWindow().statusBar().clearMessage()
+            if self._told:
+                FreeCADGui.getMainWindow().statusBar().clearMessage()
+                self._told = False
             return
         now = self._worker.status()
         if now.seconds > 1:
+            self._told = True
             FreeCADGui.getMainWindow().statusBar().showMessage(
                 translate("CurveUps", "CurveUps: building solids ({seconds:.0f} s); an edit ends it",
                           seconds=now.seconds))
