@@ -163,8 +163,9 @@ def test_contacts_that_gape_are_named(curveups, piece, tmp_path):
     # A report of another design is none of this one's.
     (beside.parent / "report.json").write_text(json.dumps({**report, "print": {"files": {"design.json": 7}}}))
     assert not predicted(beside)
-    for scan, pairs in (({"mean_mm": 0.02}, []), ({"mean_mm": 0.02, "max_mm": "far"}, []),
-                        ({"mean_mm": 0.02, "max_mm": float("nan")}, []), ({"mean_mm": 0.02, "max_mm": 0.07}, [3])):
+    sound = report["settled"]["scan"]
+    for scan, pairs in (({"mean_mm": 0.02}, []), ({**sound, "max_mm": "far"}, []), (sound, [3]),
+                        ({**sound, "max_mm": float("nan")}, []), (sound, [[float("inf"), 1]])):
         (beside.parent / "report.json").write_text(json.dumps(
             {"settled": {"scan": scan, "open_contacts": pairs}}))
         assert not predicted(beside)

@@ -206,9 +206,9 @@ def frame_work(design: Any, path: str, number: int) -> Callable[[Job], bool]:
     found = live.stored(design).latest(RISEN)
     if found is None:
         raise CurveUpsError("there is no path yet", design.Label, "run Actuate")
-    if not -len(found.frames) <= number < len(found.frames):
-        raise CurveUpsError(f"there is no frame {number}", design.Label,
-                            f"give one of 0 to {len(found.frames) - 1}")
+    count = len(found.time)
+    if not -count <= number < count:
+        raise CurveUpsError(f"there is no frame {number}", design.Label, f"give one of 0 to {count - 1}")
     where = Path(path)
 
     def work(job: Job) -> bool:
@@ -216,7 +216,7 @@ def frame_work(design: Any, path: str, number: int) -> Callable[[Job], bool]:
         if bodies.model is None:
             raise Stopped
         with translated(path):
-            actuation.write_frame(bodies.model, found.frames[number], Folder(where.parent), where.name, job)
+            actuation.write_frame(bodies.model, found.frame(number), Folder(where.parent), where.name, job)
         return True
 
     return work

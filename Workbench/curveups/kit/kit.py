@@ -78,7 +78,7 @@ class Kit:
         sides = sides_of_edges(F)
         middles: dict[tuple[int, ...], dict[tuple[int, ...], np.ndarray]] = {}  # by pieces and tiles
         for a, b in np.sort(design.cuts, axis=1).tolist():
-            pair = tuple(tile for tile, _ in sides[a, b])
+            pair = tuple(tile for tile, _ in sides.get((a, b), ()))
             between = tuple(sorted({int(piece[tile]) for tile in pair}))
             if len(between) == 2:
                 middles.setdefault(between, {})[pair] = V[[a, b]].mean(0)

@@ -163,7 +163,7 @@ def predicted(path: Path) -> dict[str, Any]:
         if not {"mean_mm", "max_mm"} <= deviation.keys() or not np.isfinite([*deviation.values()]).all():
             return {}
         return {"deviation": deviation, "open": [[int(a), int(b)] for a, b in settled["open_contacts"]]}
-    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+    except (OSError, ValueError, OverflowError, LookupError, TypeError, AttributeError, RecursionError):
         return {}
 
 

@@ -36,8 +36,8 @@ def tile_map(kit: Kit) -> Drawing:
     for text, half, x in ((Text("front"), front, MARGIN),
                           (Text("back, mirrored"), back, width + 2 * MARGIN)):
         drawing.text(x, height + 1.5 * MARGIN, 3.0, kit.say(text))
-        for tile, corner in enumerate(half):
-            drawing.closed("cut" if tile in weak else "grid", corner)
-            x, y = map(float, corner.mean(0))
+        for tile, outline in enumerate(half):
+            drawing.closed("cut" if tile in weak else "grid", outline)
+            x, y = map(float, outline.mean(0))
             drawing.centred(x, y, LETTERS, str(tile + 1))
     return drawing

@@ -92,7 +92,7 @@ def write_actuation(results: Results, path: Path, job: Job,
         if compensation:
             folder.write_text("design.json", native.write_design(results.design))
         try:
-            write_frame(results["bodies"].model, found.frames[found.path_count - 1], folder, step, job)
+            write_frame(results["bodies"].model, found.frame(found.path_count - 1), folder, step, job)
         except (Stopped, native.Cancelled):
             stopped = True
         folder.write_text(ANSWER, to_text({

@@ -19,7 +19,7 @@ def hands_view(found: Actuation) -> bytes:
     """The piece before hands press it, turned to where it was designed, from two sides; the tiles that they
     press are red, with an arrow each."""
     block = found.block
-    rows = found.frames[found.path_count + block["by_hand"]["shaken_frame"]]
+    rows = found.frame(found.path_count + block["by_hand"]["shaken_frame"])
     corners = front_corners(found.design, rows).reshape(-1, 3)
     actuated = np.asarray(found.design.V)[np.asarray(found.design.F)].reshape(-1, 3)
     R, t = rigid_motion(corners, actuated)

@@ -15,8 +15,7 @@ def summary(folder: Path) -> str:
     report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
     verdict = Verdict(report["valid"], holds=report.get("holds"))
     area = report["area"]
-    lines = [f"{report['name']}: {report['tiles']} tiles, {report['contacts']} contacts, "
-             f"{verdict.word}"]
+    lines = [f"{report['name']}: {report['tiles']} tiles, {report['contacts']} contacts, {verdict.word}"]
     lines += [f"  {reason}" for reason in report["reasons"]]
     lines.append(f"area {area['actuated_cm2']:.1f} cm2 actuated, {area['flat_cm2']:.1f} cm2 flat "
                  f"(ratio {area['ratio']:.2f})")

@@ -72,6 +72,10 @@ class Actuation(Result):
         """How many frames are of the path."""
         return len(self.time) - self.by_hand
 
+    def frame(self, number: int) -> np.ndarray:
+        """One of `frames`, without the others."""
+        return self.poses[number] * self.steps
+
     @property
     def frames(self) -> np.ndarray:
         """K x M x 7: how each tile has moved from its place in the actuated design, x, y, z (mm) and a unit

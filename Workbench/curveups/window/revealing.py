@@ -51,7 +51,7 @@ class Reveal:
         self._fitted = aim(view)
 
 
-def forget(document: str) -> None:
+def forget_cameras(document: str) -> None:
     """A document is closed: another may come to have its name."""
     for key in [key for key in _cameras if key[0] == document]:
         del _cameras[key]

@@ -22,7 +22,7 @@ from .overlay.scene import scene_of
 from .overlays import overlay_of
 from .panels.preferences import draws_live
 from .qt import QtCore, QtWidgets, translate
-from .revealing import Reveal, follow_undo, forget
+from .revealing import Reveal, follow_undo, forget_cameras
 
 INTERVAL = 40  # ms between looks at the worker
 TELLING = 0.2  # s between words of how far a stage is: each has the whole window composed anew
@@ -224,7 +224,7 @@ class _Watcher:
 
     def slotDeletedDocument(self, document: Any) -> None:
         self._live.abandon(document.Name)
-        forget(document.Name)
+        forget_cameras(document.Name)
 
     def slotUndoDocument(self, document: Any) -> None:
         follow_undo(document)

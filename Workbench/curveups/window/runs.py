@@ -44,8 +44,8 @@ def start(which: str, design: Any, told: Optional[Callable[[], None]] = None) ->
 
 
 def finish(which: str, design: Any, made: Any, *arguments: str) -> None:
-    """Hands what a thread has made to the function of `actions` of its name, and calls that for macros, too,
-    with arguments as Python text."""
+    """Hands what a thread has made to the function `which` of `actions`, and calls that as a macro does.
+    arguments: as Python text."""
     actions.hand_over(which, design, made)
     call(f"actions.{which}", named(design), *arguments)
 

@@ -61,7 +61,7 @@ struct StepReport {
 
 class ContactWorld {
  public:
-  // start: of each body.
+  // start: a pose for each body, in their order.
   ContactWorld(std::vector<RigidBody> bodies, Poses start, const WorldOptions& options);
 
   // More bodies, after the others. Before the first step.

@@ -6,6 +6,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "curveups/core/checkpoint.hpp"
 #include "curveups/core/disjoint_sets.hpp"
 #include "curveups/core/errors.hpp"
 
@@ -88,9 +89,9 @@ std::vector<MeshPiece> parts_of(const TriangleMesh& mesh, const std::vector<int>
     if (part[f] >= static_cast<int>(pieces.size())) pieces.resize(part[f] + 1);
     pieces[part[f]].faces.push_back(f);
   }
-  std::vector<int> index(mesh.V.rows());
+  std::vector<int> index(mesh.V.rows(), -1);
   for (MeshPiece& piece : pieces) {
-    std::fill(index.begin(), index.end(), -1);
+    checkpoint();
     piece.mesh.F = mesh.F(piece.faces, Eigen::seqN(0, 3));
     for (int& v : piece.mesh.F.reshaped<Eigen::RowMajor>()) {
       if (index[v] < 0) {
@@ -100,6 +101,7 @@ std::vector<MeshPiece> parts_of(const TriangleMesh& mesh, const std::vector<int>
       v = index[v];
     }
     piece.mesh.V = mesh.V(piece.original, Eigen::seqN(0, 3));
+    for (int v : piece.original) index[v] = -1;
   }
   return pieces;
 }

@@ -103,8 +103,8 @@ TriangleMesh unite_meshes(const std::vector<TriangleMesh>& solids) {
       united = false;
     }
     if (!united) throw SolverFailure("the solids can't be united", "report this");
-    both.collect_garbage();
-    all = std::move(both);
+    all = Mesh();
+    cgal::append(all, in_order(cgal::taken_from(both)));
   }
   return in_order(cgal::taken_from(all));
 }

@@ -12,7 +12,7 @@ namespace curveups {
 // None of them lies inside of another. Solids that touch no other keep their triangles. CGAL's
 // corefinement decides exactly; new corners are rounded to doubles. Throws SolverFailure where a
 // mesh is open or corefinement can't cut it, Cancelled. The same solids give the same numbers:
-// vertices ascend by x, y and z, faces by their vertices.
+// vertices ascend by x, y and z (none shares its place with another), faces by their vertices.
 TriangleMesh unite_meshes(const std::vector<TriangleMesh>& solids);
 
 }  // namespace curveups

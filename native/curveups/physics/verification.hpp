@@ -19,8 +19,8 @@ struct VerificationOptions {
 
 // store: asked for what is solved of this very design, and left with it; null where nobody needs
 // it. Throws what make_geometry and plan_bumps throw (InfeasibleDesign, TopologyError,
-// InvalidInput), SolverFailure, Cancelled. Results do not
-// depend on the number of threads, nor on the store.
+// InvalidInput), SolverFailure, Cancelled. Results do not depend on the number of threads, nor on
+// the store.
 VerificationReport verify_design(const Design& design, SolutionStore* store,
                                  const Progress& progress, const VerificationOptions& options = {});
 

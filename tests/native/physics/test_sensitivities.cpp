@@ -211,7 +211,7 @@ TEST(Sensitivities, OfTheLargestFloorAtBumpTipsMatchFiniteDifferences) {
   expect_floor_gradients_match(true);
 }
 
-TEST(Sensitivities, AFreshMeshAndAMovedOneAgree) {
+TEST(Sensitivities, ForcesStayWhereTheWholeLayoutMovesAndComesBack) {
   Sample s = make_sample(Edges(0, 2));
   DesignForces moved = test::solve_forces(s.geometry, s.parameters, s.poses, s.q);
   const Points3 before = moved.contact_forces().force;

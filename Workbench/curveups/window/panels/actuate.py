@@ -111,7 +111,7 @@ class ActuatePanel(Panel):
             with translated(self.design.Label):
                 self._scene = path_scene_of(found)
         before = form.frame.blockSignals(True)
-        form.frame.setRange(0, len(found.frames) - 1 if found else 0)
+        form.frame.setRange(0, len(found.time) - 1 if found else 0)
         form.frame.setValue(form.frame.maximum())
         form.frame.blockSignals(before)
         form.at.setText("")
@@ -132,12 +132,12 @@ class ActuatePanel(Panel):
         if uncover(self.design):  # and the view is about to show the design
             QtCore.QTimer.singleShot(0, self._draw)
             return
-        self._overlay.show_scene(self._scene.posed(found.frames[number]))
+        self._overlay.show_scene(self._scene.posed(found.frame(number)))
         energy = text_of(float(found.energy[number]), "mJ", float(found.energy[0]))
         doing = _words_of_phase(found.doing[number])
         words = (translate("CurveUps_Actuate", "Frame {number} of {count}, {doing}: {energy} stored")
                  if doing else translate("CurveUps_Actuate", "Frame {number} of {count}: {energy} stored"))
-        self.form.at.setText(words.format(number=number + 1, count=len(found.frames), energy=energy,
+        self.form.at.setText(words.format(number=number + 1, count=len(found.time), energy=energy,
                                           doing=doing))
 
     def _play(self, on: bool) -> None:

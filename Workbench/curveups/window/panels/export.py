@@ -74,8 +74,8 @@ class ExportPanel(Panel):
             preferences.set_export_mask(choice.mask)
 
     def _written(self, folder: str, choice: Choice, design: Any, names: list[str]) -> None:
-        runs.finish("export", design, names, *map(repr, (
-            folder, choice.files, choice.mask, choice.deviation, choice.reports, choice.insist)))
+        arguments = folder, choice.files, choice.mask, choice.deviation, choice.reports, choice.insist
+        runs.finish("export", design, names, *map(repr, arguments))
         said = escape(translate("CurveUpsExport", "files in {folder}: {count}", count=len(names),
                                 folder=folder))
         self._say(f"{said}<br>{' · '.join(_links(Path(folder), names))}")

@@ -31,7 +31,7 @@ class Follower:
         self._worker = Worker()
         self._design: Optional[Any] = None   # whose solids are being built
         self._values: dict[str, Any] = {}    # for what it is built
-        self._told = False  # the status bar says so
+        self._told = ""  # what the status bar was given to say of it
         self._wait, self._poll = QtCore.QTimer(), QtCore.QTimer()
         self._wait.setSingleShot(True)
         self._wait.setInterval(PAUSE)
@@ -113,16 +113,16 @@ class Follower:
         if self._worker.settled:
             self._poll.stop()
         if not self._worker.busy:
-            if self._told:
-                FreeCADGui.getMainWindow().statusBar().clearMessage()
-                self._told = False
+            bar = FreeCADGui.getMainWindow().statusBar()
+            if self._told and bar.currentMessage() == self._told:  # no other message has taken its place
+                bar.clearMessage()
+            self._told = ""
             return
         now = self._worker.status()
         if now.seconds > 1:
-            self._told = True
-            FreeCADGui.getMainWindow().statusBar().showMessage(
-                translate("CurveUps", "CurveUps: building solids ({seconds:.0f} s); an edit ends it",
-                          seconds=now.seconds))
+            self._told = translate("CurveUps", "CurveUps: building solids ({seconds:.0f} s); an edit ends it",
+                                   seconds=now.seconds)
+            FreeCADGui.getMainWindow().statusBar().showMessage(self._told)
 
 
 def _wanted(design: Any) -> bool:
