@@ -1560,10 +1560,6 @@
       <translation>eine Membran bräuchte etwa {0} Dreiecke von {1} mm</translation>
     </message>
     <message>
-      <source>a membrane's shear modulus, thickness and stretch must be positive</source>
-      <translation>Schubmodul, Dicke und Dehnung einer Membran müssen positiv sein</translation>
-    </message>
-    <message>
       <source>a part of a ring has less than three corners</source>
       <translation>ein Teil eines Rings hat weniger als drei Ecken</translation>
     </message>
@@ -2200,10 +2196,6 @@
       <translation>Die Geometrie hat sich seit dem Prüfen geändert</translation>
     </message>
     <message>
-      <source>give 0 &lt; at_corner &lt;= largest and growth &gt; 0</source>
-      <translation>0 &lt; at_corner &lt;= largest and growth &gt; 0 angeben</translation>
-    </message>
-    <message>
       <source>give 0 to 10 mm</source>
       <translation>0 bis 10 mm angeben</translation>
     </message>
@@ -2214,10 +2206,6 @@
     <message>
       <source>give L in mm</source>
       <translation>L in mm angeben</translation>
-    </message>
-    <message>
-      <source>give T and q for every row of F</source>
-      <translation>T und q für jede Zeile von F angeben</translation>
     </message>
     <message>
       <source>give [[[x,y,z],...],...] in mm</source>
@@ -2260,10 +2248,6 @@
       <translation>geben Sie eine Zahl über 0 N an, höchstens {0} N</translation>
     </message>
     <message>
-      <source>give a number of at least 0 for every tile, or none</source>
-      <translation>für jede Kachel eine Zahl von mindestens 0 angeben, oder keine</translation>
-    </message>
-    <message>
       <source>give a number, 0 or more, as hour=2.5</source>
       <translation>eine Zahl ab 0 angeben, etwa hour=2.5</translation>
     </message>
@@ -2294,10 +2278,6 @@
     <message>
       <source>give another plane, or one side of it (open={0}&gt;{1})</source>
       <translation>eine andere Ebene angeben, oder eine ihrer Seiten (open={0}&gt;{1})</translation>
-    </message>
-    <message>
-      <source>give arrays of one design</source>
-      <translation>Felder eines einzigen Entwurfs angeben</translation>
     </message>
     <message>
       <source>give arrays that belong together, lengths in mm</source>
@@ -2332,24 +2312,12 @@
       <translation>Grad bis 180 angeben</translation>
     </message>
     <message>
-      <source>give each body a pose</source>
-      <translation>jedem Körper eine Lage geben</translation>
-    </message>
-    <message>
       <source>give each tile its part, from 0 on</source>
       <translation>jeder Kachel ihr Teil geben, von 0 an</translation>
     </message>
     <message>
       <source>give edges or polylines</source>
       <translation>edges oder polylines angeben</translation>
-    </message>
-    <message>
-      <source>give finite coordinates</source>
-      <translation>endliche Koordinaten angeben</translation>
-    </message>
-    <message>
-      <source>give finite numbers</source>
-      <translation>endliche Zahlen angeben</translation>
     </message>
     <message>
       <source>give flat, target or a frames.json of 'curveups actuate'</source>
@@ -2806,14 +2774,6 @@
     <message>
       <source>membrane</source>
       <translation>Membran</translation>
-    </message>
-    <message>
-      <source>membrane mesh sizes must be halved as often as a number of each tile says</source>
-      <translation>wie oft die Maße des Membrannetzes halbiert werden, muss je Kachel eine Zahl sagen</translation>
-    </message>
-    <message>
-      <source>membrane mesh sizes must be positive, the largest at least that at corners</source>
-      <translation>Größen des Membrannetzes müssen positiv sein, die größte mindestens so groß wie die an Ecken</translation>
     </message>
     <message>
       <source>membranes stretched to tau = {value:g} instead of {set:g} would be taut at all weak contacts</source>
@@ -3604,10 +3564,6 @@
       <translation>Der Entwurf konnte nicht geprüft werden: {error}</translation>
     </message>
     <message>
-      <source>the design holds a number that is not finite</source>
-      <translation>der Entwurf enthält eine Zahl, die nicht endlich ist</translation>
-    </message>
-    <message>
       <source>the design is no text</source>
       <translation>der Entwurf ist kein Text</translation>
     </message>
@@ -3622,14 +3578,6 @@
     <message>
       <source>the design was not verified</source>
       <translation>Der Entwurf wurde nicht geprüft</translation>
-    </message>
-    <message>
-      <source>the design's T and q do not have a row for each tile</source>
-      <translation>T und q des Entwurfs haben nicht eine Zeile je Kachel</translation>
-    </message>
-    <message>
-      <source>the design's layout and pins do not have one row per tile</source>
-      <translation>Abwicklung und Zapfen des Entwurfs haben nicht eine Zeile je Kachel</translation>
     </message>
     <message>
       <source>the design's target has other vertices than its mesh</source>
@@ -3782,10 +3730,6 @@
     <message>
       <source>the layout did not converge in {iterations} iterations; all constraints hold</source>
       <translation>Die Abwicklung konvergierte nicht in {iterations} Iterationen; alle Nebenbedingungen gelten</translation>
-    </message>
-    <message>
-      <source>the layout holds a number that is not finite</source>
-      <translation>die Abwicklung enthält eine Zahl, die nicht endlich ist</translation>
     </message>
     <message>
       <source>the layout is badly stretched: its flat map scales tiles {spread:.3g} times differently, and the membrane is slack at {slack} places</source>
@@ -4126,10 +4070,6 @@
     <message>
       <source>there are no tiles to cut between yet</source>
       <translation>es gibt noch keine Kacheln, zwischen denen man schneiden könnte</translation>
-    </message>
-    <message>
-      <source>there are {0} bodies and {1} poses</source>
-      <translation>es gibt {0} Körper und {1} Lagen</translation>
     </message>
     <message>
       <source>there are {0} cut flags for {1} edges</source>
