@@ -17,6 +17,7 @@ from curveups.stages.cut_request import CutRequest
 from curveups.stages.settle import Settled
 from curveups.stages.stage import Job
 from curveups.stages.surface import find_source
+from running import dome
 
 
 @pytest.fixture(scope="module")
@@ -166,6 +167,21 @@ def test_the_window_says_how_far_and_what_fails_first(cap_design):
             assert show(one["searched"][k] if one[end] is None else one[end]) in said, (name, said)
     assert "XY" in what and growth(settled(cap_design)["settle"].report()) == []
     assert not settled(cap_design)["settle"].window
+
+
+def test_a_window_of_dimples_ends_where_the_shape_does_not_hold(tmp_path):
+    """It ended where a sample had had its iterations, at a growth of 0.04 mm and a taper of 0.015."""
+    (tmp_path / "dome.obj").write_text(dome(2, 60.0, 7.3), "ascii")
+    values = native.Parameters()
+    for name, value in (("bumps", "dimples"), ("window", True), ("margin", "off")):
+        values.set(name, value)
+    source = find_source(str(tmp_path / "dome.obj"), remesh=False, will_be_cut=False)
+    project = Project("dome", values, {"source": source, "cut request": CutRequest()}, "dome")
+    window = {one.parameter: one for one in project.run(asked_by("solve", "settle"))["settle"].window}
+    for one in window.values():
+        assert not {"settled_restless"} & {failure.kind for failure in one.failures if failure}, one
+    assert window["xy_growth"].ends[1] is None
+    assert window["xy_taper"].ends[1] > 0.03
 
 
 @pytest.mark.parametrize("threads", ["2", "4"])

@@ -10,9 +10,8 @@
 namespace curveups {
 namespace {
 
-// What has not come to rest by then has no answer: the design as it stands, and under other
-// conditions, where it starts beside its place.
-constexpr int most_steps = 60, most_iterations = 600, most_sample_iterations = 100;
+// What has not come to rest by then has no answer.
+constexpr int most_steps = 60, most_iterations = 2000;
 // How often elements are solved where tiles rest under Coulomb's law, and by how much they may then
 // differ from what the tiles feel, over the mean force on a tile.
 constexpr int most_rounds = 4;
@@ -32,8 +31,7 @@ Settling::Settling(const Design& design, const TileBodies& bodies, const SolvedD
     : tiles_(bodies.geometry.tiles),
       centres_(tile_centres(tiles_)),
       built_(make_tile_world(bodies, solved, design.parameters.tile_modulus)),
-      hold_tolerance_(curveups::hold_tolerance(design.parameters)),
-      most_iterations_(most_iterations) {
+      hold_tolerance_(curveups::hold_tolerance(design.parameters)) {
   built_.world->set_tolerances(sample_tolerance, sample_cone_tolerance, sample_cone_share);
 }
 
@@ -42,7 +40,6 @@ Settling::Settling(const Settling& other)
       centres_(other.centres_),
       built_(other.built_.copy()),
       hold_tolerance_(other.hold_tolerance_),
-      most_iterations_(other.most_iterations_),
       element_change_(other.element_change_) {
   restore(other.state());
 }
@@ -69,7 +66,6 @@ void Settling::settle(const Conditions& conditions, double friction, SolvedDesig
   }
   drift_ = measured_drift();
   measure_forces();
-  most_iterations_ = most_sample_iterations;
 }
 
 // Until the tiles are at rest, under what elements pull there, or are known not to hold. Where all
@@ -83,7 +79,7 @@ bool Settling::come_to_rest(SolvedDesign* elements) {
       iterations_ += step.iterations;
       factorizations_ += step.factorizations;
       checkpoint();
-      return has_left() || iterations > most_iterations_;
+      return has_left() || iterations > most_iterations;
     });
     if (!last.at_rest || round == rounds) return last.at_rest;
     element_change_ = built_.solve_elements(*elements, element_tolerance);
@@ -144,12 +140,10 @@ std::optional<Finding> Settling::failure() const {
     std::sort(found.tiles.begin(), found.tiles.end());
     return found;
   }
-  const Finding::Pairs open = open_contacts();
-  if (!open.empty()) {
-    return Finding{"settled_open", tiles_of(open), {{"contacts", open}}};
-  }
   if (!at_rest_) return Finding{"settled_restless"};
-  return std::nullopt;
+  const Finding::Pairs open = open_contacts();
+  if (open.empty()) return std::nullopt;
+  return Finding{"settled_open", tiles_of(open), {{"contacts", open}}};
 }
 
 Settling::State Settling::state() const {

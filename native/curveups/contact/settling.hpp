@@ -76,7 +76,6 @@ class Settling {
   Points3 centres_;
   TileWorld built_;
   double hold_tolerance_;
-  int most_iterations_;
   double friction_ = 0, drift_ = 0, drift_before_ = 0;
   double element_change_ = 0;
   bool at_rest_ = false;
