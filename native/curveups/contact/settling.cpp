@@ -127,12 +127,10 @@ std::vector<std::array<int, 2>> Settling::open_contacts() const {
 
 std::optional<Finding> Settling::failure() const {
   if (drift_ > hold_tolerance_) {
-    // The tiles that have gone furthest, of those beyond the tolerance.
+    // The tiles that have gone furthest.
     const Eigen::VectorXd far = triangle_means(scan_distances(surface(), *compressed_));
     std::vector<std::pair<double, int>> worst;
-    for (int i = 0; i < tiles_.tile_count(); ++i) {
-      if (far(i) > hold_tolerance_) worst.push_back({-far(i), i});
-    }
+    for (int i = 0; i < tiles_.tile_count(); ++i) worst.push_back({-far(i), i});
     std::sort(worst.begin(), worst.end());
     worst.resize(std::min<std::size_t>(worst.size(), 10));
     Finding found{"settled_drift", {}, {{"drift", drift_}, {"most", hold_tolerance_}}};
