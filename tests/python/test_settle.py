@@ -113,6 +113,7 @@ def test_almost_no_friction_does_not_hold(curveups, tmp_path):
     assert block["drift_mm"] > block["hold_tolerance_mm"] and block["holding_friction"] is None
     said = [one for one in report["warnings"] if one["kind"] == "settled_drift"]
     assert said and said[0]["tiles"] and said[0]["remedy"], report["warnings"]
+    assert f"  warning: {said[0]['what']}\n" in ran.err
     assert report["margin"]["met"] is False
     assert "does not hold" in (tmp_path / "report.html").read_text("utf-8")
 

@@ -295,11 +295,22 @@ def _finish(results: Results, folder: Path | None, session: Session, stopped: bo
     reporter.say(f"{results.name}: {len(results['design'].design.F)} tiles, {verdict.word}")
     for reason in verdict.reasons:
         reporter.say(f"  {reason}")
+    _tell_of_warnings(results, reporter)
     _tell_of_cuts(results, reporter)
     if stopped:  # a signal that came too late to leave anything out stopped nothing
         reporter.say("stopped: what there is, is written" if folder else "stopped")
         return STOPPED
     return NOT_VALID if verdict.valid is False else VALID
+
+
+def _tell_of_warnings(results: Results, reporter: Reporter) -> None:
+    """The first of each kind; report.json and the page have all."""
+    by_kind: dict[str, list[Finding]] = {}
+    for found in results.warnings():
+        by_kind.setdefault(found.group, []).append(found)
+    for first, *others in by_kind.values():
+        more = f" (and {len(others)} more of this kind)" if others else ""
+        reporter.say(f"  warning: {first}{more}")
 
 
 def _tell_of_cuts(results: Results, reporter: Reporter) -> None:
