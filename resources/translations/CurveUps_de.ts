@@ -701,6 +701,10 @@
   <context>
     <name>CurveUpsSolve</name>
     <message>
+      <source> (and {count} more of this kind)</source>
+      <translation> (und {count} weitere dieser Art)</translation>
+    </message>
+    <message>
       <source>Anchors</source>
       <translation>Anker</translation>
     </message>
@@ -923,6 +927,10 @@
     <message>
       <source>Verification on a finer mesh</source>
       <translation>Prüfung auf feinerem Netz</translation>
+    </message>
+    <message>
+      <source>Warning: {what}</source>
+      <translation>Warnung: {what}</translation>
     </message>
     <message>
       <source>What would help</source>

@@ -226,6 +226,27 @@ def german():
     FreeCADGui.setLocale("English")
 
 
+def test_the_panel_says_why_a_shape_does_not_hold_until_an_edit(dome_document, pictures):
+    document, design = opened(dome_document)
+    panel = show(SolvePanel, design)
+    said = panel.form.verdict.text
+    assert "valid, holds" in said() and "Warning" not in said()
+    design.FrictionCoefficient = 0.01
+    document.recompute()
+    click(panel.form.verify)
+    until(lambda: "does not hold</b>" in said() and not LIVE.busy, 120, "the verdict")
+    assert "Warning: the shape does not hold: friction lets it drift" in said(), said()
+    picture("does-not-hold")
+    assert cut_off(panel.form) == []
+    document.openTransaction("an edit")
+    design.FrictionCoefficient = 0.5
+    document.commitTransaction()
+    document.recompute()
+    until(lambda: "Warning" not in said(), 10, "a warning of what was to go")
+    document.undo()
+    until(lambda: "Warning" in said(), 10, "the warning again")
+
+
 def test_the_process_window_is_shown_until_the_design_changes(german, dome_document, pictures):
     document, design = opened(dome_document)
     design.Window = True

@@ -136,6 +136,14 @@ def unique(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     return tuple(found)
 
 
+def first_of_each_kind(findings: Iterable[Finding]) -> list[tuple[Finding, int]]:
+    """The first of each group, and how many others of that group there are."""
+    groups: dict[str, list[Finding]] = {}
+    for one in findings:
+        groups.setdefault(one.group, []).append(one)
+    return [(group[0], len(group) - 1) for group in groups.values()]
+
+
 def failed(kind: str, error: CurveUpsError) -> Finding:
     """An error as a reason."""
     if error.finding is not None:

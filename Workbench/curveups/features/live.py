@@ -6,15 +6,18 @@ from __future__ import annotations
 from typing import Any, Mapping, Optional, cast
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding
 from ..base.native import native
 from ..base.parameters import table
 from ..project import saved_results
+from ..project.keys import changes
 from ..project.project import Made, Project
 from ..stages.design import FinishedDesign
 from ..stages.surface import Source
 from . import properties
 from .cuts import request_of
-from .status import SPOILT, are_intact
+from .keys import read_keys
+from .status import GIVEN, SPOILT, are_intact
 from .target import is_target, source_of
 
 
@@ -87,6 +90,13 @@ def stored(obj: Any) -> Project:
         known = obj.Results and are_intact(obj)  # nothing is taken from others
         keep(obj, saved_results.from_text(obj.Results, obj.Label) if known else {})
     return cast(Project, obj.Proxy.project)
+
+
+def warnings_of(obj: Any) -> list[Finding]:
+    """What stored results warn of that are current. Raises CurveUpsError where they can't be read."""
+    keys, values = read_keys(obj), properties.values_of(obj)
+    return [found for name, made in stored(obj).made().items()
+            if changes(name, keys.records, values, (*GIVEN, "design")) == () for found in made.result.warnings()]
 
 
 def keep(obj: Any, made: Mapping[str, Made]) -> None:

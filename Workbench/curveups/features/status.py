@@ -20,7 +20,7 @@ EMPTY, CURRENT, OUT_OF_DATE, INVALID, RUNNING = "empty", "current", "out of date
 SPOILT = "the stored results are damaged or were changed by hand"
 VERDICTS = {True: "valid", False: "not valid", None: "not judged"}
 _CHANGED = Record(content="changed")  # what was given, and is not what it was
-_GIVEN = ("source", "cut request")
+GIVEN = ("source", "cut request")  # results that are not made
 
 
 @dataclass(frozen=True)
@@ -44,12 +44,12 @@ def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False
     source, cuts = _source_changes(obj, keys), _cut_changes(obj, keys)
     records = {**keys.records, **({"source": _CHANGED} if source else {}),
                **({"cut request": _CHANGED} if cuts else {})}
-    target = source + _changed("changed.divided", changes("target", records, values, _GIVEN))
+    target = source + _changed("changed.divided", changes("target", records, values, GIVEN))
     lists = [] if layouts.is_intact(obj.Layout) else [Finding("changed.layout_lists")]
     if solved and not are_intact(obj, keys):
         lists.append(Finding("changed.results"))
     layout = source + cuts + lists + _changed(
-        "changed.solved", _of_layout(changes("design", records, values, _GIVEN)))
+        "changed.solved", _of_layout(changes("design", records, values, GIVEN)))
     verification = verdict_changes(keys, values)
     if not verifications.is_intact(obj.Verification):
         verification.append(Finding("changed.verification_lists"))
@@ -155,12 +155,12 @@ def _of_layout(names: Optional[tuple[str, ...]]) -> Optional[tuple[str, ...]]:
 
 
 def _is_result(name: str) -> bool:
-    return name in BY_NAME or name in _GIVEN
+    return name in BY_NAME or name in GIVEN
 
 
 def _changed(kind: str, names: Optional[tuple[str, ...]]) -> list[Finding]:
     """Of parameters, or else of results; what was given has sentences of its own."""
-    others = [name for name in names or () if name not in _GIVEN]
+    others = [name for name in names or () if name not in GIVEN]
     known = [properties.property_name(name) for name in others
              if not _is_result(name) and parameter(name).level != "switch"]
     known = known or [label_of(name) for name in others if name in BY_NAME]

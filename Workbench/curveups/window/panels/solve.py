@@ -12,9 +12,10 @@ from typing import Any, Callable, Optional
 import FreeCAD
 
 from ...base import profiles
+from ...base.findings import first_of_each_kind
 from ...features import properties
-from ...features.live import stored
-from ...features.status import OUT_OF_DATE
+from ...features.live import stored, warnings_of
+from ...features.status import CURRENT, INVALID, OUT_OF_DATE
 from ...project.verdict import HOLDS
 from ...project.worker import Status
 from ...stages import label_of
@@ -253,16 +254,26 @@ class SolvePanel(Panel):
         state = self.design.Status
         head = ", ".join(translate("CurveUpsSolve", word) for word in (
             self.design.Verdict if state == "current" else state, self.design.Holds))
-        reasons = self.design.Proxy.state(self.design).reasons[:6]
-        lines = "<br>".join(shown(self.design, reason) for reason in reasons)
+        lines = [shown(self.design, reason) for reason in self.design.Proxy.state(self.design).reasons]
+        lines = [*lines, *self._warnings()][:6]
         if getattr(self.design, "Kit", "").startswith(OUT_OF_DATE):
-            lines += "<br>" * bool(lines) + translate("CurveUpsSolve", "The fabrication kit is out of date")
+            lines.append(translate("CurveUpsSolve", "The fabrication kit is out of date"))
         enable(self.form.revert, "" if self._edits.edited() else translate(
             "CurveUpsSolve", "Nothing was edited since the panel opened"))
         self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"
-                                  + (f"<br>{lines}" if lines else ""))
-
+                                  + "".join(f"<br>{line}" for line in lines))
         self._show_window()
+
+    def _warnings(self) -> list[str]:
+        """The first of each kind, in the design as it is."""
+        if self.design.Status not in (CURRENT, INVALID):
+            return []
+        lines = []
+        for found, others in first_of_each_kind(warnings_of(self.design)):
+            line = translate("CurveUpsSolve", "Warning: {what}").format(what=shown(self.design, found))
+            more = translate("CurveUpsSolve", " (and {count} more of this kind)").format(count=others)
+            lines.append(line + more * bool(others))
+        return lines
 
     def _show_window(self) -> None:
         """The process window of the design as it is, where its run looked for one: only a design that holds
