@@ -254,8 +254,8 @@ class SolvePanel(Panel):
         state = self.design.Status
         head = ", ".join(translate("CurveUpsSolve", word) for word in (
             self.design.Verdict if state == "current" else state, self.design.Holds))
-        lines = [shown(self.design, reason) for reason in self.design.Proxy.state(self.design).reasons]
-        lines = [*lines, *self._warnings()][:6]
+        reasons = self.design.Proxy.state(self.design).reasons[:6]
+        lines = [*(shown(self.design, reason) for reason in reasons), *self._warnings()][:6]
         if getattr(self.design, "Kit", "").startswith(OUT_OF_DATE):
             lines.append(translate("CurveUpsSolve", "The fabrication kit is out of date"))
         enable(self.form.revert, "" if self._edits.edited() else translate(
