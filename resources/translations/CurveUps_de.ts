@@ -4068,8 +4068,8 @@
       <translation>Die Membran ({side}) schnitte {depth:.3g} mm in den Körper von {tile}: H_pin erhöhen oder die Zapfen dort weniger zurücksetzen</translation>
     </message>
     <message>
-      <source>the {side} pin has {area_mm2:.3g} mm2, less than A_pin_min</source>
-      <translation>Der Zapfen ({side}) hat {area_mm2:.3g} mm2, weniger als A_pin_min</translation>
+      <source>the {side} pin of {tile} has {area_mm2:.3g} mm2, less than A_pin_min</source>
+      <translation>Der Zapfen ({side}) von {tile} hat {area_mm2:.3g} mm2, weniger als A_pin_min</translation>
     </message>
     <message>
       <source>there are no bodies of the kind '{0}'</source>

@@ -171,7 +171,7 @@ def test_the_window_says_how_far_and_what_fails_first(cap_design):
 
 
 def test_a_window_of_dimples_ends_where_the_shape_does_not_hold(tmp_path):
-    """It ended where a sample had had its iterations, at a growth of 0.04 mm and a taper of 0.015."""
+    """It ended where samples ran out of iterations, at a growth of 0.0425 mm and a taper of 0.015 mm."""
     (tmp_path / "dome.obj").write_text(dome(2, 60.0, 7.3), "ascii")
     values = native.Parameters()
     for name, value in (("bumps", "dimples"), ("window", True), ("margin", "off")):

@@ -235,6 +235,7 @@ def test_the_panel_says_why_a_shape_does_not_hold_until_an_edit(dome_document, p
     document.recompute()
     click(panel.form.verify)
     until(lambda: "does not hold</b>" in said() and not LIVE.busy, 120, "the verdict")
+    assert said().count("Warning: ") == 1, said()
     assert "Warning: the shape does not hold: friction lets it drift" in said(), said()
     picture("does-not-hold")
     assert cut_off(panel.form) == []
@@ -245,6 +246,11 @@ def test_the_panel_says_why_a_shape_does_not_hold_until_an_edit(dome_document, p
     until(lambda: "Warning" not in said(), 10, "a warning of what was to go")
     document.undo()
     until(lambda: "Warning" in said(), 10, "the warning again")
+    document.openTransaction("an edit that is refused")
+    design.PMin, design.PMax = 2, 1
+    document.commitTransaction()
+    document.recompute()
+    until(lambda: "invalid" in said() and "Warning" not in said(), 10, "a warning of another layout to go")
 
 
 def test_the_process_window_is_shown_until_the_design_changes(german, dome_document, pictures):

@@ -278,7 +278,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "pin_bounds": "pin insets leave their bounds by {violation:.3g} mm",
     "pins_below_floor": "{count} pin sides are smaller than A_pin_floor ({at:6})",
     "overlap": "{count} pairs of tiles overlap when actuated and no plane parts them ({pairs:6})",
-    "small_pin.side": "the {side} pin has {area_mm2:.3g} mm2, less than A_pin_min",
+    "small_pin.side": "the {side} pin of {tile} has {area_mm2:.3g} mm2, less than A_pin_min",
     "relaxed.p_min": "p_min gives way on {count} edges of pins, where folds leave their pins no room: from "
                      "{before:.3g} to {after:.3g} mm at the {side} of {tile}",
     "relaxed.p_max": "p_max gives way on {count} edges of pins, where folds ask for less than pins that "

@@ -12,6 +12,7 @@ from ..base.parameters import table
 from ..project import saved_results
 from ..project.keys import changes
 from ..project.project import Made, Project
+from ..stages import BY_NAME, HELP, RISEN
 from ..stages.design import FinishedDesign
 from ..stages.surface import Source
 from . import properties
@@ -93,10 +94,12 @@ def stored(obj: Any) -> Project:
 
 
 def warnings_of(obj: Any) -> list[Finding]:
-    """What stored results warn of that are current. Raises CurveUpsError where they can't be read."""
-    keys, values = read_keys(obj), properties.values_of(obj)
-    return [found for name, made in stored(obj).made().items()
-            if changes(name, keys.records, values, (*GIVEN, "design")) == () for found in made.result.warnings()]
+    """What stored results of a layout that is current warn of, where they are current, too; the path from
+    flat has a panel of its own. Raises CurveUpsError where they can't be read."""
+    made, keys, values = stored(obj).made(), read_keys(obj), properties.values_of(obj)
+    return [found for name in BY_NAME if name in made and name not in (RISEN, HELP)
+            for found in made[name].result.warnings()
+            if changes(name, keys.records, values, (*GIVEN, "design")) == ()]
 
 
 def keep(obj: Any, made: Mapping[str, Made]) -> None:

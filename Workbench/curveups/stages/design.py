@@ -81,7 +81,7 @@ class Figures(Result):
         found: list[Finding] = []
         if self.unsettled and not self.broken:  # nothing but the layout's quality is in doubt
             found.append(Finding("layout", (), self.unsettled.figures))
-        found += [Finding.about("small_pin.side", [tile], side=side, area_mm2=area)
+        found += [Finding.about("small_pin.side", [tile], side=side, tile=(tile,), area_mm2=area)
                   for tile, side, area in self.small_pins]
         for what in sorted({bound["what"] for bound in self.relaxed}):
             found.append(_relaxed_warning(what, [bound for bound in self.relaxed if bound["what"] == what]))

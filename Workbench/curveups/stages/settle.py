@@ -61,7 +61,9 @@ class Settled(Result):
         return self.beyond if self._required else ()
 
     def warnings(self) -> Sequence[Finding]:
-        return (*((self.failure,) if self.failure else ()), *(() if self._required else self.beyond))
+        if self._required and self.beyond:
+            return ()  # these are reasons
+        return (self.failure,) if self.failure else self.beyond
 
     @property
     def _required(self) -> bool:
@@ -96,7 +98,7 @@ def _run(inputs: Inputs, job: Job) -> Settled:
     beyond = [Finding.about("margin", one.tiles, side=side, percent=margin.mismatch,
                             mu=margin.friction_coefficient, reason=Finding.of(one))
               for side, one in (("front", margin.front_failure), ("back", margin.back_failure))
-              if one and margin.met is False]
+              if one and margin.met is False and one.kind != "settled_restless"]
     if margin.met is False and failure:
         beyond = [Finding.about("margin.design", failure.tiles, reason=failure)]
     block = {"mode": margin.mode, "mismatch_percent": margin.mismatch,

@@ -131,17 +131,20 @@ Margin find_margin(const Settling& standing, const Parameters& parameters) {
     if (standing.is_known()) out.met = false;
     return out;
   }
-  std::array<char, 2> known{};
+  std::array<char, 2> fails{};
   parallel_each(2, [&](int s) {
     Settling settling(standing);
     Conditions corner;
     corner.pull[s] = 1 + out.mismatch / 100;
     settling.settle(corner, std::min(out.friction_coefficient, standing.friction()));
     out.failure[s] = settling.failure();
-    known[s] = settling.is_known();
+    fails[s] = out.failure[s] && settling.is_known();
   });
-  const bool fails = out.failure[0] || out.failure[1];
-  if ((known[0] && known[1]) || !fails) out.met = !fails;
+  if (fails[0] || fails[1]) {
+    out.met = false;
+  } else if (!out.failure[0] && !out.failure[1]) {
+    out.met = true;
+  }
   return out;
 }
 

@@ -127,10 +127,14 @@ std::vector<std::array<int, 2>> Settling::open_contacts() const {
 
 std::optional<Finding> Settling::failure() const {
   if (drift_ > hold_tolerance_) {
-    // The tiles that have gone furthest.
+    // The tiles that have gone furthest since conditions changed last: those beyond the tolerance
+    // or, where earlier changes made most of the drift, any.
     const Eigen::VectorXd far = triangle_means(scan_distances(surface(), *compressed_));
     std::vector<std::pair<double, int>> worst;
-    for (int i = 0; i < tiles_.tile_count(); ++i) worst.push_back({-far(i), i});
+    const double least = far.maxCoeff() > hold_tolerance_ ? hold_tolerance_ : 0;
+    for (int i = 0; i < tiles_.tile_count(); ++i) {
+      if (far(i) > least) worst.push_back({-far(i), i});
+    }
     std::sort(worst.begin(), worst.end());
     worst.resize(std::min<std::size_t>(worst.size(), 10));
     Finding found{"settled_drift", {}, {{"drift", drift_}, {"most", hold_tolerance_}}};

@@ -12,6 +12,7 @@ from typing import Any, Callable, Optional
 import FreeCAD
 
 from ...base import profiles
+from ...base.errors import CurveUpsError
 from ...base.findings import first_of_each_kind
 from ...features import properties
 from ...features.live import stored, warnings_of
@@ -254,8 +255,10 @@ class SolvePanel(Panel):
         state = self.design.Status
         head = ", ".join(translate("CurveUpsSolve", word) for word in (
             self.design.Verdict if state == "current" else state, self.design.Holds))
-        reasons = self.design.Proxy.state(self.design).reasons[:6]
-        lines = [*(shown(self.design, reason) for reason in reasons), *self._warnings()][:6]
+        found = self.design.Proxy.state(self.design)
+        lines = [shown(self.design, reason) for reason in found.reasons[:6]]
+        if found.state in (CURRENT, INVALID) and found.parts["Layout"][0] == CURRENT:
+            lines += self._warnings()
         if getattr(self.design, "Kit", "").startswith(OUT_OF_DATE):
             lines.append(translate("CurveUpsSolve", "The fabrication kit is out of date"))
         enable(self.form.revert, "" if self._edits.edited() else translate(
@@ -265,11 +268,13 @@ class SolvePanel(Panel):
         self._show_window()
 
     def _warnings(self) -> list[str]:
-        """The first of each kind, in the design as it is."""
-        if self.design.Status not in (CURRENT, INVALID):
+        """The first of each kind."""
+        try:
+            warnings = first_of_each_kind(warnings_of(self.design))
+        except CurveUpsError:  # of damaged results, which Status names
             return []
         lines = []
-        for found, others in first_of_each_kind(warnings_of(self.design)):
+        for found, others in warnings[:6]:
             line = translate("CurveUpsSolve", "Warning: {what}").format(what=shown(self.design, found))
             more = translate("CurveUpsSolve", " (and {count} more of this kind)").format(count=others)
             lines.append(line + more * bool(others))
