@@ -2812,8 +2812,8 @@
       <translation>nach Schätzungen genügt mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt</translation>
     </message>
     <message>
-      <source>mending left these tiles with too little room for pins or under membranes</source>
-      <translation>Das Ausbessern ließ diesen Kacheln zu wenig Platz für Zapfen oder unter Membranen</translation>
+      <source>mending left {at:6} with too little room for pins or under membranes</source>
+      <translation>Das Ausbessern ließ {at:6} zu wenig Platz für Zapfen oder unter Membranen</translation>
     </message>
     <message>
       <source>mending the target</source>

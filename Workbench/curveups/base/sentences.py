@@ -257,9 +257,9 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                      "mm over it, {least:.2g} are wanted",
     "stretch": "the flat map scales it by {stretch:.2f}; it can do with {low:.2f} to {high:.2f}: cuts would "
                "even that out",
-    "mending.remaining": ("mending left these tiles with too little room for pins or under membranes",
+    "mending.remaining": ("mending left {at:6} with too little room for pins or under membranes",
                           "set mend_max above {most:g}, or another L or H_body"),
-    "mending.border": ("mending left these tiles with too little room for pins or under membranes",
+    "mending.border": ("mending left {at:6} with too little room for pins or under membranes",
                        "set mend_border=on, as some are at the border; or set mend_max above {most:g}, or "
                        "another L or H_body"),
     "mending.far": ("tiles are up to {distance:.2f} mm from the target, more than mend_max ({most:g} mm): "

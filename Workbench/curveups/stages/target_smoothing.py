@@ -102,7 +102,7 @@ def _border(F: np.ndarray) -> np.ndarray:
 def _remaining(tiles: list[int], F: np.ndarray, parameters: Any) -> Finding:
     at_border = not parameters.get("mend_border") and np.isin(F[tiles], _border(F)).any()
     return Finding.about("mending.border" if at_border else "mending.remaining", tiles,
-                         most=parameters.get("mend_max"))
+                         at=tuple(tiles), most=parameters.get("mend_max"))
 
 
 STAGE = Stage("fairing", ("target",), frozenset({"target", "tiles"}), _run,
