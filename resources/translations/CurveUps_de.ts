@@ -1732,10 +1732,6 @@
       <translation>flach beginnen, mit Antworten und Händen, oder keine Kacheln nennen</translation>
     </message>
     <message>
-      <source>beyond the margin, where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}: {reason}</source>
-      <translation>Jenseits der Reserve, wo die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist: {reason}</translation>
-    </message>
-    <message>
       <source>body</source>
       <translation>Körper</translation>
     </message>
@@ -3764,12 +3760,16 @@
       <translation>die Liste der Schnitte hat eine ungerade Anzahl von Punkten</translation>
     </message>
     <message>
+      <source>the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}, {reason}</source>
+      <translation>Die Reserve ist nicht erreicht: Wenn die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist, gilt: {reason}</translation>
+    </message>
+    <message>
       <source>the margin is not met: {reason}</source>
       <translation>Die Reserve ist nicht erfüllt: {reason}</translation>
     </message>
     <message>
-      <source>the margin is required, and the tiles did not settle: set settle and verify on</source>
-      <translation>Die Reserve ist verlangt, und die Kacheln haben sich nicht gesetzt: settle und verify einschalten</translation>
+      <source>the margin is required, and the tiles did not settle: set run_settling and run_verification on</source>
+      <translation>Die Reserve ist verlangt, und die Kacheln haben sich nicht gesetzt: run_settling und run_verification einschalten</translation>
     </message>
     <message>
       <source>the membrane's harmonic start could not be computed</source>
@@ -4056,12 +4056,12 @@
       <translation>die Zapfen ({0}) von {1} haben keinen Flächeninhalt</translation>
     </message>
     <message>
-      <source>the {side} membrane is slack beside {beside:8}</source>
-      <translation>Die Membran ({side}) ist schlaff neben {beside:8}</translation>
+      <source>the {side} membrane all but touches the body of {tile} (clearance {clearance:.3g} mm)</source>
+      <translation>Die Membran ({side}) berührt fast den Körper von {tile} (Abstand {clearance:.3g} mm)</translation>
     </message>
     <message>
-      <source>the {side} membrane touches the body of {tile} (clearance {clearance:.3g} mm)</source>
-      <translation>Die Membran ({side}) berührt den Körper von {tile} (Abstand {clearance:.3g} mm)</translation>
+      <source>the {side} membrane is slack beside {beside:8}</source>
+      <translation>Die Membran ({side}) ist schlaff neben {beside:8}</translation>
     </message>
     <message>
       <source>the {side} membrane would cut {depth:.3g} mm into the body of {tile}: raise H_pin or lower insets there</source>

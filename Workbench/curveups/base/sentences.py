@@ -80,7 +80,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                         "lie on itself between {contacts:8}", "leave out the cut there, or cut elsewhere"),
     "membrane.cuts": "the {side} membrane would cut {depth:.3g} mm into the body of {tile}: raise H_pin or "
                      "lower insets there",
-    "membrane.touches": "the {side} membrane touches the body of {tile} (clearance {clearance:.3g} mm)",
+    "membrane.touches": "the {side} membrane all but touches the body of {tile} (clearance {clearance:.3g} mm)",
     "membrane.slack": "the {side} membrane is slack beside {beside:8}",
     "sheet_tears": "more than 1 % of the membranes is stretched by {elongation:.3g} % or more, beyond "
                    "elongation_at_break ({limit:.3g} %): they tear; lower tau",
@@ -169,10 +169,11 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "help_change": "{name}={value}",
     "help_change.cut": "a cut of {length:.0f} mm",
     "hands_stopped": "what brings it home by hand is not known: it was stopped",
-    "unsettled_design": "the margin is required, and the tiles did not settle: set settle and verify on",
+    "unsettled_design": "the margin is required, and the tiles did not settle: set run_settling and "
+                        "run_verification on",
     "glue_carries": "the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear",
-    "margin": "beyond the margin, where the {side} membrane pulls {percent:.3g} % harder and friction is "
-              "{mu:.3g}: {reason}",
+    "margin": "the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is "
+              "{mu:.3g}, {reason}",
     "margin.design": "the margin is not met: {reason}",
     "margin.unknown": "whether the margin is met is not known: the tiles do not come to rest at its corners",
     "verification_failed": "the design could not be verified: {error}",
