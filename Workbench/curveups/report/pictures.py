@@ -27,6 +27,7 @@ import numpy as np  # noqa: E402
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
 from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
+from PIL import Image  # noqa: E402
 
 BODY, PIN, EDGE, WEAK = "#e9c98f", "#b5651d", "#7a5a2b", "#d81b60"
 MARKS = ("#cfc8bb", "#ef8a17", "#c62828")  # of tiles: sound, doubtful, impossible
@@ -201,7 +202,11 @@ def camera(V: np.ndarray, F: np.ndarray) -> np.ndarray:
 
 
 def _png(figure: Figure, dpi: int = 130) -> bytes:
+    """With a palette: nobody sees the difference, and pages have a quarter of the size."""
+    figure.set_dpi(dpi)
+    pixels, size = FigureCanvasAgg(figure).print_to_buffer()
+    image = Image.frombuffer("RGBA", size, pixels, "raw", "RGBA", 0, 1).convert("RGB")
     buffer = io.BytesIO()
-    FigureCanvasAgg(figure)
-    figure.savefig(buffer, format="png", dpi=dpi, metadata={"Software": None})
+    few = image.quantize(256, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+    few.save(buffer, "png", dpi=(dpi, dpi))
     return buffer.getvalue()
