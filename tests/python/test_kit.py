@@ -241,21 +241,28 @@ def test_two_pieces_say_which_of_their_tiles_lie_side_by_side():
     assert Kit(SimpleNamespace(design=whole), {}).borders == {"pairs": [], "named": []}
 
 
-@pytest.mark.parametrize("settings, said, unsaid", [
+@pytest.mark.parametrize("settings, shop_says, shop_does_not, page_says", [
     (("support=breakaway", "printer=fdm"),
      ("do not break them", "PLA or PETG", "Do not scale, turn", "on the bed alone, and leave these in, too"),
-     ("wash it off", "two materials", "Tilt")),
+     ("wash it off", "two materials", "Tilt"),
+     ("holds, peel the slicer&#x27;s supports off the back and break the bridges",)),
     (("support=breakaway", "printer=resin"),
      ("Tilt the whole", "peeled off the vat by its whole area",
       "take these supports off, and cure with the bridges on", "tilted as a whole"),
-     ("turn or", "as the files stand", "leave these in")),
-    (("support=none",), ("Nothing joins the tiles",), ("Leave the", "leave these in"))])
-def test_the_shop_sheet_fits_support_and_printer(curveups, printed, tmp_path, settings, said, unsaid):
+     ("turn or", "as the files stand", "leave these in"),
+     ("holds, break the bridges",)),
+    (("support=none",), ("Nothing joins the tiles",), ("Leave the", "leave these in"),
+     ("turn the ring over, so that you can reach the back. The membrane stays",
+      "Leave all where it lies"))])
+def test_sheets_fit_support_and_printer(curveups, printed, tmp_path, settings, shop_says, shop_does_not,
+                                        page_says):
     ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path,
                    *(word for one in settings for word in ("--set", one)))
     assert ran.status in (0, 1), ran.err
     text = " ".join(pdf_text(tmp_path / "small-cap-shop.pdf").split())
-    assert all(one in text for one in said) and not any(one in text for one in unsaid)
+    assert all(one in text for one in shop_says) and not any(one in text for one in shop_does_not)
+    page = (tmp_path / "small-cap-assembly.html").read_text("utf-8")
+    assert all(one in page for one in page_says)
 
 
 def test_the_report_begins_with_what_the_shop_needs(printed):
@@ -419,20 +426,6 @@ def test_the_assembly_sheet_has_a_page_a_step_with_its_picture(kit):
     anchors = kit.json["sheets"]["anchors"]
     assert f"24 tiles, {anchors} anchors, slabs: 1." in page
     assert kit.json["print"]["bodies"] == 24 + anchors + 1
-
-
-@pytest.mark.parametrize("settings, said", [
-    (("support=breakaway", "printer=fdm"),
-     ("holds, peel the slicer&#x27;s supports off the back and break the bridges",)),
-    (("support=breakaway", "printer=resin"), ("holds, break the bridges",)),
-    (("support=none",), ("turn the ring over, so that you can reach the back. The membrane stays",
-                         "Leave all where it lies"))])
-def test_the_assembly_sheet_fits_the_support(curveups, printed, tmp_path, settings, said):
-    ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path,
-                   *(word for one in settings for word in ("--set", one)))
-    assert ran.status in (0, 1), ran.err
-    page = (tmp_path / "small-cap-assembly.html").read_text("utf-8")
-    assert all(one in page for one in said)
 
 
 def bare(text):

@@ -13,7 +13,9 @@ import zipfile
 import numpy as np
 import pytest
 from curveups.base import freecad_session
+from curveups.kit.costs import QUICK
 from running import ROOT, by_admesh
+from scipy.spatial import cKDTree
 
 SLICER = shutil.which("prusa-slicer")
 pytestmark = pytest.mark.skipif(not SLICER, reason="there is no prusa-slicer")
@@ -50,7 +52,7 @@ def corners_of(path):
 
 def farthest(points, others):
     """The largest distance of one of the points from the nearest of the others."""
-    return max(np.linalg.norm(others - point, axis=1).min() for point in points)
+    return cKDTree(others).query(points)[0].max()
 
 
 @pytest.fixture(scope="module", params=["soluble", "breakaway"])
@@ -88,7 +90,7 @@ def test_every_body_is_sound(print_files):
 
 def test_it_can_be_sliced(print_files):
     code = print_files / "a.gcode"
-    slicer(print_files, "--export-gcode", "--support-material", *IN_PLACE, "--output", code,
+    slicer(print_files, "--export-gcode", "--support-material", *QUICK, *IN_PLACE, "--output", code,
            "small-cap-print.3mf")
     heights = [float(z) for z in re.findall(r"^G1 Z([0-9.]+)", code.read_text("utf-8"), re.MULTILINE)]
     assert 4.5 < max(heights) < 12  # the print is 5 mm high; the nozzle is lifted between parts
@@ -99,7 +101,7 @@ def test_materials_arrive_in_prusaslicers_own_project(curveups, printed, tmp_pat
     assert curveups("kit", printed.folder / "design.json", "-o", tmp_path).status == 0
     code = tmp_path / "a.gcode"
     slicer(tmp_path, "--export-gcode", "--nozzle-diameter", "0.4,0.4", "--filament-diameter", "1.75,1.75",
-           "--layer-height", "0.3", "--first-layer-height", "0.3", *IN_PLACE, "--output", code,
+           "--layer-height", "0.3", "--first-layer-height", "0.3", *QUICK, *IN_PLACE, "--output", code,
            "small-cap-prusa.3mf")
     text = code.read_text("utf-8")
     assert set(re.findall("^T[0-9]$", text, re.MULTILINE)) == {"T0", "T1"}
@@ -127,10 +129,11 @@ def test_a_fused_print_is_one_sound_body(curveups, printed, tmp_path):
     assert whole.isSolid() and not whole.hasSelfIntersections()
 
 
-# As resources/profiles/fdm.json tells, but without supports, which take most of the time.
+# As resources/profiles/fdm.json tells.
 FDM = ("--nozzle-diameter", "0.4", "--layer-height", "0.2", "--first-layer-height", "0.2",
        "--fill-density", "100%", "--fill-pattern", "rectilinear", "--filament-diameter", "1.75",
-       "--skirts", "0", "--gcode-comments", "--bed-shape", "0x0,250x0,250x210,0x210", "--center", "125,105")
+       "--skirts", "0", "--gcode-comments", "--bed-shape", "0x0,250x0,250x210,0x210", "--center", "125,105",
+       "--support-material", "--support-material-buildplate-only")
 
 
 @pytest.fixture(scope="module")
@@ -145,6 +148,14 @@ def fdm_print(curveups, tmp_path_factory):
     return folder, json.loads((folder / "report.json").read_text(encoding="utf-8"))
 
 
+@pytest.fixture(scope="module")
+def fdm_code(fdm_print):
+    folder, _ = fdm_print
+    code = folder / "a.gcode"
+    slicer(folder, "--export-gcode", *FDM, *QUICK, *IN_PLACE, "--output", code, "all.stl")
+    return list(extrusions(code.read_text("utf-8")))
+
+
 def test_the_profile_for_fdm_leaves_level_overhangs_alone(fdm_print):
     _, report = fdm_print
     assert report["valid"] is True
@@ -154,13 +165,11 @@ def test_the_profile_for_fdm_leaves_level_overhangs_alone(fdm_print):
     assert report["solids"]["min_clearance_flat_mm"] >= 0.8 - 1e-6
 
 
-def test_the_profile_for_fdm_is_sliced_whole(fdm_print):
+def test_the_profile_for_fdm_is_sliced_whole(fdm_print, fdm_code):
     """Half way up, where there are no bridges, each tile and anchor is a loop of its own: none is lost
     and none grows together with another. As much is extruded as the bodies hold."""
     folder, report = fdm_print
-    code = folder / "a.gcode"
-    slicer(folder, "--export-gcode", *FDM, *IN_PLACE, "--output", code, "all.stl")
-    loops, volume = loops_and_volume(code.read_text("utf-8"), 2.2)
+    loops, volume = loops_and_volume(fdm_code, 2.2)
     block = report["print"]
     with zipfile.ZipFile(folder / "half-sphere-print.3mf") as archive:
         bridges = archive.read("3D/3dmodel.model").decode().count('name="Support ')
@@ -169,14 +178,11 @@ def test_the_profile_for_fdm_is_sliced_whole(fdm_print):
     assert volume == pytest.approx(held, rel=0.05)
 
 
-def test_supports_for_the_profile_lie_on_the_side_that_is_glued_second(fdm_print):
+def test_supports_for_the_profile_lie_on_the_side_that_is_glued_second(fdm_print, fdm_code):
     """Level with the back pins on the bed, and nowhere else; the page and the README have them taken away
     when the front membrane holds the tiles."""
     folder, report = fdm_print
-    code = folder / "supported.gcode"
-    slicer(folder, "--export-gcode", *FDM, "--support-material", "--support-material-buildplate-only",
-           *IN_PLACE, "--output", code, "all.stl")
-    heights = {z for kind, z, _, _ in extrusions(code.read_text("utf-8")) if kind.startswith("Support")}
+    heights = {z for kind, z, _, _ in fdm_code if kind.startswith("Support")}
     assert heights and max(heights) < 0.6 + 1e-6  # H_pin
     assert report["print"]["glue"]["first"] == "front"
     page = html.unescape((folder / "report.html").read_text(encoding="utf-8"))
@@ -210,9 +216,8 @@ def extrusions(code):
             drawing = draws
 
 
-def loops_and_volume(code, height):
+def loops_and_volume(drawn, height):
     """Outer loops of the layer at that height, and mm3 extruded but for supports."""
-    drawn = list(extrusions(code))
     loops = sum(begins for kind, z, begins, _ in drawn
                 if kind == "External perimeter" and abs(z - height) < 0.05)
     return loops, sum(volume for kind, _, _, volume in drawn if not kind.startswith(("Support", "Skirt")))

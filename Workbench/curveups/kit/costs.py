@@ -18,6 +18,9 @@ from .kit import Kit
 from .prices import price
 
 SLICER, RATES = "prusa-slicer", Text("rates of the printer's file")
+# What takes PrusaSlicer 2.5 most of its time, for less than a hundredth of the hours: walls of every tile are
+# held against all that lies below, and seams are placed where nobody sees them.
+QUICK = ("--no-overhangs", "--resolution", "0.05", "--seam-position", "rear")
 MOST_SECONDS, POLL = 300.0, 0.2
 _TIME = re.compile(r"; estimated printing time \(normal mode\) = (?:(\d+)d )?(?:(\d+)h )?(?:(\d+)m )?(\d+)s")
 _PERCENT = re.compile(r"^(\d{1,2}|100) => ", re.MULTILINE)
@@ -66,8 +69,8 @@ def _sliced(kit: Kit, model: Any, go_on: Callable[[float], object]) -> Optional[
                     [SLICER, "--datadir", folder, "--export-gcode", "--layer-height", str(layer),
                      "--first-layer-height", str(layer),
                      "--bed-shape", f"0x0,{bed[0]}x0,{bed[0]}x{bed[1]},0x{bed[1]}",
-                     "--support-material", "--support-material-buildplate-only", "--output", str(code),
-                     "a.stl"], cwd=folder, stdout=output, stderr=subprocess.DEVNULL)
+                     "--support-material", "--support-material-buildplate-only", *QUICK,
+                     "--output", str(code), "a.stl"], cwd=folder, stdout=output, stderr=subprocess.DEVNULL)
             try:
                 _await(running, said, go_on)
             finally:
