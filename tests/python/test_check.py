@@ -118,6 +118,7 @@ def test_a_tip_is_named_and_a_higher_pin_clears_it(curveups, tmp_path):
     assert not found["feasible"] and {one["obstacle"] for one in found["blocked"]} == {"membrane"}
     assert found["trial"] == "failed" and all(one["certain"] for one in found["blocked"])
     assert "a trial layout, made and repaired" in ran.out and "are estimates" not in ran.out
+    assert f"\n  {found['blocked'][0]['why']}" in ran.out
     assert 0 < found["mending_would_move_mm"] <= 2 and "with mend=on, which moves" in ran.out
     assert curveups("check", path, "--set", "mend=on").status == 0
     remeshed = project(*cone(1.1)).run(("target",))["target"]

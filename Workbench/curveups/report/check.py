@@ -8,7 +8,7 @@ from typing import Any, Sequence
 import numpy as np
 
 from ..base.errors import tile_name
-from ..base.findings import Finding
+from ..base.findings import Finding, lines_of_each_kind
 from ..base.sentences import ESTIMATE, MARGINS
 from ..project.project import Results
 from ..stages.advice import of_check
@@ -106,6 +106,12 @@ def _said(results: Results) -> list[str]:
     return [", ".join(map(str, verdict(results))), *map(str, advice(results))]
 
 
+def _in_the_way(results: Results) -> list[str]:
+    """The first obstacle of each kind, certain ones before estimates."""
+    blocked = sorted(results["trial layout"].blocked, key=lambda one: not one.certain)
+    return lines_of_each_kind(one.why for one in blocked)
+
+
 HEAD = ("", "worst", "tile", "wanted", "tiles short")
 
 
@@ -115,7 +121,8 @@ def table(results: Results) -> list[str]:
     lines = [f"{results.name}: {len(found.F)} tiles, L = {get('L'):.4g} mm, H_body = {get('H_body'):g} mm"]
     for what, value, tile, wanted, short in (HEAD, *rows(results)):
         lines.append(f"  {what:<42}{value:>9}  {tile:<8}{wanted:>7}  {short:>11}")
-    return [*lines, f"  {ESTIMATE}", *_said(results)]
+    met, *more = _said(results)
+    return [*lines, f"  {ESTIMATE}", met, *(f"  {line}" for line in _in_the_way(results)), *more]
 
 
 def build_page(results: Results) -> str:
