@@ -3761,7 +3761,7 @@
     </message>
     <message>
       <source>the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is {mu:.3g}, {reason}</source>
-      <translation>Die Reserve ist nicht erreicht: Wenn die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist, gilt: {reason}</translation>
+      <translation>Die Reserve ist nicht erfüllt: Wenn die Membran ({side}) um {percent:.3g} % stärker zieht und die Reibung {mu:.3g} ist, gilt: {reason}</translation>
     </message>
     <message>
       <source>the margin is not met: {reason}</source>
@@ -4056,12 +4056,12 @@
       <translation>die Zapfen ({0}) von {1} haben keinen Flächeninhalt</translation>
     </message>
     <message>
-      <source>the {side} membrane all but touches the body of {tile} (clearance {clearance:.3g} mm)</source>
-      <translation>Die Membran ({side}) berührt fast den Körper von {tile} (Abstand {clearance:.3g} mm)</translation>
-    </message>
-    <message>
       <source>the {side} membrane is slack beside {beside:8}</source>
       <translation>Die Membran ({side}) ist schlaff neben {beside:8}</translation>
+    </message>
+    <message>
+      <source>the {side} membrane nearly touches the body of {tile} (clearance {clearance:.3g} mm)</source>
+      <translation>Die Membran ({side}) berührt fast den Körper von {tile} (Abstand {clearance:.3g} mm)</translation>
     </message>
     <message>
       <source>the {side} membrane would cut {depth:.3g} mm into the body of {tile}: raise H_pin or lower insets there</source>

@@ -18,7 +18,7 @@ from curveups.project.project import Project
 from curveups.report import check
 from curveups.stages import advice, asked_by, feasibility, pin_smoothing, size_search, trial_layout
 from curveups.stages.cut_request import CutRequest
-from curveups.stages.feasibility import examine
+from curveups.stages.feasibility import Obstacle, examine
 from curveups.stages.stage import Job
 from curveups.stages.surface import Source
 from shapes import obj_text
@@ -118,7 +118,8 @@ def test_a_tip_is_named_and_a_higher_pin_clears_it(curveups, tmp_path):
     assert not found["feasible"] and {one["obstacle"] for one in found["blocked"]} == {"membrane"}
     assert found["trial"] == "failed" and all(one["certain"] for one in found["blocked"])
     assert "a trial layout, made and repaired" in ran.out and "are estimates" not in ran.out
-    assert f"\n  {found['blocked'][0]['why']}" in ran.out
+    first = found["blocked"][0]
+    assert f"\n  T{first['tile'] + 1:05d}: {first['why']}" in ran.out
     assert 0 < found["mending_would_move_mm"] <= 2 and "with mend=on, which moves" in ran.out
     assert curveups("check", path, "--set", "mend=on").status == 0
     remeshed = project(*cone(1.1)).run(("target",))["target"]
@@ -263,6 +264,20 @@ def test_pins_between_parts_that_face_one_another_need_room():
     parameters = native.Parameters()
     parameters.set("held_tiles", "T09999")
     assert native.facing_pins(*storeys(5.01), NO_CUTS, parameters) == []
+
+
+def test_the_terminal_says_why_tiles_can_not_be_made():
+    results = project(*storeys(1.0), remesh=False).run(asked_by("check"))
+    lines = check.table(results)
+    place = next(k for k, line in enumerate(lines) if line.startswith("64 of 64 tiles can't be made"))
+    assert lines[place + 1] == ("  T00001: it runs through T00033, another part of the target, and no plane "
+                                "parts them (64 tiles)")
+    assert not lines[place + 2].startswith(" ")
+    # Estimates come last and have the mark that is explained above.
+    cuts = Finding.about("membrane.cuts", [4], side="front", tile=(4,), depth=0.2)
+    blocked = (Obstacle(cuts, certain=False), results["trial layout"].blocked[0])
+    found = check._reasons({"trial layout": trial_layout.TrialLayout(blocked)})
+    assert found == [f"T00001: {blocked[1].why}", f"T00005: {cuts} *"]
 
 
 def test_thinner_tiles_with_lower_pins_do_where_neither_does_alone(curveups, tmp_path):

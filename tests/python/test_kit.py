@@ -241,7 +241,7 @@ def test_two_pieces_say_which_of_their_tiles_lie_side_by_side():
     assert Kit(SimpleNamespace(design=whole), {}).borders == {"pairs": [], "named": []}
 
 
-@pytest.mark.parametrize("settings, shop_says, shop_does_not, page_says", [
+@pytest.mark.parametrize("settings, shop_says, shop_omits, page_says", [
     (("support=breakaway", "printer=fdm"),
      ("do not break them", "PLA or PETG", "Do not scale, turn", "on the bed alone, and leave these in, too"),
      ("wash it off", "two materials", "Tilt"),
@@ -254,13 +254,13 @@ def test_two_pieces_say_which_of_their_tiles_lie_side_by_side():
     (("support=none",), ("Nothing joins the tiles",), ("Leave the", "leave these in"),
      ("turn the ring over, so that you can reach the back. The membrane stays",
       "Leave all where it lies"))])
-def test_sheets_fit_support_and_printer(curveups, printed, tmp_path, settings, shop_says, shop_does_not,
+def test_sheets_fit_support_and_printer(curveups, printed, tmp_path, settings, shop_says, shop_omits,
                                         page_says):
     ran = curveups("kit", printed.folder / "design.json", "-o", tmp_path,
                    *(word for one in settings for word in ("--set", one)))
     assert ran.status in (0, 1), ran.err
     text = " ".join(pdf_text(tmp_path / "small-cap-shop.pdf").split())
-    assert all(one in text for one in shop_says) and not any(one in text for one in shop_does_not)
+    assert all(one in text for one in shop_says) and not any(one in text for one in shop_omits)
     page = (tmp_path / "small-cap-assembly.html").read_text("utf-8")
     assert all(one in page for one in page_says)
 

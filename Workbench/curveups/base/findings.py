@@ -144,12 +144,6 @@ def first_of_each_kind(findings: Iterable[Finding]) -> list[tuple[Finding, int]]
     return [(group[0], len(group) - 1) for group in groups.values()]
 
 
-def lines_of_each_kind(findings: Iterable[Finding]) -> list[str]:
-    """The same for a terminal."""
-    return [f"{first}" + (f" (and {others} more of this kind)" if others else "")
-            for first, others in first_of_each_kind(findings)]
-
-
 def failed(kind: str, error: CurveUpsError) -> Finding:
     """An error as a reason."""
     if error.finding is not None:

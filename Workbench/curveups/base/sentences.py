@@ -80,7 +80,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                         "lie on itself between {contacts:8}", "leave out the cut there, or cut elsewhere"),
     "membrane.cuts": "the {side} membrane would cut {depth:.3g} mm into the body of {tile}: raise H_pin or "
                      "lower insets there",
-    "membrane.touches": "the {side} membrane all but touches the body of {tile} (clearance {clearance:.3g} "
+    "membrane.touches": "the {side} membrane nearly touches the body of {tile} (clearance {clearance:.3g} "
                         "mm)",
     "membrane.slack": "the {side} membrane is slack beside {beside:8}",
     "sheet_tears": "more than 1 % of the membranes is stretched by {elongation:.3g} % or more, beyond "

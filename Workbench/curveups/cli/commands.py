@@ -9,7 +9,7 @@ from typing import Any, Iterator, Sequence, TextIO
 
 from ..base.errors import NOT_VALID, NOT_WRITTEN, STOPPED, VALID, CurveUpsError, Stopped, named_tiles, \
     tile_name
-from ..base.findings import Finding, lines_of_each_kind
+from ..base.findings import Finding, first_of_each_kind
 from ..base.language import Language
 from ..base.native import native, translated
 from ..base.output import Folder, is_text, plain_name, require_folder_name, safe_name
@@ -305,8 +305,8 @@ def _finish(results: Results, folder: Path | None, session: Session, stopped: bo
 
 def _tell_of_warnings(results: Results, reporter: Reporter) -> None:
     """The first of each kind; report.json and the page have all."""
-    for line in lines_of_each_kind(results.warnings()):
-        reporter.say(f"  warning: {line}")
+    for first, others in first_of_each_kind(results.warnings()):
+        reporter.say(f"  warning: {first}" + (f" (and {others} more of this kind)" if others else ""))
 
 
 def _tell_of_cuts(results: Results, reporter: Reporter) -> None:

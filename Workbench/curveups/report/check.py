@@ -8,7 +8,7 @@ from typing import Any, Sequence
 import numpy as np
 
 from ..base.errors import tile_name
-from ..base.findings import Finding, lines_of_each_kind
+from ..base.findings import Finding
 from ..base.sentences import ESTIMATE, MARGINS
 from ..project.project import Results
 from ..stages.advice import of_check
@@ -106,10 +106,17 @@ def _said(results: Results) -> list[str]:
     return [", ".join(map(str, verdict(results))), *map(str, advice(results))]
 
 
-def _in_the_way(results: Results) -> list[str]:
-    """The first obstacle of each kind, certain ones before estimates."""
-    blocked = sorted(results["trial layout"].blocked, key=lambda one: not one.certain)
-    return lines_of_each_kind(one.why for one in blocked)
+def _reasons(results: Results) -> list[str]:
+    """The first obstacle of each kind, and how many tiles have one; certain ones before estimates."""
+    groups: dict[tuple[bool, str], list[Obstacle]] = {}
+    for one in sorted(results["trial layout"].blocked, key=lambda one: not one.certain):
+        groups.setdefault((one.certain, one.obstacle), []).append(one)
+    lines = []
+    for (certain, _), found in groups.items():
+        tiles = len({one.tile for one in found})
+        lines.append(f"{tile_name(found[0].tile)}: {found[0].why}" + " *" * (not certain)
+                     + f" ({tiles} tiles)" * (tiles > 1))
+    return lines
 
 
 HEAD = ("", "worst", "tile", "wanted", "tiles short")
@@ -122,7 +129,7 @@ def table(results: Results) -> list[str]:
     for what, value, tile, wanted, short in (HEAD, *rows(results)):
         lines.append(f"  {what:<42}{value:>9}  {tile:<8}{wanted:>7}  {short:>11}")
     met, *more = _said(results)
-    return [*lines, f"  {ESTIMATE}", met, *(f"  {line}" for line in _in_the_way(results)), *more]
+    return [*lines, f"  {ESTIMATE}", met, *(f"  {line}" for line in _reasons(results)), *more]
 
 
 def build_page(results: Results) -> str:

@@ -44,7 +44,7 @@ def stretch_view(membranes: Sequence[Any], width: float = 10.0) -> bytes:
              ((WRINKLED, WRINKLE, "wrinkled: tinted"), (SLACK, LOOSE, "slack")) if (found == kind).any()]
     if marks:
         figure.legend(handles=marks, loc="lower center", ncol=2, frameon=False)
-    return pictures._png(figure)
+    return pictures._png(figure, scale=True)
 
 
 def _scale(membranes: Sequence[Any]) -> Normalize:

@@ -69,7 +69,7 @@ def flat_layout(design: Any, values: np.ndarray | None = None, label: str = "",
     axes.set_xlabel("mm")
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
-    return _png(figure)
+    return _png(figure, scale=values is not None)
 
 
 def actuated_view(design: Any, width: float = 7.0) -> bytes:
@@ -95,7 +95,7 @@ def movement_view(V: np.ndarray, F: np.ndarray, values: np.ndarray) -> bytes:
     figure, height = two_sides(V, F, scale.to_rgba(of_tile)[:, :3], 0.6)
     figure.colorbar(scale, cax=figure.add_axes([0.3, 0.4 / height, 0.4, 0.12 / height]),
                     orientation="horizontal", label="mm")
-    return _png(figure)
+    return _png(figure, scale=True)
 
 
 def two_sides(V: np.ndarray, F: np.ndarray, colours: np.ndarray, below: float = 0.0,
@@ -201,12 +201,13 @@ def camera(V: np.ndarray, F: np.ndarray) -> np.ndarray:
     return np.stack([right, np.cross(eye, right), eye])
 
 
-def _png(figure: Figure, dpi: int = 130) -> bytes:
-    """With a palette: nobody sees the difference, and pages have a quarter of the size."""
+def _png(figure: Figure, dpi: int = 130, scale: bool = False) -> bytes:
+    """A palette makes the file four times smaller. scale: colours stand for values, and stay as they are."""
     figure.set_dpi(dpi)
     pixels, size = FigureCanvasAgg(figure).print_to_buffer()
     image = Image.frombuffer("RGBA", size, pixels, "raw", "RGBA", 0, 1).convert("RGB")
+    if not scale:
+        image = image.quantize(256, Image.Quantize.FASTOCTREE)
     buffer = io.BytesIO()
-    few = image.quantize(256, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
-    few.save(buffer, "png", dpi=(dpi, dpi))
+    image.save(buffer, "png", dpi=(dpi, dpi))
     return buffer.getvalue()
