@@ -8,11 +8,12 @@ import pytest
 
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.report import html, membrane_pictures
+from curveups.report import html, membrane_pictures, pictures
 from curveups.report.data import build_report
 from curveups.stages import verification
 from matplotlib.colors import to_rgb
 from matplotlib.image import imread
+from PIL import Image
 
 
 def strip(stretch, tension):
@@ -68,3 +69,16 @@ def test_the_page_shows_both_membranes_where_they_were_computed(designed):
     assert [p.heading for p in found.pictures()] == ["Contact forces", "", "Membranes"]
     assert verification.Verification(note="verification was off").pictures() == ()
     assert "<h2>Membranes</h2>" in (designed.folder / "report.html").read_text(encoding="utf-8")
+
+
+def test_colours_that_stand_for_values_are_kept(designed):
+    """A palette put steps and a wrong stripe into scales of colours."""
+    design = native.read_design((designed.folder / "design.json").read_text("utf-8"))
+    scaled, plain = (Image.open(io.BytesIO(pictures.flat_layout(design, values)))
+                     for values in (np.linspace(0, 1, len(design.T)), None))
+    assert (scaled.mode, plain.mode) == ("RGB", "P")
+    ends = [to_rgb(colour) for colour in ("#440154", "#fde725")]  # of viridis
+    for one, colours, within in ((scaled, ends, 2), (plain, [to_rgb(pictures.BODY)], 10)):
+        drawn = np.array([colour for _, colour in one.convert("RGB").getcolors(1 << 24)])
+        for colour in colours:
+            assert np.abs(drawn - 255 * np.array(colour)).max(axis=1).min() < within
