@@ -71,6 +71,7 @@ void TileWorld::set(const Conditions& next) {
       membrane.set_flat(with_half_moved(designed.flat_corners[s], designed.flat_corners[0], next));
     }
   }
+  world->energies_changed();
   if (!grown) return;
   std::vector<RigidBody> bodies = designed.bodies;
   for (int i = 0; i < tile_count; ++i) {

@@ -17,6 +17,13 @@ Vec3 seen(const Poses& poses, const TouchingPair& pair, const Touch& touch) {
   return seen_from(poses[pair.body[1 - touch.of]], poses[pair.body[touch.of]], touch.point);
 }
 
+// Adds first derivatives of direction . y, y the point as the other body sees it.
+void add_along(const Poses& poses, const TouchingPair& pair, const Touch& touch,
+               const Vec3& direction, double lever, MotionDerivatives<2>& out) {
+  add_seen_point(poses, pair.body, touch.of, 1 - touch.of, touch.point, direction,
+                 Eigen::Matrix3d::Zero(), lever, false, 0, out);
+}
+
 // visit(touch) of all points of pairs.
 template <class Pairs, class Visit>
 void each(Pairs& pairs, const Visit& visit) {
@@ -64,12 +71,12 @@ void ContactEnergy::couple(std::vector<Coupling>& couplings) const {
   for (const std::array<int, 2>& pair : coupled) couplings.push_back({pair[0], pair[1]});
 }
 
-MotionDerivatives<2> ContactEnergy::of_pair(const TouchingPair& pair, const Poses& poses,
-                                            double lever, bool second) const {
-  MotionDerivatives<2> out;
+void ContactEnergy::add_pair(const TouchingPair& pair, const Poses& poses, double lever,
+                             bool second, MotionDerivatives<2>& out) const {
   for (const Touch& touch : pair.touches) {
     const Vec3 y = seen(poses, pair, touch);
-    const double push = touch.push(y);
+    const bool holds = glued && std::isinf(touch.cap);
+    const double push = holds ? -touch.stiffness * touch.gap(y) : touch.push(y);
     const Vec2 u = touch.reach(y);
     const double length = u.norm(), k = touch.tangent_stiffness;
     const bool slips = k * length > touch.cap;
@@ -82,8 +89,7 @@ MotionDerivatives<2> ContactEnergy::of_pair(const TouchingPair& pair, const Pose
     const Vec3 by_y = -push * touch.normal + touch.tangents * tangential;
     Eigen::Matrix3d by_y_twice = Eigen::Matrix3d::Zero();
     if (second) {
-      if (push > 0 || (closing && std::isinf(touch.cap)))
-        by_y_twice = touch.stiffness * touch.normal * touch.normal.transpose();
+      if (push > 0 || holds) by_y_twice = touch.stiffness * touch.normal * touch.normal.transpose();
       Eigen::Matrix2d plane = k * Eigen::Matrix2d::Identity();
       if (slips) {
         plane *= touch.cap / (k * length);
@@ -94,12 +100,14 @@ MotionDerivatives<2> ContactEnergy::of_pair(const TouchingPair& pair, const Pose
     add_seen_point(poses, pair.body, touch.of, 1 - touch.of, touch.point, by_y, by_y_twice, lever,
                    second, convex, out);
   }
-  return out;
 }
 
 double ContactEnergy::value(const Poses& poses) const {
-  return parallel_sum(static_cast<int>(pairs.size()),
-                      [&](int k) { return of_pair(pairs[k], poses, 0, false).value; });
+  return parallel_sum(static_cast<int>(pairs.size()), [&](int k) {
+    MotionDerivatives<2> out;
+    add_pair(pairs[k], poses, 0, false, out);
+    return out.value;
+  });
 }
 
 double ContactEnergy::derivatives(const Poses& poses, double lever, Motions& gradient,
@@ -108,7 +116,8 @@ double ContactEnergy::derivatives(const Poses& poses, double lever, Motions& gra
   parallel_gather<MotionDerivatives<2>>(
       static_cast<int>(pairs.size()),
       [&](int k, MotionDerivatives<2>& out) {
-        out = of_pair(pairs[k], poses, lever, hessian != nullptr);
+        out.clear(hessian != nullptr);
+        add_pair(pairs[k], poses, lever, hessian != nullptr, out);
       },
       [&](int k, const MotionDerivatives<2>& out) {
         sum += out.value;
@@ -153,6 +162,44 @@ Eigen::VectorXd ContactEnergy::caps_at(const Poses& poses) const {
 void ContactEnergy::set_caps(const Eigen::VectorXd& caps) {
   int at = 0;
   each(pairs, [&](Touch& touch) { touch.cap = std::max(0.0, caps(at++)); });
+}
+
+Eigen::VectorXd ContactEnergy::caps_after(const Poses& poses, double lever,
+                                          const Motions& motions) const {
+  Eigen::VectorXd out(touch_count());
+  int at = 0;
+  MotionDerivatives<2> gap;
+  for (const TouchingPair& pair : pairs) {
+    for (const Touch& touch : pair.touches) {
+      double push = touch.push(seen(poses, pair, touch));
+      if (push > 0) {
+        gap.clear(false);
+        add_along(poses, pair, touch, touch.normal, lever, gap);
+        push -= touch.stiffness * (gap.gradient.head<6>().dot(motions.row(pair.body[0])) +
+                                   gap.gradient.tail<6>().dot(motions.row(pair.body[1])));
+      }
+      out(at++) = friction_coefficient * std::max(0.0, push);
+    }
+  }
+  return out;
+}
+
+void ContactEnergy::add_caps(const Poses& poses, double lever, const Eigen::VectorXd& caps,
+                             Motions& gradient) const {
+  int at = 0;
+  MotionDerivatives<2> friction;
+  for (const TouchingPair& pair : pairs) {
+    for (const Touch& touch : pair.touches) {
+      const double change = caps(at++) - touch.cap;
+      if (change == 0) continue;
+      const Vec2 reach = touch.reach(seen(poses, pair, touch));
+      const double stretch = reach.norm();
+      if (touch.tangent_stiffness * stretch <= touch.cap) continue;
+      friction.clear(false);
+      add_along(poses, pair, touch, touch.tangents * (change / stretch * reach), lever, friction);
+      friction.add_to(pair.body, gradient, nullptr, 0);
+    }
+  }
 }
 
 void ContactEnergy::stick() {

@@ -36,9 +36,8 @@ class ContactEnergy : public MotionEnergy {
   // way, were a spring through its present force: a convex bound from above, which keeps Newton's
   // steps from leaping to and fro across the kinks where slipping turns round.
   bool careful = false;
-  // Second derivatives as if all that is bonded pushed: where bodies touch and nothing pushes yet,
-  // the first step of Newton's method knows that they will.
-  bool closing = false;
+  // What is bonded pulls as it pushes: a first guess where bodies touch and nothing pushes yet.
+  bool glued = false;
 
   // Lets these (ascending) and all that touch have their place among the pairs that are coupled.
   // Whether there are new ones.
@@ -58,6 +57,11 @@ class ContactEnergy : public MotionEnergy {
   Eigen::VectorXd caps() const;
   Eigen::VectorXd caps_at(const Poses& poses) const;
   void set_caps(const Eigen::VectorXd& caps);
+  // mu times the normal forces, N, after these motions from the poses, to first order.
+  Eigen::VectorXd caps_after(const Poses& poses, double lever, const Motions& motions) const;
+  // Adds to the gradient what it gains as the limits of what slips become these, to first order.
+  void add_caps(const Poses& poses, double lever, const Eigen::VectorXd& caps,
+                Motions& gradient) const;
   // Lets all points stick, however little they push: a first guess.
   void stick();
   // Lets the points stick that touch at these poses, and no others.
@@ -75,8 +79,8 @@ class ContactEnergy : public MotionEnergy {
 
  private:
   int touch_count() const;
-  MotionDerivatives<2> of_pair(const TouchingPair& pair, const Poses& poses, double lever,
-                               bool second) const;
+  void add_pair(const TouchingPair& pair, const Poses& poses, double lever, bool second,
+                MotionDerivatives<2>& out) const;
 };
 
 }  // namespace curveups

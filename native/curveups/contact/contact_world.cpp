@@ -13,10 +13,17 @@
 namespace curveups {
 namespace {
 
-// Limits of friction follow, once after each iteration, where the forces that are left are at most
-// so many times what friction is beyond its cone by. With 4, Spot takes half as many iterations
-// more; with 0.3, seven designs take a tenth to two fifths more.
-constexpr double following = 2;
+// Limits of friction are predicted where the forces that are left are at most so many times what
+// friction is beyond its cone by. Further from rest a prediction is a leap: a wedge that would hold
+// ends beside its groove.
+constexpr double predictable = 10;
+// They are predicted until what they are wrong by has fallen to this share of what it
+// was at first, or so many times.
+constexpr double predicted_share = 0.1;
+constexpr int most_predictions = 6;
+// Second derivatives of the given energies serve until a body has moved by this share of the
+// largest step: membranes hardly change from step to step, contacts do.
+constexpr double kept_share = 0.1;
 // Where exact second derivatives are indefinite, they leave out at least this part of what may be
 // so.
 constexpr double least_convex = 0.05;
@@ -42,6 +49,7 @@ void ContactWorld::set_poses(const Poses& poses) {
 }
 
 void ContactWorld::set_bodies(std::vector<RigidBody> bodies) {
+  changed_ = true;
   bodies_ = std::move(bodies);
   contacts_.forget_corners();
   searched_ = false;
@@ -78,6 +86,7 @@ void ContactWorld::make_pattern() {
   }
   hessian_ = std::make_unique<BlockMatrix<6>>(
       std::make_shared<const BlockPattern>(free, couplings, places_), unknowns);
+  given_at_.clear();
 }
 
 // Bodies that the energies join, and those around a point: these depend on one another once it is
@@ -146,58 +155,97 @@ double ContactWorld::gradient(const Poses& poses, Motions& out, BlockMatrix<6>* 
   return sum;
 }
 
+void ContactWorld::add_second_derivatives(const Poses& x) {
+  Motions unused = Motions::Zero(x.size(), 6);
+  if (given_at_.empty() || largest_row(motions_between(given_at_, x, options_.lever)) >
+                               kept_share * options_.step_limit) {
+    hessian_->set_zero();
+    given_gradient(x, unused, hessian_.get());
+    given_entries_ = hessian_->entries();
+    given_at_ = x;
+  } else {
+    hessian_->set_entries(given_entries_);
+  }
+  contacts_.derivatives(x, options_.lever, unused, hessian_.get(), first_.back());
+}
+
+Motions ContactWorld::newton_step(const Motions& gradient) const {
+  const Eigen::MatrixXd solved =
+      hessian_->solve(-Eigen::Map<const Eigen::VectorXd>(gradient.data(), gradient.size()));
+  return Eigen::Map<const Motions>(solved.data(), gradient.rows(), 6);
+}
+
+// Limits of friction that are mu times the normal forces after the very step that they lead to, to
+// first order: Newton's method on Coulomb's law. Its matrix is not symmetric; the factorization of
+// the symmetric part and Anderson's method solve with it, also where a wedge would make the plain
+// iteration run away.
+void ContactWorld::predict_caps(const Poses& x, const Motions& gradient) {
+  Eigen::VectorXd caps = contacts_.caps();
+  AndersonIteration fixed_point;
+  double first = 0;
+  for (int k = 0; k < most_predictions; ++k) {
+    Motions changed = gradient;
+    contacts_.add_caps(x, options_.lever, caps, changed);
+    hold_fixed(changed);
+    const Eigen::VectorXd wanted = contacts_.caps_after(x, options_.lever, newton_step(changed));
+    const double error = (wanted - caps).lpNorm<Eigen::Infinity>();
+    if (k == 0) first = error;
+    if (error <= predicted_share * first) {
+      caps = wanted;
+      break;
+    }
+    caps = fixed_point.next(caps, wanted).cwiseMax(0.0);
+  }
+  contacts_.set_caps(caps);
+}
+
 bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& report) {
   // What is left of friction beyond the cone is taken away when the step ends, and must not wake
   // bodies that would be at rest: they would creep from step to step.
   const double tolerance = std::max(options_.tolerance * scale, rounding_),
                cone = options_.cone_share * options_.cone_tolerance * scale;
   const double lever = options_.lever;
-  AndersonIteration fixed_point;
   contacts_.careful = false;
-  Motions given, g, way;
+  Motions given, g;
   double given_energy = given_gradient(x, given, nullptr);
   double before = -1;  // the residual before the last step, where it was a whole one
   bool factorized = false;
   double shift = 0;
-  int iterations = 0, caps_taken = 0;
-  bool stepped = true;  // since the limits of friction last followed
-  while (true) {
+  for (int iterations = 0;;) {
     const Motions so_far = motions_between(poses_, x, lever);
-    // By an older factorization where that contracts well.
-    const bool fresh = !factorized;
-    g = given;
-    double now = given_energy + contacts_.derivatives(x, lever, g, nullptr, first_.back());
-    now += 0.5 * weight * so_far.squaredNorm();
-    g += weight * so_far;
-    hold_fixed(g);
-    const double residual = largest_row(g);
+    if (largest_row(so_far) > 2 * options_.step_limit) return false;
+    // Under the present limits of friction, with its gradient.
+    const auto energy_here = [&] {
+      g = given + weight * so_far;
+      const double energy = given_energy + 0.5 * weight * so_far.squaredNorm() +
+                            contacts_.derivatives(x, lever, g, nullptr, first_.back());
+      hold_fixed(g);
+      return energy;
+    };
+    contacts_.glued = contacts_.is_bonded() && changed_ && iterations == 0;
+    double now = energy_here();
+    const double residual = largest_row(g), error = contacts_.cone_error(x);
     report.residual = residual / scale;
-    const double error = contacts_.cone_error(x);
     report.cone_error = error / scale;
-    if (residual <= tolerance && error <= cone) return true;
-    if (residual <= tolerance || (stepped && residual <= following * error)) {
-      const Eigen::VectorXd caps = contacts_.caps();
-      const Eigen::VectorXd wanted = contacts_.caps_at(x);
-      contacts_.set_caps(caps.allFinite() ? fixed_point.next(caps, wanted) : wanted);
+    if (residual <= tolerance && error <= cone && !contacts_.glued) return true;
+    if (!contacts_.is_bonded() && !contacts_.caps().allFinite() &&
+        (residual <= tolerance || iterations > 0)) {
+      contacts_.set_caps(contacts_.caps_at(x));
       before = -1;
-      stepped = false;
-      if (++caps_taken > options_.max_iterations) return false;
       continue;
     }
+    // By an older factorization where that contracts well.
+    const bool fresh = !factorized;
     if (!fresh && before > 0 && residual > 0.2 * before) {
       factorized = false;
       before = -1;
       continue;
     }
-    if (++iterations > options_.max_iterations || largest_row(so_far) > 2 * options_.step_limit) {
-      return false;
-    }
+    if (++iterations > options_.max_iterations) return false;
     ++report.iterations;
     if (fresh) {
       ++report.factorizations;
-      contacts_.closing = contacts_.is_bonded() && report.iterations == 1;
-      gradient(x, way, hessian_.get());
-      contacts_.closing = false;
+      add_second_derivatives(x);
       double extra = shift;
       while (!hessian_->factorize(0, weight + extra)) {
         extra = std::max(1e-4 * hessian_->mean_diagonal(), 4 * extra);
@@ -210,9 +258,11 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       if (shift < 1e-7 * hessian_->mean_diagonal()) shift = 0;
       factorized = true;
     }
-    Eigen::MatrixXd right = -Eigen::Map<const Eigen::VectorXd>(g.data(), g.size());
-    right = hessian_->solve(right);
-    way = Eigen::Map<const Motions>(right.data(), g.rows(), 6);
+    if (error > cone && residual <= predictable * error && contacts_.caps().allFinite()) {
+      predict_caps(x, g);
+      now = energy_here();
+    }
+    const Motions way = newton_step(g);
     double part = std::min(1.0, options_.step_limit / std::max(largest_row(way), 1e-300));
     const double slope = g.cwiseProduct(way).sum();
     const bool whole = part == 1;
@@ -229,8 +279,8 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
         break;
       }
     }
+    contacts_.glued = false;
     before = residual;
-    stepped = true;
     factorized = whole && halved == 0;
     contacts_.careful = halved > 0;
     checkpoint();
@@ -294,10 +344,10 @@ StepReport ContactWorld::step() {
     x = poses_;
     report.converged = minimise(weight_, scale, x, report);
     report.motion = largest_row(motions_between(poses_, x, options_.lever));
-    if ((report.converged && report.motion <= 1.5 * options_.step_limit) || attempt == 4) break;
+    if (report.converged || attempt == 4) break;
     weight_ *= 8;
   }
-  fresh_ = false;
+  fresh_ = changed_ = false;
   contacts_.remember(x);
   poses_ = std::move(x);
   searched_ = false;
@@ -427,9 +477,7 @@ StepReport ContactWorld::advance() {
     if (last || ((report.converged || covered(x) > 1) && !stores_more())) break;
     ++report.iterations;
     factorize(x, drag, convex, report);
-    const Eigen::MatrixXd solved =
-        hessian_->solve(-Eigen::Map<const Eigen::VectorXd>(g.data(), g.size()));
-    const Motions way = Eigen::Map<const Motions>(solved.data(), g.rows(), 6);
+    const Motions way = newton_step(g);
     const double slope = g.cwiseProduct(way).sum(), blur = 1e-12 * (std::abs(now) + unit * lever);
     const double whole = stride(drag.furthest_apart(x, way), way);
     double part = std::min(1.0, 1 / std::max(whole, 1e-300));

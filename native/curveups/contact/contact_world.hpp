@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rigid bodies in contact under given energies, step by step: each step minimises
 //   E(x) + contacts(x; c) + w |x - x0|^2 / 2
-// by Newton's method on one sparse pattern, with the friction limits c moved to mu times the normal
-// forces until Coulomb's cone holds, and remembers where friction stuck. w keeps bodies that
+// by Newton's method on one sparse pattern, with the friction limits c that are mu times the normal
+// forces after each of its steps, and remembers where friction stuck. w keeps bodies that
 // nothing holds from running further than step_limit, and falls as motion ends: what comes to rest
 // is at rest under E and Coulomb's law alone.
 #pragma once
@@ -79,6 +79,8 @@ class ContactWorld {
     options_.cone_share = cone_share;
   }
   const WorldOptions& options() const { return options_; }
+  // To be called where an energy's own values have changed.
+  void energies_changed() { given_at_.clear(); }
   // From here on, with what friction remembers between faces that stay the same.
   void set_poses(const Poses& poses);
 
@@ -137,6 +139,9 @@ class ContactWorld {
   void hold_fixed(Motions& gradient) const;
   double force_unit(const Motions& given) const;
   void set_convex(double convex);
+  void add_second_derivatives(const Poses& x);
+  Motions newton_step(const Motions& gradient) const;
+  void predict_caps(const Poses& x, const Motions& gradient);
   void factorize(const Poses& x, const Drag& drag, double& convex, StepReport& report);
   bool minimise(double weight, double scale, Poses& x, StepReport& report);
 
@@ -149,8 +154,13 @@ class ContactWorld {
   std::vector<int> first_;  // couplings of the energies, then those of contacts
   Places places_;           // of the bodies when the pattern was made
   std::unique_ptr<BlockMatrix<6>> hessian_;
+  // Second derivatives of the given energies, where bodies were at these poses.
+  Eigen::VectorXd given_entries_;
+  Poses given_at_;
   std::optional<std::vector<std::array<int, 2>>> joined_;  // once searched
-  bool searched_ = false, fresh_ = true;
+  bool searched_ = false;
+  bool fresh_ = true;    // no step was taken yet
+  bool changed_ = true;  // none with these bodies
   double convex_ = 0;
   double weight_ = -1;
   double rounding_ = 0;  // N: forces smaller than this are rounding of positions

@@ -34,6 +34,12 @@ struct MotionDerivatives {
   Eigen::Matrix<double, 6 * K, 1> gradient = Eigen::Matrix<double, 6 * K, 1>::Zero();
   Eigen::Matrix<double, 6 * K, 6 * K> hessian = Eigen::Matrix<double, 6 * K, 6 * K>::Zero();
 
+  // Zero again; second derivatives only where `second`: they are large, and not always asked for.
+  void clear(bool second) {
+    value = 0;
+    gradient.setZero();
+    if (second) hessian.setZero();
+  }
   // Adds what belongs to these bodies (-1: none, and none after it); coupling: the number of the
   // element's first one, for pairs (0, 1), (0, 2), (1, 2) and so on.
   void add_to(const std::array<int, K>& body, Motions& sum, BlockMatrix<6>* matrix,

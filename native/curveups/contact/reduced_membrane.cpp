@@ -203,7 +203,7 @@ double ReducedMembrane::derivatives(const Poses& poses, double lever, Motions& g
   parallel_gather<MotionDerivatives<3>>(
       static_cast<int>(elements_.size()),
       [&](int k, MotionDerivatives<3>& out) {
-        out = {};
+        out.clear(hessian != nullptr);
         evaluate(elements_[k], poses, lever, hessian != nullptr, &out);
       },
       [&](int k, const MotionDerivatives<3>& out) {

@@ -333,6 +333,7 @@ double TileWorld::solve_elements(SolvedDesign& solved, double enough) {
     for (int s = 0; s < 2; ++s) {
       corrections[s]->loads = designed.corrections[s] = shared_out(missing[s], tiles, system);
     }
+    world->energies_changed();
   }
   return off / mean;
 }

@@ -86,6 +86,9 @@ class BlockMatrix {
   // Adds a matrix of the same pattern and unknowns.
   void add(const BlockMatrix& other);
   double mean_diagonal() const;
+  // All entries, in an order of their own: to come back to.
+  Eigen::VectorXd entries() const { return matrix_.coeffs(); }
+  void set_entries(const Eigen::VectorXd& entries) { matrix_.coeffs() = entries; }
 
   // Cholesky factorization with the diagonal entries d as d (1 + damping) + shift. False where the
   // matrix is not positive definite or not finite.
