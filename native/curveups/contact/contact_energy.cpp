@@ -67,6 +67,32 @@ int ContactEnergy::coupling(const std::array<int, 2>& pair) const {
   return static_cast<int>(std::lower_bound(coupled.begin(), coupled.end(), pair) - coupled.begin());
 }
 
+std::unique_ptr<MotionEnergy> ContactEnergy::part(const BodyPart& bodies) const {
+  auto out = std::make_unique<ContactEnergy>();
+  out->friction_coefficient = friction_coefficient;
+  for (const TouchingPair& pair : pairs) {
+    std::array<int, 2> body = pair.body;
+    if (!bodies.take(body)) continue;
+    out->pairs.push_back(pair);
+    out->pairs.back().body = body;
+    out->pairs.back().coupling = static_cast<int>(out->coupled.size());
+    out->coupled.push_back(body);
+  }
+  return out;
+}
+
+void ContactEnergy::take_caps(const ContactEnergy& other, const BodyPart& bodies) {
+  auto from = other.pairs.begin();
+  for (TouchingPair& pair : pairs) {
+    std::array<int, 2> body = pair.body;
+    if (!bodies.take(body)) continue;
+    for (std::size_t k = 0; k < pair.touches.size(); ++k) {
+      pair.touches[k].cap = from->touches[k].cap;
+    }
+    ++from;
+  }
+}
+
 void ContactEnergy::couple(std::vector<Coupling>& couplings) const {
   for (const std::array<int, 2>& pair : coupled) couplings.push_back({pair[0], pair[1]});
 }
@@ -126,15 +152,20 @@ double ContactEnergy::derivatives(const Poses& poses, double lever, Motions& gra
   return sum;
 }
 
-double ContactEnergy::cone_error(const Poses& poses) const {
-  if (is_bonded()) return 0;
-  double error = 0;
-  each_seen(pairs, poses, [&](const Touch& touch, const Vec3& y) {
-    const double stretch = touch.reach(y).norm();
-    error = std::max(error, std::abs(hold(touch, stretch, touch.cap) -
-                                     hold(touch, stretch, friction_coefficient * touch.push(y))));
-  });
-  return error;
+Eigen::VectorXd ContactEnergy::cone_errors(const Poses& poses) const {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(poses.size()));
+  if (is_bonded()) return out;
+  for (const TouchingPair& pair : pairs) {
+    double error = 0;
+    for (const Touch& touch : pair.touches) {
+      const Vec3 y = seen(poses, pair, touch);
+      const double stretch = touch.reach(y).norm();
+      error = std::max(error, std::abs(hold(touch, stretch, touch.cap) -
+                                       hold(touch, stretch, friction_coefficient * touch.push(y))));
+    }
+    for (int body : pair.body) out(body) = std::max(out(body), error);
+  }
+  return out;
 }
 
 int ContactEnergy::touch_count() const {

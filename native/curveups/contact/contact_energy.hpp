@@ -44,14 +44,17 @@ class ContactEnergy : public MotionEnergy {
   bool couple_pairs(const std::vector<std::array<int, 2>>& others = {});
   // The place of a pair that is coupled.
   int coupling(const std::array<int, 2>& pair) const;
+  std::unique_ptr<MotionEnergy> part(const BodyPart& bodies) const override;
+  // Limits of friction as a part of this energy has them.
+  void take_caps(const ContactEnergy& other, const BodyPart& bodies);
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
   double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
                      int first) const override;
 
-  // How far friction is from Coulomb's cone, N: the largest difference at a point between its
-  // friction and what it would be with mu times the normal force there as its limit.
-  double cone_error(const Poses& poses) const;
+  // How far friction is from Coulomb's cone, N: of each body the largest difference at a point
+  // between its friction and what it would be with mu times the normal force there as its limit.
+  Eigen::VectorXd cone_errors(const Poses& poses) const;
   // Limits of friction, N, point by point: those of the present step, and mu times the normal
   // forces at these poses.
   Eigen::VectorXd caps() const;

@@ -87,6 +87,7 @@ void ContactWorld::make_pattern() {
   hessian_ = std::make_unique<BlockMatrix<6>>(
       std::make_shared<const BlockPattern>(free, couplings, places_), unknowns);
   given_at_.clear();
+  joined_to_.clear();
 }
 
 // Bodies that the energies join, and those around a point: these depend on one another once it is
@@ -199,6 +200,49 @@ void ContactWorld::predict_caps(const Poses& x, const Motions& gradient) {
   contacts_.set_caps(caps);
 }
 
+// Lets a few bodies that hold the rest up settle by themselves (body_part.hpp). False where there
+// are no such bodies, or they find no rest.
+bool ContactWorld::settle_worst(double weight, double scale, const Motions& gradient,
+                                const Eigen::VectorXd& cone_errors, Poses& x) {
+  if (joined_to_.empty()) {
+    std::vector<Coupling> couplings;
+    for (const auto& energy : energies_) energy->couple(couplings);
+    contacts_.couple(couplings);
+    joined_to_.resize(bodies_.size());
+    for (const auto& [i, j] : couplings) {
+      if (i < 0 || j < 0) continue;
+      joined_to_[i].push_back(j);
+      joined_to_[j].push_back(i);
+    }
+  }
+  Eigen::VectorXd forces = cone_errors;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    forces(i) = bodies_[i].fixed ? 0 : std::max(forces(i), largest_row(gradient.row(i)));
+  }
+  const BodyPart part = worst_part(forces, bodies_, joined_to_);
+  if (part.moving == 0) return false;
+  std::vector<RigidBody> bodies;
+  Poses start, places;
+  for (int body : part.bodies) {
+    // Only points are without faces.
+    bodies.push_back({std::vector<BodySurface>(bodies_[body].is_point() ? 0 : 1),
+                      static_cast<int>(start.size()) >= part.moving});
+    start.push_back(poses_[body]);
+    places.push_back(x[body]);
+  }
+  ContactWorld alone(std::move(bodies), std::move(start), options_);
+  for (const auto& energy : energies_) alone.add(energy->part(part));
+  alone.contacts_ = static_cast<const ContactEnergy&>(*contacts_.part(part));
+  alone.make_pattern();
+  alone.rounding_ = rounding_;
+  alone.changed_ = false;
+  StepReport report;
+  if (!alone.minimise(weight, scale, places, report)) return false;
+  for (int k = 0; k < part.moving; ++k) x[part.bodies[k]] = places[k];
+  contacts_.take_caps(alone.contacts_, part);
+  return true;
+}
+
 bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& report) {
   // What is left of friction beyond the cone is taken away when the step ends, and must not wake
   // bodies that would be at rest: they would creep from step to step.
@@ -211,6 +255,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
   double before = -1;  // the residual before the last step, where it was a whole one
   bool factorized = false;
   double shift = 0;
+  bool worst_settled = false;  // since the last step
   for (int iterations = 0;;) {
     const Motions so_far = motions_between(poses_, x, lever);
     if (largest_row(so_far) > 2 * options_.step_limit) return false;
@@ -224,7 +269,8 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
     };
     contacts_.glued = contacts_.is_bonded() && changed_ && iterations == 0;
     double now = energy_here();
-    const double residual = largest_row(g), error = contacts_.cone_error(x);
+    const Eigen::VectorXd errors = contacts_.cone_errors(x);
+    const double residual = largest_row(g), error = errors.maxCoeff();
     report.residual = residual / scale;
     report.cone_error = error / scale;
     if (residual <= tolerance && error <= cone && !contacts_.glued) return true;
@@ -233,6 +279,13 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       contacts_.set_caps(contacts_.caps_at(x));
       before = -1;
       continue;
+    }
+    if (!worst_settled && !contacts_.glued) {
+      worst_settled = true;
+      if (settle_worst(weight, scale, g, errors, x)) {
+        given_energy = given_gradient(x, given, nullptr);
+        continue;
+      }
     }
     // By an older factorization where that contracts well.
     const bool fresh = !factorized;
@@ -281,6 +334,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
     }
     contacts_.glued = false;
     before = residual;
+    worst_settled = false;
     factorized = whole && halved == 0;
     contacts_.careful = halved > 0;
     checkpoint();
@@ -325,7 +379,7 @@ StepReport ContactWorld::step() {
   energy += contacts_.derivatives(poses_, options_.lever, g, nullptr, first_.back());
   hold_fixed(g);
   report.residual = largest_row(g) / scale;
-  report.cone_error = contacts_.cone_error(poses_) / scale;
+  report.cone_error = contacts_.cone_errors(poses_).maxCoeff() / scale;
   report.energy = energy;
   if (report.residual <= std::max(options_.tolerance, rounding_ / scale) &&
       report.cone_error <= options_.cone_tolerance) {

@@ -142,6 +142,8 @@ class ContactWorld {
   void add_second_derivatives(const Poses& x);
   Motions newton_step(const Motions& gradient) const;
   void predict_caps(const Poses& x, const Motions& gradient);
+  bool settle_worst(double weight, double scale, const Motions& gradient,
+                    const Eigen::VectorXd& cone_errors, Poses& x);
   void factorize(const Poses& x, const Drag& drag, double& convex, StepReport& report);
   bool minimise(double weight, double scale, Poses& x, StepReport& report);
 
@@ -154,6 +156,7 @@ class ContactWorld {
   std::vector<int> first_;  // couplings of the energies, then those of contacts
   Places places_;           // of the bodies when the pattern was made
   std::unique_ptr<BlockMatrix<6>> hessian_;
+  std::vector<std::vector<int>> joined_to_;  // each body, by this pattern; once asked for
   // Second derivatives of the given energies, where bodies were at these poses.
   Eigen::VectorXd given_entries_;
   Poses given_at_;

@@ -5,6 +5,15 @@
 
 namespace curveups {
 
+std::unique_ptr<MotionEnergy> PointLoads::part(const BodyPart& bodies) const {
+  std::vector<PointLoad> own;
+  for (const PointLoad& load : loads) {
+    std::array<int, 1> body = {load.body};
+    if (bodies.take(body)) own.push_back({body[0], load.point, load.force});
+  }
+  return std::make_unique<PointLoads>(std::move(own));
+}
+
 double PointLoads::value(const Poses& poses) const {
   double sum = 0;
   for (const PointLoad& load : loads) sum -= load.force.dot(poses[load.body](load.point));
@@ -24,6 +33,14 @@ double PointLoads::derivatives(const Poses& poses, double lever, Motions& gradie
     sum -= load.force.dot(arm + pose.t);
   }
   return sum;
+}
+
+std::unique_ptr<MotionEnergy> PairLoads::part(const BodyPart& bodies) const {
+  std::vector<PairLoad> own;
+  for (PairLoad load : loads) {
+    if (bodies.take(load.body)) own.push_back(load);
+  }
+  return std::make_unique<PairLoads>(std::move(own));
 }
 
 std::vector<int> PairLoads::pairs() const {

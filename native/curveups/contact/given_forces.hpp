@@ -19,6 +19,7 @@ class PointLoads : public MotionEnergy {
   explicit PointLoads(std::vector<PointLoad> list) : loads(std::move(list)) {}
   std::vector<PointLoad> loads;
 
+  std::unique_ptr<MotionEnergy> part(const BodyPart& bodies) const override;
   void couple(std::vector<Coupling>&) const override {}
   double value(const Poses& poses) const override;
   double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
@@ -38,6 +39,7 @@ class PairLoads : public MotionEnergy {
   explicit PairLoads(std::vector<PairLoad> list) : loads(std::move(list)) {}
   std::vector<PairLoad> loads;  // those of a pair of bodies one after another
 
+  std::unique_ptr<MotionEnergy> part(const BodyPart& bodies) const override;
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
   double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,

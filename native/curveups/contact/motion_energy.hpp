@@ -6,13 +6,17 @@
 // another body sees them.
 #pragma once
 
-#include "curveups/contact/rigid_body.hpp"
+#include <memory>
+
+#include "curveups/contact/body_part.hpp"
 
 namespace curveups {
 
 class MotionEnergy {
  public:
   virtual ~MotionEnergy() = default;
+  // That of the elements which have a body that moves.
+  virtual std::unique_ptr<MotionEnergy> part(const BodyPart& bodies) const = 0;
   // Appends the pairs of bodies that elements join, for the matrix of second derivatives.
   virtual void couple(std::vector<Coupling>& couplings) const = 0;
   virtual double value(const Poses& poses) const = 0;  // N mm

@@ -111,6 +111,19 @@ void ReducedMembrane::set_flat(const Points2& flat) {
   }
 }
 
+std::unique_ptr<MotionEnergy> ReducedMembrane::part(const BodyPart& bodies) const {
+  std::unique_ptr<ReducedMembrane> out(new ReducedMembrane(material_, tau_));
+  out->pull = pull;
+  out->stretch = stretch;
+  for (const Element& element : elements_) {
+    std::array<int, 3> body = element.body;
+    if (!bodies.take(body)) continue;
+    out->elements_.push_back(element);
+    out->elements_.back().body = body;
+  }
+  return out;
+}
+
 void ReducedMembrane::couple(std::vector<Coupling>& couplings) const {
   for (const Element& element : elements_) {
     const auto& [a, b, c] = element.body;

@@ -37,6 +37,8 @@ class ReducedMembrane : public MotionEnergy {
   // Other places of the pin corners in the layout. A triangle that they turn over pulls no more.
   void set_flat(const Points2& flat);
 
+  // Not to be laid out anew (set_flat).
+  std::unique_ptr<MotionEnergy> part(const BodyPart& bodies) const override;
   void couple(std::vector<Coupling>& couplings) const override;
   double value(const Poses& poses) const override;
   double derivatives(const Poses& poses, double lever, Motions& gradient, BlockMatrix<6>* hessian,
@@ -60,6 +62,7 @@ class ReducedMembrane : public MotionEnergy {
     std::array<Vec3, 4> point;  // of that body
     std::vector<Triangle> triangles;
   };
+  ReducedMembrane(const MembraneMaterial& material, double tau) : material_(material), tau_(tau) {}
   double evaluate(const Element& element, const Poses& poses, double lever, bool second,
                   MotionDerivatives<3>* out) const;
 

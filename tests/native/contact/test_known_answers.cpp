@@ -251,6 +251,71 @@ TEST(KnownAnswers, TowerStandsJustBelowTheHarmonicOverhang) {
   EXPECT_FALSE(tower_stands(20, 1.01));
 }
 
+TEST(KnownAnswers, AFewOfManyBlocksSettleByThemselves) {
+  // 150 blocks lie on a table, 20 mm apart; one of them is pushed.
+  Scene scene;
+  const int blocks = 150, pushed = 70;
+  scene.add(box(8000, 40, 10, {0, -5}), true);
+  for (int k = 0; k < blocks; ++k) {
+    scene.load(scene.add(box(10, 10, 2, {20.0 * k, 1}), false), {0, 0, -1});
+  }
+  auto world = scene.world(0.5);
+  auto force =
+      std::make_unique<PointLoads>(std::vector<PointLoad>{{pushed, Vec3::Zero(), Vec3::Zero()}});
+  PointLoads* pushing = force.get();
+  world->add(std::move(force));
+  ASSERT_TRUE(world->settle(60).at_rest);
+  const Poses before = world->poses();
+  pushing->loads[0].force = {0.2, 0, 0};
+  int steps = 0, factorizations = 0;
+  const StepReport last = world->settle(60, [&](const StepReport& step) {
+    ++steps;
+    factorizations += step.factorizations;
+    return false;
+  });
+  ASSERT_TRUE(last.at_rest);
+  EXPECT_GT(steps, 0);
+  EXPECT_EQ(factorizations, 0) << "all blocks were asked";
+  for (int body = 1; body <= blocks; ++body) {
+    const Vec3 way = world->poses()[body].t - before[body].t;
+    EXPECT_EQ(way.x() > 1e-6, body == pushed) << body;
+  }
+  std::vector<double> push(blocks + 1, 0), friction = push;
+  for (const TouchForce& touch : world->forces()) {
+    push[touch.body[1]] += touch.push;
+    friction[touch.body[1]] += touch.friction.x();
+  }
+  for (int body = 1; body <= blocks; ++body) {
+    EXPECT_NEAR(push[body], 1, 1e-6) << body;
+    EXPECT_NEAR(friction[body], body == pushed ? -0.2 : 0, 1e-6) << body;
+  }
+}
+
+TEST(BodyPart, TakesTheFewWithTheLargestForcesAndThoseJoinedToThem) {
+  const int count = 300;
+  std::vector<RigidBody> bodies(count);
+  std::vector<std::vector<int>> joined(count);  // a chain
+  for (int i = 0; i + 1 < count; ++i) {
+    joined[i].push_back(i + 1);
+    joined[i + 1].push_back(i);
+  }
+  bodies[52].fixed = true;
+  Eigen::VectorXd forces = Eigen::VectorXd::Constant(count, 0.01);
+  forces(50) = 1;
+  forces(200) = 0.5;
+  const BodyPart part = worst_part(forces, bodies, joined);
+  EXPECT_EQ(part.bodies, (std::vector<int>{50, 200, 49, 51, 199, 201, 48, 52, 198, 202}));
+  EXPECT_EQ(part.moving, 6);
+  std::array<int, 3> element = {-1, 52, 51};
+  EXPECT_TRUE(part.take(element));
+  EXPECT_EQ(element, (std::array<int, 3>{-1, 7, 3}));
+  std::array<int, 2> still = {52, 53}, far = {100, 101};
+  EXPECT_FALSE(part.take(still));
+  EXPECT_FALSE(part.take(far));
+
+  EXPECT_EQ(worst_part(Eigen::VectorXd::Ones(count), bodies, joined).moving, 0);
+}
+
 TEST(KnownAnswers, ADiscLiftedInAStretchedSheetIsPulledBackAsByAMembraneUnderTension) {
   // A membrane under tension T in a square of half a side s, and a disc of radius a << s in its
   // middle, lifted by w: the capacity of a disc in a square, whose conformal radius is 1.0787 s

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <typeinfo>
 
 #include "contact/blocks.hpp"
@@ -65,6 +67,36 @@ void expect_balance(const MotionEnergy& energy, const Poses& poses) {
   EXPECT_LT(torque.norm(), 1e-9 * mean * 100);  // arms of some 100 mm
 }
 
+// A part with one body that moves feels what that body feels of the whole.
+void expect_parts(const MotionEnergy& energy, const Poses& poses) {
+  const double lever = 3;
+  const int count = static_cast<int>(poses.size());
+  std::vector<Coupling> couplings;
+  energy.couple(couplings);
+  Motions whole = Motions::Zero(count, 6);
+  energy.derivatives(poses, lever, whole, nullptr, 0);
+  for (int moving = 0; moving < std::min(count, 12); ++moving) {
+    BodyPart part;
+    part.number.assign(count, -1);
+    part.moving = 1;
+    const auto take = [&](int body) {
+      if (body < 0 || part.number[body] >= 0) return;
+      part.number[body] = static_cast<int>(part.bodies.size());
+      part.bodies.push_back(body);
+    };
+    take(moving);
+    for (const auto& [i, j] : couplings) {
+      if (i == moving) take(j);
+      if (j == moving) take(i);
+    }
+    Poses places;
+    for (int body : part.bodies) places.push_back(poses[body]);
+    Motions own = Motions::Zero(places.size(), 6);
+    energy.part(part)->derivatives(places, lever, own, nullptr, 0);
+    EXPECT_LT((own.row(0) - whole.row(moving)).norm(), 1e-12 * (1 + whole.norm())) << moving;
+  }
+}
+
 Poses turned_poses(int count) {
   Poses poses;
   for (int i = 0; i < count; ++i) {
@@ -103,6 +135,7 @@ TEST(MotionEnergy, ContactHasExactDerivativesAndBalances) {
   EXPECT_EQ(pressed.energy.pairs[0].touches.size(), 8u);
   expect_derivatives(pressed.energy, pressed.poses);
   expect_balance(pressed.energy, pressed.poses);
+  expect_parts(pressed.energy, pressed.poses);
 }
 
 TEST(MotionEnergy, ConvexSecondDerivativesNeverLeadUpwards) {
@@ -162,6 +195,46 @@ TEST(MotionEnergy, PositiveTurnCurvatureLacksTheNegativeEigenvalues) {
   }
 }
 
+TEST(MotionEnergy, GluedContactHasExactDerivatives) {
+  Pressed pressed(Eigen::Matrix3d::Identity());
+  ContactEnergy& energy = pressed.energy;
+  energy.set_caps(energy.caps().setConstant(std::numeric_limits<double>::infinity()));
+  const double pushed = energy.value(pressed.poses);
+  energy.glued = true;
+  expect_derivatives(energy, pressed.poses);
+  // Corners that have been lifted pull as well.
+  pressed.poses[1].t.z() += 1;
+  EXPECT_GT(energy.value(pressed.poses), pushed);
+  expect_derivatives(energy, pressed.poses);
+}
+
+TEST(MotionEnergy, LimitsOfFrictionAreThoseAfterSmallMotions) {
+  const double lever = 3, h = 1e-6;
+  Pressed pressed(Eigen::AngleAxisd(0.7, Vec3::UnitX()).toRotationMatrix());
+  ContactEnergy& energy = pressed.energy;
+  const Eigen::VectorXd caps = energy.caps(), here = energy.caps_at(pressed.poses);
+  ASSERT_GT((here.array() > 0).count(), 1);
+  const Motions d = Motions::Random(2, 6);
+  const Eigen::VectorXd there = energy.caps_at(moved(pressed.poses, h * d, lever));
+  ASSERT_GT((there - here).norm(), 0);
+  EXPECT_LT((energy.caps_after(pressed.poses, lever, h * d) - there).norm(),
+            1e-4 * (there - here).norm());
+  // What has been lifted off pushes no more.
+  Motions away = Motions::Zero(2, 6);
+  away.row(1).head<3>() = 5 * (pressed.poses[1].R * Vec3::UnitZ()).transpose();
+  EXPECT_EQ(energy.caps_after(pressed.poses, lever, away).maxCoeff(), 0);
+
+  // Points that slip take the new limits, those that stick don't feel them.
+  Motions before = Motions::Zero(2, 6), after = before;
+  energy.derivatives(pressed.poses, lever, before, nullptr, 0);
+  Motions predicted = before;
+  energy.add_caps(pressed.poses, lever, 0.9 * caps, predicted);
+  energy.set_caps(0.9 * caps);
+  energy.derivatives(pressed.poses, lever, after, nullptr, 0);
+  ASSERT_GT((after - before).norm(), 1e-3 * before.norm());
+  EXPECT_LT((after - predicted).norm(), 1e-12 * before.norm());
+}
+
 TEST(MotionEnergy, ContactDoesNotSeeAMotionOfAll) {
   const Pressed here(Eigen::Matrix3d::Identity());
   const Pressed there(Eigen::AngleAxisd(2, Vec3(1, -2, 3).normalized()).toRotationMatrix());
@@ -212,6 +285,7 @@ TEST(MotionEnergy, MembranesHaveExactDerivativesAndBalance) {
     poses = moved(poses, away, 3);
     expect_derivatives(membrane, poses);
     expect_balance(membrane, poses);
+    expect_parts(membrane, poses);
   }
 }
 
@@ -244,11 +318,13 @@ TEST(MotionEnergy, GivenForcesHaveExactDerivatives) {
   const Poses poses = turned_poses(3);
   const PointLoads loads({{0, {1, 2, 3}, {0.5, -1, 2}}, {2, {-2, 0, 1}, {1, 1, 1}}});
   expect_derivatives(loads, poses);
+  expect_parts(loads, poses);
   const PairLoads pairs({{{0, 1}, {1, -2, 0.5}, {2, 1, -1}},
                          {{0, 1}, {-1, 1, 2}, {0.5, -3, 1}},
                          {{1, 2}, {0, 3, 1}, {-1, 0.5, 1}}});
   expect_derivatives(pairs, poses);
   expect_balance(pairs, poses);
+  expect_parts(pairs, poses);
 }
 
 }  // namespace
