@@ -22,7 +22,7 @@ constexpr double predictable = 10;
 constexpr double predicted_share = 0.1;
 constexpr int most_predictions = 6;
 // Second derivatives of the given energies serve until a body has moved by this share of the
-// largest step: membranes hardly change from step to step, contacts do.
+// largest step, or an iteration's step had to be halved: membranes hardly change, contacts do.
 constexpr double kept_share = 0.1;
 // Where exact second derivatives are indefinite, they leave out at least this part of what may be
 // so.
@@ -158,8 +158,9 @@ double ContactWorld::gradient(const Poses& poses, Motions& out, BlockMatrix<6>* 
 
 void ContactWorld::add_second_derivatives(const Poses& x) {
   Motions unused = Motions::Zero(x.size(), 6);
-  if (given_at_.empty() || largest_row(motions_between(given_at_, x, options_.lever)) >
-                               kept_share * options_.step_limit) {
+  if (given_at_.empty() || contacts_.careful ||
+      largest_row(motions_between(given_at_, x, options_.lever)) >
+          kept_share * options_.step_limit) {
     hessian_->set_zero();
     given_gradient(x, unused, hessian_.get());
     given_entries_ = hessian_->entries();
