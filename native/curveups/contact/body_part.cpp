@@ -6,8 +6,8 @@
 namespace curveups {
 namespace {
 
-// At most this share of the bodies, where all others feel less than this share of the largest
-// force.
+// A part starts from at most this share of the bodies, and all others feel less than this share of
+// the largest force.
 constexpr double worst_share = 0.01, rest_share = 0.1;
 
 }  // namespace

@@ -33,7 +33,7 @@ struct BodyPart {
 };
 
 // The few bodies with the largest forces, and those that are joined to them, where all others feel
-// much smaller ones; no body else. joined: of each body, those that elements join to it.
+// much smaller ones; otherwise none. joined: of each body, those that elements join to it.
 BodyPart worst_part(const Eigen::VectorXd& forces, const std::vector<RigidBody>& bodies,
                     const std::vector<std::vector<int>>& joined);
 

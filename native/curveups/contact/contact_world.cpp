@@ -24,9 +24,14 @@ constexpr int most_predictions = 6;
 // Second derivatives of the given energies serve until a body has moved by this share of the
 // largest step, or an iteration's step had to be halved: membranes hardly change, contacts do.
 constexpr double kept_share = 0.1;
+// Iterations in which a few bodies that hold the rest up find rest by themselves, or are left
+// alone.
+constexpr int most_alone = 20;
 // Where exact second derivatives are indefinite, they leave out at least this part of what may be
 // so.
 constexpr double least_convex = 0.05;
+
+double largest(const Eigen::VectorXd& values) { return values.size() > 0 ? values.maxCoeff() : 0; }
 
 double largest_row(const Motions& rows) {
   double largest = 0;
@@ -44,6 +49,7 @@ ContactWorld::ContactWorld(std::vector<RigidBody> bodies, Poses start, const Wor
 
 void ContactWorld::set_poses(const Poses& poses) {
   poses_ = poses;
+  given_at_.clear();
   searched_ = false;
   weight_ = -1;
 }
@@ -201,8 +207,8 @@ void ContactWorld::predict_caps(const Poses& x, const Motions& gradient) {
   contacts_.set_caps(caps);
 }
 
-// Lets a few bodies that hold the rest up settle by themselves (body_part.hpp). False where there
-// are no such bodies, or they find no rest.
+// Lets a few bodies that hold the rest up settle by themselves (body_part.hpp), with their limits
+// of friction. False where there are no such bodies, or they find no rest.
 bool ContactWorld::settle_worst(double weight, double scale, const Motions& gradient,
                                 const Eigen::VectorXd& cone_errors, Poses& x) {
   if (joined_to_.empty()) {
@@ -231,7 +237,9 @@ bool ContactWorld::settle_worst(double weight, double scale, const Motions& grad
     start.push_back(poses_[body]);
     places.push_back(x[body]);
   }
-  ContactWorld alone(std::move(bodies), std::move(start), options_);
+  WorldOptions options = options_;
+  options.max_iterations = most_alone;
+  ContactWorld alone(std::move(bodies), std::move(start), options);
   for (const auto& energy : energies_) alone.add(energy->part(part));
   alone.contacts_ = static_cast<const ContactEnergy&>(*contacts_.part(part));
   alone.make_pattern();
@@ -256,7 +264,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
   double before = -1;  // the residual before the last step, where it was a whole one
   bool factorized = false;
   double shift = 0;
-  bool worst_settled = false;  // since the last step
+  bool ask_worst = true;  // since the last step nobody did
   for (int iterations = 0;;) {
     const Motions so_far = motions_between(poses_, x, lever);
     if (largest_row(so_far) > 2 * options_.step_limit) return false;
@@ -271,7 +279,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
     contacts_.glued = contacts_.is_bonded() && changed_ && iterations == 0;
     double now = energy_here();
     const Eigen::VectorXd errors = contacts_.cone_errors(x);
-    const double residual = largest_row(g), error = errors.maxCoeff();
+    const double residual = largest_row(g), error = largest(errors);
     report.residual = residual / scale;
     report.cone_error = error / scale;
     if (residual <= tolerance && error <= cone && !contacts_.glued) return true;
@@ -281,8 +289,8 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       before = -1;
       continue;
     }
-    if (!worst_settled && !contacts_.glued) {
-      worst_settled = true;
+    if (ask_worst && !contacts_.glued) {
+      ask_worst = false;
       if (settle_worst(weight, scale, g, errors, x)) {
         given_energy = given_gradient(x, given, nullptr);
         continue;
@@ -312,7 +320,8 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       if (shift < 1e-7 * hessian_->mean_diagonal()) shift = 0;
       factorized = true;
     }
-    if (error > cone && residual <= predictable * error && contacts_.caps().allFinite()) {
+    if (error > cone && residual <= std::max(tolerance, predictable * error) &&
+        contacts_.caps().allFinite()) {
       predict_caps(x, g);
       now = energy_here();
     }
@@ -334,8 +343,8 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       }
     }
     contacts_.glued = false;
-    before = residual;
-    worst_settled = false;
+    before = largest_row(g);
+    ask_worst = true;
     factorized = whole && halved == 0;
     contacts_.careful = halved > 0;
     checkpoint();
@@ -371,6 +380,7 @@ double ContactWorld::force_unit(const Motions& given) const {
 }
 
 StepReport ContactWorld::step() {
+  contacts_.glued = false;  // where the last one was interrupted
   if (!searched_) search();
   StepReport report;
   Motions g(poses_.size(), 6), given;
@@ -380,7 +390,7 @@ StepReport ContactWorld::step() {
   energy += contacts_.derivatives(poses_, options_.lever, g, nullptr, first_.back());
   hold_fixed(g);
   report.residual = largest_row(g) / scale;
-  report.cone_error = contacts_.cone_errors(poses_).maxCoeff() / scale;
+  report.cone_error = largest(contacts_.cone_errors(poses_)) / scale;
   report.energy = energy;
   if (report.residual <= std::max(options_.tolerance, rounding_ / scale) &&
       report.cone_error <= options_.cone_tolerance) {

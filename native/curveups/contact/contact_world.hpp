@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rigid bodies in contact under given energies, step by step: each step minimises
 //   E(x) + contacts(x; c) + w |x - x0|^2 / 2
-// by Newton's method on one sparse pattern, with the friction limits c that are mu times the normal
-// forces after each of its steps, and remembers where friction stuck. w keeps bodies that
+// by Newton's method on one sparse pattern, with friction limits c that each of its steps sets to
+// mu times the normal forces it leads to, and remembers where friction stuck. w keeps bodies that
 // nothing holds from running further than step_limit, and falls as motion ends: what comes to rest
 // is at rest under E and Coulomb's law alone.
 #pragma once
@@ -18,7 +18,7 @@ namespace curveups {
 
 struct WorldOptions {
   double lever = 3;       // mm: turns times this are lengths (rigid_body.hpp)
-  double step_limit = 1;  // mm: how far a body may move in a step
+  double step_limit = 1;  // mm: about how far a body may move in a step, at most twice as far
   // w of the first step, over the unit of forces a step_limit: less where bodies start near rest.
   double first_weight = 1;
   // The unit of forces is the mean normal force, the mean given force on a body, or this where it
@@ -48,10 +48,10 @@ struct Pace {
 };
 
 struct StepReport {
-  bool at_rest = false;    // in balance when the step began: nothing moved
-  bool converged = false;  // the step's minimum was found, within the cone
-  int iterations = 0, factorizations = 0;
-  double motion = 0;  // of the body that moved furthest, mm
+  bool at_rest = false;                    // in balance when the step began: nothing moved
+  bool converged = false;                  // the step's minimum was found, within the cone
+  int iterations = 0, factorizations = 0;  // with all bodies
+  double motion = 0;                       // of the body that moved furthest, mm
   double energy = 0;  // after it, N mm: of the given energies and of the springs of contacts
   double residual = 0, cone_error = 0;  // over the mean normal force
   // Of a step along a path: the energy before it with its own contact points (N mm), w (N / mm),
@@ -79,7 +79,7 @@ class ContactWorld {
     options_.cone_share = cone_share;
   }
   const WorldOptions& options() const { return options_; }
-  // To be called where an energy's own values have changed.
+  // To be called where second derivatives of an energy have changed.
   void energies_changed() { given_at_.clear(); }
   // From here on, with what friction remembers between faces that stay the same.
   void set_poses(const Poses& poses);
@@ -163,7 +163,7 @@ class ContactWorld {
   std::optional<std::vector<std::array<int, 2>>> joined_;  // once searched
   bool searched_ = false;
   bool fresh_ = true;    // no step was taken yet
-  bool changed_ = true;  // none with these bodies
+  bool changed_ = true;  // no step was taken with these bodies yet
   double convex_ = 0;
   double weight_ = -1;
   double rounding_ = 0;  // N: forces smaller than this are rounding of positions
