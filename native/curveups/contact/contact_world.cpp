@@ -33,13 +33,16 @@ constexpr double least_convex = 0.05;
 
 double largest(const Eigen::VectorXd& values) { return values.size() > 0 ? values.maxCoeff() : 0; }
 
+// Of a body's force and torque, or shift and turn, the larger one.
+double size_of_row(const Motions& rows, int i) {
+  return std::sqrt(
+      std::max(rows.row(i).head<3>().squaredNorm(), rows.row(i).tail<3>().squaredNorm()));
+}
+
 double largest_row(const Motions& rows) {
-  double largest = 0;
-  for (int i = 0; i < rows.rows(); ++i) {
-    largest = std::max(
-        {largest, rows.row(i).head<3>().squaredNorm(), rows.row(i).tail<3>().squaredNorm()});
-  }
-  return std::sqrt(largest);
+  double most = 0;
+  for (int i = 0; i < rows.rows(); ++i) most = std::max(most, size_of_row(rows, i));
+  return most;
 }
 
 }  // namespace
@@ -223,8 +226,8 @@ bool ContactWorld::settle_worst(double weight, double scale, const Motions& grad
     }
   }
   Eigen::VectorXd forces = cone_errors;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    forces(i) = bodies_[i].fixed ? 0 : std::max(forces(i), largest_row(gradient.row(i)));
+  for (int i = 0; i < gradient.rows(); ++i) {
+    forces(i) = bodies_[i].fixed ? 0 : std::max(forces(i), size_of_row(gradient, i));
   }
   const BodyPart part = worst_part(forces, bodies_, joined_to_);
   if (part.moving == 0) return false;

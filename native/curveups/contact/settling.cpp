@@ -16,10 +16,10 @@ constexpr int most_steps = 60, most_iterations = 2000;
 // differ from what the tiles feel, over the mean force on a tile.
 constexpr int most_rounds = 4;
 constexpr double element_tolerance = 1e-3;
-// Forces left and friction beyond its cone, over the mean normal force. With 1e-3 drifts were off
-// by up to 0.014 mm of 0.075 that are allowed (Turtle at the margin's corners), with this by less
-// than 0.001. As long as tiles move, their outlines are clipped anew from step to step, so that
-// only the last rest of the design as it stands is worth WorldOptions'.
+// Forces left and friction beyond its cone, over the mean normal force. At the corners of a margin
+// drifts were off by up to 0.07 mm with 1e-3, by up to 0.003 with this, where 0.07 is allowed. As
+// long as tiles move, their outlines are clipped anew from step to step, so that only the last rest
+// of the design as it stands is worth WorldOptions'.
 constexpr double sample_tolerance = 1e-4, sample_cone_tolerance = 1e-4, sample_cone_share = 0.3;
 
 }  // namespace
