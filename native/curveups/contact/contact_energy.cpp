@@ -221,12 +221,11 @@ void ContactEnergy::add_caps(const Poses& poses, double lever, const Eigen::Vect
   MotionDerivatives<2> friction;
   for (const TouchingPair& pair : pairs) {
     for (const Touch& touch : pair.touches) {
-      const double cap = caps(at++);
-      if (cap == touch.cap) continue;
+      const double change = caps(at++) - touch.cap;
+      if (change == 0) continue;
       const Vec2 reach = touch.reach(seen(poses, pair, touch));
       const double stretch = reach.norm();
-      const double change = hold(touch, stretch, cap) - hold(touch, stretch, touch.cap);
-      if (change == 0) continue;
+      if (touch.tangent_stiffness * stretch <= touch.cap) continue;
       friction.clear(false);
       add_along(poses, pair, touch, touch.tangents * (change / stretch * reach), lever, friction);
       friction.add_to(pair.body, gradient, nullptr, 0);

@@ -62,7 +62,8 @@ class ContactEnergy : public MotionEnergy {
   void set_caps(const Eigen::VectorXd& caps);
   // mu times the normal forces, N, after these motions from the poses, to first order.
   Eigen::VectorXd caps_after(const Poses& poses, double lever, const Motions& motions) const;
-  // Adds to the gradient what it gains as limits of friction become these.
+  // Adds to the gradient what it gains as the limits of what slips become these. What sticks goes
+  // on to stick: the second derivatives know no better.
   void add_caps(const Poses& poses, double lever, const Eigen::VectorXd& caps,
                 Motions& gradient) const;
   // Lets all points stick, however little they push: a first guess.

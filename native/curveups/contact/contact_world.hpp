@@ -133,7 +133,6 @@ class ContactWorld {
   std::vector<std::array<int, 2>> joined_pairs() const;
   Drag make_drag() const;
   void make_pattern();
-  double gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
   double value(const Poses& poses) const;
   double given_gradient(const Poses& poses, Motions& out, BlockMatrix<6>* hessian) const;
   void hold_fixed(Motions& gradient) const;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/contact/rigid_body.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "curveups/core/parallel.hpp"
 
 namespace curveups {
@@ -17,6 +20,17 @@ Vec3 screw_shift(const Vec3& velocity, const Vec3& turn) {
 }
 
 }  // namespace
+
+double size_of_motion(const Motions& rows, int i) {
+  return std::sqrt(
+      std::max(rows.row(i).head<3>().squaredNorm(), rows.row(i).tail<3>().squaredNorm()));
+}
+
+double largest_motion(const Motions& rows) {
+  double most = 0;
+  for (int i = 0; i < rows.rows(); ++i) most = std::max(most, size_of_motion(rows, i));
+  return most;
+}
 
 Poses moved(const Poses& poses, const Motions& motions, double lever) {
   Poses out = poses;

@@ -44,6 +44,10 @@ using Poses = std::vector<RigidMotion>;
 // vector in world coordinates times `lever`, so that all six are lengths.
 using Motions = BlockVector<6>;
 
+// Of a row's two parts the longer one; of all rows the longest. Forces have rows of this kind, too.
+double size_of_motion(const Motions& rows, int i);
+double largest_motion(const Motions& rows);
+
 // The poses after these motions, along screws: bodies that turn as one about whatever axis stay as
 // they are to one another. Rows of zeros leave a pose as it is, bit by bit.
 Poses moved(const Poses& poses, const Motions& motions, double lever);
