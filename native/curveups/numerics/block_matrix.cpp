@@ -129,37 +129,39 @@ bool BlockMatrix<W>::factorize(double damping, double shift) {
   return done;
 }
 
-// map is of rows in the order of elimination.
+// Column by column: they are long where there are many.
 template <int W>
-template <class Map>
-Eigen::MatrixXd BlockMatrix<W>::by_rank(const Eigen::MatrixXd& x, const Map& map) const {
-  Eigen::MatrixXd ranked(matrix_.rows(), x.cols()), out = Eigen::MatrixXd::Zero(x.rows(), x.cols());
-  auto for_free = [&](const auto& body) {
+template <class Body>
+void BlockMatrix<W>::for_free(Eigen::Index columns, const Body& body) const {
+  for (Eigen::Index c = 0; c < columns; ++c) {
     for (int b = 0; b < pattern_->block_count(); ++b) {
       const int rank = pattern_->rank(b);
-      if (rank >= 0) body(W * b, row_[rank], width(rank));
+      if (rank >= 0) body(c, W * b, row_[rank], width(rank));
     }
-  };
-  for_free([&](int own, int row, int count) {
-    ranked.middleRows(row, count) = x.middleRows(own, count);
-  });
-  ranked = map(ranked);
-  for_free([&](int own, int row, int count) {
-    out.middleRows(own, count) = ranked.middleRows(row, count);
+  }
+}
+
+template <int W>
+Eigen::MatrixXd BlockMatrix<W>::ranked(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd out(matrix_.rows(), x.cols());
+  for_free(x.cols(), [&](Eigen::Index c, int own, int row, int count) {
+    out.col(c).segment(row, count) = x.col(c).segment(own, count);
   });
   return out;
 }
 
 template <int W>
-Eigen::MatrixXd BlockMatrix<W>::solve(const Eigen::MatrixXd& right) const {
-  return by_rank(right, [&](const Eigen::MatrixXd& ranked) { return cholesky_.solve(ranked); });
+Eigen::MatrixXd BlockMatrix<W>::unranked(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(W * pattern_->block_count(), x.cols());
+  for_free(x.cols(), [&](Eigen::Index c, int own, int row, int count) {
+    out.col(c).segment(own, count) = x.col(c).segment(row, count);
+  });
+  return out;
 }
 
 template <int W>
 Eigen::MatrixXd BlockMatrix<W>::multiply(const Eigen::MatrixXd& x) const {
-  return by_rank(x, [&](const Eigen::MatrixXd& ranked) -> Eigen::MatrixXd {
-    return matrix_.template selfadjointView<Eigen::Lower>() * ranked;
-  });
+  return unranked(matrix_.template selfadjointView<Eigen::Lower>() * ranked(x));
 }
 
 template class BlockMatrix<1>;

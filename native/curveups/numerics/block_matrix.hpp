@@ -95,20 +95,25 @@ class BlockMatrix {
   bool factorize(double damping = 0, double shift = 0);
   // By the last factorization, for one or more right-hand sides of W rows a block; zero where
   // there is no unknown.
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const {
+    return unranked(cholesky_.solve(ranked(right)));
+  }
   // The matrix times x, in the caller's numbering as well.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& x) const;
-  // The same with the free blocks alone, in the order of elimination.
-  Eigen::MatrixXd solve_ranked(const Eigen::MatrixXd& right) const {
-    return cholesky_.solve(right);
-  }
+
+  // Rows of the free blocks alone, in the order of elimination, and back.
+  Eigen::MatrixXd ranked(const Eigen::MatrixXd& x) const;
+  Eigen::MatrixXd unranked(const Eigen::MatrixXd& x) const;
+  // With ranked rows, by the factor L of the matrix L L^T.
+  const SparseCholesky& factor() const { return cholesky_; }
 
  private:
   using Column = Eigen::Matrix<double, W, 1>;
 
   int width(int rank) const { return row_[rank + 1] - row_[rank]; }
-  template <class Map>
-  Eigen::MatrixXd by_rank(const Eigen::MatrixXd& x, const Map& map) const;
+  // body(column, first row of the caller's, first row in the order of elimination, rows).
+  template <class Body>
+  void for_free(Eigen::Index columns, const Body& body) const;
 
   std::shared_ptr<const BlockPattern> pattern_;
   // The first row of each block, in the order of elimination; one more at the end.

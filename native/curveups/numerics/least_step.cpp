@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curveups/numerics/least_step.hpp"
 
+#include <cblas.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -8,11 +10,15 @@
 
 #include "curveups/core/errors.hpp"
 #include "curveups/numerics/block_matrix.hpp"
+#include "curveups/numerics/one_thread.hpp"
 
 namespace curveups {
 namespace {
 
 constexpr int max_iterations = 80;
+// By how much of its multiplier a row may be missed in one iteration: the next ones make up for it.
+// Without, a met row's weight grows until rounding of its value outweighs the multiplier.
+constexpr double least_give = 1e-11;
 
 using Eigen::ArrayXd;
 using Eigen::VectorXd;
@@ -58,11 +64,11 @@ VectorXd transposed_times(const LeastStepProblem& p, const VectorXd& m) {
   return p.sparse.transpose() * m.head(p.sparse.rows()) + p.dense * m.tail(p.dense.cols());
 }
 
-// The largest step (at most 1) that keeps value + step change positive by 0.5 %.
-double step_length(const ArrayXd& value, const ArrayXd& change) {
+// The largest step (at most 1) that keeps value + step change from getting negative.
+double longest(const ArrayXd& value, const ArrayXd& change) {
   double length = 1;
   for (Eigen::Index i = 0; i < value.size(); ++i) {
-    if (change(i) < 0) length = std::min(length, -0.995 * value(i) / change(i));
+    if (change(i) < 0) length = std::min(length, -value(i) / change(i));
   }
   return length;
 }
@@ -77,22 +83,39 @@ class LeastStepMethod {
   struct Direction {
     ArrayXd z, s, e, m, elastic, lower, upper;
   };
+  // What products of complementary values are to become.
+  struct Products {
+    ArrayXd s, e, lower, upper;
+  };
   void linearize();
   bool converged() const;
-  // False where the matrix can't be factorized.
-  bool newton(Direction& d);
-  void advance(const Direction& d);
+  // The Newton system's matrix at the iterate. False where it can't be.
+  bool factorize();
+  VectorXd solve(const VectorXd& right) const;
+  Direction newton(const Products& target) const;
+  double step_length(const Direction& d) const;
+  // Products mu, less the second-order terms of the step that leads to none.
+  static Products corrected(double mu, const Direction& affine);
+  // Of the iterate after a step of this length, summed up.
+  double complementarity(const Direction& d, double length) const;
+  void advance(const Direction& d, double length);
 
   const LeastStepProblem& problem_;
   const Eigen::Index n_, sparse_, dense_, rows_;
   VectorXd c_, wanted_;
   ArrayXd penalty_;
   BlockMatrix<1> normal_;
+  // Of the Newton system: weights of the rows; dense rows, also by L^-1 of the sparse rows' L L^T;
+  // what the Woodbury identity leaves of them.
+  ArrayXd weight_;
+  Eigen::MatrixXd dense_ranked_, half_;
+  Eigen::LDLT<Eigen::MatrixXd> small_;
   ArrayXd z_, s_, e_;
   // elastic_, of e, is kept apart from penalty - m, which cancels where a row stays unmet.
   ArrayXd m_, elastic_, lower_, upper_;
-  ArrayXd low_, high_, residual_, dual_, unpaid_;  // at the iterate; rooms first
-  double mu_ = 1e-2;
+  ArrayXd low_, high_;  // rooms to the bounds, kept apart from z: it has no digits for small ones
+  ArrayXd residual_, dual_, unpaid_;
+  double mu_ = LeastStepProblem::dense_penalty;
 };
 
 LeastStepMethod::LeastStepMethod(const LeastStepProblem& problem)
@@ -104,26 +127,28 @@ LeastStepMethod::LeastStepMethod(const LeastStepProblem& problem)
       c_(rows_),
       wanted_(problem.wanted.size() > 0 ? problem.wanted : VectorXd::Zero(n_)),
       penalty_(rows_),
-      normal_(normal_pattern(problem.sparse)) {
+      normal_(normal_pattern(problem.sparse)),
+      dense_ranked_(normal_.ranked(problem.dense)) {
   c_.head(sparse_) = problem.sparse_value;
   c_.tail(dense_) = problem.dense_value;
   penalty_.head(sparse_) = problem.sparse_penalty;
   penalty_.tail(dense_) = problem.dense_penalty;
   const ArrayXd width = (problem.upper - problem.lower).array();
   z_ = (-problem.lower.array()).max(0.1 * width).min(0.9 * width) + problem.lower.array();
-  // On the central path of complementarity mu as nearly as z allows.
-  const ArrayXd at_start = rows_times(problem, z_.matrix()).array() + c_.array();
-  s_ = at_start.max(0.1);
-  e_ = (s_ - at_start).max(1e-3);
-  m_ = (mu_ / s_).min(0.5 * penalty_);
-  elastic_ = penalty_ - m_;
-  lower_ = mu_ / (z_ - problem.lower.array());
-  upper_ = mu_ / (problem.upper.array() - z_);
+  // On the central path of complementarity mu, but for z: s m = mu, e (penalty - m) = mu.
+  const ArrayXd u = (rows_times(problem, z_.matrix()) + c_).array() * penalty_ / (2 * mu_);
+  const ArrayXd ratio = u + (1 + u.square()).sqrt();  // of elastic_ to m_
+  m_ = penalty_ / (1 + ratio);
+  elastic_ = m_ * ratio;
+  s_ = mu_ / m_;
+  e_ = mu_ / elastic_;
+  low_ = z_ - problem.lower.array();
+  high_ = problem.upper.array() - z_;
+  lower_ = mu_ / low_;
+  upper_ = mu_ / high_;
 }
 
 void LeastStepMethod::linearize() {
-  low_ = z_ - problem_.lower.array();
-  high_ = problem_.upper.array() - z_;
   residual_ = rows_times(problem_, z_.matrix()).array() + c_.array() + e_ - s_;
   dual_ = z_ - wanted_.array() - transposed_times(problem_, m_.matrix()).array() - lower_ + upper_;
   unpaid_ = penalty_ - m_ - elastic_;
@@ -143,65 +168,100 @@ bool LeastStepMethod::converged() const {
          std::max(dual_.abs().maxCoeff(), unpaid / (1 + problem_.sparse_penalty)) < 1e-6;
 }
 
-bool LeastStepMethod::newton(Direction& d) {
-  const double target = 0.15 * mu_;
-  const ArrayXd weight = 1 / (s_ / m_ + e_ / elastic_);
-  const ArrayXd free = (target - e_ * (elastic_ + unpaid_)) / elastic_;
-  const ArrayXd k = -residual_ - free + target / m_ - s_;
-  const VectorXd right = wanted_ - z_.matrix() +
-                         transposed_times(problem_, (m_ + weight * k).matrix()) +
-                         (target / low_ - target / high_).matrix();
-  assemble(problem_.sparse, weight.head(sparse_), 1 + lower_ / low_ + upper_ / high_, normal_);
+bool LeastStepMethod::factorize() {
+  weight_ = 1 / (s_ / m_ + e_ / elastic_ + least_give);
+  assemble(problem_.sparse, weight_.head(sparse_), 1 + lower_ / low_ + upper_ / high_, normal_);
   if (!normal_.factorize()) return false;
-  Eigen::MatrixXd sides(n_, 1 + dense_);
-  sides.col(0) = right;
-  sides.rightCols(dense_) = problem_.dense;
-  const Eigen::MatrixXd solved = normal_.solve(sides);
-  VectorXd dz = solved.col(0);
   if (dense_ > 0) {
-    const auto response = solved.rightCols(dense_);
-    Eigen::MatrixXd small = problem_.dense.transpose() * response;
-    small.diagonal() += (1 / weight.tail(dense_)).matrix();
-    dz -= response * small.ldlt().solve(problem_.dense.transpose() * dz);
+    half_ = normal_.factor().solve_lower(dense_ranked_);
+    Eigen::MatrixXd small = Eigen::MatrixXd((1 / weight_.tail(dense_)).matrix().asDiagonal());
+    const OneThread guard;
+    cblas_dsyrk(CblasColMajor, CblasLower, CblasTrans, static_cast<int>(dense_),
+                static_cast<int>(n_), 1, half_.data(), static_cast<int>(n_), 1, small.data(),
+                static_cast<int>(dense_));
+    small_.compute(small);
   }
-  if (!dz.allFinite()) return false;
-  d.z = dz.array();
-  d.m = weight * (k - rows_times(problem_, dz).array());
-  d.e = free + e_ / elastic_ * d.m;
-  d.elastic = unpaid_ - d.m;
-  d.s = target / m_ - s_ - s_ / m_ * d.m;
-  d.lower = target / low_ - lower_ - lower_ / low_ * d.z;
-  d.upper = target / high_ - upper_ + upper_ / high_ * d.z;
   return true;
 }
 
-void LeastStepMethod::advance(const Direction& d) {
-  const double primal = std::min({step_length(s_, d.s), step_length(e_, d.e),
-                                  step_length(low_, d.z), step_length(high_, -d.z)});
-  const double dual = std::min({step_length(m_, d.m), step_length(elastic_, d.elastic),
-                                step_length(lower_, d.lower), step_length(upper_, d.upper)});
-  z_ += primal * d.z;
-  s_ += primal * d.s;
-  e_ += primal * d.e;
-  m_ += dual * d.m;
-  elastic_ += dual * d.elastic;
-  lower_ += dual * d.lower;
-  upper_ += dual * d.upper;
+// With what rounding left of the right-hand side once more.
+VectorXd LeastStepMethod::solve(const VectorXd& right) const {
+  auto once = [&](const VectorXd& of) {
+    VectorXd z = normal_.factor().solve_lower(normal_.ranked(of));
+    if (dense_ > 0) z -= half_ * small_.solve(half_.transpose() * z);
+    return VectorXd(normal_.unranked(normal_.factor().solve_upper(z)));
+  };
+  const VectorXd z = once(right);
+  const VectorXd dense = weight_.tail(dense_).matrix().cwiseProduct(problem_.dense.transpose() * z);
+  return z + once(right - normal_.multiply(z) - problem_.dense * dense);
+}
+
+LeastStepMethod::Direction LeastStepMethod::newton(const Products& target) const {
+  const ArrayXd free = (target.e - e_ * (elastic_ + unpaid_)) / elastic_;
+  const ArrayXd k = -residual_ - free + target.s / m_ - s_;
+  const VectorXd right = wanted_ - z_.matrix() +
+                         transposed_times(problem_, (m_ + weight_ * k).matrix()) +
+                         (target.lower / low_ - target.upper / high_).matrix();
+  const VectorXd dz = solve(right);
+  Direction d;
+  d.z = dz.array();
+  d.m = weight_ * (k - rows_times(problem_, dz).array());
+  d.e = free + e_ / elastic_ * d.m;
+  d.elastic = unpaid_ - d.m;
+  d.s = target.s / m_ - s_ - s_ / m_ * d.m;
+  d.lower = target.lower / low_ - lower_ - lower_ / low_ * d.z;
+  d.upper = target.upper / high_ - upper_ + upper_ / high_ * d.z;
+  return d;
+}
+
+double LeastStepMethod::step_length(const Direction& d) const {
+  return std::min({longest(s_, d.s), longest(e_, d.e), longest(low_, d.z), longest(high_, -d.z),
+                   longest(m_, d.m), longest(elastic_, d.elastic), longest(lower_, d.lower),
+                   longest(upper_, d.upper)});
+}
+
+double LeastStepMethod::complementarity(const Direction& d, double t) const {
+  return ((s_ + t * d.s) * (m_ + t * d.m)).sum() +
+         ((e_ + t * d.e) * (elastic_ + t * d.elastic)).sum() +
+         ((low_ + t * d.z) * (lower_ + t * d.lower)).sum() +
+         ((high_ - t * d.z) * (upper_ + t * d.upper)).sum();
+}
+
+LeastStepMethod::Products LeastStepMethod::corrected(double mu, const Direction& affine) {
+  return {mu - affine.s * affine.m, mu - affine.e * affine.elastic, mu - affine.z * affine.lower,
+          mu + affine.z * affine.upper};
+}
+
+void LeastStepMethod::advance(const Direction& d, double length) {
+  z_ += length * d.z;
+  low_ += length * d.z;
+  high_ -= length * d.z;
+  s_ += length * d.s;
+  e_ += length * d.e;
+  m_ += length * d.m;
+  elastic_ += length * d.elastic;
+  lower_ += length * d.lower;
+  upper_ += length * d.upper;
 }
 
 LeastStep LeastStepMethod::run() {
   LeastStep out;
-  Direction d;
+  const Products none{ArrayXd::Zero(rows_), ArrayXd::Zero(rows_), ArrayXd::Zero(n_),
+                      ArrayXd::Zero(n_)};
   for (; out.solve.iterations < max_iterations; ++out.solve.iterations) {
     linearize();
     if (converged()) {
       out.solve.status = SolveStatus::converged;
       break;
     }
-    if (!newton(d)) break;
-    advance(d);
+    if (!factorize()) break;
+    const Direction affine = newton(none);
+    const double left = complementarity(affine, step_length(affine)) / complementarity(affine, 0);
+    const Direction way = newton(corrected(left * left * left * mu_, affine));
+    if (!way.z.allFinite()) break;
+    advance(way, std::min(1.0, 0.995 * step_length(way)));
   }
-  out.z = z_;
+  out.z = z_.max(problem_.lower.array()).min(problem_.upper.array());
   out.sparse_multiplier = m_.head(sparse_);
   out.dense_multiplier = m_.tail(dense_);
   out.lower_multiplier = lower_;

@@ -5,7 +5,8 @@
 // Rows are sparse (geometric constraints) or dense (few, each of all unknowns). The elastic e makes
 // every problem feasible (exact penalty): where constraints contradict one another those of the
 // larger penalty win, and a row's e tells what is missing. Solved by a primal-dual
-// interior-point method; dense rows enter the sparse factorization by the Woodbury identity.
+// interior-point method (S. Mehrotra, On the implementation of a primal-dual interior point method,
+// 1992); dense rows enter the sparse factorization by the Woodbury identity.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -31,9 +32,6 @@ struct LeastStep {
   Eigen::VectorXd z;
   // Multipliers: how much each constraint holds the step back; at its penalty where it is not met.
   Eigen::VectorXd sparse_multiplier, dense_multiplier, lower_multiplier, upper_multiplier;
-  // Unfinished also where a row pushes an unknown against its bound: there rounding leaves the
-  // multipliers fewer digits than the tolerance asks for (mu 1e-10: some 1e-6 of them), while z has
-  // long been exact to 1e-9. Who uses z need not ask.
   SolveReport solve;
 };
 

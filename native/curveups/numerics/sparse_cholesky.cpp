@@ -102,6 +102,24 @@ struct SparseCholesky::Impl {
     factor->minor = factor->n;
     return true;
   }
+  Eigen::MatrixXd solve(int system, const Eigen::MatrixXd& b) {
+    checkpoint();
+    const OneThread guard;
+    cholmod_dense rhs{};
+    rhs.nrow = b.rows();
+    rhs.ncol = b.cols();
+    rhs.nzmax = b.size();
+    rhs.d = b.rows();
+    rhs.x = const_cast<double*>(b.data());
+    rhs.xtype = CHOLMOD_REAL;
+    rhs.dtype = CHOLMOD_DOUBLE;
+    cholmod_dense* x = cholmod_solve(system, factor, &rhs, &common);
+    if (!x) throw SolverFailure("the sparse solver ran out of memory", "use a coarser mesh");
+    Eigen::MatrixXd out =
+        Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(x->x), b.rows(), b.cols());
+    cholmod_free_dense(&x, &common);
+    return out;
+  }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -165,22 +183,15 @@ bool SparseCholesky::factorize(const SparseMatrix& lower) {
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {
-  checkpoint();
-  const OneThread guard;
-  cholmod_dense rhs{};
-  rhs.nrow = b.rows();
-  rhs.ncol = b.cols();
-  rhs.nzmax = b.size();
-  rhs.d = b.rows();
-  rhs.x = const_cast<double*>(b.data());
-  rhs.xtype = CHOLMOD_REAL;
-  rhs.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->factor, &rhs, &impl_->common);
-  if (!x) throw SolverFailure("the sparse solver ran out of memory", "use a coarser mesh");
-  Eigen::MatrixXd out =
-      Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(x->x), b.rows(), b.cols());
-  cholmod_free_dense(&x, &impl_->common);
-  return out;
+  return impl_->solve(CHOLMOD_A, b);
+}
+
+Eigen::MatrixXd SparseCholesky::solve_lower(const Eigen::MatrixXd& b) const {
+  return impl_->solve(CHOLMOD_L, b);
+}
+
+Eigen::MatrixXd SparseCholesky::solve_upper(const Eigen::MatrixXd& b) const {
+  return impl_->solve(CHOLMOD_Lt, b);
 }
 
 }  // namespace curveups

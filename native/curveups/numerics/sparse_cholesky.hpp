@@ -45,6 +45,9 @@ class SparseCholesky {
   bool factorize(const SparseMatrix& lower);
   // Solves A x = b for one or more right-hand sides with the last numeric factor.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+  // L x = b and L^T x = b with the factor alone, whose rows are in the order of elimination.
+  Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;
+  Eigen::MatrixXd solve_upper(const Eigen::MatrixXd& b) const;
 
  private:
   friend std::vector<int> elimination_order(const std::vector<std::vector<int>>&, const Places&);

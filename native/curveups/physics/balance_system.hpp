@@ -57,7 +57,7 @@ class BalanceSystem : public ForceMap {
   bool factorize(const std::vector<Eigen::Matrix3d>& D) override;
   // For one or more right-hand sides.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const override {
-    return rows_ == 0 ? rhs : matrix_->solve_ranked(rhs);
+    return rows_ == 0 ? rhs : matrix_->factor().solve(rhs);
   }
 
  private:

@@ -37,9 +37,9 @@ struct Judgement {
   double overload = 0;       // sum of what pins carry beyond their glue's limit, over that limit
 
   // As verification judges (verdict.hpp), what was not looked at left out.
-  bool valid() const {
-    return weak == 0 && !is_short_of(Touching::at_corners) && !is_short_of(Touching::at_tips) &&
-           is_clear(-depth);
+  bool valid() const { return forces_do() && is_clear(-depth); }
+  bool forces_do() const {
+    return weak == 0 && !is_short_of(Touching::at_corners) && !is_short_of(Touching::at_tips);
   }
   bool is_short_of(Touching where) const {
     const double largest = floor[static_cast<int>(where)];

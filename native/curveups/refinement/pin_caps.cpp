@@ -31,8 +31,8 @@ bool cap_insets(const std::vector<Touch>& touches, const Iterate& place, Array6&
       const double lower = bounds.lower(tile, k) + least_capped_range;
       const double drawn = std::max(lower, q - 0.1 - 2 * (safe_clearance - touch.clearance));
       if (!(drawn < q)) continue;
+      any |= !is_clear(touch.clearance) && drawn < q - least_growth;
       caps(tile, k) = drawn;
-      any = true;
     }
   };
   for (const Touch& touch : touches) {

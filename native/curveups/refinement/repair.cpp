@@ -246,23 +246,23 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
 }
 
 // Where membranes cut into bodies; of a valid design, where glue is overloaded. False where no pin
-// can, or the layout has no room for it.
+// can where a membrane cuts, or the layout has no room for it.
 bool Repair::draw_pins_out(const Judgement& now) {
   const Iterate from = here_;
   const Array6 caps = caps_;
-  if (now.valid()) {
-    if (glue_rounds_++ == most_glue_rounds || !cap_overloaded(glue_, here_, caps_)) return false;
-  } else if (!cap_insets(touches_, here_, caps_)) {
-    return false;
+  const bool any = now.valid()
+                       ? glue_rounds_++ < most_glue_rounds && cap_overloaded(glue_, here_, caps_)
+                       : cap_insets(touches_, here_, caps_);
+  if (any) {
+    const bool settled = succeeds([&] {
+      here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
+      return settle(20);
+    });
+    if (settled) return true;
+    here_ = from;
+    tracked_.move_back(here_, tracked_.floors());
   }
-  const bool settled = succeeds([&] {
-    here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
-    return settle(20);
-  });
-  if (settled) return true;
-  here_ = from;
   caps_ = caps;
-  tracked_.move_back(here_, tracked_.floors());
   return false;
 }
 
@@ -320,7 +320,7 @@ void Repair::search(RepairResult& result) {
     tell(now);
     if (now.valid() && !(now.overload > 0)) return;
     const bool drawn = static_cast<int>(result.steps.size()) <= max_steps_ && draw_pins_out(now);
-    if (now.valid() && !drawn) return;
+    if (now.forces_do() && !drawn) return;  // better forces clear no body of a membrane
     if (drawn) {
       now = tracked_.judge();
       result.steps.push_back({now.weak, now.least, now.least_floor(), 0, false, false});

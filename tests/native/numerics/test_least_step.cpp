@@ -47,6 +47,7 @@ TEST(LeastStep, SharesTheLoadWhereAnUnknownIsAtItsBound) {
   p.dense = Eigen::Vector2d(1, 1);
   p.dense_value = Eigen::VectorXd::Constant(1, -3);
   const LeastStep step = solve_least_step(p);
+  EXPECT_TRUE(step.solve.converged());
   EXPECT_NEAR(step.z(0), 0.5, 1e-9);
   EXPECT_NEAR(step.z(1), 2.5, 1e-9);
   EXPECT_NEAR(step.upper_multiplier(0), 2.0, 1e-5);
@@ -69,38 +70,62 @@ TEST(LeastStep, SaysByTheMultiplierWhatCannotBeMet) {
   EXPECT_NEAR(step.dense_multiplier(0), p.dense_penalty, 1e-3);
 }
 
-TEST(LeastStep, MeetsTheOptimalityConditionsOfRandomProblems) {
-  std::mt19937 generator(5);
+// Rows of random entries; the dense ones lack `wanting`.
+LeastStepProblem make_random_problem(int n, int rows, int dense, double bound, double wanting) {
+  static std::mt19937 generator(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
+  LeastStepProblem p = make_problem(n, bound);
+  p.sparse.resize(rows, n);
+  p.sparse_value.resize(rows);
+  p.dense.resize(n, dense);
+  p.dense_value.setConstant(dense, -wanting);
+  for (int r = 0; r < rows; ++r) {
+    for (int k = 0; k < 5; ++k) p.sparse.coeffRef(r, (7 * r + 11 * k) % n) = uniform(generator);
+    p.sparse_value(r) = 0.1 * uniform(generator) + 0.05;
+  }
+  for (int k = 0; k < dense; ++k) {
+    for (int i = 0; i < n; ++i) p.dense(i, k) = uniform(generator);
+  }
+  return p;
+}
+
+void expect_stationary(const LeastStepProblem& p, const LeastStep& step) {
+  const Eigen::VectorXd rest = step.z - p.sparse.transpose() * step.sparse_multiplier -
+                               p.dense * step.dense_multiplier - step.lower_multiplier +
+                               step.upper_multiplier;
+  EXPECT_LT(rest.cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST(LeastStep, MeetsTheOptimalityConditionsOfRandomProblems) {
   for (int round = 0; round < 8; ++round) {
-    const int n = 60, rows = 90, dense = 6;
-    LeastStepProblem p = make_problem(n, 0.3);
-    p.sparse.resize(rows, n);
-    p.sparse_value.resize(rows);
-    p.dense.resize(n, dense);
-    p.dense_value.resize(dense);
-    for (int r = 0; r < rows; ++r) {
-      for (int k = 0; k < 5; ++k) p.sparse.coeffRef(r, (7 * r + 11 * k) % n) = uniform(generator);
-      p.sparse_value(r) = 0.1 * uniform(generator) + 0.05;
-    }
-    for (int k = 0; k < dense; ++k) {
-      for (int i = 0; i < n; ++i) p.dense(i, k) = uniform(generator);
-      p.dense_value(k) = -0.2;
-    }
+    const LeastStepProblem p = make_random_problem(60, 90, 6, 0.3, 0.2);
     const LeastStep step = solve_least_step(p);
     ASSERT_TRUE(step.solve.converged()) << round;
     const Eigen::VectorXd c = p.sparse * step.z + p.sparse_value,
                           d = p.dense.transpose() * step.z + p.dense_value;
-    for (int r = 0; r < rows; ++r) {
+    for (Eigen::Index r = 0; r < c.size(); ++r) {
       EXPECT_GE(c(r), -1e-7);
       EXPECT_LT(step.sparse_multiplier(r) * c(r), 1e-6);
     }
     EXPECT_GE(d.minCoeff(), -1e-7);
-    const Eigen::VectorXd stationary = step.z - p.sparse.transpose() * step.sparse_multiplier -
-                                       p.dense * step.dense_multiplier - step.lower_multiplier +
-                                       step.upper_multiplier;
-    EXPECT_LT(stationary.cwiseAbs().maxCoeff(), 1e-6);
+    expect_stationary(p, step);
     EXPECT_LE(step.z.cwiseAbs().maxCoeff(), 0.3);
+  }
+}
+
+// Their multipliers are up to the penalty, and rounding of the dense rows must not outgrow the
+// rest.
+TEST(LeastStep, KeepsItsDigitsWhereManyDenseRowsStayUnmet) {
+  const LeastStepProblem p = make_random_problem(400, 300, 80, 0.2, 5);
+  const LeastStep step = solve_least_step(p);
+  EXPECT_TRUE(step.solve.converged());
+  EXPECT_LT(step.solve.iterations, 40);
+  expect_stationary(p, step);
+  const Eigen::VectorXd d = p.dense.transpose() * step.z + p.dense_value;
+  EXPECT_LT(d.minCoeff(), -1);
+  for (Eigen::Index k = 0; k < d.size(); ++k) {
+    const double m = step.dense_multiplier(k);
+    EXPECT_NEAR(d(k) < -1e-6 ? p.dense_penalty - m : d(k) * m, 0, 1e-3);
   }
 }
 
