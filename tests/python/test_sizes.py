@@ -102,7 +102,7 @@ def test_the_choice_says_where_no_design_is_valid(monkeypatch):
     tried = []
 
     def chosen(thickest_valid):
-        def decide(inputs, found, job, values, steps):
+        def decide(inputs, found, job, values, steps, after):
             tried.append(values["H_body"])
             return weak if values["H_body"] > thickest_valid else TrialLayout((), PASSED)
 
@@ -129,8 +129,10 @@ def test_where_trial_layouts_of_all_sizes_fail_the_choice_says_so(curveups, tmp_
     """At this length no thickness that is tried lets the membranes clear the tips."""
     V, F = tent(5)
     for H_body in (4.1, 2.0, 0.6):
-        made = project(V, F, L=10.0, H_body=H_body).run(("trial layout",))["trial layout"]
-        assert made.shown == "failed"
+        made = project(V, F, L=10.0, H_body=H_body).run(("trial layout", "verification"))
+        assert made["trial layout"].shown == "failed"
+        # What repair ends with is what verification finds of it.
+        assert made["repair"].cut in made["verification"].reasons()
     of = project(V, F, L=10.0)
     made = sizes.choose(of.inputs(sizes.READS, Job()), ("H_body",), Job())
     assert made.trial == FAILED and 10 / 7 <= made.values["H_body"] <= 30 / 7
@@ -152,7 +154,7 @@ def search(monkeypatch):
     inputs = of.inputs(sizes.READS, Job())
 
     def made(tries):
-        def decide(inputs, found, job, values, steps):
+        def decide(inputs, found, job, values, steps, after):
             return tries({name: values.get(name, of.parameters.get(name))
                           for name in ("L", "H_body", "H_pin")})
 

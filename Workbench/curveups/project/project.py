@@ -143,11 +143,12 @@ class Project:
         return twin
 
     def elsewhere(self, values: Mapping[str, Any], goals: Sequence[str], job: Job,
-                  known: Mapping[str, Made] = MappingProxyType({})) -> Results:
-        """What a copy makes with other values of some parameters. known: results besides its own."""
+                  after: Optional[Results] = None, known: Mapping[str, Made] = MappingProxyType({})) -> Results:
+        """What a copy makes with other values of some parameters. after: what one with these values made
+        before. known: results besides its own."""
         twin = self.copy()
         twin.parameters = with_values(self.parameters, values)
-        twin._made.update(known)
+        twin._made.update(known if after is None else after.made)
         return twin.run(goals, job)
 
     def inputs(self, names: Sequence[str], job: Job) -> Inputs:

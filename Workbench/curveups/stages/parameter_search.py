@@ -78,7 +78,8 @@ def _valid(inputs: Inputs, sizes: Sizes, job: Job, steps: list[int]) -> bool:
         found = trial(inputs, dict(sizes), ("verification",), job, steps)
     except CurveUpsError:
         return False
-    return bool(found and found["layout"].converged and found["verification"].valid)
+    return bool(found and not found["repair"].cut and found["layout"].converged
+                and found["verification"].valid)
 
 
 STAGE = Stage("trials", ("target", "fairing", "cut request", "cuts", "verification", "clearances"),

@@ -25,6 +25,7 @@ class Repair(Result):
     blocked: tuple[dict, ...] = ()            # contacts that stay weak: reason, obstacle, held tiles
     suggestions: tuple[Finding, ...] = ()
     warned: tuple[Finding, ...] = ()
+    cut: Optional[Finding] = None             # where a membrane still cuts deepest into a body
 
     @property
     def content(self) -> str:
@@ -74,7 +75,7 @@ def _run(inputs: Inputs, job: Job) -> Repair:
         "suggestions": list(map(str, suggestions)), "mended": mended,
         "moved_vertices": moved_vertices(before.V, found.design.V, before.F)}
     return Repair(found.design if changed else before, None if changed else verified.verdict, found.status,
-                  block, blocked, suggestions)
+                  block, blocked, suggestions, cut=Finding.of(found.cut) if found.cut else None)
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:

@@ -175,8 +175,8 @@ class SizeSearch:
         steps = [min(REPAIR_STEPS, self._steps)]
         self._steps -= steps[0]
         try:
-            found = inputs.elsewhere(values, ("feasibility",), self._job)["feasibility"]
-            return decide(inputs, found, self._job, values, steps)
+            found = inputs.elsewhere(values, ("feasibility",), self._job)
+            return decide(inputs, found["feasibility"], self._job, values, steps, found)
         except CurveUpsError:
             return None
         finally:

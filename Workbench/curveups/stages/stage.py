@@ -137,7 +137,8 @@ class Inputs:
     store: Any = None  # native SolutionStore: what is solved of a design, for the next who needs it
     where: str = ""    # names the target or file in messages
     # What a copy of the project makes: with these values of parameters, of these stages (project.Results).
-    elsewhere: Optional[Callable[[Mapping[str, Any], Sequence[str], Job], Mapping[str, Any]]] = None
+    # after=: what a copy with these values made before, which goes on from there.
+    elsewhere: Optional[Callable[..., Mapping[str, Any]]] = None
 
     def __getitem__(self, name: str) -> Any:
         return self.results[name]

@@ -14,11 +14,12 @@ from .stage import Inputs, Job
 REPAIR_STEPS, MOST_TILES = 24, 1500
 
 
-def trial(inputs: Inputs, values: Mapping[str, Any], goals: Sequence[str], job: Job, steps: list[int]
-          ) -> Optional[Any]:
-    """Results of a copy of the project with these values of parameters; None where repair takes more than
-    the steps that are left, of which those it takes are taken off. Raises CurveUpsError where the target
-    can't be made so, and Stopped."""
+def trial(inputs: Inputs, values: Mapping[str, Any], goals: Sequence[str], job: Job, steps: list[int],
+          after: Optional[Any] = None) -> Optional[Any]:
+    """Results of a copy of the project with these values of parameters, made after those of such a copy;
+    None where repair takes more than the steps that are left, of which those it takes are taken off. Where
+    membranes cut into bodies after repair, no later results. Raises CurveUpsError where the target can't be
+    made so, and Stopped."""
     def count(stage: str, *_: object) -> None:
         steps[0] -= stage == "repair"
         candidate.stopped |= steps[0] < 0
@@ -26,7 +27,9 @@ def trial(inputs: Inputs, values: Mapping[str, Any], goals: Sequence[str], job: 
     candidate = Job(job, count)
     assert inputs.elsewhere is not None
     try:
-        found = inputs.elsewhere(values, goals, candidate)
+        found = inputs.elsewhere(values, ("repair",), candidate, after)
+        if not candidate.stopped and not found["repair"].cut:
+            found = inputs.elsewhere(values, goals, candidate, found)
     except Stopped:
         if job.stopped:
             raise

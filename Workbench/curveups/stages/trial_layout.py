@@ -70,9 +70,10 @@ def _run(inputs: Inputs, job: Job) -> TrialLayout:
 
 
 def decide(inputs: Inputs, found: Feasibility, job: Job, values: Mapping[str, Any] = MappingProxyType({}),
-           steps: Optional[list[int]] = None) -> TrialLayout:
-    """What a trial layout shows with these values of parameters, of which `found` is; estimates alone where
-    none can be made. steps: of repair, from which those that it takes are taken off."""
+           steps: Optional[list[int]] = None, after: Optional[Any] = None) -> TrialLayout:
+    """What a trial layout shows with these values of parameters, of which `found` is, made after such
+    results; estimates alone where none can be made. steps: of repair, from which those that it takes are
+    taken off."""
     def get(name: str) -> Any:
         return values.get(name, inputs.parameters.get(name))
 
@@ -80,11 +81,14 @@ def decide(inputs: Inputs, found: Feasibility, job: Job, values: Mapping[str, An
             and get("H_body") <= STOUTEST * found.L):
         return TrialLayout(found.blocked)
     try:
-        made = trial(inputs, values, ("verification", "clearances", "pieces"), job, steps or [REPAIR_STEPS])
+        made = trial(inputs, values, ("verification", "clearances", "pieces"), job, steps or [REPAIR_STEPS],
+                     after)
     except CurveUpsError as error:
         return _failed(found, get("H_pin"), [error.finding] if error.finding else [])
     if made is None:
         return TrialLayout(found.blocked, UNDECIDED)
+    if cut := made["repair"].cut:
+        return _failed(found, get("H_pin"), [cut])
     if not made["verification"].judged:
         return TrialLayout(found.blocked)
     reasons = unique([reason for result in made.values() for reason in result.reasons()])

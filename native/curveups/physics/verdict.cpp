@@ -139,9 +139,7 @@ void judge_membranes(const VerdictInput& in, VerificationReport& report) {
     const MembraneClearance& c = in.clearance[s];
     const std::vector<int> tile = {c.tile};
     if (!is_clear(c.distance)) {
-      report.reasons.push_back({"membrane.cuts",
-                                tile,
-                                {{"side", name_of(side)}, {"tile", tile}, {"depth", -c.distance}}});
+      report.reasons.push_back(cut_by_membrane(side, c.tile, -c.distance));
     } else if (c.distance < safe_clearance) {
       report.warnings.push_back(
           {"membrane.touches",
@@ -157,6 +155,12 @@ void judge_membranes(const VerdictInput& in, VerificationReport& report) {
 }
 
 }  // namespace
+
+Finding cut_by_membrane(Side side, int tile, double depth) {
+  return {"membrane.cuts",
+          {tile},
+          {{"side", name_of(side)}, {"tile", std::vector<int>{tile}}, {"depth", depth}}};
+}
 
 void give_verdict(const VerdictInput& input, VerificationReport& report) {
   judge_least_squares(input, report);

@@ -32,6 +32,9 @@ struct VerdictInput {
   std::vector<std::array<int, 2>> crossing;     // tiles where a sheet would lie on itself
 };
 
+// The reason that a membrane would cut into a tile's body, depth in mm.
+Finding cut_by_membrane(Side side, int tile, double depth);
+
 // Fills valid, reasons and warnings of a report whose figures are complete.
 void give_verdict(const VerdictInput& input, VerificationReport& report);
 

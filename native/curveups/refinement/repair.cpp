@@ -26,6 +26,14 @@ constexpr double vertex_cost = 100;
 // Fresh meshes on which overloaded pins grow.
 constexpr int most_glue_rounds = 4;
 
+std::optional<Touch> deepest_cut(const std::vector<Touch>& touches) {
+  const auto deepest =
+      std::min_element(touches.begin(), touches.end(),
+                       [](const Touch& a, const Touch& b) { return a.clearance < b.clearance; });
+  if (deepest == touches.end() || is_clear(deepest->clearance)) return std::nullopt;
+  return *deepest;
+}
+
 class Repair {
  public:
   Repair(const Design& design, SolutionStore* store, const Progress& progress,
@@ -39,6 +47,7 @@ class Repair {
     Judgement judgement;
     std::vector<ContactPoint> points;
     CriticalPairs critical;
+    std::optional<Touch> cut;
   };
 
   std::shared_ptr<Shape> make_shape(const TriangleMesh& mesh, const LayoutModel* found) const;
@@ -315,7 +324,8 @@ void Repair::search(RepairResult& result) {
                      now,
                      contact_corners(here_.geometry(), parameters_),
                      {tracked_.critical_pairs(Touching::at_corners),
-                      tracked_.critical_pairs(Touching::at_tips)}};
+                      tracked_.critical_pairs(Touching::at_tips)},
+                     deepest_cut(touches_)};
     }
     tell(now);
     if (now.valid() && !(now.overload > 0)) return;
@@ -348,6 +358,7 @@ RepairResult Repair::run() {
     result.blocked = explain_weak_contacts(here_.geometry().tiles, best_->points, best_->judgement,
                                            best_->critical, last_step_.obstacles);
   }
+  if (best_) result.cut = best_->cut;
   result.design = design_here();
   result.largest_move = std::max((result.design.T - design_.T).cwiseAbs().maxCoeff(),
                                  (here_.state - given_.state).rightCols<6>().cwiseAbs().maxCoeff());

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@
 #include "curveups/design/design.hpp"
 #include "curveups/physics/solved_design.hpp"
 #include "curveups/refinement/explanation.hpp"
+#include "curveups/refinement/tracked_forces.hpp"
 
 namespace curveups {
 
@@ -43,6 +45,7 @@ struct RepairResult {
   double largest_move = 0;         // of a front corner in the layout or an inset, mm
   double largest_vertex_move = 0;  // of an actuated vertex in this repair, mm
   std::vector<BlockedContact> blocked;
+  std::optional<Touch> cut;  // where a membrane cuts deepest into a body; empty where none does
   std::string breakdown;  // why it ended early; empty where it did not
 };
 
