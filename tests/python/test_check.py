@@ -168,7 +168,7 @@ def test_check_says_where_a_trial_layout_is_not_valid_all_the_same(curveups, tmp
 
 def test_check_says_which_of_the_sizes_that_it_names_give_no_valid_design(monkeypatch):
     weak = trial_layout.TrialLayout((), "passed", beyond=(Finding("no_pressure"),))
-    monkeypatch.setattr(size_search, "decide", lambda inputs, found, job, values, steps, after: weak)
+    monkeypatch.setattr(size_search, "decide", lambda inputs, found, job, values, steps, begun: weak)
     found = project(*cone(1.1)).run(asked_by("check"))
     sizes = found["sizes"]
     assert not sizes.as_set and (sizes.L, sizes.H_body, sizes.together) == (None, None, None)
@@ -184,7 +184,7 @@ def test_check_says_which_of_the_sizes_that_it_names_give_no_valid_design(monkey
         assert f"with {name} a design is not valid all the same: {why}" in said
 
     # Nothing works by itself, and thinner tiles do with higher pins alone.
-    def thin_tiles(inputs, found, job, values, steps, after):
+    def thin_tiles(inputs, found, job, values, steps, begun):
         assert steps
         if values.get("mend") == "on" or values.get("H_body", 3.0) > 1.5 or values.get("H_pin", 1.0) < 1.5:
             return trial_layout.TrialLayout(found.blocked or (blocked,), "failed")

@@ -247,7 +247,7 @@ def test_all_that_is_tried_shares_a_number_of_steps_of_repair():
     """One trial after another used to be repaired for up to 60 steps: minutes for a hairpin."""
     taken = []
 
-    def repaired_for_ever(sizes, goals, job, after):
+    def repaired_for_ever(sizes, goals, job, begun, enough):
         tell, steps = job.listener("repair"), 1
         while tell(None, None, 0.0):
             steps += 1

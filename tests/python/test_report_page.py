@@ -28,6 +28,13 @@ def test_moved_vertices_mended_contacts_and_recheck_are_named():
     assert "half the size the design is valid too" in text
 
 
+def test_a_repair_that_ends_not_valid_says_what_is_left():
+    ended = {**REPAIR, "status": "blocked", "blocked": [{"tiles": [0, 1], "reason": "no room"}], "cuts": ["cuts"]}
+    assert "could not strengthen all contacts" in text_of(changes({"repair": ended}))
+    ended["blocked"] = []
+    assert "could not keep membranes from cutting into bodies" in text_of(changes({"repair": ended}))
+
+
 def test_mending_says_what_it_did():
     block = {"actions": ["2 holes filled"], "moved_vertices": 3, "mean_mm": 0.5,
              "max_mm": 1.25, "hausdorff_mm": 0.75, "tiles": [3], "remaining": [4]}

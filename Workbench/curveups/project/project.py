@@ -143,13 +143,14 @@ class Project:
         return twin
 
     def elsewhere(self, values: Mapping[str, Any], goals: Sequence[str], job: Job,
-                  after: Optional[Results] = None, known: Mapping[str, Made] = MappingProxyType({})) -> Results:
-        """What a copy makes with other values of some parameters. after: what one with these values made
-        before. known: results besides its own."""
+                  begun: Optional[Results] = None, enough: Optional[Callable[[Results], bool]] = None,
+                  known: Mapping[str, Made] = MappingProxyType({})) -> Results:
+        """What a copy makes with other values of some parameters. begun: what one with these values has made.
+        enough: as `run` has it. known: results besides its own."""
         twin = self.copy()
         twin.parameters = with_values(self.parameters, values)
-        twin._made.update(known if after is None else after.made)
-        return twin.run(goals, job)
+        twin._made.update({**known, **(begun.made if begun else {})})
+        return twin.run(goals, job, enough=enough)
 
     def inputs(self, names: Sequence[str], job: Job) -> Inputs:
         """What a stage that reads these results would read."""
@@ -194,9 +195,10 @@ class Project:
 
     def run(self, goals: Sequence[str], job: Optional[Job] = None, strict: bool = False,
             note: Optional[Finding] = None, watch: Optional[Callable[[str, Results], object]] = None,
-            expect: Optional[Callable[[Results], object]] = None) -> Results:
+            expect: Optional[Callable[[Results], object]] = None,
+            enough: Optional[Callable[[Results], bool]] = None) -> Results:
         """Makes the goals, each with what it needs, and returns all there is then. watch: told each goal as
-        it is made, with all there is by then. expect: told, before a stage begins that knows what its result
+        it is made, with all there is by then. enough: asked the same; true leaves the others out. expect: told, before a stage begins that knows what its result
         will be unless it finds a fault, all there will be then.
 
         A stage that fails or is stopped where work before it is worth its files ends in a result that
@@ -212,6 +214,8 @@ class Project:
                     run.make(goal)
                     if watch is not None:
                         watch(goal, run.results())
+                    if enough is not None and enough(run.results()):
+                        break
             finally:
                 with self._reading:
                     self._made.update(run.lasting)

@@ -63,7 +63,8 @@ def _pin_smoothing(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[
 
 def _repair(block: Mapping[str, Any], report: Mapping[str, Any]) -> list[str]:
     ended = {"valid": "It ended with a valid design.", "stopped": "It was stopped.",
-             "blocked": "It could not strengthen all contacts."}[block["status"]]
+             "blocked": "It could not strengthen all contacts." if block["blocked"] or not block.get("cuts")
+             else "It could not keep membranes from cutting into bodies."}[block["status"]]
     mended = [_pair(pair) for pair in block.get("mended", ())]
     text = (f"{ended} {len(block['steps'])} steps; corners and insets moved by up to "
             f"{show(block['largest_move_mm'])} mm in the layout; {_moved(block)}.")

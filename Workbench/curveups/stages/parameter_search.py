@@ -75,10 +75,10 @@ def _valid(inputs: Inputs, sizes: Sizes, job: Job, steps: list[int]) -> bool:
     """Whether a copy of the project says so before repair has taken the steps that are left."""
     job.go_on("trying " + ", ".join(f"{name} = {value:g} mm" for name, value in sizes))
     try:
-        found = trial(inputs, dict(sizes), ("verification",), job, steps)
+        found = trial(inputs, dict(sizes), job, steps)
     except CurveUpsError:
         return False
-    return bool(found and not found["repair"].cut and found["layout"].converged
+    return bool(found and found["layout"].converged and not found["repair"].cuts
                 and found["verification"].valid)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Optional, Sequence
 
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding
+from ..base.findings import Finding, all_of
 from ..base.native import native
 from .advice import against
 from .design import design_digest
@@ -25,7 +25,7 @@ class Repair(Result):
     blocked: tuple[dict, ...] = ()            # contacts that stay weak: reason, obstacle, held tiles
     suggestions: tuple[Finding, ...] = ()
     warned: tuple[Finding, ...] = ()
-    cut: Optional[Finding] = None             # where a membrane still cuts deepest into a body
+    cuts: tuple[Finding, ...] = ()            # where membranes cut into bodies on its last fresh mesh
 
     @property
     def content(self) -> str:
@@ -72,10 +72,11 @@ def _run(inputs: Inputs, job: Job) -> Repair:
                    "least_floor_of_f_min": step.least_floor, "vertices": bool(step.vertices),
                    "fresh_mesh": bool(step.fresh_mesh)} for step in found.steps],
         "blocked": [{"tiles": contact["tiles"], "reason": str(contact["reason"])} for contact in blocked],
+        "cuts": list(map(str, all_of(found.cuts))),
         "suggestions": list(map(str, suggestions)), "mended": mended,
         "moved_vertices": moved_vertices(before.V, found.design.V, before.F)}
     return Repair(found.design if changed else before, None if changed else verified.verdict, found.status,
-                  block, blocked, suggestions, cut=Finding.of(found.cut) if found.cut else None)
+                  block, blocked, suggestions, cuts=all_of(found.cuts))
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:

@@ -70,10 +70,9 @@ def _run(inputs: Inputs, job: Job) -> TrialLayout:
 
 
 def decide(inputs: Inputs, found: Feasibility, job: Job, values: Mapping[str, Any] = MappingProxyType({}),
-           steps: Optional[list[int]] = None, after: Optional[Any] = None) -> TrialLayout:
-    """What a trial layout shows with these values of parameters, of which `found` is, made after such
-    results; estimates alone where none can be made. steps: of repair, from which those that it takes are
-    taken off."""
+           steps: Optional[list[int]] = None, begun: Optional[Any] = None) -> TrialLayout:
+    """What a trial layout shows with these values of parameters, of which `found` is, and what else is begun;
+    estimates alone where none can be made. steps: of repair, from which those that it takes are taken off."""
     def get(name: str) -> Any:
         return values.get(name, inputs.parameters.get(name))
 
@@ -81,18 +80,16 @@ def decide(inputs: Inputs, found: Feasibility, job: Job, values: Mapping[str, An
             and get("H_body") <= STOUTEST * found.L):
         return TrialLayout(found.blocked)
     try:
-        made = trial(inputs, values, ("verification", "clearances", "pieces"), job, steps or [REPAIR_STEPS],
-                     after)
+        made = trial(inputs, values, job, steps or [REPAIR_STEPS], begun)
     except CurveUpsError as error:
         return _failed(found, get("H_pin"), [error.finding] if error.finding else [])
     if made is None:
         return TrialLayout(found.blocked, UNDECIDED)
-    if cut := made["repair"].cut:
-        return _failed(found, get("H_pin"), [cut])
-    if not made["verification"].judged:
+    cuts = made["repair"].cuts
+    reasons = unique([*cuts, *(reason for result in made.values() for reason in result.reasons())])
+    if not cuts and not made["verification"].judged:
         return TrialLayout(found.blocked)
-    reasons = unique([reason for result in made.values() for reason in result.reasons()])
-    if made["verification"].failure:
+    if not cuts and made["verification"].failure:
         return TrialLayout(found.blocked, beyond=reasons)
     covered = [one for one in reasons if one.kind in COVERED]
     return _failed(found, get("H_pin"), covered) if covered else TrialLayout((), PASSED, beyond=reasons)

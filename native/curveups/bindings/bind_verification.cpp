@@ -195,13 +195,8 @@ void bind_verification(py::module_& module) {
       .def_readonly("largest_move_mm", &RepairResult::largest_move)
       .def_readonly("largest_vertex_move_mm", &RepairResult::largest_vertex_move)
       .def_readonly("blocked", &RepairResult::blocked)
-      .def_property_readonly(
-          "cut",
-          [](const RepairResult& r) -> std::optional<Finding> {
-            if (!r.cut) return std::nullopt;
-            return cut_by_membrane(r.cut->side, r.cut->tile, -r.cut->clearance);
-          },
-          "Where a membrane cuts deepest into a body, as verification finds it; None: nowhere.")
+      .def_readonly("cuts", &RepairResult::cuts,
+                    "Where either membrane cuts deepest into a body, as verification's reasons.")
       .def_readonly("breakdown", &RepairResult::breakdown,
                     "Why it ended early; empty where it did not.");
   module.def(

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "curveups/core/errors.hpp"
@@ -16,8 +17,9 @@ namespace curveups {
 namespace {
 
 constexpr int max_iterations = 80;
-// By how much of its multiplier a row may be missed in one iteration: the next ones make up for it.
-// Without, a met row's weight grows until rounding of its value outweighs the multiplier.
+// By how much of a change of its multiplier a row may be missed in one iteration: the next ones
+// make up for it. Without, a met row's weight grows until rounding of its value outweighs the
+// multiplier.
 constexpr double least_give = 1e-11;
 
 using Eigen::ArrayXd;
@@ -64,9 +66,9 @@ VectorXd transposed_times(const LeastStepProblem& p, const VectorXd& m) {
   return p.sparse.transpose() * m.head(p.sparse.rows()) + p.dense * m.tail(p.dense.cols());
 }
 
-// The largest step (at most 1) that keeps value + step change from getting negative.
+// The largest step that keeps value + step change from getting negative.
 double longest(const ArrayXd& value, const ArrayXd& change) {
-  double length = 1;
+  double length = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < value.size(); ++i) {
     if (change(i) < 0) length = std::min(length, -value(i) / change(i));
   }
@@ -115,7 +117,7 @@ class LeastStepMethod {
   ArrayXd m_, elastic_, lower_, upper_;
   ArrayXd low_, high_;  // rooms to the bounds, kept apart from z: it has no digits for small ones
   ArrayXd residual_, dual_, unpaid_;
-  double mu_ = LeastStepProblem::dense_penalty;
+  double mu_ = LeastStepProblem::dense_penalty;  // at first: of several tried with the fewest steps
 };
 
 LeastStepMethod::LeastStepMethod(const LeastStepProblem& problem)
@@ -137,7 +139,8 @@ LeastStepMethod::LeastStepMethod(const LeastStepProblem& problem)
   z_ = (-problem.lower.array()).max(0.1 * width).min(0.9 * width) + problem.lower.array();
   // On the central path of complementarity mu, but for z: s m = mu, e (penalty - m) = mu.
   const ArrayXd u = (rows_times(problem, z_.matrix()) + c_).array() * penalty_ / (2 * mu_);
-  const ArrayXd ratio = u + (1 + u.square()).sqrt();  // of elastic_ to m_
+  const ArrayXd root = (1 + u.square()).sqrt();
+  const ArrayXd ratio = (u > 0).select(u + root, 1 / (root - u));  // of elastic_ to m_
   m_ = penalty_ / (1 + ratio);
   elastic_ = m_ * ratio;
   s_ = mu_ / m_;
@@ -256,7 +259,8 @@ LeastStep LeastStepMethod::run() {
     }
     if (!factorize()) break;
     const Direction affine = newton(none);
-    const double left = complementarity(affine, step_length(affine)) / complementarity(affine, 0);
+    const double left = std::min(1.0, complementarity(affine, std::min(1.0, step_length(affine))) /
+                                          complementarity(affine, 0));
     const Direction way = newton(corrected(left * left * left * mu_, affine));
     if (!way.z.allFinite()) break;
     advance(way, std::min(1.0, 0.995 * step_length(way)));

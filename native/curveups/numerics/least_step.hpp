@@ -6,7 +6,9 @@
 // every problem feasible (exact penalty): where constraints contradict one another those of the
 // larger penalty win, and a row's e tells what is missing. Solved by a primal-dual
 // interior-point method (S. Mehrotra, On the implementation of a primal-dual interior point method,
-// 1992); dense rows enter the sparse factorization by the Woodbury identity.
+// 1992), regularized (M. Friedlander, D. Orban, A primal-dual regularized interior-point method for
+// convex quadratic programs, 2012); dense rows enter the sparse factorization by the Woodbury
+// identity.
 #pragma once
 
 #include <Eigen/SparseCore>

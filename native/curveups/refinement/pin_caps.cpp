@@ -11,7 +11,7 @@ namespace {
 
 // Pins grow until the glue has this much to spare: their neighbours' growth changes their load.
 constexpr double glue_reserve = 1.1;
-constexpr double least_growth = 0.01;  // mm of an inset that is worth another fresh mesh
+constexpr double least_move = 0.01;  // mm of an inset that is worth another fresh mesh
 
 double around(const std::array<Vec2, 3>& corner) {
   return (corner[1] - corner[0]).norm() + (corner[2] - corner[1]).norm() +
@@ -30,9 +30,9 @@ bool cap_insets(const std::vector<Touch>& touches, const Iterate& place, Array6&
       const double q = std::min(place.state(tile, inset_unknown(touch.side, t)), caps(tile, k));
       const double lower = bounds.lower(tile, k) + least_capped_range;
       const double drawn = std::max(lower, q - 0.1 - 2 * (safe_clearance - touch.clearance));
-      if (!(drawn < q)) continue;
-      any |= !is_clear(touch.clearance) && drawn < q - least_growth;
+      if (!(drawn < q - least_move)) continue;
       caps(tile, k) = drawn;
+      any = true;
     }
   };
   for (const Touch& touch : touches) {
@@ -63,7 +63,7 @@ bool cap_overloaded(const GlueLoads& loads, const Iterate& place, Array6& caps) 
         const int k = inset_index(load.side, t);
         const double q = insets(load.tile, k);
         const double drawn = std::max(bounds.lower(load.tile, k) + least_capped_range, q - inward);
-        if (!(drawn < q - least_growth)) continue;
+        if (!(drawn < q - least_move)) continue;
         caps(load.tile, k) = drawn;
         any = true;
       }

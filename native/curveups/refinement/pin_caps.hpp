@@ -11,7 +11,7 @@ namespace curveups {
 
 // Where a membrane cuts into a body or all but touches it the pins around draw out: nearer to their
 // edges they hold it up better. Caps the insets of the tiles touched, and of those next to them,
-// below where they are. Returns whether there is any that can give way where a membrane cuts.
+// below where they are. Returns whether there is any that can give way.
 bool cap_insets(const std::vector<Touch>& touches, const Iterate& place, Array6& caps);
 
 // Pins whose glue does not bear what they carry grow until it would, under the same pull, where

@@ -26,12 +26,20 @@ constexpr double vertex_cost = 100;
 // Fresh meshes on which overloaded pins grow.
 constexpr int most_glue_rounds = 4;
 
-std::optional<Touch> deepest_cut(const std::vector<Touch>& touches) {
-  const auto deepest =
-      std::min_element(touches.begin(), touches.end(),
-                       [](const Touch& a, const Touch& b) { return a.clearance < b.clearance; });
-  if (deepest == touches.end() || is_clear(deepest->clearance)) return std::nullopt;
-  return *deepest;
+// The deepest of either side.
+std::vector<Finding> cuts_among(const std::vector<Touch>& touches) {
+  std::vector<Finding> out;
+  for (const Side side : {Side::front, Side::back}) {
+    std::vector<MembraneClearance> there;
+    for (const Touch& touch : touches) {
+      if (touch.side == side) there.push_back({touch.clearance, touch.tile});
+    }
+    const MembraneClearance least = least_clearance(there, safe_clearance);
+    if (!is_clear(least.distance)) {
+      out.push_back(cut_by_membrane(side, least.tile, -least.distance));
+    }
+  }
+  return out;
 }
 
 class Repair {
@@ -47,7 +55,7 @@ class Repair {
     Judgement judgement;
     std::vector<ContactPoint> points;
     CriticalPairs critical;
-    std::optional<Touch> cut;
+    std::vector<Finding> cuts;
   };
 
   std::shared_ptr<Shape> make_shape(const TriangleMesh& mesh, const LayoutModel* found) const;
@@ -254,14 +262,20 @@ bool Repair::take_step(RepairResult& result, Judgement& now, bool with_vertices)
   return false;
 }
 
-// Where membranes cut into bodies; of a valid design, where glue is overloaded. False where no pin
-// can where a membrane cuts, or the layout has no room for it.
+// Where membranes cut into bodies or all but touch them; where forces do, only where they cut; of a
+// valid design, where glue is overloaded. False where no pin can, or the layout has no room for it.
 bool Repair::draw_pins_out(const Judgement& now) {
   const Iterate from = here_;
   const Array6 caps = caps_;
+  std::vector<Touch> touches = touches_;
+  if (now.forces_do()) {
+    touches.erase(std::remove_if(touches.begin(), touches.end(),
+                                 [](const Touch& touch) { return is_clear(touch.clearance); }),
+                  touches.end());
+  }
   const bool any = now.valid()
                        ? glue_rounds_++ < most_glue_rounds && cap_overloaded(glue_, here_, caps_)
-                       : cap_insets(touches_, here_, caps_);
+                       : cap_insets(touches, here_, caps_);
   if (any) {
     const bool settled = succeeds([&] {
       here_.shape = make_shape(from.geometry().tiles.mesh, &from.model());
@@ -325,12 +339,13 @@ void Repair::search(RepairResult& result) {
                      contact_corners(here_.geometry(), parameters_),
                      {tracked_.critical_pairs(Touching::at_corners),
                       tracked_.critical_pairs(Touching::at_tips)},
-                     deepest_cut(touches_)};
+                     cuts_among(touches_)};
     }
     tell(now);
     if (now.valid() && !(now.overload > 0)) return;
     const bool drawn = static_cast<int>(result.steps.size()) <= max_steps_ && draw_pins_out(now);
-    if (now.forces_do() && !drawn) return;  // better forces clear no body of a membrane
+    // Steps beyond what forces need do not aim at membranes.
+    if (now.forces_do() && !drawn) return;
     if (drawn) {
       now = tracked_.judge();
       result.steps.push_back({now.weak, now.least, now.least_floor(), 0, false, false});
@@ -358,7 +373,7 @@ RepairResult Repair::run() {
     result.blocked = explain_weak_contacts(here_.geometry().tiles, best_->points, best_->judgement,
                                            best_->critical, last_step_.obstacles);
   }
-  if (best_) result.cut = best_->cut;
+  if (best_) result.cuts = best_->cuts;
   result.design = design_here();
   result.largest_move = std::max((result.design.T - design_.T).cwiseAbs().maxCoeff(),
                                  (here_.state - given_.state).rightCols<6>().cwiseAbs().maxCoeff());

@@ -14,7 +14,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,6 @@
 #include "curveups/design/design.hpp"
 #include "curveups/physics/solved_design.hpp"
 #include "curveups/refinement/explanation.hpp"
-#include "curveups/refinement/tracked_forces.hpp"
 
 namespace curveups {
 
@@ -39,13 +37,14 @@ struct RepairStep {
 
 struct RepairResult {
   Design design;      // the best found: fewest weak points, then the largest least force
-  SolveReport solve;  // converged: valid; unfinished: blocked by what `blocked` names
+  SolveReport solve;  // converged: valid; unfinished: `blocked` or `cuts` say why
   std::vector<RepairStep> steps;   // the first is the design given
   double restored_mm = 0;          // by how much constraints were violated in the design given
   double largest_move = 0;         // of a front corner in the layout or an inset, mm
   double largest_vertex_move = 0;  // of an actuated vertex in this repair, mm
   std::vector<BlockedContact> blocked;
-  std::optional<Touch> cut;  // where a membrane cuts deepest into a body; empty where none does
+  // Where either membrane cuts deepest into a body, as verification gives its reasons.
+  std::vector<Finding> cuts;
   std::string breakdown;  // why it ended early; empty where it did not
 };
 
