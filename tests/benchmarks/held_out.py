@@ -16,8 +16,8 @@ run again, it goes on where it ended. Prints how often each promise was kept.
 --named counts a third promise, into named.jsonl: what check names instead of sizes that do not do (another
 L, H_body or H_pin, H_body and H_pin together, or mend=on) does. Its targets are those of SHARP that a seed
 gives, without mending, with tiles up to as thick as they are long: else few need other sizes. Spent for the
-figures of resources/docs/feasibility.md are 4200 to 4399, 6000 to 6199 and 7000 to 7119; 4000 to 4199 and 5000
-to 5199 are spent, too."""
+figures of resources/docs/feasibility.md are 4200 to 4399, 6000 to 6199 and 7000 to 7119; 4000 to 4199 and
+5000 to 5199 are spent, too."""
 
 from __future__ import annotations
 

@@ -29,7 +29,8 @@ def test_moved_vertices_mended_contacts_and_recheck_are_named():
 
 
 def test_a_repair_that_ends_not_valid_says_what_is_left():
-    ended = {**REPAIR, "status": "blocked", "blocked": [{"tiles": [0, 1], "reason": "no room"}], "cuts": ["cuts"]}
+    ended = {**REPAIR, "status": "blocked", "blocked": [{"tiles": [0, 1], "reason": "no room"}],
+             "cuts": ["a membrane would cut"]}
     assert "could not strengthen all contacts" in text_of(changes({"repair": ended}))
     ended["blocked"] = []
     assert "could not keep membranes from cutting into bodies" in text_of(changes({"repair": ended}))

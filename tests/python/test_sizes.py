@@ -18,6 +18,7 @@ from curveups.stages import feasibility, pin_smoothing, size_search, sizes
 from curveups.stages.cut_request import CutRequest
 from curveups.stages.stage import Job
 from curveups.stages.surface import Source
+from curveups.stages.trial import trial
 from curveups.stages.trial_layout import FAILED, PASSED, UNDECIDED, TrialLayout
 
 
@@ -129,11 +130,18 @@ def test_where_trial_layouts_of_all_sizes_fail_the_choice_says_so(curveups, tmp_
     """At this length no thickness that is tried lets the membranes clear the tips."""
     V, F = tent(5)
     for H_body in (4.1, 2.0, 0.6):
-        made = project(V, F, L=10.0, H_body=H_body).run(("trial layout", "verification"))
+        of = project(V, F, L=10.0, H_body=H_body)
+        made = of.run(("trial layout", "verification"))
+        repaired = made["repair"]
         assert made["trial layout"].shown == "failed"
         # What repair ends with is what verification finds of it.
         cuts = [one for one in made["verification"].reasons() if one.kind == "membrane.cuts"]
-        assert cuts and list(made["repair"].cuts) == cuts
+        assert cuts and list(repaired.cuts) == cuts
+        # It ends once no pin can give way, though forces could become larger still.
+        assert repaired.status == "blocked" and not repaired.blocked
+        assert repaired.block["steps"][-1]["weak_points"] == 0
+        tried = trial(of.inputs(("target",), Job()), {}, Job(), [60])
+        assert tried["repair"].cuts == repaired.cuts and "verification" not in tried
     of = project(V, F, L=10.0)
     made = sizes.choose(of.inputs(sizes.READS, Job()), ("H_body",), Job())
     assert made.trial == FAILED and 10 / 7 <= made.values["H_body"] <= 30 / 7

@@ -198,8 +198,9 @@ class Project:
             expect: Optional[Callable[[Results], object]] = None,
             enough: Optional[Callable[[Results], bool]] = None) -> Results:
         """Makes the goals, each with what it needs, and returns all there is then. watch: told each goal as
-        it is made, with all there is by then. enough: asked the same; true leaves the others out. expect: told, before a stage begins that knows what its result
-        will be unless it finds a fault, all there will be then.
+        it is made, with all there is by then. enough: asked the same; true leaves the others out. expect:
+        told, before a stage begins that knows what its result will be unless it finds a fault, all there
+        will be then.
 
         A stage that fails or is stopped where work before it is worth its files ends in a result that
         says so; `strict`: failures are raised. Raises CurveUpsError, and Stopped where there is nothing.
