@@ -25,7 +25,7 @@ class Repair(Result):
     blocked: tuple[dict, ...] = ()            # contacts that stay weak: reason, obstacle, held tiles
     suggestions: tuple[Finding, ...] = ()
     warned: tuple[Finding, ...] = ()
-    cuts: tuple[Finding, ...] = ()            # where membranes cut into bodies on its last fresh mesh
+    cuts: tuple[Finding, ...] = ()            # where membranes cut in as it ends; none where it did not run
 
     @property
     def content(self) -> str:
