@@ -2,6 +2,7 @@
 // Bodies that settle: each step ends in the minimum of the energies under Coulomb's law.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "curveups/contact/contact_world.hpp"
 #include "curveups/core/checkpoint.hpp"
@@ -25,6 +26,10 @@ constexpr double kept_share = 0.1;
 // Iterations in which a few bodies that hold the rest up find rest by themselves, or are left
 // alone.
 constexpr int most_alone = 20;
+// Iterations that have not halved what is left. After the first number no bodies find rest by
+// themselves any more: what they do and what all do then can go round in a circle, for hundreds of
+// iterations. After the second the step ends unconverged.
+constexpr int most_with_parts = 6, most_without_progress = 50;
 
 double largest(const Eigen::VectorXd& values) { return values.size() > 0 ? values.maxCoeff() : 0; }
 
@@ -127,6 +132,8 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
   bool factorized = false;
   double shift = 0;
   bool ask_worst = true;  // since the last step nobody did
+  double best = std::numeric_limits<double>::infinity();
+  int without_progress = 0;
   for (int iterations = 0;;) {
     const Motions so_far = motions_between(poses_, x, lever);
     if (largest_motion(so_far) > 2 * options_.step_limit) return false;
@@ -151,7 +158,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       before = -1;
       continue;
     }
-    if (ask_worst && !contacts_.glued) {
+    if (ask_worst && !contacts_.glued && without_progress < most_with_parts) {
       ask_worst = false;
       if (settle_worst(weight, scale, g, errors, x)) {
         given_energy = given_gradient(x, given, nullptr);
@@ -164,6 +171,13 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       factorized = false;
       before = -1;
       continue;
+    }
+    const double left = std::max(residual, error);
+    if (left < 0.5 * best) {
+      best = left;
+      without_progress = 0;
+    } else if (++without_progress == most_without_progress) {
+      return false;
     }
     if (++iterations > options_.max_iterations) return false;
     ++report.iterations;
