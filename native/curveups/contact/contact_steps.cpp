@@ -258,7 +258,7 @@ StepReport ContactWorld::step() {
     report.converged = minimise(weight_, scale, x, report);
     report.motion = largest_motion(motions_between(poses_, x, options_.lever));
     if (report.converged || attempt == 4) break;
-    weight_ *= 8;
+    weight_ *= 64;  // an attempt that fails is dear, one that moves less than it could is not
   }
   fresh_ = changed_ = false;
   contacts_.remember(x);

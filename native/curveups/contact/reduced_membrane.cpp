@@ -145,36 +145,46 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
   Eigen::Matrix<double, 12, 12> moves;
   if (second) moves.setZero();
   double sum = 0;
+  const double factor = pull / stretch.prod();
   for (const Triangle& t : element.triangles) {
-    const Eigen::Matrix2d inverse = t.inverse * stretch.asDiagonal();
-    const double weight = pull / stretch.prod() * t.weight;
-    // F's columns are sums of the corners with these coefficients.
-    Eigen::Matrix<double, 3, 2> coefficient;
-    coefficient.bottomRows<2>() = inverse;
-    coefficient.row(0) = -inverse.colwise().sum();
-    Gradient32 F = Gradient32::Zero();
-    for (int k = 0; k < 3; ++k) F += x[t.corner[k]] * coefficient.row(k);
+    const double weight = factor * t.weight;
+    // F's columns are sums of the edges e1 and e2 from the first corner, which moves them both.
+    const double a = t.inverse(0, 0) * stretch.x(), b = t.inverse(0, 1) * stretch.y(),
+                 c = t.inverse(1, 0) * stretch.x(), d = t.inverse(1, 1) * stretch.y();
+    const auto& [i, j, k] = t.corner;
+    const Vec3 e1 = x[j] - x[i], e2 = x[k] - x[i];
+    Gradient32 F;
+    F << a * e1 + c * e2, b * e1 + d * e2;
     const Density density = material_.model->evaluate(F, material_.constants, second);
     sum += weight * density.value;
     if (!out) continue;
-    for (int k = 0; k < 3; ++k) {
-      const int c = t.corner[k];
-      force[c] += weight * (coefficient(k, 0) * density.gradient.head<3>() +
-                            coefficient(k, 1) * density.gradient.tail<3>());
-      if (!second) continue;
-      for (int l = 0; l < 3; ++l) {
-        const int d = t.corner[l];
-        if (d < c) continue;
-        moves.block<3, 3>(3 * c, 3 * d) += (weight * coefficient(k, 0) * coefficient(l, 0)) *
-                                               density.hessian.topLeftCorner<3, 3>() +
-                                           (weight * coefficient(k, 0) * coefficient(l, 1)) *
-                                               density.hessian.topRightCorner<3, 3>() +
-                                           (weight * coefficient(k, 1) * coefficient(l, 0)) *
-                                               density.hessian.bottomLeftCorner<3, 3>() +
-                                           (weight * coefficient(k, 1) * coefficient(l, 1)) *
-                                               density.hessian.bottomRightCorner<3, 3>();
+    const auto g1 = density.gradient.head<3>(), g2 = density.gradient.tail<3>();
+    const Vec3 by_1 = weight * (a * g1 + b * g2), by_2 = weight * (c * g1 + d * g2);
+    force[i] -= by_1 + by_2;
+    force[j] += by_1;
+    force[k] += by_2;
+    if (!second) continue;
+    const Eigen::Matrix3d h11 = weight * density.hessian.topLeftCorner<3, 3>(),
+                          h12 = weight * density.hessian.topRightCorner<3, 3>(),
+                          h22 = weight * density.hessian.bottomRightCorner<3, 3>();
+    const Eigen::Matrix3d both = h12 + h12.transpose(),
+                          by_11 = a * a * h11 + a * b * both + b * b * h22,
+                          by_22 = c * c * h11 + c * d * both + d * d * h22,
+                          by_12 = a * c * h11 + a * d * h12 + b * c * h12.transpose() + b * d * h22,
+                          to_1 = by_11 + by_12.transpose(), to_2 = by_12 + by_22;
+    const auto add = [&](int row, int column, const Eigen::Matrix3d& block) {
+      if (row <= column) {
+        moves.block<3, 3>(3 * row, 3 * column) += block;
+      } else {
+        moves.block<3, 3>(3 * column, 3 * row) += block.transpose();
       }
-    }
+    };
+    add(i, i, to_1 + to_2);
+    add(i, j, -to_1);
+    add(i, k, -to_2);
+    add(j, j, by_11);
+    add(j, k, by_12);
+    add(k, k, by_22);
   }
   if (!out) return sum;
   out->value = sum;

@@ -363,19 +363,19 @@ TEST(Settling, ComesBackToWhereItWas) {
   EXPECT_NEAR(settling.drift(), drift, 1e-9);
 }
 
-// What a few bodies did by themselves and what all did then went round in a circle: 1081 iterations
-// and 2373, without rest in the end.
-TEST(Settling, DoesNotGoRoundInACircle) {
+// With bare walls that touch all over, steps went round in circles: single samples took 1081 and
+// 2373 iterations, and did not come to rest. Which ones do so depends on rounding.
+TEST(Settling, DoesNotGoRoundInCircles) {
   const Sample sample(dome("dimples"));
   Settling standing(sample.design, sample.bodies, sample.solved);
   standing.settle({}, 0.8);
-  for (double taper : {0.01, 0.03}) {
+  for (double taper : {-0.01, 0.01, 0.015, 0.03}) {
     Settling settling(standing);
     Conditions conditions;
     conditions.taper = taper;
     settling.settle(conditions, 0.8);
     EXPECT_TRUE(settling.at_rest()) << taper;
-    EXPECT_LT(settling.iterations() - standing.iterations(), 600) << taper;
+    EXPECT_LT(settling.iterations() - standing.iterations(), 1000) << taper;
   }
 }
 
