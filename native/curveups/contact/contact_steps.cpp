@@ -26,10 +26,10 @@ constexpr double kept_share = 0.1;
 // Iterations in which a few bodies that hold the rest up find rest by themselves, or are left
 // alone.
 constexpr int most_alone = 20;
-// Iterations that have not halved what is left. After the first number no bodies find rest by
-// themselves any more: what they do and what all do then can go round in a circle, for hundreds of
-// iterations. After the second the step ends unconverged.
-constexpr int most_with_parts = 6, most_without_progress = 50;
+// Iterations in a row that have not halved the forces that are left. After the first number no
+// bodies find rest by themselves until they are halved: what a few do and what all do then can undo
+// one another for hundreds of iterations. After the second the step ends unconverged.
+constexpr int stalled_without_parts = 6, most_stalled = 50;
 
 double largest(const Eigen::VectorXd& values) { return values.size() > 0 ? values.maxCoeff() : 0; }
 
@@ -133,7 +133,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
   double shift = 0;
   bool ask_worst = true;  // since the last step nobody did
   double best = std::numeric_limits<double>::infinity();
-  int without_progress = 0;
+  int stalled = 0;
   for (int iterations = 0;;) {
     const Motions so_far = motions_between(poses_, x, lever);
     if (largest_motion(so_far) > 2 * options_.step_limit) return false;
@@ -158,7 +158,7 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
       before = -1;
       continue;
     }
-    if (ask_worst && !contacts_.glued && without_progress < most_with_parts) {
+    if (ask_worst && !contacts_.glued && stalled < stalled_without_parts) {
       ask_worst = false;
       if (settle_worst(weight, scale, g, errors, x)) {
         given_energy = given_gradient(x, given, nullptr);
@@ -175,8 +175,8 @@ bool ContactWorld::minimise(double weight, double scale, Poses& x, StepReport& r
     const double left = std::max(residual, error);
     if (left < 0.5 * best) {
       best = left;
-      without_progress = 0;
-    } else if (++without_progress == most_without_progress) {
+      stalled = 0;
+    } else if (++stalled == most_stalled) {
       return false;
     }
     if (++iterations > options_.max_iterations) return false;

@@ -148,7 +148,7 @@ double ReducedMembrane::evaluate(const Element& element, const Poses& poses, dou
   const double factor = pull / stretch.prod();
   for (const Triangle& t : element.triangles) {
     const double weight = factor * t.weight;
-    // F's columns are sums of the edges e1 and e2 from the first corner, which moves them both.
+    // F's columns are sums of the edges e1 and e2. The first corner moves both.
     const double a = t.inverse(0, 0) * stretch.x(), b = t.inverse(0, 1) * stretch.y(),
                  c = t.inverse(1, 0) * stretch.x(), d = t.inverse(1, 1) * stretch.y();
     const auto& [i, j, k] = t.corner;

@@ -363,9 +363,9 @@ TEST(Settling, ComesBackToWhereItWas) {
   EXPECT_NEAR(settling.drift(), drift, 1e-9);
 }
 
-// With bare walls that touch all over, steps went round in circles: single samples took 1081 and
-// 2373 iterations, and did not come to rest. Which ones do so depends on rounding.
-TEST(Settling, DoesNotGoRoundInCircles) {
+// With bare walls that touch all over, steps went round in circles for 1081 and 2373 iterations,
+// the latter without rest. Which samples do so depends on rounding.
+TEST(Settling, EndsStepsThatGoRoundInCircles) {
   const Sample sample(dome("dimples"));
   Settling standing(sample.design, sample.bodies, sample.solved);
   standing.settle({}, 0.8);
@@ -375,7 +375,7 @@ TEST(Settling, DoesNotGoRoundInCircles) {
     conditions.taper = taper;
     settling.settle(conditions, 0.8);
     EXPECT_TRUE(settling.at_rest()) << taper;
-    EXPECT_LT(settling.iterations() - standing.iterations(), 1000) << taper;
+    EXPECT_LT(settling.iterations(), 1000) << taper;
   }
 }
 
