@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the command line as users do: as a program of its own."""
+"""Fixtures that run the command line, and designs that tests share."""
 
 import json
 import subprocess
@@ -12,14 +12,25 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 
-from running import Ran, command, dome, environment  # noqa: E402
+from running import Ran, call_main, command, dome, environment  # noqa: E402
+
+
+def pytest_configure(config):
+    config.addinivalue_line("markers", "all: a long test, which `tools/test --all` runs")
 
 
 @pytest.fixture(scope="session")
 def curveups():
-    def run(*arguments, cwd=None, preexec_fn=None, **more):
+    """The command line within this process."""
+    return call_main
+
+
+@pytest.fixture(scope="session")
+def curveups_process():
+    """The command line as a program of its own, for tests of its environment; `more`: variables."""
+    def run(*arguments, cwd=None, **more):
         done = subprocess.run(command(*arguments), cwd=cwd, env=environment(**more), text=True,
-                              capture_output=True, preexec_fn=preexec_fn, timeout=500)
+                              capture_output=True, timeout=500)
         return Ran(done.returncode, done.stdout, done.stderr)
 
     return run

@@ -78,10 +78,10 @@ def project(V, F, remesh=True, **values):
     return Project("made", parameters, {"source": source, "cut request": CutRequest()}, "made")
 
 
-def test_a_filleted_lid_is_checked_without_a_warning_and_says_what_it_tries(curveups, tmp_path):
+def test_a_filleted_lid_is_checked_without_a_warning_and_says_what_it_tries(curveups_process, tmp_path):
     """It stood at 97 % while it looked for sizes, and numpy warned."""
     lid = cad.make(tmp_path, "lid")["lid"]
-    ran = curveups("check", lid, "--set", "L=16", PYTHONWARNINGS="error")
+    ran = curveups_process("check", lid, "--set", "L=16", PYTHONWARNINGS="error")
     assert ran.status == 1 and ran.out.startswith("lid: "), (ran.out, ran.err)
     said = ran.err.splitlines()
     assert all(line.startswith("curveups: ") for line in said), ran.err

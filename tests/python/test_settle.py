@@ -187,11 +187,11 @@ def test_a_window_of_dimples_ends_where_the_shape_does_not_hold(tmp_path):
 
 
 @pytest.mark.parametrize("threads", ["2", "4"])
-def test_any_number_of_threads_gives_the_same_reports(curveups, cap_design, tmp_path, threads):
+def test_any_number_of_threads_gives_the_same_reports(curveups_process, cap_design, tmp_path, threads):
     texts = []
     for count in ("1", threads):
         out = tmp_path / count
-        assert curveups("verify", cap_design, "-o", out, CURVEUPS_THREADS=count).status == VALID
+        assert curveups_process("verify", cap_design, "-o", out, CURVEUPS_THREADS=count).status == VALID
         report = json.loads((out / "report.json").read_text("utf-8"))
         texts.append(json.dumps({name: report[name] for name in ("holds", "settled", "margin")}))
     assert texts[0] == texts[1]

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A pytest plugin: says each failure when it happens. pytest itself says all of them at the end."""
+"""A pytest plugin: each failure when it happens, and at the end the seconds of every file."""
 
 from __future__ import annotations
+
+from collections import Counter
 
 import pytest
 
@@ -9,9 +11,11 @@ import pytest
 class AtOnce:
     def __init__(self, config: pytest.Config) -> None:
         self._config = config
+        self._seconds: Counter[str] = Counter()
 
     @pytest.hookimpl(trylast=True)
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        self._seconds[report.nodeid.partition("::")[0]] += report.duration
         if report.failed:
             terminal = self._config.pluginmanager.getplugin("terminalreporter")  # not there at first
             terminal.ensure_newline()
@@ -19,6 +23,12 @@ class AtOnce:
             terminal.line(report.longreprtext)
             for title, text in report.sections:
                 terminal.line(f"{title}:\n{text[-3000:]}")
+
+    def pytest_terminal_summary(self) -> None:
+        terminal = self._config.pluginmanager.getplugin("terminalreporter")
+        terminal.section("seconds per file")
+        for file, seconds in self._seconds.most_common():
+            terminal.line(f"{seconds:7.1f} s {file}")
 
 
 def pytest_configure(config: pytest.Config) -> None:

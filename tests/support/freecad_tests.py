@@ -75,6 +75,7 @@ class _Module(pytest.Module):
 
 def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "freecad(home='workbench', window=False, timeout=300): in FreeCAD")
+    config.addinivalue_line("markers", "all: a long test, which `tools/test --all` runs")
     if not INSIDE:
         config.pluginmanager.register(_Asking(config), "asking-freecad")
 

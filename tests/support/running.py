@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,6 +26,40 @@ class Ran:
     @property
     def error_lines(self):
         return [line for line in self.err.splitlines() if line.startswith("curveups: error: ")]
+
+
+def call_main(*arguments, cwd=None):
+    """Run the command line in this process and return its status and what it printed.
+
+    Standard output and error are taken at their descriptors, since the program hands its own on."""
+    from curveups.cli import main
+
+    folder = os.getcwd()
+    kept = [os.dup(1), os.dup(2)]
+    streams = sys.stdout, sys.stderr
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+        try:
+            for number, file in ((1, out), (2, err)):
+                os.dup2(file.fileno(), number)
+            sys.stdout, sys.stderr = (open(number, "w", encoding="utf-8", closefd=False) for number in (1, 2))
+            os.chdir(cwd or folder)
+            try:
+                status = main([str(argument) for argument in arguments])
+            except SystemExit as ended:  # --help and --version
+                status = int(ended.code or 0)
+            sys.stdout.flush()
+            sys.stderr.flush()
+        finally:
+            sys.stdout, sys.stderr = streams
+            os.chdir(folder)
+            for number, duplicate in zip((1, 2), kept):
+                os.dup2(duplicate, number)
+                os.close(duplicate)
+        printed = []
+        for file in (out, err):
+            file.seek(0)
+            printed.append(file.read().decode("utf-8", "replace"))
+    return Ran(status, *printed)
 
 
 def command(*arguments):
