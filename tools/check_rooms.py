@@ -33,12 +33,11 @@ LIBRARIES = (
     ("pybind11", r"pybind11/.*", {"bindings"}),
 )
 
-# The same for the rooms of Python. `viewproviders` has the names that old documents store.
+# The same for the rooms of Python.
 PYTHON: dict[str, tuple[str, ...]] = {
     "base": (), "targets": ("base",), "stages": ("targets",), "project": ("stages",),
     "report": ("project",), "kit": ("report",), "features": ("kit",), "cli": ("features",),
     "window": ("features",),
-    "viewproviders": ("window",),
 }
 LOOSE = {"__init__.py"}  # modules of no room
 # Only what FreeCAD's start, or that of a command that fails, would pay for is imported inside functions.

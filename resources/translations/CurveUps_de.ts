@@ -458,8 +458,8 @@
       <translation>Herausfinden, welche Teile der Zielfläche Kacheln werden können und welche Größen gehen</translation>
     </message>
     <message>
-      <source>Find the length and thickness of the largest tiles that can be made and stay within Fidelity of the surface</source>
-      <translation>Länge und Dicke der größten Kacheln suchen, die sich machen lassen und innerhalb von Fidelity an der Fläche bleiben</translation>
+      <source>Find the length and thickness of the largest tiles that can be made and stay within MaximumDeviation of the surface</source>
+      <translation>Länge und Dicke der größten Kacheln suchen, die sich machen lassen und innerhalb von MaximumDeviation an der Fläche bleiben</translation>
     </message>
     <message>
       <source>Mend the Target</source>
@@ -793,8 +793,8 @@
       <translation>Abwicklung</translation>
     </message>
     <message>
-      <source>Look for the largest value with which all tiles can be made. A length also keeps the tiles within Fidelity of the surface</source>
-      <translation>Den größten Wert suchen, mit dem sich alle Kacheln machen lassen. Eine Länge hält die Kacheln auch innerhalb von Fidelity an der Fläche</translation>
+      <source>Look for the largest value with which all tiles can be made. A length also keeps the tiles within MaximumDeviation of the surface</source>
+      <translation>Den größten Wert suchen, mit dem sich alle Kacheln machen lassen. Eine Länge hält die Kacheln auch innerhalb von MaximumDeviation an der Fläche</translation>
     </message>
     <message>
       <source>Material of tiles</source>

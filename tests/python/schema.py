@@ -54,8 +54,8 @@ OPTIONAL = {
 }
 STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}
-STAGES = ("remesh", "fairing", "pieces", "cuts", "relief", "flatten", "layout", "verify", "refine", "recheck",
-          "settle", "actuate", "actuation trials", "solids", "check", "trials", "export")
+STAGES = ("remesh", "target smoothing", "pieces", "cuts", "pin smoothing", "flatten", "layout", "verify",
+          "refine", "recheck", "settle", "actuate", "actuation trials", "solids", "check", "trials", "export")
 
 
 def check(value, expected, where):

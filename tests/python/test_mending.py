@@ -131,17 +131,18 @@ def mended(V, F, **values):
         parameters.set(name, value)
     source = Source("made", stamp="made", read=lambda deflection, choice: Read(V, F))
     given = {"source": source, "cut request": CutRequest()}
-    return Project("made", parameters, given, "made").run(("fairing",), Job())
+    return Project("made", parameters, given, "made").run(("target smoothing",), Job())
 
 
 def test_a_surface_that_ends_too_far_from_the_target_is_named():
     """A bump that tiles are too large for, without an edge that could stay."""
     V, F = sheet(lambda x, y: 4 * math.exp(-(x * x + y * y) / 18), 40, 60)
-    found = [one for one in mended(V, F, L=14.0, mend_max=0.5)["fairing"].warnings()
+    found = [one for one in mended(V, F, L=14.0, mend_max=0.5)["target smoothing"].warnings()
              if one.kind == "mending.far"]
     assert len(found) == 1 and 0.5 < found[0].figures["distance"] < 4
     assert "more than mend_max (0.5 mm)" in str(found[0])
-    assert not [one for one in mended(V, F, L=4.0)["fairing"].warnings() if one.kind == "mending.far"]
+    smoothed = mended(V, F, L=4.0)["target smoothing"]
+    assert not [one for one in smoothed.warnings() if one.kind == "mending.far"]
 
 
 def test_without_mending_all_of_these_are_refused_with_a_way_out(run):
@@ -215,8 +216,8 @@ def test_where_membranes_cut_other_sizes_are_tried(run, monkeypatch):
     monkeypatch.setattr(parameter_search, "_valid", valid)
     monkeypatch.setattr(parameter_search, "sizes_do", lambda *given: True)
     parameters = native.Parameters()
-    inputs = Inputs(parameters, {"verification": Verified, "target": Given, "fairing": Given, "cuts": Given,
-                                 "cut request": CutRequest()})
+    inputs = Inputs(parameters, {"verification": Verified, "target": Given, "target smoothing": Given,
+                                 "cuts": Given, "cut request": CutRequest()})
     assert not parameter_search.STAGE.run(inputs, Job()).advice() and not tried
     parameters.set("mend", "on")
     said, = parameter_search.STAGE.run(inputs, Job()).advice()

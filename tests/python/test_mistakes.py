@@ -243,7 +243,7 @@ def test_a_failure_where_a_verdict_was_asked_for_is_an_error(project_of_cap, mon
 def test_a_recheck_that_breaks_down_is_no_pass(project_of_cap, monkeypatch):
     broken = raising(native.SolverFailure("no memory for the factor"), first=1)
     monkeypatch.setattr(verification, "native", Replaced(verify_design=broken))
-    results = project_of_cap(recheck=True, repair=False).run(GOALS)
+    results = project_of_cap(run_mesh_refinement_check=True, repair=False).run(GOALS)
     assert results.verdict.valid is False and not results["recheck"].ran
     assert len(results.verdict.reasons) == 1 and "no memory" in str(results.verdict.reasons[0])
 

@@ -49,7 +49,7 @@ def test_only_what_is_missing_is_run(project, ran):
     project.run(("target",))
     assert ran == ["surface", "target"]
     project.run(("layout",))
-    assert ran[2:] == ["fairing", "division", "cuts", "relief", "layout"]
+    assert ran[2:] == ["target smoothing", "division", "cuts", "pin smoothing", "layout"]
     first = project.run(GOALS)
     del ran[:]
     again = project.run(GOALS)
@@ -60,8 +60,8 @@ def test_only_what_is_missing_is_run(project, ran):
     ("friction_coefficient", 0.6, "layout", "verification"),
     ("support_drop", 0.5, "verification", "bodies"),
     ("H_body", 2.5, "target", "layout"),
-    ("tau", 2.8, "relief", "layout"),
-    ("w_a", 20.0, "relief", "layout"),
+    ("tau", 2.8, "pin smoothing", "layout"),
+    ("w_a", 20.0, "pin smoothing", "layout"),
     ("printer", "resin", "bodies", None),
     ("A_pin_min", 3.5, "target", "layout"),
 ])
@@ -142,7 +142,7 @@ def test_no_stage_reads_a_parameter_that_it_does_not_declare(project):
         return found.content or found.report()
 
     base = made.parameters
-    names = ("surface", "target", "cuts", "relief", "layout", "figures", "bodies", "suggestions")
+    names = ("surface", "target", "cuts", "pin smoothing", "layout", "figures", "bodies", "suggestions")
     expected = {name: figures(name, base) for name in names}
     for row in table():
         if row.name in ("run_verification", "L"):

@@ -55,11 +55,11 @@ def test_vertices_make_room_for_pins(curveups, steep, tmp_path):
     setting = ("--set", "A_pin_min=9")
     report, design = run(curveups, steep, tmp_path / "off", *setting, "--set", "run_verification=off")
     small = report["constraints"]["pin_sides_below_area"]
-    assert small > 0 and "relief" not in report and "target" not in design
+    assert small > 0 and "pin_smoothing" not in report and "target" not in design
     assert report["deviation"]["max_mm"] < 1e-9
 
     report, moved = run(curveups, steep, tmp_path / "on", *setting)
-    pin_smoothing = report["relief"]
+    pin_smoothing = report["pin_smoothing"]
     assert len(pin_smoothing["pin_sides"]) == small and pin_smoothing["remaining"] == 0
     assert report["constraints"]["pin_sides_below_area"] == 0
     assert all(side["area_before_mm2"] < 9 for side in pin_smoothing["pin_sides"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What report.html says of relief, repair, recheck and the worst contacts."""
+"""What report.html says of pin smoothing, repair, recheck and the worst contacts."""
 
 import re
 
@@ -7,10 +7,10 @@ import pytest
 
 from curveups.report.changes import changes, worst_contacts
 
-RELIEF = {"largest_move_mm": 0.3, "remaining": 1,
-          "pin_sides": [{"tile": 4, "side": "back", "area_before_mm2": 3.1}],
-          "moved_vertices": [{"vertex": 7, "tiles": [3, 4], "mm": 0.3},
-                             {"vertex": 2, "tiles": [4], "mm": 0.1}]}
+PIN_SMOOTHING = {
+    "largest_move_mm": 0.3, "remaining": 1,
+    "pin_sides": [{"tile": 4, "side": "back", "area_before_mm2": 3.1}],
+    "moved_vertices": [{"vertex": 7, "tiles": [3, 4], "mm": 0.3}, {"vertex": 2, "tiles": [4], "mm": 0.1}]}
 REPAIR = {"status": "valid", "largest_move_mm": 0.2, "largest_vertex_move_mm": 0.0, "steps": [{}, {}],
           "blocked": [], "suggestions": [], "mended": [[0, 11], [2, 3]], "moved_vertices": []}
 
@@ -21,7 +21,7 @@ def text_of(parts):
 
 def test_moved_vertices_mended_contacts_and_recheck_are_named():
     forces = {"normal_min": 0.2, "normal_mean": 0.5, "friction_ratio_max": 0.3}
-    text = text_of(changes({"relief": RELIEF, "repair": REPAIR, "contact_forces": forces,
+    text = text_of(changes({"pin_smoothing": PIN_SMOOTHING, "repair": REPAIR, "contact_forces": forces,
                             "recheck": {"valid": True, "reasons": [], "contact_forces": forces}}))
     assert "2 vertices moved by up to 0.3 mm" in text and "T00004, T00005" in text
     assert "T00001–T00012, T00003–T00004" in text and "no vertex moved" in text

@@ -78,7 +78,7 @@ def test_what_one_stage_says_is_not_said_of_the_next(worker, ended):
         job("remeshing", 0.97)
         said[0].set()
         assert seen[0].wait(20)
-        job.stage = "relief"
+        job.stage = "pin smoothing"
         said[1].set()
         assert seen[1].wait(20)
 
@@ -90,7 +90,7 @@ def test_what_one_stage_says_is_not_said_of_the_next(worker, ended):
         other.set()
     finish(worker)
     assert [(one.stage, one.what, one.fraction) for one in told] == [("target", "remeshing", 0.97),
-                                                                     ("relief", "", -1.0)]
+                                                                     ("pin smoothing", "", -1.0)]
 
 
 def test_the_last_iterate_of_a_layout_is_its_result(worker, ended):

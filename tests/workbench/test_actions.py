@@ -153,7 +153,7 @@ def test_a_target_is_checked_and_sizes_that_do_are_taken(made):
     said = refused(actions.choose_sizes, design)
     assert "L follows an expression" in said, said
     design.setExpression("L", None)
-    design.Fidelity = 0.6
+    design.MaximumDeviation = 0.6
     chosen = actions.choose_sizes(design).values
     assert (float(design.L), float(design.HBody)) == (chosen["L"], chosen["H_body"])
 

@@ -146,7 +146,7 @@ def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictur
     def item(menu, text):
         return next(action for action in menu.actions() if action.text() == text)
 
-    made, design = example("half-sphere", L=13, HBody=8, Fidelity=0.4)
+    made, design = example("half-sphere", L=13, HBody=8, MaximumDeviation=0.4)
     FreeCADGui.ActiveDocument.setEdit(design.Name)
     settle(300)
     form = panel().form
@@ -281,7 +281,7 @@ def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
     assert shown.endswith(", part2 mm-wide)"), shown
     sheet = "QWidget { background: #2b2b2b; color: #dddddd; }"
     QtGui.QApplication.instance().setStyleSheet(sheet)
-    made, design = design_of_roof(L="9 mm", HBody="9 mm", Fidelity="3 mm")
+    made, design = design_of_roof(L="9 mm", HBody="9 mm", MaximumDeviation="3 mm")
     press("CurveUps_Check")
     form = widget("CheckPanel")
     checking(form)
@@ -342,7 +342,7 @@ def test_a_height_of_pins_that_does_is_taken_over(pictures):
 def test_a_choice_whose_trial_layouts_fail_says_so(pictures, monkeypatch):
     """The line stays while what was chosen is checked."""
     monkeypatch.setattr(sizes.SizeSearch, "named", lambda *given, **more: None)
-    made, design = design_of_roof(L="12 mm", Fidelity="3 mm")
+    made, design = design_of_roof(L="12 mm", MaximumDeviation="3 mm")
     press("CurveUps_Check")
     form = widget("CheckPanel")
     checking(form)
@@ -354,7 +354,7 @@ def test_a_choice_whose_trial_layouts_fail_says_so(pictures, monkeypatch):
 
 def test_check_and_a_choice_say_where_no_design_is_valid(pictures):
     """Tiles can be made, but glue of this strength holds nothing."""
-    made, design = design_of_roof(L="12 mm", HPin="0.2 mm", Fidelity="3 mm", GlueStrength="0.05 MPa")
+    made, design = design_of_roof(L="12 mm", HPin="0.2 mm", MaximumDeviation="3 mm", GlueStrength="0.05 MPa")
     press("CurveUps_Check")
     form = widget("CheckPanel")
     checking(form)

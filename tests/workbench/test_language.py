@@ -197,7 +197,7 @@ def test_the_preference_page_keeps_what_panels_show(dome_document, pictures):
         in_dialog(lambda: choose(lambda: menu_bar("Edit"), entry_of("Std_DlgPreferences")), change)
         document, design = opened(dome_document)
         form = show(SolvePanel, design).form
-        assert form.all.isChecked() and form.findChild(QtGui.QWidget, "Fidelity") is not None
+        assert form.all.isChecked() and form.findChild(QtGui.QWidget, "MaximumDeviation") is not None
         assert show(ExportPanel, design).form.names.text() == "{name}_{body}"
     finally:
         store.RemBool("AllParameters")

@@ -48,10 +48,7 @@ class Finding(Value):
 
     @classmethod
     def read(cls, data: Any) -> "Finding":
-        """Of what `data` gave; a sentence alone where an older version wrote that. Raises what damaged data
-        raises: LookupError, TypeError, ValueError."""
-        if isinstance(data, str):
-            return cls.about("said", said=data)
+        """Of what `data` gave. Raises what damaged data raises: LookupError, TypeError, ValueError."""
         return cls(str(data["kind"]), tuple(map(int, data["tiles"])),
                    {str(name): _read(figure) for name, figure in dict(data["figures"]).items()})
 

@@ -185,7 +185,6 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "unverified.changed": "geometry changed since verification",
     "stopped": "stopped during {stage}",
     "stopped.unchecked": "stopped before all solids were checked",
-    "said": "{said}",
     "refused": "{what} ({where}): {remedy}",
     "doubt": "the design is {state}: {reasons:; }",
     # What a document says of a design that its results are not of.

@@ -276,8 +276,6 @@ def _design_project(options: Any, session: Session, effects: tuple[str, ...] = (
     for name, value, where in _with_materials(given):
         before = native.Parameters(values)
         _set(values, name, value, where, session)
-        if name in native.retired_parameters():
-            continue
         row = parameter(native.parameter_name(name))
         if row.effect not in effects:
             typed = where.removeprefix("--set ")  # a material's, maybe
@@ -404,8 +402,6 @@ def _set(values: Any, name: str, value: Any, where: str, session: Session) -> No
     for text in (name, value):
         if isinstance(text, str) and not is_text(text):
             raise CurveUpsError(f"{text!a} is no UTF-8 text", where, "give it in plain letters")
-    if name in native.retired_parameters():
-        session.reporter.say(f"warning: {name} has no effect any more ({where})")
     with translated(where):
         values.set(name, value)
 

@@ -68,7 +68,7 @@ def _repaired(design: Any) -> Project:
 
 
 RUNS = {
-    "divide": Run("Divide", ("fairing",), live.project_of),
+    "divide": Run("Divide", ("target smoothing",), live.project_of),
     "check": Run("Check", asked_by("check"), live.project_of),
     "solve": Run("Solve", asked_by("solve", "settle"), live.project_of, anew=True),
     "verify": Run("Verify", asked_by("verify"), live.design_project_of),
@@ -91,7 +91,7 @@ def prepare(which: str, design: Any) -> tuple[Project, Work]:
 
     def work(job: Job) -> Ran:
         if run.anew and run.of_target:
-            project.run(("relief",), job)
+            project.run(("pin smoothing",), job)
             project.forget_out_of_date()  # a picture shows what is there
         results = project.run(run.goals, job, strict=run.strict)
         return Ran(results, before, None if which == "build_solids" else to_store(before, results))

@@ -14,10 +14,10 @@ from ..base.errors import CurveUpsError
 from ..base.findings import Finding
 from ..base.native import native, problem
 from ..project.project import Project
-from . import figures, live, properties, rebuild, status, target
+from . import figures, properties, rebuild, status, target
 from .copies import own_parts, relink
 from .keys import read_keys
-from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, is_old, show, write
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, show, write
 
 
 class DesignProxy(Proxy):
@@ -59,9 +59,8 @@ class DesignProxy(Proxy):
         if not obj.CurveUpsVersion:
             obj.CurveUpsVersion = __version__
         if problem() is None:
-            properties.hide_retired(obj)
             if properties.lacks_parameters(obj):
-                properties.add_parameters(obj, live.made_with(obj))
+                properties.add_parameters(obj, native.Parameters())
 
     def execute(self, obj: Any) -> None:
         """Without a window, makes the solids for the values as they are; with one they follow after the
@@ -143,8 +142,6 @@ class DesignProxy(Proxy):
     def onDocumentRestored(self, obj: Any) -> None:
         import FreeCAD
 
-        if is_old(obj):
-            return  # until the whole document is there
         super().onDocumentRestored(obj)
         if obj.Document.Importing:  # a copy
             own_parts(obj)

@@ -64,16 +64,6 @@ def settings_of(obj: Any) -> Any:
     return properties.read_parameters(obj, _base(stored(obj).latest("design")))
 
 
-def made_with(obj: Any) -> Any:
-    """The native Parameters of the layout that a Design holds; the defaults where it holds none that can be
-    read."""
-    try:
-        finished = stored(obj).latest("design") if getattr(obj, "Results", "") else None
-    except CurveUpsError:
-        finished = None
-    return native.Parameters() if finished is None else finished.design.parameters
-
-
 def _base(finished: Any) -> Any:
     """What is no property: as the design was made, but for stages, which commands choose."""
     if finished is None:

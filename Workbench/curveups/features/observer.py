@@ -41,8 +41,7 @@ class Restorer:
 
 
 def _is_ours(obj: Any) -> bool:
-    # Designs of the first version have no type of ours; every one says which version made it.
-    return "CurveUpsType" in obj.PropertiesList or "CurveUpsVersion" in obj.PropertiesList
+    return "CurveUpsType" in obj.PropertiesList
 
 
 def install() -> None:

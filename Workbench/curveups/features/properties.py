@@ -12,9 +12,8 @@ from ..base.native import native, translated
 from ..base.parameters import Parameter, parameter, table
 from ..stages.solids import density_of
 
-# Two names belong to objects below a Design; two are those that documents and scripts know.
-_NAMES = {"support": "SupportKind", "anchors": "WithAnchors", "maximum_deviation": "Fidelity",
-          "xy_compensation": "WallGrowth"}
+# Two names belong to objects below a Design.
+_NAMES = {"support": "SupportKind", "anchors": "WithAnchors"}
 
 _TYPES = {"integer": "App::PropertyInteger", "switch": "App::PropertyBool",
           "choice": "App::PropertyEnumeration", "tiles": "App::PropertyString",
@@ -81,23 +80,6 @@ def add_parameters(obj: Any, parameters: Any) -> None:
         if row.choices:
             setattr(obj, name, list(row.choices))
         _set(obj, row, parameters.get(row.name))
-    _join_gravity(obj)
-
-
-def _join_gravity(obj: Any) -> None:
-    """Earlier versions had a number an axis for the direction of gravity."""
-    former = ("GravityX", "GravityY", "GravityZ")
-    if set(former) <= set(obj.PropertiesList):
-        obj.GravityDirection = ",".join(f"{getattr(obj, name)!r}".removesuffix(".0") for name in former)
-        for name in former:
-            obj.removeProperty(name)
-
-
-def hide_retired(obj: Any) -> None:
-    """Parameters that earlier versions had stay, for these, where nobody sees them."""
-    for name in native.retired_parameters():
-        if property_name(name) in obj.PropertiesList:
-            obj.setEditorMode(property_name(name), 2)
 
 
 def tip_of(row: Any) -> str:
@@ -107,7 +89,7 @@ def tip_of(row: Any) -> str:
 
 
 def lacks_parameters(obj: Any) -> bool:
-    """Whether there are parameters that `obj` has no property for: it is of an older version."""
+    """Whether there are parameters that `obj` has no property for: it is new."""
     return any(property_name(row.name) not in obj.PropertiesList for row in rows())
 
 

@@ -35,7 +35,7 @@ class Proxy:
         self.ready = True
 
     def add_properties(self, obj: Any) -> None:
-        """Those that `obj` lacks: all of a new object, later ones of an older document."""
+        """Those that `obj` lacks: all of a new object."""
 
     def execute(self, obj: Any) -> None:
         """Results are kept, not computed: commands make them."""
@@ -96,11 +96,6 @@ def write(obj: Any, name: str, value: Any) -> None:
 def type_of(obj: Any) -> str:
     """What `obj` is to CurveUps; empty for objects of others."""
     return getattr(obj, "CurveUpsType", "") if "CurveUpsType" in obj.PropertiesList else ""
-
-
-def is_old(obj: Any) -> bool:
-    """Whether this is a Design of an earlier version (migration.py)."""
-    return "SolvedVerdict" in obj.PropertiesList or "Solved" in obj.PropertiesList
 
 
 def designs(document: Any) -> list[Any]:

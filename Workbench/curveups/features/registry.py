@@ -9,12 +9,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import migration
 from .bodies import BodiesProxy
 from .cuts import CutsProxy
 from .design import DesignProxy
 from .layout import LayoutProxy
-from .proxy import Proxy, designs, is_old, show, type_of
+from .proxy import Proxy, designs, show, type_of
 from .target import TYPE as TARGET, make_target, notice
 from .verification import VerificationProxy
 
@@ -24,12 +23,12 @@ TYPES: dict[str, type[Proxy]] = {proxy.TYPE: proxy for proxy in (
 
 def is_lost(obj: Any) -> bool:
     """Whether `restore` has something to do for an object."""
-    return _lacks_proxy(obj) or is_old(obj)
+    return _lacks_proxy(obj)
 
 
 def restore(document: Any) -> list[Any]:
-    """Attaches lost proxies and brings older documents up to date; the objects that were mended."""
-    mended = migration.migrate(document)
+    """Attaches lost proxies; the objects that were mended."""
+    mended = []
     for obj in document.Objects:
         if type_of(obj) == TARGET:
             make_target(obj)

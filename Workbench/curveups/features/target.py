@@ -24,8 +24,8 @@ TYPE = "CurveUps::Target"
 
 
 def make_target(obj: Any) -> None:
-    """Makes a plain mesh object a Target, or gives one of an older document what came later. Its mesh is
-    the division into tiles. It has no proxy: observer.py notices changes."""
+    """Makes a plain mesh object a Target. Its mesh is the division into tiles. It has no proxy: observer.py
+    notices changes."""
     add_part_properties(obj, TYPE)
     add(obj, "App::PropertyLink", "Source", "Target",
         "The Part or Mesh object that gives the surface. Takes effect with Solve.")
@@ -39,7 +39,7 @@ def make_target(obj: Any) -> None:
 
 
 def is_target(obj: Any) -> bool:
-    """Whether this is a Target that knows its source: those of the first version do not."""
+    """Whether this is a Target, which knows its source."""
     return obj is not None and type_of(obj) == TYPE
 
 

@@ -29,19 +29,6 @@ class Record:
 Records = Mapping[str, Record]
 
 
-# Parameters had other names in earlier versions.
-_FORMER = {"fidelity": "maximum_deviation", "wall_growth": "xy_compensation", "verify": "run_verification",
-           "repair": "run_repair", "settle": "run_settling", "recheck": "run_mesh_refinement_check"}
-
-
-def _by_todays_names(key: Key) -> dict[str, str]:
-    found = {**key, **{name: key[former] for former, name in _FORMER.items() if former in key}}
-    components = [key[name] for name in ("gravity_x", "gravity_y", "gravity_z") if name in key]
-    if len(components) == 3:
-        found["gravity_direction"] = repr(",".join(one.removesuffix(".0") for one in components))
-    return found
-
-
 def settled(names: Iterable[str], records: Records) -> dict[str, Any]:
     """Parameters that these results, and those that they were made from, decide."""
     values: dict[str, Any] = {}
@@ -64,9 +51,8 @@ def key_of(stage: Stage, records: Records, values: Values) -> dict[str, str]:
 def differences(record: Record, expected: Key) -> list[str]:
     """Names of what is not what the result was made from. A value that the result itself decided is the same,
     and so is one that lost its last digits in a document."""
-    key = _by_todays_names(record.key)
     return [name for name, part in expected.items()
-            if not _same(key.get(name), part)
+            if not _same(record.key.get(name), part)
             and not (name in record.settles and _same(repr(record.settles[name]), part))]
 
 

@@ -20,12 +20,6 @@ from .project import Made
 
 FORMAT, VERSION = "curveups-results", 1
 
-# Values and fields that earlier versions called otherwise.
-_FORMER_VALUES = {"Fairing": "TargetSmoothing", "Relief": "PinSmoothing"}
-_FORMER_FIELDS = {"sagitta": "chord_error", "fold": "dihedral", "fold_room": "dihedral_margin",
-                  "fold_margin": "least_dihedral_margin", "pin_room": "pin_area_margin",
-                  "membrane_room": "membrane_clearance", "relieved": "reached"}
-
 
 def to_text(made: Mapping[str, Made], without: Collection[str] = (), timed: bool = True) -> str:
     """Those results that consist of numbers, texts, arrays and designs; others are made anew. `without`:
@@ -121,9 +115,8 @@ def _decode(value: Any, shared: Sequence[Any]) -> Any:
     if "shared" in value:
         return shared[value["shared"]]
     if "value" in value:
-        kind = Value.known[_FORMER_VALUES.get(value["value"], value["value"])]
-        return kind(**{_FORMER_FIELDS.get(name, name): _decode(item, shared)
-                       for name, item in value["fields"].items()})
+        kind = Value.known[value["value"]]
+        return kind(**{name: _decode(item, shared) for name, item in value["fields"].items()})
     if "design" in value:
         return native.read_design(value["design"])
     if "array" in value:

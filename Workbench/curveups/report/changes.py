@@ -17,7 +17,7 @@ def changes(report: Mapping[str, Any]) -> list[str]:
     """Sections on what was changed of the target and its tiles; none where nothing was."""
     parts: list[str] = []
     for heading, block, lines in (("Mending", "mending", _mending),
-                                  ("Feasibility smoothing", "relief", _pin_smoothing),
+                                  ("Feasibility smoothing", "pin_smoothing", _pin_smoothing),
                                   ("Repair", "repair", _repair),
                                   ("Mesh refinement check", "recheck", _recheck)):
         if block in report:

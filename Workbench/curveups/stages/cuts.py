@@ -25,7 +25,7 @@ class Cuts(Result):
 
 
 def _run(inputs: Inputs, job: Job) -> Cuts:
-    V, F = inputs["fairing"].V, inputs["target"].F
+    V, F = inputs["target smoothing"].V, inputs["target"].F
     edges = inputs["division"].edges
     errors = [one for one in native.check_target(V, F, edges, inputs.parameters) if one.is_error]
     with with_advice(inputs, inputs["cut request"], job):
@@ -34,5 +34,5 @@ def _run(inputs: Inputs, job: Job) -> Cuts:
     return Cuts(edges)
 
 
-STAGE = Stage("cuts", ("target", "fairing", "cut request", "division"), frozenset({"tiles"}), _run,
+STAGE = Stage("cuts", ("target", "target smoothing", "cut request", "division"), frozenset({"tiles"}), _run,
               label="Cuts", asked_by=("solve",), shown=True)

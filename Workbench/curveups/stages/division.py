@@ -110,7 +110,7 @@ def _worst(division: Division, V: np.ndarray, F: np.ndarray, parameters: Any) ->
 
 
 def _run(inputs: Inputs, job: Job) -> Division:
-    V, F = inputs["fairing"].V, inputs["target"].F
+    V, F = inputs["target smoothing"].V, inputs["target"].F
     return _divide(resolve_cuts(inputs["cut request"], V, F), V, F, inputs.parameters, job)
 
 
@@ -119,5 +119,5 @@ def _parts(parameters: Any) -> frozenset[str]:
     return frozenset({"pieces", "tiles", "layout"} if parameters.get("pieces") == "auto" else {"pieces"})
 
 
-STAGE = Stage("division", ("target", "fairing", "cut request"), _parts, _run,
+STAGE = Stage("division", ("target", "target smoothing", "cut request"), _parts, _run,
               label="Pieces", asked_by=("solve",))

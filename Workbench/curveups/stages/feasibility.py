@@ -106,7 +106,7 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, jo
 
 def sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job,
              sag: float = SAG) -> bool:
-    """Whether `examine` finds nothing in the way that depends on sizes, after fairing where mending is on:
+    """Whether `examine` finds nothing in the way that depends on sizes, after smoothing where mending is on:
     closed surfaces stay closed. Room for pins is only made where folds and other parts leave any. `sag`: the
     part of H_pin by which membranes are to clear tiles."""
     if _sizes_do(V, F, edges, parameters, job, sag):
@@ -116,7 +116,7 @@ def sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, j
 
 def _mends(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job, sag: float = SAG
            ) -> Optional[float]:
-    """The largest movement (mm) by which fairing gives way to sizes; None where it does not."""
+    """The largest movement (mm) by which smoothing gives way to sizes; None where it does not."""
     if mostly_short(V, F, edges, parameters):
         return None
     made = smooth_target(V, F, parameters, job)
@@ -243,11 +243,11 @@ def too_stretched(stretch: np.ndarray, ranges: np.ndarray) -> np.ndarray:
 
 
 def _run(inputs: Inputs, job: Job) -> Feasibility:
-    V, edges, F = inputs["fairing"].V, inputs["division"].edges, inputs["target"].F
+    V, edges, F = inputs["target smoothing"].V, inputs["division"].edges, inputs["target"].F
     job("checking tiles")
     return examine(V, F, edges, inputs.parameters, job)
 
 
-STAGE = Stage("feasibility", ("target", "fairing", "division"),
+STAGE = Stage("feasibility", ("target", "target smoothing", "division"),
               frozenset({"target", "tiles", "layout", "repair"}), _run,
               label="Feasibility", asked_by=("check",), shown=True)

@@ -52,7 +52,7 @@ class Layout(Result):
 
 
 def _run(inputs: Inputs, job: Job) -> Layout:
-    target, smoothed, edges = inputs["target"], inputs["relief"], inputs["cuts"].edges
+    target, smoothed, edges = inputs["target"], inputs["pin smoothing"], inputs["cuts"].edges
     start = time.perf_counter()
     first: list[float] = []
 
@@ -68,12 +68,14 @@ def _run(inputs: Inputs, job: Job) -> Layout:
         with with_advice(inputs, CutRequest(edges), job):
             raise
     design = native.Design(inputs["source"].name, inputs.parameters, smoothed.V, target.F, found.T, found.q,
-                           edges, None if smoothed.moved is None else (inputs["fairing"].V, target.F))
+                           edges,
+                           None if smoothed.moved is None else (inputs["target smoothing"].V, target.F))
     return Layout(design, bool(found.converged), bool(found.stopped), int(found.iterations),
                   int(found.collision_rounds), int(found.separations), found.largest_violation_mm,
                   {name: float(value) for name, value in found.energies.items()}, first[0] if first else 0.0)
 
 
-STAGE = Stage("layout", ("source", "target", "fairing", "cuts", "relief"), frozenset({"tiles", "layout"}),
+STAGE = Stage("layout", ("source", "target", "target smoothing", "cuts", "pin smoothing"),
+              frozenset({"tiles", "layout"}),
               _run,
               label="Layout", asked_by=("solve",), shown=True)

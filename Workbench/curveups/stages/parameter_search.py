@@ -48,7 +48,7 @@ def _run(inputs: Inputs, job: Job) -> OtherSizes:
     if verification.valid and not inputs["clearances"].broken:
         return OtherSizes()
     unmended = with_values(inputs.parameters, {"mend": "off"})
-    if not sizes_do(inputs["fairing"].V, inputs["target"].F, inputs["cuts"].edges, unmended, job):
+    if not sizes_do(inputs["target smoothing"].V, inputs["target"].F, inputs["cuts"].edges, unmended, job):
         return OtherSizes(checked=tuple(sizes_that_do(inputs, inputs["cut request"], job)[0]))
     cut = verification.blocks["physics"]["membrane_clearance_mm"] < 0
     # It takes a while: only for those who want their target made possible.
@@ -82,7 +82,7 @@ def _valid(inputs: Inputs, sizes: Sizes, job: Job, steps: list[int]) -> bool:
                 and found["verification"].valid)
 
 
-STAGE = Stage("trials", ("target", "fairing", "cut request", "cuts", "verification", "clearances"),
+STAGE = Stage("trials", ("target", "target smoothing", "cut request", "cuts", "verification", "clearances"),
               frozenset({"target", "tiles", "layout", "bodies", "physics", "repair"}), _run,
               lambda error, inputs: OtherSizes(), lambda stage, inputs: OtherSizes(was_stopped=True),
               label="Other sizes", asked_by=("solve",))

@@ -33,13 +33,13 @@ class PinSmoothing(Result):
         return digest(self.V)
 
     def report(self) -> dict[str, Any]:
-        return {} if self.moved is None else {"relief": self.moved}
+        return {} if self.moved is None else {"pin_smoothing": self.moved}
 
     def warnings(self) -> Sequence[Finding]:
         return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
-        return (Row("relief", seconds),) if self.asked else ()
+        return (Row("pin smoothing", seconds),) if self.asked else ()
 
 
 def smooth_for_pins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any,
@@ -71,7 +71,7 @@ def _asked(parameters: Any) -> bool:
 
 def _run(inputs: Inputs, job: Job) -> PinSmoothing:
     target, edges, parameters = inputs["target"], inputs["cuts"].edges, inputs.parameters
-    V, moved = smooth_for_pins(inputs["fairing"].V, target.F, edges, parameters, job)
+    V, moved = smooth_for_pins(inputs["target smoothing"].V, target.F, edges, parameters, job)
     found = settle(native.check_target(V, target.F, edges, parameters), inputs.where)
     return PinSmoothing(V, (*found, *_other_thickness(target.wall, parameters)), _asked(parameters), moved)
 
@@ -82,5 +82,5 @@ def _other_thickness(wall: Optional[float], parameters: Any) -> Iterator[Finding
         yield Finding.about("wall", wall=wall, H_body=H_body)
 
 
-STAGE = Stage("relief", ("target", "fairing", "cuts"), frozenset({"tiles", "repair"}), _run,
+STAGE = Stage("pin smoothing", ("target", "target smoothing", "cuts"), frozenset({"tiles", "repair"}), _run,
               label="Feasibility smoothing", asked_by=("solve",), shown=True)

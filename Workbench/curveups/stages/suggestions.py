@@ -79,14 +79,15 @@ class CutSearch(Result):
 def _search_target(inputs: Inputs, job: Job) -> CutSearch:
     start, edges = time.perf_counter(), inputs["cuts"].edges
     most = inputs["cut request"].suggested
-    V, F = inputs["fairing"].V, inputs["target"].F
+    V, F = inputs["target smoothing"].V, inputs["target"].F
     cuts, found = _search(V, F, edges, inputs.parameters, most, (), job)
     if found.stopped:
         raise Stopped
     return CutSearch(edges, cuts, int(found.layouts), time.perf_counter() - start)
 
 
-SEARCH = Stage("cut search", ("target", "fairing", "cut request", "cuts"), frozenset({"tiles", "layout"}),
+SEARCH = Stage("cut search", ("target", "target smoothing", "cut request", "cuts"),
+               frozenset({"tiles", "layout"}),
                _search_target,
                label="Cuts", asked_by=("cuts",))
 
@@ -160,8 +161,8 @@ def _run(inputs: Inputs, job: Job) -> Suggestions:
     failed = verification.judged and not verification.failure and not verification.valid
     if not (badly or failed or not layout.converged):
         return Suggestions(applied, general=general, stretch=stretch, design=design)
-    proposed, search = _search(inputs["fairing"].V, inputs["target"].F, design.cuts, inputs.parameters,
-                               UNASKED, verification.weak_contacts, job)
+    proposed, search = _search(inputs["target smoothing"].V, inputs["target"].F, design.cuts,
+                               inputs.parameters, UNASKED, verification.weak_contacts, job)
     remedies = other_parameters(design, inputs["figures"].pins_below_floor, inputs["repair"].blocked,
                                 verification.weak_contacts)
     return Suggestions(applied, proposed, remedies, general, stretch, badly, True,
@@ -173,8 +174,8 @@ def _ended(inputs: Inputs, **how: Any) -> Suggestions:
                        design=inputs["design"].design, **how)
 
 
-STAGE = Stage("suggestions", ("target", "fairing", "cut request", "layout", "repair", "design", "figures",
-                              "verification"), frozenset({"tiles", "layout"}), _run,
+STAGE = Stage("suggestions", ("target", "target smoothing", "cut request", "layout", "repair", "design",
+                              "figures", "verification"), frozenset({"tiles", "layout"}), _run,
               lambda error, inputs: _ended(inputs, failure=failed("cuts", error)),
               lambda stage, inputs: _ended(inputs, was_stopped=True),
               label="Suggestions", asked_by=("solve",))

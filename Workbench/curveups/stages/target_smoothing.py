@@ -40,7 +40,7 @@ class TargetSmoothing(Result):
         return self.found
 
     def rows(self, seconds: float) -> Sequence[Row]:
-        return (Row("fairing", seconds),) if self.asked else ()
+        return (Row("target smoothing", seconds),) if self.asked else ()
 
     def pictures(self) -> Sequence[Picture]:
         if self.distance is None:
@@ -105,5 +105,5 @@ def _remaining(tiles: list[int], F: np.ndarray, parameters: Any) -> Finding:
                          at=tuple(tiles), most=parameters.get("mend_max"))
 
 
-STAGE = Stage("fairing", ("target",), frozenset({"target", "tiles"}), _run,
+STAGE = Stage("target smoothing", ("target",), frozenset({"target", "tiles"}), _run,
               label="Mending", asked_by=("solve",), shown=True)

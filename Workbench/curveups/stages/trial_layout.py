@@ -112,6 +112,6 @@ def _more(clearance: np.ndarray, blocked: Sequence[Obstacle]) -> float:
     return max(SAG, min(DOUBT, float(np.nanmin(clearance)) + MORE))
 
 
-STAGE = Stage("trial layout", ("target", "fairing", "division", "feasibility"),
+STAGE = Stage("trial layout", ("target", "target smoothing", "division", "feasibility"),
               frozenset({"target", "tiles", "layout", "bodies", "physics", "repair"}), _run,
               label="Trial layout", asked_by=("check",), shown=True)

@@ -66,8 +66,6 @@ void bind_parameters(py::module_& module) {
       "Every parameter, in the order in which they are shown: what the build writes as "
       "base/parameters.json (see base/parameters.py).");
 
-  module.def("retired_parameters", &retired_parameters,
-             "Names of parameters that earlier versions had: setting one has no effect.");
   module.def(
       "parameter_name",
       [](const std::string& name) {
@@ -82,7 +80,7 @@ void bind_parameters(py::module_& module) {
       .def(
           "set",
           [](Parameters& p, const std::string& name, const py::object& value) {
-            if (!find_parameter(name) && !is_retired(name)) refuse_unknown(name);
+            if (!find_parameter(name)) refuse_unknown(name);
             if (py::isinstance<py::bool_>(value)) {
               set_parameter(p, name, value.cast<bool>());
             } else if (py::isinstance<py::str>(value)) {

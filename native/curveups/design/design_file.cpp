@@ -171,10 +171,6 @@ Design read_design(const std::string& text) {
       refuse("\"parameters\".\"" + key + "\"", "is no number, text or switch");
     }
   }
-  // Pins of designs that know nothing of it were laid out up to walls that do not stand back.
-  if (!parameters.contains("xy_compensation") && !parameters.contains("wall_growth")) {
-    design.parameters.xy_compensation = 0;
-  }
   check_parameters(design.parameters);
   design.mesh = read_mesh(json, "");
   design.T = read_matrix<FlatCorners>(field(json, "T"), "T", 6, 3);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <algorithm>
-
 #include "curveups/design/membrane_models.hpp"
 #include "curveups/design/parameters.hpp"
 #include "curveups/design/support_kinds.hpp"
@@ -261,20 +259,12 @@ std::vector<ParameterInfo> make_table() {
 }
 // clang-format on
 
-// Names that files, documents and scripts of earlier versions have, and shorter ones.
+// Short names of the switches of stages.
 struct Alias {
   std::string_view alias, name;
 };
-constexpr Alias aliases[] = {{"fidelity", "maximum_deviation"},
-                             {"wall_growth", "xy_compensation"},
-                             {"verify", "run_verification"},
-                             {"repair", "run_repair"},
-                             {"settle", "run_settling"},
-                             {"recheck", "run_mesh_refinement_check"},
-                             {"mesh_refinement_check", "run_mesh_refinement_check"},
-                             {"gravity_x", "gravity_direction"},
-                             {"gravity_y", "gravity_direction"},
-                             {"gravity_z", "gravity_direction"}};
+constexpr Alias aliases[] = {
+    {"verify", "run_verification"}, {"repair", "run_repair"}, {"settle", "run_settling"}};
 
 }  // namespace
 
@@ -291,16 +281,6 @@ const ParameterInfo* find_parameter(std::string_view name) {
     if (info.name == name) return &info;
   }
   return nullptr;
-}
-
-const std::vector<std::string_view>& retired_parameters() {
-  static const std::vector<std::string_view> names = {"tightness", "w_c", "w_pa", "w_tight"};
-  return names;
-}
-
-bool is_retired(std::string_view name) {
-  const auto& names = retired_parameters();
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace curveups

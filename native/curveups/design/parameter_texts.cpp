@@ -142,17 +142,4 @@ Vec3 direction_of(std::string_view text) {
   return v.stableNormalized();
 }
 
-std::string with_component(std::string_view text, int axis, double value) {
-  Vec3 v;
-  read_vector(text, v);
-  v[axis] = value;
-  std::string out;
-  for (double component : v) {
-    char digits[32];
-    out += out.empty() ? "" : ",";
-    out.append(digits, std::to_chars(digits, digits + sizeof digits, component).ptr);
-  }
-  return out;
-}
-
 }  // namespace curveups

@@ -24,7 +24,5 @@ std::string text_remedy(std::string_view kind);
 std::vector<int> listed_tiles(std::string_view text);
 // A unit vector. Throws InvalidInput for what is no direction, and for "0,0,0".
 Vec3 direction_of(std::string_view text);
-// The text with another x, y or z (axis 0, 1 or 2).
-std::string with_component(std::string_view text, int axis, double value);
 
 }  // namespace curveups

@@ -75,14 +75,7 @@ bool to_switch(const ParameterInfo& info, const ParameterValue& value) {
 }  // namespace
 
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value) {
-  if (is_retired(name)) return;
   const ParameterInfo& info = find(name);
-  if (const auto axis = std::string_view("xyz").find(name.back());
-      info.text == "direction" && name != info.name) {  // earlier versions had a number an axis
-    std::string& direction = parameters.*std::get<std::string P::*>(info.member);
-    direction = with_component(direction, static_cast<int>(axis), to_number(info, value));
-    return;
-  }
   if (const auto* member = std::get_if<double P::*>(&info.member)) {
     parameters.*(*member) = to_number(info, value);
   } else if (const auto* whole = std::get_if<int P::*>(&info.member)) {
@@ -106,9 +99,7 @@ void set_parameter(Parameters& parameters, std::string_view name, const Paramete
     for (std::string_view choice : info.choices) {
       choices += (choices.empty() ? "" : ", ") + std::string(choice);
     }
-    static const std::string off = "off";  // what "ask" of earlier versions did to the design
     const std::string* text = std::get_if<std::string>(&value);
-    if (text && name == "mend" && *text == "ask") text = &off;
     if (!text || std::find(info.choices.begin(), info.choices.end(), *text) == info.choices.end()) {
       refuse(info, value, "give one of " + choices);
     }

@@ -158,13 +158,9 @@ const ParameterInfo* find_parameter(std::string_view name);
 
 using ParameterValue = std::variant<double, bool, std::string>;
 
-// Names of parameters that earlier versions had and nothing reads any more.
-const std::vector<std::string_view>& retired_parameters();
-bool is_retired(std::string_view name);
-
-// Sets one parameter by its name; a retired one has no effect. Numbers may come as text. Throws
-// InvalidInput, naming the parameter and its range: unknown name, value of another type, not
-// finite, or out of range; leaves the parameters as they were.
+// Sets one parameter by its name. Numbers may come as text. Throws InvalidInput, naming the
+// parameter and its range: unknown name, value of another type, not finite, or out of range; leaves
+// the parameters as they were.
 void set_parameter(Parameters& parameters, std::string_view name, const ParameterValue& value);
 ParameterValue get_parameter(const Parameters& parameters, std::string_view name);
 bool operator==(const Parameters& a, const Parameters& b);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The least movement of a surface, in the sense of Eq. 4, sum_j A_j |x_j - c_j|^2, that leaves the
-// pins of its tiles room: what the relief of pins and the fairing of targets have in common. Room
+// pins of its tiles room: what the smoothing for pins and that of targets have in common. Room
 // is a closed form of folds and truncation planes (pin_bounds.hpp), differentiated by the vertices
 // around (vertex_patch.hpp); a step is a quadratic program over vertices (least_step.hpp).
 #pragma once

@@ -51,16 +51,6 @@ std::string with(std::string text, const std::string& from, const std::string& t
   return text.replace(at, from.size(), to);
 }
 
-// Designs of before it keep the walls that their pins were laid out for.
-TEST(DesignFile, WithoutWallGrowthWallsDoNotStandBack) {
-  const std::string text = write_design(sample());
-  EXPECT_EQ(read_design(text).parameters.xy_compensation, Parameters{}.xy_compensation);
-  const std::string former = with(text, "\"xy_compensation\"", "\"wall_growth\"");
-  EXPECT_EQ(read_design(former).parameters.xy_compensation, Parameters{}.xy_compensation);
-  const std::string none = with(text, "\"xy_compensation\"", "\"density\"");
-  EXPECT_EQ(read_design(none).parameters.xy_compensation, 0);
-}
-
 TEST(DesignFile, NamesTheFieldThatIsBroken) {
   const std::string text = write_design(sample());
   const std::string first_face = "\"F\": [[0,1,4]";

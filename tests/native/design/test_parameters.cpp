@@ -23,19 +23,13 @@ TEST(Parameters, EveryRowIsCompleteAndItsDefaultInRange) {
   EXPECT_NO_THROW(check_parameters(p));
 }
 
-TEST(Parameters, NamesOfEarlierVersionsAreAliases) {
+TEST(Parameters, SwitchesOfStagesHaveShortNames) {
   Parameters p;
-  set_parameter(p, "wall_growth", 0.25);
-  set_parameter(p, "fidelity", std::string("0.75"));
-  set_parameter(p, "recheck", true);
   set_parameter(p, "verify", false);
   set_parameter(p, "repair", false);
   set_parameter(p, "settle", false);
-  EXPECT_EQ(p.xy_compensation, 0.25);
-  EXPECT_EQ(p.maximum_deviation, 0.75);
-  EXPECT_TRUE(p.run_mesh_refinement_check);
   EXPECT_FALSE(p.run_verification || p.run_repair || p.run_settling);
-  EXPECT_EQ(std::get<double>(get_parameter(p, "wall_growth")), 0.25);
+  EXPECT_FALSE(std::get<bool>(get_parameter(p, "verify")));
   for (const ParameterInfo& info : parameter_table()) {
     EXPECT_EQ(find_parameter(info.name), &info) << "an alias hides " << info.name;
   }
@@ -46,14 +40,10 @@ TEST(Parameters, GravityHasOneDirection) {
   EXPECT_EQ(direction_of(p.gravity_direction), Vec3(0, 0, -1));
   set_parameter(p, "gravity_direction", std::string("0, 3 -4"));
   EXPECT_LT((direction_of(p.gravity_direction) - Vec3(0, 0.6, -0.8)).norm(), 1e-15);
-  set_parameter(p, "gravity_direction", std::string("0,0,-1"));
-  set_parameter(p, "gravity_x", -0.5);  // files of earlier versions
-  EXPECT_EQ(p.gravity_direction, "-0.5,0,-1");
-  EXPECT_THROW(set_parameter(p, "gravity_z", 2.0), InvalidInput);
   for (const char* wrong : {"", "0,0", "0,0,-1,0", "0,0,down", "0,0,nan", "0,0,inf"}) {
     EXPECT_THROW(set_parameter(p, "gravity_direction", std::string(wrong)), InvalidInput) << wrong;
   }
-  EXPECT_EQ(p.gravity_direction, "-0.5,0,-1");
+  EXPECT_EQ(p.gravity_direction, "0, 3 -4");
   p.gravity_direction = "0,0,0";
   EXPECT_NO_THROW(check_parameters(p));
   p.gravity = "held";
@@ -69,17 +59,6 @@ TEST(Parameters, ListsOfTilesAreReadAsReportsNameThem) {
   }
   EXPECT_THROW(set_parameter(p, "held_tiles", 3.0), InvalidInput);
   EXPECT_EQ(p.held_tiles, "");
-}
-
-TEST(Parameters, RetiredOnesHaveNoEffect) {
-  Parameters p;
-  set_parameter(p, "w_tight", 7.0);
-  set_parameter(p, "tightness", std::string("penalty"));
-  set_parameter(p, "mend", std::string("ask"));
-  EXPECT_TRUE(p == Parameters());
-  EXPECT_TRUE(is_retired("w_c"));
-  EXPECT_FALSE(is_retired("w_a"));
-  EXPECT_EQ(find_parameter("w_tight"), nullptr);
 }
 
 TEST(Parameters, TextsAreReadAsValues) {

@@ -165,7 +165,7 @@ def target_scene_of(project: Any) -> Optional[Scene]:
     parameters, target = project.parameters, project.latest("target")
     if target is None:
         return None
-    names = ("feasibility", "trial layout", "relief", "fairing", "division")
+    names = ("feasibility", "trial layout", "pin smoothing", "target smoothing", "division")
     check, trial, for_pins, smoothed, division = (_current(project, name) for name in names)
     V = next((one.V for one in (check, for_pins, smoothed) if one is not None), target.V)
     edges = np.empty((0, 2), np.int32) if division is None else division.edges

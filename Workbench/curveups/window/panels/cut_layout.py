@@ -19,7 +19,7 @@ class CutLayout:
 
     def __init__(self, design: Any, project: Any):
         self._design, self._project = design, project
-        V, F = np.asarray(project.latest("fairing").V), np.asarray(project.latest("target").F)
+        V, F = np.asarray(project.latest("target smoothing").V), np.asarray(project.latest("target").F)
         finished = project.latest("design")
         has_layout = finished is not None and np.array_equal(finished.design.F, F)
         # Layouts stay where the camera looks: at the one before, else at the target.

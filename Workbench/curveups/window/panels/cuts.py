@@ -85,13 +85,13 @@ class CutsPanel(Panel):
     def _prepare(self) -> None:
         """A target that is not there, or not up to date, is made first."""
         project = document.project_of(self.design)
-        if project.out_of_date("fairing") == ():
+        if project.out_of_date("target smoothing") == ():
             self._begin(project)
             return
         runs.start("divide", self.design, lambda: self._begin(document.project_of(self.design)))
 
     def _begin(self, project: Any) -> None:
-        self._paths = CutPaths(project.latest("fairing").V, project.latest("target").F)
+        self._paths = CutPaths(project.latest("target smoothing").V, project.latest("target").F)
         self._layout = CutLayout(self.design, project)
         self._tool = PickTool(self.design, self._hover, self._click, self._begin_anew)
         self._look_at_cuts()

@@ -195,7 +195,7 @@ class SolvePanel(Panel):
         button.setText(translate("CurveUpsSolve", "Auto"))
         button.setToolTip(translate("CurveUpsSolve", "Look for the largest value with which all tiles can "
                                                      "be made. A length also keeps the tiles within "
-                                                     "Fidelity of the surface"))
+                                                     "MaximumDeviation of the surface"))
         button.clicked.connect(lambda *_: self._choose(name))
         return button
 
