@@ -8,7 +8,7 @@ import FreeCAD
 import pytest
 from curveups.base.errors import CurveUpsError
 from curveups.base.native import native
-from curveups.features import actions, document, file_export, properties
+from curveups.features import actions, document, properties
 from curveups.report.exports import other_report
 
 pytestmark = pytest.mark.freecad
@@ -106,14 +106,12 @@ def test_what_should_not_be_printed_is_refused_or_says_so(made, tmp_path):
     assert "out of date" in text and "Tau" in text and "insist" in text, text
     assert not os.path.exists(folder)
     actions.export(design, folder, insist=True, files=(("print", "step"), ("tiles", "stl"), ("print", "3mf")))
-    file_export.export([design.Tiles], folder + "/by-freecad.step")
     out = tmp_path / "out"
     report = json.loads((out / "report.json").read_text("utf-8"))
     assert report["valid"] is False and "Tau" in report["reasons"][0]
     assert "Not valid" in (out / "report.html").read_text(encoding="utf-8")
-    for name in ("half-sphere-print.step", "by-freecad.step"):
-        step = (out / name).read_text("utf-8")
-        assert "PRODUCT('NOT VALID half-sphere" in step and "'T00001'" in step and "COLOUR_RGB" in step
+    step = (out / "half-sphere-print.step").read_text("utf-8")
+    assert "PRODUCT('NOT VALID half-sphere" in step and "'T00001'" in step and "COLOUR_RGB" in step
     assert b"NOT VALID" in (out / "half-sphere-tiles.stl").read_bytes()[:80]
 
 
@@ -127,10 +125,7 @@ def test_exports_that_can_not_be(made, tmp_path):
         text = refused(actions.export, design, folder, mask=mask)
         assert words in text, text
     assert "mesh_deviation" in refused(actions.export, design, folder, deviation=99.0)
-    other = document.new_design(made, "disc")
-    assert "one design" in refused(file_export.export, [design, other], folder + ".step")
-    assert "not written as .ast" in refused(file_export.export, [design], folder + ".ast")
-    assert not os.path.exists(folder) and not os.path.exists(folder + ".step")
+    assert not os.path.exists(folder)
 
 
 def test_a_target_is_checked_and_sizes_that_do_are_taken(made):

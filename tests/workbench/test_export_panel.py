@@ -3,20 +3,16 @@
 
 import json
 import os
-import struct
 import threading
 import time
 
 import FreeCAD
 import FreeCADGui
 import pytest
-from curveups.features import document as designs
 from curveups.project.worker import WORKER
 from curveups.report import exports
 from curveups.window import qt
-from robot import (QtCore, QtGui, choose, choose_file, click, click_at, close_panel, entry_of, fill,
-                   in_dialog, keys, menu_bar, picture, press, report, settle, tree_entry, until, widget,
-                   write)
+from robot import QtGui, click, close_panel, fill, in_dialog, keys, picture, press, settle, until, widget
 from steps import LIVE, example, opened, panel, quit_freecad
 
 pytestmark = pytest.mark.freecad(window=True)
@@ -206,104 +202,3 @@ def test_each_design_remembers_where_its_files_went(dome_document, tmp_path, pic
     for name in names:
         assert folder_of(document.getObject(name)).text() == str(folders[name])
     close_panel()
-
-
-def export(obj, kind, path, freecads=False):
-    """FreeCAD's File > Export of an object, as a type of file. freecads: by FreeCAD's own writers, for which
-    FreeCAD 1.1 asks for options in a dialog after that of files."""
-    click_at(tree_entry(obj))
-    dialogs: list = []
-    options = QtCore.QTimer()
-
-    def agree():
-        if QtGui.QApplication.activeModalWidget() not in (None, *dialogs):
-            options.stop()
-            keys("Return")
-
-    options.timeout.connect(agree)
-
-    def answer():
-        box = widget("fileTypeCombo")
-        click(box)
-        write(kind)
-        keys("Return")
-        assert box.currentText().startswith(kind), box.currentText()
-        click(widget("fileNameEdit"))
-        choose_file(str(path))
-        dialogs.append(QtGui.QApplication.activeModalWidget())
-        if freecads:
-            options.start(100)
-
-    in_dialog(lambda: choose(lambda: menu_bar("File"), entry_of("Std_Export")), answer)
-    options.stop()
-    return path.read_bytes()
-
-
-def test_FreeCADs_export_of_a_design_writes_its_print(dome_document, tmp_path, pictures):
-    document, design = opened(dome_document)
-    box = document.addObject("Part::Box", "Box")
-    document.recompute()
-    settle(1000)  # the tree follows
-    folder = dome_document.parent
-    step = export(design, "STEP with colors", tmp_path / "all.step")
-    assert step == (folder / "dome-print.step").read_bytes()
-    tiles = export(design.Tiles, "STL Mesh", tmp_path / "tiles.stl")
-    assert tiles == (folder / "dome-tiles.stl").read_bytes()
-    whole = export(design, "3D Manufacturing", tmp_path / "all.3mf")
-    assert whole == (folder / "dome-print.3mf").read_bytes()
-
-    def facets(data):
-        return struct.unpack_from("<I", data, 80)[0]
-
-    # All bodies in one STL; other objects, and the target, are FreeCAD's as they were.
-    each = [facets((folder / f"dome-{kind}.stl").read_bytes()) for kind in ("tiles", "support", "anchors")]
-    assert facets(export(design, "STL Mesh", tmp_path / "all.stl")) == sum(each)
-    assert facets(export(box, "STL Mesh", tmp_path / "box.stl", True)) == 12
-    target = export(design.Target, "STL Mesh", tmp_path / "target.stl", True)
-    assert facets(target) == design.Target.Mesh.CountFacets
-    assert b"MANIFOLD_SOLID_BREP" in export(box, "STEP with colors", tmp_path / "box.step", True)
-    assert "rror" not in report(), report()
-    # What can't be is said where the user looks, and nothing is written.
-    again = designs.new_design(document, "half-sphere")
-    document.recompute()
-    settle(500)
-    with pytest.raises(FileNotFoundError):
-        export(again, "STEP with colors", tmp_path / "none.step")
-    assert "Solve" in widget("CurveUpsNotice").findChild(QtGui.QLabel, "text").text()
-    picture("no-layout")
-
-
-def test_FreeCADs_export_of_a_design_shows_progress_and_ends_by_escape(dome_document, tmp_path, pictures,
-                                                                       monkeypatch):
-    document, design = opened(dome_document)
-    settle(1000)  # the tree follows
-    said: list = []
-
-    class Bar:
-        """FreeCAD's, which raises where Escape was pressed."""
-
-        patience = 10 ** 6
-
-        def start(self, title, steps):
-            said.append(title)
-
-        def next(self, can_abort):
-            assert can_abort and threading.current_thread() is threading.main_thread()
-            said.append("next")
-            if len(said) > self.patience:
-                raise RuntimeError("aborted")
-
-        def stop(self):
-            said.append("end")
-
-    monkeypatch.setattr(FreeCAD.Base, "ProgressIndicator", Bar)
-    tiles = export(design.Tiles, "STL Mesh", tmp_path / "tiles.stl")
-    assert tiles == (dome_document.parent / "dome-tiles.stl").read_bytes()
-    assert said[0] == "tiles.stl" and said[-1] == "end" and said.count("next") == len(said) - 2 > 5, said
-    said.clear()
-    Bar.patience = 3
-    before = sorted(tmp_path.iterdir())
-    with pytest.raises(FileNotFoundError):
-        export(design.Tiles, "STL Mesh", tmp_path / "again.stl")
-    assert said[-1] == "end" and sorted(tmp_path.iterdir()) == before
-    assert "rror" not in report(), report()

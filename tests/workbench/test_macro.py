@@ -111,8 +111,6 @@ def test_a_macro_of_all_commands_replays_without_a_window(monkeypatch, tmp_path,
     fill(panel().form.folder, str(tmp_path / "kit"))
     click(panel().form.write)
     leave()
-    design.Layout.Proxy = None
-    press("CurveUps_RestoreObjects")
     recording(False)
     shutil.rmtree(tmp_path / "kit")
     files = sorted(os.listdir(tmp_path / "out"))
@@ -123,7 +121,7 @@ def test_a_macro_of_all_commands_replays_without_a_window(monkeypatch, tmp_path,
     assert (tmp_path / "kit" / "kit.json").exists()
     text = (tmp_path / "everything.FCMacro").read_text("utf-8")
     for name in ("newDocument", "new_design", "L = 20", "Tau = 2.9", "check", "divide", "set_cuts", "solve",
-                 "verify", "repair", "actuate", "build_solids", "report", "export", "kit", "restore"):
+                 "verify", "repair", "actuate", "build_solids", "report", "export", "kit"):
         assert name in text, (name, text)
 
 

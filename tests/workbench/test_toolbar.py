@@ -224,8 +224,8 @@ def test_the_guide_opens_from_the_menu_by_F1_and_by_links(dome_document, picture
     assert guide().startswith("Export Print Files")
     # What's This of a command, and a message that names one, have links.
     assert "guide:Solve" in action("CurveUps_Solve").whatsThis()
-    QtGui.QApplication.sendEvent(window, QtGui.QWhatsThisClickedEvent("guide:Restore Objects"))
-    assert "Restore Objects" in guide()
+    QtGui.QApplication.sendEvent(window, QtGui.QWhatsThisClickedEvent("guide:Report"))
+    assert "Report" in guide()
     assert with_links("there is no layout yet: Solve makes it").count('"guide:Solve"') == 1
     panel().form.line.linkActivated.emit("guide:Solver Status")
     assert guide().startswith("Solver Status shows")

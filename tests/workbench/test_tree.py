@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a Design and all below it are in the tree: badges, menus, double clicks; and stay through FreeCADs
-that know nothing of them."""
-
-import sys
+"""What a Design and all below it are in the tree: badges, menus, double clicks."""
 
 import FreeCAD
 import FreeCADGui
@@ -30,11 +27,6 @@ def shown(gui):
     return {name for name in SHAPES if gui.getObject(name).Visibility}
 
 
-def followed(gui):
-    """Views of shapes follow a document that is opened, one after another."""
-    return all(isinstance(gui.getObject(name).Proxy, ShapeView) for name in SHAPES)
-
-
 def drawn(gui):
     """What stands in the tree before each name."""
     images = {}
@@ -45,22 +37,11 @@ def drawn(gui):
     return images
 
 
-def save_twice(path, once, twice):
-    """Without the workbench. Hidden solids stay so: to show thousands takes half a minute."""
-    assert not any("CurveUps" in folder for folder in sys.path)
-    for start, end in ((path, once), (once, twice)):
-        document, gui = opened(start)
-        assert shown(gui) == {"Tiles", "Anchors"}, (start, shown(gui))
-        document.saveAs(str(end))
-        FreeCAD.closeDocument(document.Name)
-
-
 def test_all_below_a_design_is_a_full_member_of_the_tree(dome_document, tmp_path):
     out = str(tmp_path / "again.FCStd")
     document, gui = opened(dome_document)
     document.UndoMode = 1
     design = document.Design
-    until(lambda: followed(gui), what="views of the shapes")
     current = drawn(gui)
     assert len({current[name] for name in SHAPES}) == 4
     # A state is a badge, there and back.
@@ -97,8 +78,7 @@ def test_all_below_a_design_is_a_full_member_of_the_tree(dome_document, tmp_path
     settle()
     copy = document.copyObject(document.Design, True)
     for one in (document.Design, copy):
-        until(lambda: all(isinstance(getattr(one, slot).ViewObject.Proxy, ShapeView) for slot in SHAPES),
-              what=f"views of the shapes of {one.Name}")
+        assert all(isinstance(getattr(one, slot).ViewObject.Proxy, ShapeView) for slot in SHAPES), one.Name
     copied = copy.Name
     before = shown(gui)
     document.saveAs(out)
@@ -106,31 +86,14 @@ def test_all_below_a_design_is_a_full_member_of_the_tree(dome_document, tmp_path
     document, gui = opened(out)
     assert shown(gui) == before == {"Tiles", "Anchors"}, (shown(gui), before)
     for one in (document.Design, document.getObject(copied)):
-        until(lambda: all(isinstance(getattr(one, slot).ViewObject.Proxy, ShapeView) for slot in SHAPES),
-              what=f"views of the shapes of {one.Name}")
+        assert all(isinstance(getattr(one, slot).ViewObject.Proxy, ShapeView) for slot in SHAPES), one.Name
     assert drawn(gui) == current
     assert not gui.Modified, "opening is no edit"
-    FreeCAD.closeDocument(document.Name)
-    closed = FreeCAD.openDocument(out).Name
-    FreeCAD.closeDocument(closed)  # before its views are all ours
-    document, gui = opened(out)  # its turn is after that of the one that is gone
-    until(lambda: followed(gui), what="views of the shapes")
-    assert closed == document.Name or closed not in FreeCAD.listDocuments()
-
-
-def test_what_was_hidden_stays_so_in_any_FreeCAD(dome_document, elsewhere, tmp_path):
-    """Saved twice where nothing is known of the workbench, opened where it is."""
-    once, twice = tmp_path / "once.FCStd", tmp_path / "twice.FCStd"
-    elsewhere(save_twice, dome_document, once, twice, home="nothing", window=True)
-    document, gui = opened(twice)
-    until(lambda: followed(gui), what="views of the shapes")
-    assert shown(gui) == {"Tiles", "Anchors"}, shown(gui)
-    assert document.Design.Verdict == "valid"
 
 
 def test_a_document_of_the_command_line_shows_solids_alone_until_asked(dome_document, pictures):
     document, design = steps.opened(dome_document)
-    until(lambda: followed(FreeCADGui.getDocument(document.Name)), what="views of the shapes")
+    assert not document.Support.ViewObject.Visibility
     assert not design.ViewObject.Visibility and document.Tiles.ViewObject.Visibility
     assert overlay_of(design).scene is None
     picture("solids")

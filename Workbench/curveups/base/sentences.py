@@ -197,12 +197,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "changed.source": "the target's source {name} changed since the layout was solved: Solve brings it up to "
                       "date",
     "changed.cuts": "the cuts changed since the layout was solved: Solve brings it up to date",
-    "changed.layout_lists": "the layout's lists were changed by hand: Solve brings it up to date",
-    "changed.verification_lists": "the verification's lists were changed by hand: Verify brings it up to "
-                                  "date",
-    "changed.results": "the stored results are damaged or were changed by hand: Solve brings it up to date",
     "no_layout": "there is no layout yet: Solve makes it",
-    "no_layout.lost": "what was said of the layout's making is damaged or gone: Solve makes it",
     "no_target": "the target was deleted: choose another with Target",
     "no_target.source": "the object that gave the target was deleted: choose another with Target",
     "unjudged": "it was not verified: Verify judges it",

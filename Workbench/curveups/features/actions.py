@@ -20,7 +20,7 @@ from ..base.output import Folder, safe_name
 from ..kit import files as kit_files
 from ..project.project import Project, Results
 from ..report import actuation
-from ..report.exports import Choice, File, choices, report as write_report, write_export, write_file
+from ..report.exports import Choice, File, choices, report as write_report, write_export
 from ..stages import RISEN, asked_by, sizes
 from ..stages.layout import Layout
 from ..stages.stage import Job
@@ -255,12 +255,6 @@ def export_work(design: Any, folder: str, choice: Choice) -> Callable[[Job], lis
     project = live.design_project_of(design).copy()
     project.name = file_name(design)
     return lambda job: list(write_export(project, Path(folder), choice, job).files)
-
-
-def write_print(design: Any, path: str, ending: str = "step", kind: str = "print", job: Optional[Job] = None
-                ) -> None:
-    """One kind of bodies, or all, as one file, whatever the verdict; its title says where that is no good."""
-    write_file(live.design_project_of(design).copy(), path, (kind, ending), doubts(design), job)
 
 
 def report(design: Any, folder: str) -> str:

@@ -28,7 +28,6 @@ class CutsProxy(PartProxy):
         add(obj, "App::PropertyIntegerList", "PointCounts", "Cuts", "How many points each polyline has.")
 
     def onChanged(self, obj: Any, name: str) -> None:
-        super().onChanged(obj, name)
         if self.ready and name == "Edges":
             refresh(obj)
 

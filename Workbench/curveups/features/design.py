@@ -15,9 +15,7 @@ from ..base.findings import Finding
 from ..base.native import native, problem
 from ..project.project import Project
 from . import figures, properties, rebuild, status, target
-from .copies import own_parts, relink
-from .keys import read_keys
-from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, show, write
+from .proxy import HIDDEN, OUTPUT, READ_ONLY, SLOTS, Proxy, add, show, type_of, write
 
 
 class DesignProxy(Proxy):
@@ -99,7 +97,6 @@ class DesignProxy(Proxy):
             return
         self._refreshing = True
         try:
-            relink(obj)
             found = self.state(obj)
             write(obj, "Verdict", found.verdict)
             write(obj, "Holds", found.holds)
@@ -140,17 +137,21 @@ class DesignProxy(Proxy):
         return None
 
     def onDocumentRestored(self, obj: Any) -> None:
-        import FreeCAD
-
         super().onDocumentRestored(obj)
         if obj.Document.Importing:  # a copy
-            own_parts(obj)
+            _own_parts(obj)
         if obj.Target is not None:
             show(obj.Target)  # it has no proxy that would
         self.refresh(obj)
-        if obj.Results and not (status.are_intact(obj) and read_keys(obj).records):
-            FreeCAD.Console.PrintError(f"{obj.Label}: {obj.Reasons[0]}\n")
 
 
-# A change of these is a change of state, whoever makes it.
-_WATCHED = (*SLOTS, "Verdict", "Holds", "Reasons", "Status", "Results", "Keys", "RebuiltKeys", "KitKeys")
+# A change of these is a change of state.
+_WATCHED = (*SLOTS, "Results", "Keys", "RebuiltKeys", "KitKeys")
+
+
+def _own_parts(obj: Any) -> None:
+    """Copies the parts that another Design has as well: a Design that was copied without them."""
+    for slot in SLOTS:
+        part = getattr(obj, slot)
+        if part is not None and any(other != obj and type_of(other) == type_of(obj) for other in part.InList):
+            setattr(obj, slot, obj.Document.copyObject(part, False))

@@ -23,7 +23,7 @@ from .bodies import KINDS, BodiesProxy
 from .cuts import CutsProxy, edges_of, write_cuts
 from .design import DesignProxy
 from .figures import write_figures
-from .keys import Keys, digest_of_edges, digest_of_text, read_keys, write_keys
+from .keys import Keys, digest_of_edges, read_keys, write_keys
 from .layout import LayoutProxy, write_layout
 from .live import design_project_of, project_of, settings_of
 from .proxy import SLOTS, design_of, designs, show, write
@@ -58,7 +58,7 @@ def design_with_results(document: Any, results: Results) -> Any:
         obj.Target.KeepMesh = not source.remesh
         obj.Target.File, obj.Target.BuiltIn, obj.Target.Stamp = (
             source.path, source.built_in, target.stamp_for(source))
-    take(obj, results, timed=False)  # the same design is the same file
+    take(obj, results)
     if "solids" in results:
         rebuild.take(obj, results)
     document.recompute()
@@ -67,33 +67,31 @@ def design_with_results(document: Any, results: Results) -> Any:
 
 @dataclass(frozen=True)
 class Stored:
-    """What a document stores of results: `made`, as it is read from `text`, the text's digest, and whether a
-    new layout is among them."""
+    """What a document stores of results: `made`, as it is read from `text`, and whether a new layout is among
+    them."""
 
     made: Mapping[str, Made]
     text: str
-    digest: str
     solved: bool
 
 
-def to_store(before: Project, results: Results, timed: bool = True) -> Stored:
-    """What a document that holds `before` (live.stored) stores of a run's results; for any thread. `timed`:
-    whether seconds are kept."""
+def to_store(before: Project, results: Results) -> Stored:
+    """What a document that holds `before` (live.stored) stores of a run's results; for any thread."""
     finished = before.latest("design")
     solved = "design" in results and (finished is None or "layout" in results)
     made = {**before.given(), **before.made()}
     made.update(_worth_keeping(results, made, solved))
     with translated(before.where):
-        text = saved_results.to_text(made, _NOT_STORED, timed)
-    return Stored(saved_results.as_read(made, _NOT_STORED), text, digest_of_text(text), solved)
+        text = saved_results.to_text(made, _NOT_STORED)
+    return Stored(saved_results.as_read(made, _NOT_STORED), text, solved)
 
 
-def take(obj: Any, results: Results, timed: bool = True, stored: Optional[Stored] = None) -> None:
+def take(obj: Any, results: Results, stored: Optional[Stored] = None) -> None:
     """A run's results become those of the Design and what is below it. To be called inside of the
     caller's transaction; solids follow (rebuild.py). `stored`: from `to_store`, where it is of what the
     Design holds now; made here where it is not given."""
     before = live.stored(obj)
-    stored = stored or to_store(before, results, timed)
+    stored = stored or to_store(before, results)
     _complete(obj)
     keys = read_keys(obj)
     with obj.Proxy.many_changes():
@@ -104,7 +102,7 @@ def take(obj: Any, results: Results, timed: bool = True, stored: Optional[Stored
             _take_design(obj, results, stored.solved)
         elif "target" in results:
             _write_mesh(obj.Target, results["target"].V, results["target"].F)
-        write_keys(obj, replace(_keys_with(obj, results, keys, stored.solved), results=stored.digest))
+        write_keys(obj, _keys_with(obj, results, keys, stored.solved))
         write(obj, "Results", stored.text)
     live.keep(obj, stored.made)
     obj.Proxy.refresh(obj)

@@ -42,7 +42,8 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
         for name, value in shown.items():
             document.getObject(name).Visibility = value
         with _binary_shapes(freecad):
-            document.saveAs(str(path))
+            document.FileName, document.Label = str(path), results.title  # saveAs would label it by its file
+            document.save()
     finally:
         freecad.closeDocument(document.Name)
     # As in STEP and 3MF, the target in the colour of its tiles.
@@ -50,8 +51,7 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
     views = [View(name, value, colours.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
              for name, value in shown.items()]
     V, F = results.design.V, results.design.F
-    finish_document(path, results.title, views,
-                    _print_box(results["solids"].model) if shown["Tiles"] else _box(V),
+    finish_document(path, views, _print_box(results["solids"].model) if shown["Tiles"] else _box(V),
                     native.draw_thumbnail(V, F))
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
 

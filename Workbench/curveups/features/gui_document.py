@@ -1,21 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The last touches to a document that was made without a window.
+"""Views, camera and thumbnail of a document that was saved without a window.
 
-FreeCAD keeps visibility, colours and camera in a part of the file that only a window writes; without
-it every shape is shown, in grey, whatever the objects say. This writes that part, with just the
-properties that differ from FreeCAD's defaults. And it takes out what differs from run to run: the
-same design is the same file, byte for byte.
+FreeCAD keeps visibility, colours and camera in a part of the file that only a window writes. Without it
+every shape is shown, in grey. This module writes that part, with the properties that differ from FreeCAD's
+defaults.
 """
 
 from __future__ import annotations
 
-import base64
 import errno
-import itertools
-import json
 import math
 import re
-import uuid
 import zipfile
 import zlib
 from dataclasses import dataclass
@@ -31,8 +26,8 @@ TWO_SIDE = 1
 
 COMPRESSION = 3  # of zlib: half the time of its default, and shapes are a twentieth larger
 
-# What is stored for the view of an object with a shape: module, class, state (window/viewproviders/part.py).
-SHAPE_VIEW = "codecs", "Codec", {"of": "CurveUps"}
+# Class of the view of an object with a shape, as FreeCAD stores it. FreeCAD shows objects without one.
+SHAPE_VIEW = 'module="curveups.window.viewproviders.part" class="ShapeView"'
 
 
 @dataclass
@@ -45,9 +40,8 @@ class View:
     display_mode: int = SHADED
 
 
-def finish_document(path: Path, name: str, views: Sequence[View], box: Box, thumbnail: bytes) -> None:
-    """Adds the views, a camera that sees `box` from the front and a PNG to a document without them; dates,
-    numbers of FreeCAD's own and the temporary file's name go. `name`: the document's label. Raises
+def finish_document(path: Path, views: Sequence[View], box: Box, thumbnail: bytes) -> None:
+    """Adds the views, a camera that sees `box` from the front and a PNG to a document without them. Raises
     OSError, also where FreeCAD has not saved all of it: it does not say so itself."""
     finished = path.with_name(path.name + ".finished")
     try:
@@ -55,7 +49,7 @@ def finish_document(path: Path, name: str, views: Sequence[View], box: Box, thum
             for entry in old.infolist():
                 content = old.read(entry)
                 if entry.filename == "Document.xml":
-                    content = _settled(content.decode(), name).encode()
+                    content = _without_materials(content.decode()).encode()
                 _add(new, entry.filename, content)
             _add(new, "GuiDocument.xml", _document(views, box).encode())
             _add(new, "thumbnails/Thumbnail.png", thumbnail)
@@ -72,23 +66,11 @@ def _add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
     archive.writestr(entry, content, zipfile.ZIP_DEFLATED, COMPRESSION)
 
 
-def _settled(text: str, name: str) -> str:
-    """Document.xml with what FreeCAD draws by lot or from the clock made the same for every run."""
-    def set_property(text: str, property_name: str, value: str) -> str:
-        return re.sub(rf'(<Property name="{property_name}"[^>]*>\s*<\w+ value=)"[^"]*"',
-                      lambda match: match[1] + quoteattr(value), text, count=1)
-
-    for date in ("CreationDate", "LastModifiedDate"):
-        text = set_property(text, date, "")
-    text = set_property(text, "Uid", str(uuid.uuid5(uuid.NAMESPACE_URL, name)))
-    text = set_property(text, "Label", name)
-    # FreeCAD 1.1 takes the colour of its default material before that of the view.
-    text = re.sub(r'<Properties Count="(\d+)"((?:(?!</Properties>).)*?)'
+def _without_materials(text: str) -> str:
+    """Document.xml of FreeCAD 1.1 without default materials, whose colour comes before that of the view."""
+    return re.sub(r'<Properties Count="(\d+)"((?:(?!</Properties>).)*?)'
                   r'<Property name="ShapeMaterial".*?</Property>\s*',
                   lambda match: f'<Properties Count="{int(match[1]) - 1}"{match[2]}', text, flags=re.DOTALL)
-    count = itertools.count(1)
-    return re.sub(r'(<Object type="[^"]*" name="[^"]*" id=)"\d+"',
-                  lambda match: f'{match[1]}"{next(count)}"', text)
 
 
 def _document(views: Sequence[View], box: Box) -> str:
@@ -103,14 +85,12 @@ def _provider(view: View) -> str:
     properties = []
     if view.colour is not None:
         red, green, blue = view.colour
-        state = base64.b64encode(json.dumps(SHAPE_VIEW[2]).encode()).decode()
         packed = red << 24 | green << 16 | blue << 8
         properties += [
             ("ShapeColor", "App::PropertyColor", f'<PropertyColor value="{packed}"/>'),
             ("DisplayMode", "App::PropertyEnumeration", f'<Integer value="{view.display_mode}"/>'),
             ("Lighting", "App::PropertyEnumeration", f'<Integer value="{TWO_SIDE}"/>'),
-            ("Proxy", "App::PropertyPythonObject", f'<Python value="{state}" encoded="yes" '
-             f'module="{SHAPE_VIEW[0]}" class="{SHAPE_VIEW[1]}"/>')]
+            ("Proxy", "App::PropertyPythonObject", f'<Python value="bnVsbA==" encoded="yes" {SHAPE_VIEW}/>')]
     shown = "true" if view.shown else "false"
     properties.append(("Visibility", "App::PropertyBool", f'<Bool value="{shown}"/>'))
     rows = "\n".join(f'<Property name="{name}" type="{kind}">{value}</Property>'

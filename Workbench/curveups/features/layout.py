@@ -8,8 +8,7 @@ from typing import Any, Mapping
 
 import numpy as np
 
-from ..stages.stage import digest
-from .proxy import HIDDEN, OUTPUT, READ_ONLY, PartProxy, add, refresh
+from .proxy import OUTPUT, READ_ONLY, PartProxy, add
 
 
 class LayoutProxy(PartProxy):
@@ -28,30 +27,12 @@ class LayoutProxy(PartProxy):
             READ_ONLY | OUTPUT)
         add(obj, "App::PropertyIntegerList", "Faces", "Layout", "Three vertices for each tile.",
             READ_ONLY | OUTPUT)
-        add(obj, "App::PropertyString", "Digest", "Layout", "Of poses and insets, as they were made.",
-            READ_ONLY | HIDDEN | OUTPUT)
         add(obj, "App::PropertyBool", "Converged", "Layout", "Whether the optimiser came to its end.",
             READ_ONLY | OUTPUT)
         add(obj, "App::PropertyInteger", "Iterations", "Layout", "Steps of the optimiser.",
             READ_ONLY | OUTPUT)
         add(obj, "App::PropertyFloat", "Energy", "Layout", "Sum of the layout's energies.",
             READ_ONLY | OUTPUT)
-
-    def onChanged(self, obj: Any, name: str) -> None:
-        super().onChanged(obj, name)
-        if self.ready and name in ("Poses", "Insets", "Digest"):
-            refresh(obj)
-
-
-def is_intact(obj: Any) -> bool:
-    """Whether the lists are those that were written with the results: scripts can write what the property
-    editor does not let one edit."""
-    written = getattr(obj, "Digest", "")
-    return not written or written == _digest(obj)
-
-
-def _digest(obj: Any) -> str:
-    return digest(np.array(obj.Poses, float), np.array(obj.Insets, float))
 
 
 def write_layout(obj: Any, results: Mapping[str, Any], design: Any) -> None:
@@ -62,7 +43,6 @@ def write_layout(obj: Any, results: Mapping[str, Any], design: Any) -> None:
     obj.Insets = np.ravel(design.q).tolist()
     obj.Vertices = [FreeCAD.Vector(*row) for row in design.V.tolist()]
     obj.Faces = np.ravel(design.F).tolist()
-    obj.Digest = _digest(obj)
     layout = results.get("layout")
     if layout is not None:
         obj.Converged, obj.Iterations = layout.converged, layout.iterations

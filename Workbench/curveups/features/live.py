@@ -18,7 +18,7 @@ from ..stages.surface import Source
 from . import properties
 from .cuts import request_of
 from .keys import read_keys
-from .status import GIVEN, SPOILT, are_intact
+from .status import GIVEN
 from .target import is_target, source_of
 
 
@@ -46,7 +46,7 @@ def design_project_of(obj: Any) -> Project:
     the solids are made from. Raises CurveUpsError where there is no layout or a property can't be used."""
     finished = stored(obj).latest("design")
     if finished is None:
-        raise CurveUpsError("there is no layout yet" if are_intact(obj) else SPOILT, obj.Label, "run Solve")
+        raise CurveUpsError("there is no layout yet", obj.Label, "run Solve")
     parameters = properties.read_parameters(obj, _base(finished), of_layout=False)
     proxy = obj.Proxy
     if proxy.standing is None or proxy.standing.latest("design").content != finished.content:
@@ -78,8 +78,7 @@ def _base(finished: Any) -> Any:
 def stored(obj: Any) -> Project:
     """What the document holds, under whatever parameters; see project_of and design_project_of."""
     if obj.Proxy.project is None:
-        known = obj.Results and are_intact(obj)  # nothing is taken from others
-        keep(obj, saved_results.from_text(obj.Results, obj.Label) if known else {})
+        keep(obj, saved_results.from_text(obj.Results, obj.Label) if obj.Results else {})
     return cast(Project, obj.Proxy.project)
 
 

@@ -37,7 +37,7 @@ class Restorer:
         if any(_is_ours(obj) for obj in document.Objects):
             from . import registry
 
-            registry.restore(document)
+            registry.opened(document)
 
 
 def _is_ours(obj: Any) -> bool:

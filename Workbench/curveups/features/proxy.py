@@ -2,7 +2,7 @@
 """What all document objects of ours share: a stored type, and a proxy that can be attached anew.
 
 A FreeCAD without this workbench drops proxies when it saves. The text in `CurveUpsType` stays, and
-registry.py makes the proxy from it again.
+registry.py makes the proxy from it when the document is opened.
 """
 
 from __future__ import annotations
@@ -14,10 +14,8 @@ READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8  # as addProperty takes them
 # Slots of a Design, in the order of the tree.
 SLOTS = ("Target", "Cuts", "Layout", "Verification", "Tiles", "Support", "Anchors")
 
-# Set by a window: what gives an object its view, what shows an error, and which objects are selected.
+# Set by a window: what gives an object its view.
 attach_view: Optional[Callable[[Any], None]] = None
-show_error: Optional[Callable[[Exception], None]] = None
-selection: Optional[Callable[[], list[Any]]] = None
 
 
 class Proxy:
@@ -60,10 +58,6 @@ class PartProxy(Proxy):
 
     def add_properties(self, obj: Any) -> None:
         add_part_properties(obj, self.TYPE)
-
-    def onChanged(self, obj: Any, name: str) -> None:
-        if self.ready and name in ("Status", "Reason"):
-            refresh(obj)  # whoever wrote it: it is derived
 
 
 def add_type(obj: Any, kind: str) -> None:

@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which proxy belongs to which stored type; attaches those that a document has lost.
-
-A FreeCAD without this workbench drops all proxies when it saves, and some refuse to load proxies of
-modules that they do not know. What an object is stays in its property CurveUpsType.
-"""
+"""Proxies by stored type, for documents that a FreeCAD without this workbench has saved: it drops proxies,
+and keeps the property CurveUpsType."""
 
 from __future__ import annotations
 
@@ -14,34 +11,21 @@ from .cuts import CutsProxy
 from .design import DesignProxy
 from .layout import LayoutProxy
 from .proxy import Proxy, designs, show, type_of
-from .target import TYPE as TARGET, make_target, notice
+from .target import TYPE as TARGET, notice
 from .verification import VerificationProxy
 
 TYPES: dict[str, type[Proxy]] = {proxy.TYPE: proxy for proxy in (
     DesignProxy, CutsProxy, LayoutProxy, VerificationProxy, BodiesProxy)}
 
 
-def is_lost(obj: Any) -> bool:
-    """Whether `restore` has something to do for an object."""
-    return _lacks_proxy(obj)
-
-
-def restore(document: Any) -> list[Any]:
-    """Attaches lost proxies; the objects that were mended."""
-    mended = []
+def opened(document: Any) -> None:
+    """Attaches lost proxies, shows all objects of ours, and compares targets with their sources."""
+    lost = [obj for obj in document.Objects if type_of(obj) in TYPES and obj.Proxy is None]
+    for obj in lost:
+        TYPES[type_of(obj)](obj)
     for obj in document.Objects:
         if type_of(obj) == TARGET:
-            make_target(obj)
             notice(obj)
-        if _lacks_proxy(obj):
-            TYPES[type_of(obj)](obj)
-            mended.append(obj)
         show(obj)
-    for design in designs(document) if mended else ():
+    for design in designs(document) if lost else ():
         design.Proxy.refresh(design)
-    return mended
-
-
-def _lacks_proxy(obj: Any) -> bool:
-    proxy = TYPES.get(type_of(obj))
-    return proxy is not None and not isinstance(getattr(obj, "Proxy", None), proxy)

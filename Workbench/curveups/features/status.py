@@ -12,12 +12,11 @@ from ..base.parameters import parameter
 from ..project.keys import Record, changes
 from ..project.verdict import HOLDS
 from ..stages import BY_NAME, RISEN, SETTLED, label_of
-from . import layout as layouts, properties, verification as verifications
-from .keys import NONE, Keys, digest_of_edges, digest_of_text, read_keys
+from . import properties
+from .keys import NONE, Keys, digest_of_edges, read_keys
 from .target import is_target
 
 EMPTY, CURRENT, OUT_OF_DATE, INVALID, RUNNING = "empty", "current", "out of date", "invalid", "running"
-SPOILT = "the stored results are damaged or were changed by hand"
 VERDICTS = {True: "valid", False: "not valid", None: "not judged"}
 _CHANGED = Record(content="changed")  # what was given, and is not what it was
 GIVEN = ("source", "cut request")  # results that are not made
@@ -45,17 +44,11 @@ def status_of(obj: Any, refused: Optional[Finding] = None, running: bool = False
     records = {**keys.records, **({"source": _CHANGED} if source else {}),
                **({"cut request": _CHANGED} if cuts else {})}
     target = source + _changed("changed.divided", changes("target", records, values, GIVEN))
-    lists = [] if layouts.is_intact(obj.Layout) else [Finding("changed.layout_lists")]
-    if solved and not are_intact(obj, keys):
-        lists.append(Finding("changed.results"))
-    layout = source + cuts + lists + _changed(
+    layout = source + cuts + _changed(
         "changed.solved", _of_layout(changes("design", records, values, GIVEN)))
     verification = verdict_changes(keys, values)
-    if not verifications.is_intact(obj.Verification):
-        verification.append(Finding("changed.verification_lists"))
     if not solved:
-        lost = Finding("no_layout.lost" if getattr(obj, "Results", "") and not records else "no_layout")
-        state, verdict, reasons = EMPTY, VERDICTS[None], [lost]
+        state, verdict, reasons = EMPTY, VERDICTS[None], [Finding("no_layout")]
     else:
         state, verdict, reasons = _judgement(obj, keys, values, layout, verification)
     if refused:
@@ -91,12 +84,6 @@ def _holds(keys: Keys, records: Mapping[str, Record], values: Mapping[str, Any],
     """Whether the shape holds by settled forces; that is open after any edit."""
     current = not edited and changes(SETTLED, records, values, ("design",)) == ()
     return HOLDS[keys.holds if current else None]
-
-
-def are_intact(obj: Any, keys: Optional[Keys] = None) -> bool:
-    """Whether the text of the results is the one that was written."""
-    written = (keys or read_keys(obj)).results
-    return not written or written == digest_of_text(obj.Results)
 
 
 def known_of_values(obj: Any, keys: Keys, values: Mapping[str, Any]) -> Keys:

@@ -7,9 +7,8 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ..stages.stage import digest
 from .figures import add_figures
-from .proxy import HIDDEN, OUTPUT, READ_ONLY, PartProxy, add, refresh
+from .proxy import OUTPUT, READ_ONLY, PartProxy, add
 
 # Property, array of the verification, type, tooltip.
 _LISTS = (
@@ -26,9 +25,6 @@ _LISTS = (
 )
 
 
-_NAMES = (*(name for name, *_ in _LISTS), "WeakContacts")
-
-
 class VerificationProxy(PartProxy):
     """Behaviour of a Verification."""
 
@@ -41,13 +37,6 @@ class VerificationProxy(PartProxy):
         add_figures(obj, with_units=True)
         add(obj, "App::PropertyIntegerList", "WeakContacts", "Verification",
             "Pairs of tiles whose contact is below the least force, counted from 0.", READ_ONLY | OUTPUT)
-        add(obj, "App::PropertyString", "Digest", "Verification", "Of the lists, as they were made.",
-            READ_ONLY | HIDDEN | OUTPUT)
-
-    def onChanged(self, obj: Any, name: str) -> None:
-        super().onChanged(obj, name)
-        if self.ready and name in (*_NAMES, "Digest"):
-            refresh(obj)
 
 
 def write_verification(obj: Any, found: Optional[Any]) -> None:
@@ -56,15 +45,3 @@ def write_verification(obj: Any, found: Optional[Any]) -> None:
     for name, array, _, _ in _LISTS:
         setattr(obj, name, np.ravel(arrays.get(array, ())).tolist())
     obj.WeakContacts = [v for pair in (found.weak_contacts if found is not None else ()) for v in pair]
-    obj.Digest = _digest(obj)
-
-
-def is_intact(obj: Any) -> bool:
-    """Whether the lists are those that were written with the results, as those of a Layout."""
-    written = getattr(obj, "Digest", "")
-    return not written or written == _digest(obj)
-
-
-def _digest(obj: Any) -> str:
-    lists = [np.array(getattr(obj, name, ()), float) for name in _NAMES]
-    return digest(*(np.where(np.isnan(values), np.nan, values) for values in lists))  # one kind of NaN

@@ -21,12 +21,11 @@ from .project import Made
 FORMAT, VERSION = "curveups-results", 1
 
 
-def to_text(made: Mapping[str, Made], without: Collection[str] = (), timed: bool = True) -> str:
+def to_text(made: Mapping[str, Made], without: Collection[str] = ()) -> str:
     """Those results that consist of numbers, texts, arrays and designs; others are made anew. `without`:
-    fields that are left at their defaults (pictures of membranes are most of a verification). `timed`:
-    otherwise nothing says how long it took, and the same results are the same text."""
-    writer = _Writer(without, timed)
-    results = {name: {"key": dict(one.key), "seconds": one.seconds if timed else 0.0,
+    fields that are left at their defaults (pictures of membranes are most of a verification)."""
+    writer = _Writer(without)
+    results = {name: {"key": dict(one.key), "seconds": one.seconds,
                       "result": writer.encode(one.result)}
                for name, one in made.items() if one.result.lasting}
     return json.dumps({"format": FORMAT, "version": VERSION, "shared": writer.shared, "results": results})
@@ -71,16 +70,15 @@ def from_text(text: str, where: str = "") -> dict[str, Made]:
 class _Writer:
     """Collects arrays, designs and values in `shared`, each once; others refer to their places there."""
 
-    def __init__(self, without: Collection[str], timed: bool):
+    def __init__(self, without: Collection[str]):
         self.shared: list[Any] = []
-        self._timed = timed
         self._without = frozenset(without)
         self._places: dict[Hashable, int] = {}
 
     def encode(self, value: Any) -> Any:
         if isinstance(value, Value):
             return self._share(id(value), lambda: {"value": type(value).__name__, "fields": {
-                field.name: self._field(field.name, getattr(value, field.name))
+                field.name: self.encode(getattr(value, field.name))
                 for field in dataclasses.fields(value)
                 if field.name not in self._without and not field.metadata.get("transient")}})
         if isinstance(value, native.Design):
@@ -96,9 +94,6 @@ class _Writer:
         if isinstance(value, (list, tuple)):
             return [self.encode(item) for item in value]
         return value.item() if isinstance(value, np.generic) else value
-
-    def _field(self, name: str, value: Any) -> Any:
-        return 0.0 if name.endswith("seconds") and not self._timed else self.encode(value)
 
     def _share(self, key: Hashable, encoded: Callable[[], Any]) -> dict[str, int]:
         if key not in self._places:

@@ -177,15 +177,6 @@ def report(project: Project, folder: Path, doubts: Iterable[Finding], job: Job) 
     return place.path / "report.html"
 
 
-def write_file(project: Project, path: str, file: File, doubts: tuple[Finding, ...],
-               job: Optional[Job] = None) -> None:
-    """One file; "print" are all bodies. Nobody looks whether the solids are sound. Raises Stopped."""
-    job, (kind, ending) = job or Job(), file
-    results = _printed(project, Choice((), doubts=doubts), job, ("solids",))
-    with translated(path):
-        results["solids"].model.write(ending, kind, path, job)
-
-
 def doubtful(title: str, valid: Optional[bool]) -> str:
     """The title that files carry inside: of a design that should not be printed it says so first."""
     return f"{_DOUBTS[valid]}{title}"

@@ -27,7 +27,7 @@ from .units import in_user_units
 
 # Commands that messages name, as the guide does.
 _TOPICS = ("Solve", "Verify", "Repair", "Actuate", "Build Solids", "New Design", "Change Target", "Examples",
-           "Solver Status", "Restore Objects")
+           "Solver Status")
 _panel: Optional[Callable[[str], None]] = None  # shows a line of rich text
 
 

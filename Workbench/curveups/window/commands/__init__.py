@@ -16,7 +16,7 @@ _MENUS = (
      ("target", "verify", "repair", "actuate", "build_solids", "report", "kit")),
     (QT_TRANSLATE_NOOP("Workbench", "Show"), ("show_flat", "show_actuated", "show_solids", "worst_contacts")),
     ("", ("examples",)),
-    (QT_TRANSLATE_NOOP("Workbench", "Help"), ("guide", "solver_status", "restore_objects")))
+    (QT_TRANSLATE_NOOP("Workbench", "Help"), ("guide", "solver_status")))
 MENU = QT_TRANSLATE_NOOP("Workbench", "&CurveUps")
 
 

@@ -7,7 +7,6 @@ from typing import Any
 
 from pivy import coin
 
-from ...features.gui_document import SHAPE_VIEW
 from .view import View, run_on
 
 
@@ -62,21 +61,8 @@ _SHAPES: dict[str, tuple[str, tuple[str, ...], str]] = {
 
 
 class ShapeView(View):
-    """Of Target, Tiles, Support and Anchors, which FreeCAD draws by itself.
+    """Of Target, Tiles, Support and Anchors, which FreeCAD draws by itself."""
 
-    FreeCAD shows, on opening, every object whose view's class it can't load: 20 s for thousands of solids
-    in a FreeCAD without this workbench. So a class is stored that every Python has loaded and that
-    does nothing in a view; `attach` puts this one in its place.
-    """
-
-    def __init__(self, view: Any):
+    def attach(self, view: Any) -> None:
+        super().attach(view)
         self.ICON, self.MENU, self.GROUP = _SHAPES[getattr(view.Object, "Kind", "")]
-        super().__init__(view)
-
-    def dumps(self) -> Any:
-        return SHAPE_VIEW[2]  # an empty one would be stored as none at all
-
-    __getstate__ = dumps
-
-
-ShapeView.__module__, ShapeView.__name__ = SHAPE_VIEW[:2]

@@ -17,7 +17,7 @@ from .icons import icon
 
 
 class View:
-    """Icon with a badge of the object's state. Nothing is stored: views are attached on opening."""
+    """Icon with a badge of the object's state. FreeCAD stores the class, and attaches it on opening."""
 
     ICON = "CurveUpsWorkbench"
     MENU: tuple[str, ...] = ()  # commands
