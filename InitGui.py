@@ -26,23 +26,14 @@ class CurveUpsWorkbench(FreeCADGui.Workbench):
 
     def Initialize(self):
         """Called when the workbench is first activated."""
-        from curveups.window import commands, guide
+        from curveups.window import commands
         from curveups.window.qt import RESOURCES
 
         commands.register()
-        guide.install()
         self.appendToolbar("CurveUps", commands.steps())
         for titles, names in commands.menus():
             self.appendMenu(titles, names)
         FreeCADGui.addPreferencePage(str(RESOURCES / "ui" / "preferences.ui"), "CurveUps")
-
-    def ContextMenu(self, recipient):
-        """recipient: "View" or "Tree"."""
-        from curveups.window import commands
-
-        names = commands.for_view() if recipient == "View" else []
-        if names:
-            self.appendContextMenu("CurveUps", names)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

@@ -58,12 +58,8 @@ def test_a_run_tells_where_it_is_and_hands_its_results_over(worker, ended):
     assert outcome.error is None and not outcome.cancelled
     design = outcome.value.design
     assert outcome.value["verification"].judged
-    assert len(status.violations) == status.count
-    assert status.violations[0] > 0.01 > status.violations[-1] >= 0, "hard constraints hold in the end"
-    assert len(status.energies) > 5 and status.count >= len(status.energies)
-    # Not every step lowers the energy, which pays for constraints; all in all they do not rise.
-    assert status.energies[-1] < 2 * min(status.energies)
-    _, T, q, _ = status.iterate
+    assert status.count > 5
+    T, q = status.iterate
     assert T.shape == (len(design.F), 3, 2) and q.shape == (len(design.F), 2, 3)
     assert status.seconds > 0 and status.stage
     assert project.made() == {}, "the run's results are not the project's before somebody takes them"
@@ -96,8 +92,7 @@ def test_what_one_stage_says_is_not_said_of_the_next(worker, ended):
 def test_the_last_iterate_of_a_layout_is_its_result(worker, ended):
     worker.start(project_of("half-sphere", L=12), ("layout",), ended.append)
     finish(worker)
-    stage, T, q, energy = worker.status().iterate
-    assert stage == "layout"
+    T, q = worker.status().iterate
     # The result is turned and moved besides: distances from the first tile's corner are not.
     distances = [np.linalg.norm(corners - corners[0, 0], axis=2)
                  for corners in (T, ended[0].value["layout"].design.T)]

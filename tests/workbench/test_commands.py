@@ -15,7 +15,7 @@ from curveups.base.errors import CurveUpsError
 from curveups.base.findings import Finding
 from curveups.features import document as designs
 from curveups.project.worker import WORKER
-from curveups.window import qt, runs
+from curveups.window import qt
 from curveups.window.commands import new_design
 from curveups.window.commands.new_design import make_design
 from curveups.window.notice import show_error
@@ -118,42 +118,6 @@ def test_cancel_stop_and_closing_in_mid_run(pictures):
     assert not LIVE.busy
     assert WORKER.wait(20)
     assert "Traceback" not in report() and "unexpected" not in report(), report()
-
-
-def test_between_results_and_their_picture_nothing_begins_and_the_document_may_go(monkeypatch):
-    made, design = example(L=14)
-    show, seen = LIVE._show, []
-
-    def between(task, reveal):
-        seen.append((design.TileCount > 0, LIVE.busy, runs.reason("verify", design)))
-        with pytest.raises(CurveUpsError, match="at work"):
-            LIVE.start(design, task)
-        FreeCAD.closeDocument(made.Name)
-        show(task, reveal)
-
-    monkeypatch.setattr(LIVE, "_show", between)
-    FreeCADGui.runCommand("CurveUps_Solve")
-    until(lambda: seen, 120, "the end of the run")
-    until(lambda: not LIVE.busy, 5, "the end of its picture")
-    (solved, busy, why), = seen
-    assert solved and busy and "at work" in why, seen
-    settle(200)
-    assert panel() is None and "Traceback" not in report(), report()
-
-
-def quit_in_mid_run():
-    made, design = example("tower", L=10)
-    FreeCADGui.runCommand("CurveUps_Solve")
-    until(lambda: WORKER.status().count >= 2, 60, "the layout to begin")
-    app = QtGui.QApplication.instance() if hasattr(QtGui, "QApplication") else None
-    app.aboutToQuit.emit()
-    assert not WORKER.busy or (WORKER._current and WORKER._current.cancelled)
-    assert WORKER.wait(0.1), "a thread is left in the native module"
-
-
-def test_quitting_in_mid_run(elsewhere):
-    """FreeCAD's own way out, with a native call at work: nothing is left of it, and nothing crashes."""
-    elsewhere(quit_in_mid_run, window=True)
 
 
 def test_garbage_is_collected_in_the_window_s_thread_alone(dome_document, tmp_path):

@@ -146,6 +146,7 @@ def test_a_click_on_a_cut_takes_it_back_and_suggestions_are_accepted(pictures):
     assert "Traceback" not in report(), report()
 
 
+@pytest.mark.all
 def test_cuts_are_picked_in_the_flat_view_as_in_the_actuated_one(pictures):
     """On the layout, where both sides of an edge lie apart, and with both states side by side."""
     def inner_edges(design, beside=False):

@@ -76,6 +76,7 @@ def lingering(late):
     return slow
 
 
+@pytest.mark.all
 @pytest.mark.parametrize("end", ["cancel", "close"])
 def test_an_export_that_is_cut_off_leaves_what_was_there(dome_document, tmp_path, pictures, monkeypatch, end):
     """By Cancel, or as its document is closed: no new file stands beside a report of others."""
@@ -123,6 +124,7 @@ def quit_in_mid_export(path, folder, left):
     quit_freecad(left, look)
 
 
+@pytest.mark.all
 def test_FreeCAD_can_be_quit_in_mid_export(elsewhere, dome_document, tmp_path):
     """By itself, to its very end: no thread is left, and no file beside a report of others."""
     folder, left = tmp_path / "prints", tmp_path / "left"
@@ -131,39 +133,6 @@ def test_FreeCAD_can_be_quit_in_mid_export(elsewhere, dome_document, tmp_path):
     elsewhere(quit_in_mid_export, str(dome_document), str(folder), str(left), window=True, ends=True)
     assert left.read_text("utf-8") == "[0] False False"
     assert os.listdir(folder) == ["report.json"] and (folder / "report.json").read_text("utf-8") == theirs
-
-
-def test_files_under_the_names_of_another_design_are_not_replaced_without_asking(dome_document, tmp_path,
-                                                                                 pictures):
-    """Though no report is to be written: that of the other design would be of files that are gone."""
-    document, design = opened(dome_document)
-    (tmp_path / "report.json").write_text(theirs := json.dumps({"name": "someone-elses"}))
-    (tmp_path / "Design-print.3mf").write_text("theirs")
-    press("CurveUps_Export")
-    form = widget("ExportPanel")
-    form.findChild(QtGui.QLineEdit, "folder").setText(str(tmp_path))
-    click(form.findChild(QtGui.QCheckBox, "reports"))
-    button, line = form.findChild(QtGui.QPushButton, "write"), form.findChild(QtGui.QLabel, "line")
-
-    def answer(key):
-        picture("asked-for-files")
-        assert "files of these names" in QtGui.QApplication.activeModalWidget().text()
-        keys(key)
-
-    in_dialog(lambda: click(button), lambda: answer("Escape"))
-    assert not LIVE.busy and (tmp_path / "Design-print.3mf").read_text() == "theirs"
-    in_dialog(lambda: click(button), lambda: answer("alt+y"))
-    until(lambda: not LIVE.busy and "open the folder" in line.text(), 120, "the files")
-    assert (tmp_path / "Design-print.3mf").read_bytes()[:2] == b"PK"
-    assert not (tmp_path / "report.json").exists()
-    # Beside files of other names that report may stay, and nothing is asked.
-    (tmp_path / "report.json").write_text(theirs)
-    for path in tmp_path.glob("Design-*"):
-        path.unlink()
-    click(button)
-    until(lambda: not LIVE.busy and (tmp_path / "Design-print.3mf").exists(), 120, "the files beside")
-    assert (tmp_path / "report.json").read_text("utf-8") == theirs
-    close_panel()
 
 
 def test_each_design_remembers_where_its_files_went(dome_document, tmp_path, pictures):

@@ -21,7 +21,7 @@ from robot import (QtCore, QtGui, choose, choose_file, click, click_at, close_pa
 from running import ROOT, dome
 from steps import ENGLISH, LIVE, panel
 
-pytestmark = pytest.mark.freecad(window=True, timeout=600)
+pytestmark = [pytest.mark.freecad(window=True, timeout=600), pytest.mark.all]
 BEGINNINGS = ("half-sphere", "solid", "stl")
 SURROUNDINGS = ("", "german", "dark", "inch", "4K", "4K german dark inch")
 ALL = os.environ.get("CURVEUPS_SERIES") == "all"

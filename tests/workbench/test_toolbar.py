@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """In a window: the toolbar's six steps and the menus, panels that follow one another and fit FreeCAD's dock,
-and the guide: as mouse and keys reach them in a fresh profile."""
+and the guide, in a fresh profile."""
 
-import itertools
 import re
 from pathlib import Path
 
@@ -10,19 +9,16 @@ import FreeCAD
 import FreeCADGui
 import pytest
 from curveups.features.document import new_design
-from curveups.window import guide as filters
-from curveups.window.notice import with_links
 from curveups.window.overlays import overlay_of
 from curveups.window.run import LIVE
 from PySide import QtCore, QtGui
-from robot import (action, choose, click, click_at, close_panel, cut_off, display, keys, menu_bar, menu_of,
-                   picture, press, scroll_to, settle, until, widget, window)
+from robot import (action, choose, close_panel, cut_off, display, menu_bar, menu_of, picture, press, settle,
+                   until, widget, window)
 from running import ROOT
 from steps import panel
 
 pytestmark = pytest.mark.freecad(window=True)
 
-F1 = "67"  # the code of the key: by its name xdotool presses Alt too, with keyboard maps of 2026
 Qt_6 = int(QtCore.qVersion().split(".")[0]) > 5  # does not scale by the resolution of the 4K display
 STEPS = ("NewDesign", "Check", "Solve", "Cuts", "Overlay", "Export")
 PANELS = (("Check", "CheckPanel"), ("Cuts", "CutsPanel"), ("Overlay", "OverlayPanel"),
@@ -48,17 +44,6 @@ def shown(kind):
     until(lambda: type(panel()).__name__ == kind and panel().form.isVisible(), 10, kind)
     until(lambda: not LIVE.busy, 60, "the run")
     settle(300)
-
-
-def guide():
-    """The paragraph that the guide is open at, and shows."""
-    page = widget("page")
-    settle(300)
-    assert page.viewport().rect().contains(page.cursorRect().center())
-    text = page.textCursor().block().text()
-    page.window().close()
-    settle(100)
-    return text
 
 
 def entries(menu):
@@ -132,6 +117,7 @@ def grey_without_reason(form):
     return found
 
 
+@pytest.mark.all
 def test_whatever_is_grey_says_why(dome_document, pictures):
     document = opened(dome_document).Document
     for design in (document.Design, new_design(document, "half-sphere")):  # solved, and empty
@@ -170,8 +156,9 @@ def misfits(name, room):
 
 
 @pytest.mark.parametrize("language, theme, screen", [
-    *itertools.product(["English", "German"], ["", "Dark-blue.qss"], ["usual"]),
-    pytest.param("German", "Dark-blue.qss", "4K", marks=pytest.mark.freecad(window="4K"))])
+    ("German", "", "usual"),
+    pytest.param("English", "Dark-blue.qss", "usual", marks=pytest.mark.all),
+    pytest.param("German", "Dark-blue.qss", "4K", marks=[pytest.mark.all, pytest.mark.freecad(window="4K")])])
 def test_every_panel_fits_the_dock_that_a_fresh_profile_has(language, theme, screen, dome_document, pictures):
     if theme:
         sheet = Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets" / theme
@@ -206,31 +193,12 @@ def test_every_panel_fits_the_dock_that_a_fresh_profile_has(language, theme, scr
         FreeCADGui.setLocale("English")
 
 
-def test_the_guide_opens_from_the_menu_by_F1_and_by_links(dome_document, pictures):
+def test_the_guide_opens_from_the_menu(dome_document, pictures):
     opened(dome_document)
     choose(lambda: menu_bar("CurveUps"), "Help", "Guide")
-    assert guide() == "User guide"
-    # F1 over a button and in a panel.
-    button = next(one for one in window.findChildren(QtGui.QToolButton)
-                  if one.isVisible() and one.defaultAction() == action("CurveUps_Cuts"))
-    middle = button.mapToGlobal(button.rect().center())
-    display("mousemove", middle.x(), middle.y())
-    keys(F1)
-    assert guide().startswith("Closed and deep surfaces need cuts")
-    press("CurveUps_Export")
-    shown("ExportPanel")
-    click(panel().form.names)
-    keys(F1)
-    assert guide().startswith("Export Print Files")
-    # What's This of a command, and a message that names one, have links.
-    assert "guide:Solve" in action("CurveUps_Solve").whatsThis()
-    QtGui.QApplication.sendEvent(window, QtGui.QWhatsThisClickedEvent("guide:Report"))
-    assert "Report" in guide()
-    assert with_links("there is no layout yet: Solve makes it").count('"guide:Solve"') == 1
-    panel().form.line.linkActivated.emit("guide:Solver Status")
-    assert guide().startswith("Solver Status shows")
-    # PySide2 hands over a widget that had the event's address before.
-    assert filters._keys.eventFilter(window, QtGui.QWidget()) is False
+    page = widget("page")
+    assert page.toPlainText().startswith("User guide")
+    page.window().close()
 
 
 def test_the_guide_says_something_of_every_command():
@@ -238,59 +206,3 @@ def test_the_guide_says_something_of_every_command():
     for file in (ROOT / "Workbench" / "curveups" / "window" / "commands").glob("*.py"):
         for text in re.findall(r'text = QT_TRANSLATE_NOOP\("\w+", "([^"]+)"\)', file.read_text("utf-8")):
             assert f"**{text}**" in said, text
-
-
-def click_link(label):
-    """The first link of a rich text, where the mouse becomes a hand."""
-    for y in range(8, label.height(), 9):
-        for x in range(8, label.width(), 18):
-            point = label.mapToGlobal(QtCore.QPoint(x, y))
-            display("mousemove", point.x(), point.y())
-            if label.cursor().shape() == QtCore.Qt.PointingHandCursor:
-                return click_at(point)
-    raise AssertionError("no link")
-
-
-def test_whats_this_and_a_link_by_the_mouse(dome_document, pictures):
-    """Shift+F1 makes the next click a question, which the guide answers: FreeCAD said that it had no help."""
-    opened(dome_document)
-    button = next(one for one in window.findChildren(QtGui.QToolButton)
-                  if one.isVisible() and one.defaultAction() == action("CurveUps_Cuts"))
-    keys(f"shift+{F1}")
-    until(QtGui.QWhatsThis.inWhatsThisMode, 10, "What's This")
-    click(button)
-    picture("whats-this")
-    assert guide().startswith("Closed and deep surfaces need cuts")
-    assert not QtGui.QWhatsThis.inWhatsThisMode() and panel() is None
-    # A message in a panel.
-    press("CurveUps_Export")
-    shown("ExportPanel")
-    panel()._say(with_links("there is no layout yet: Solve makes it"))
-    settle(300)
-    picture("message")
-    click_link(panel().form.line)
-    assert "Solve" in guide()
-    close_panel()
-
-
-def test_the_live_curve_is_dark_on_dark_themes(pictures):
-    begin()
-    QtGui.QApplication.instance().setStyleSheet("QWidget { background: #2b2b2b; color: #dddddd; }")
-    document = FreeCAD.newDocument("Dark")
-    design = new_design(document, "half-sphere")
-    design.L = 14
-    document.recompute()
-    press("CurveUps_Solve")
-    shown("SolvePanel")
-    curves = panel().curves
-    scroll_to(curves, curves.rect().center())
-    settle(500)
-    picture("dark-curves")
-    image = QtGui.QApplication.primaryScreen().grabWindow(0).toImage()
-    corner = curves.mapToGlobal(QtCore.QPoint(0, 0))
-    seen = [QtGui.QColor(image.pixel(corner.x() + x, corner.y() + y))
-            for x in range(3, curves.width() - 3) for y in range(3, curves.height() - 3)]
-    assert seen[0].name() == "#2b2b2b" and sum(one.name() == "#2b2b2b" for one in seen) > len(seen) / 2
-    assert not any(one.name() == "#ffffff" for one in seen)
-    assert any(one.name() == "#56b4e9" for one in seen), "no curve"
-    close_panel()

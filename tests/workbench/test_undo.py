@@ -7,7 +7,6 @@ import FreeCAD
 import FreeCADGui
 import pytest
 from curveups.features import document as documents
-from curveups.window.overlays import overlay_of
 from curveups.window.viewproviders import following
 from robot import QtCore, QtGui, click_at, keys, picture, settle, tidy, tree_entry, until, window
 
@@ -28,13 +27,6 @@ def edit(document, name, value):
     setattr(document.Design, name, value)
     document.recompute()
     document.commitTransaction()
-
-
-def save_a_copy(path, copy):
-    """In a FreeCAD that knows nothing of the workbench."""
-    document = FreeCAD.openDocument(str(path))
-    settle()
-    document.saveAs(str(copy))
 
 
 def test_solids_follow_transactions(dome_document, monkeypatch):
@@ -158,18 +150,3 @@ def test_a_design_in_a_group_is_deleted_whole_and_comes_back_there(dome_document
         assert (places_in_tree(document, design.Label), places_in_tree(document, "Tiles")) == before
         assert document.Design.Verdict == "valid"
         click_at(tree_entry(document.Design))
-
-
-def test_saved_in_a_window_without_the_workbench(dome_document, elsewhere, tmp_path, pictures):
-    copy = tmp_path / "foreign.FCStd"
-    elsewhere(save_a_copy, dome_document, copy, home="nothing", window=True)
-    document, design = opened(copy)
-    assert type(design.Proxy).__name__ == "DesignProxy"
-    assert type(design.ViewObject.Proxy).__name__.endswith("View")
-    assert design.Verdict == "valid"
-    edit(document, "HBody", "2.5 mm")
-    until(lambda: document.Tiles.Status == "current")
-    FreeCADGui.activateWorkbench("CurveUpsWorkbench")
-    FreeCADGui.runCommand("CurveUps_ShowFlat")
-    until(lambda: overlay_of(design).scene is not None and overlay_of(design).morph() == 0, 10, "the tiles")
-    assert picture("tiles") > 20

@@ -16,7 +16,7 @@ from robot import (choose_file, click, click_at, close_panel, fill, in_dialog, k
 from running import ROOT, dome
 from steps import LIVE
 
-pytestmark = pytest.mark.freecad(window=True)
+pytestmark = [pytest.mark.freecad(window=True), pytest.mark.all]
 
 
 def design():

@@ -5,7 +5,6 @@ made, and is edited as users do it."""
 import os
 import re
 import struct
-import sys
 import zlib
 
 import FreeCAD
@@ -87,18 +86,6 @@ def test_document_in_a_window(capfd, dome_document, tmp_path):
     assert len(set(colours)) == 3
     for rgb in colours:
         assert any(max(abs(a - b) for a, b in zip(rgb, e)) < 1e-6 for e in expected), (rgb, expected)
-
-
-def look_without_the_workbench(path):
-    assert not any("CurveUps" in folder for folder in sys.path)
-    document, gui = opened(path)
-    shown = {name for name in ("Target", "Tiles", "Support", "Anchors") if gui.getObject(name).Visibility}
-    assert shown == {"Tiles", "Anchors"}, shown
-    assert colour(gui.getObject("Tiles")) != colour(gui.getObject("Anchors"))
-
-
-def test_without_the_workbench_it_shows_the_same(dome_document, elsewhere):
-    elsewhere(look_without_the_workbench, dome_document, home="nothing", window=True)
 
 
 def state(document):

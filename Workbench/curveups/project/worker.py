@@ -12,7 +12,6 @@ FreeCAD crashes. While a thread of this works, `poll()` is therefore what collec
 from __future__ import annotations
 
 import gc
-import math
 import threading
 import time
 from dataclasses import dataclass
@@ -26,23 +25,19 @@ from ..base.native import translated
 from ..stages.stage import Job
 from .project import Project
 
-Iterate = tuple[str, np.ndarray, np.ndarray, float]  # stage, flat corners, insets, figure (see Listener)
+Iterate = tuple[np.ndarray, np.ndarray]  # flat corners, insets
 Work = Callable[[Job], Any]
 
 
 @dataclass(frozen=True)
 class Status:
     """Where work is. what: is being done, empty where the stage has not said it. fraction: of that, negative
-    where unknown. energies: of the layout's iterates, in order; weak_points: left by the steps of repair;
-    violations: of constraints, mm, of both. count: of iterates so far."""
+    where unknown. iterate: the newest layout. count: of iterates so far."""
 
     stage: str = ""
     what: str = ""
     fraction: float = -1.0
     seconds: float = 0.0
-    energies: tuple[float, ...] = ()
-    violations: tuple[float, ...] = ()
-    weak_points: tuple[float, ...] = ()
     iterate: Optional[Iterate] = None
     count: int = 0
     stopping: bool = False
@@ -75,8 +70,6 @@ class _Run(threading.Thread):
         self._said = ("", "", -1.0)  # in which stage, what, how far
         self._iterate: Optional[Iterate] = None
         self._count = 0
-        self._violations: list[float] = []
-        self._figures: dict[str, list[float]] = {"layout": [], "repair": []}
 
     def run(self) -> None:
         if self._before is not None:  # cancelled, but its native call may still be ending
@@ -102,19 +95,14 @@ class _Run(threading.Thread):
         if stage != self.job.stage:  # it has said nothing yet, and what was said before holds no more
             what, fraction = "", -1.0
         seconds = (self._ended or time.perf_counter()) - self._began
-        return Status(self.job.stage, what, fraction, seconds, tuple(self._figures["layout"]),
-                      tuple(self._violations), tuple(self._figures["repair"]), self._iterate, self._count,
-                      self.job.stopped)
+        return Status(self.job.stage, what, fraction, seconds, self._iterate, self._count, self.job.stopped)
 
     def _progress(self, what: str, fraction: float) -> bool:
         self._said = self.job.stage, what, fraction
         return True
 
     def _listen(self, stage: str, T: np.ndarray, q: np.ndarray, figure: float, violation: float) -> None:
-        self._figures.setdefault(stage, []).append(figure)
-        if math.isfinite(violation):
-            self._violations.append(violation)
-        self._iterate = stage, T, q, figure
+        self._iterate = T, q
         self._count += 1
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What went wrong, in one line where the user looks: a panel that is open, else a notice over the
-window that waits for nobody; and the report view. Names of tiles in it select them."""
+"""What went wrong, in one line where the user looks: a panel that is open, else a notice over the window that
+waits for nobody; and the report view. Names of tiles in it select them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import xml.etree.ElementTree as xml
 from contextlib import contextmanager
 from functools import lru_cache
 from html import escape
-from typing import Any, Callable, Iterable, Iterator, Optional
+from typing import Any, Callable, Iterator, Optional
 
 import FreeCAD
 import FreeCADGui
@@ -20,14 +20,10 @@ from ..base.errors import CurveUpsError, Stopped, tile_name
 from ..base.findings import Finding, Style
 from ..base.sentences import CONTEXT
 from ..features.properties import as_properties
-from .guide import SCHEME, link, link_to, show_guide
-from .qt import RESOURCES, QtCore, QtGui, QtWidgets, translate
+from .qt import RESOURCES, QtCore, QtGui, QtWidgets, ink_and_paper, translate
 from .selection import select_tiles
 from .units import in_user_units
 
-# Commands that messages name, as the guide does.
-_TOPICS = ("Solve", "Verify", "Repair", "Actuate", "Build Solids", "New Design", "Change Target", "Examples",
-           "Solver Status")
 _panel: Optional[Callable[[str], None]] = None  # shows a line of rich text
 
 
@@ -51,24 +47,24 @@ def show_error(error: Exception, what: str = "") -> None:
         error = CurveUpsError(translate(
             "CurveUps", "unexpected {kind} ({said}): please report it, with what CURVEUPS_DEBUG=1 shows",
             kind=type(error).__name__, said=" ".join(str(error).split())))
-    line = str(error)
-    FreeCAD.Console.PrintError(f"CurveUps{f', {what}' if what else ''}: {line}\n")
-    found = getattr(error, "finding", None)
-    if found is None:
-        _show(with_links(said(error), getattr(error, "tiles", ())))
-    else:
-        place = with_links(str(error)[len(str(found)):], found.tiles)
-        _show(in_user_units(found.sentence(_RICH)) + place.replace(found.remedy(), found.remedy(_RICH), 1))
+    FreeCAD.Console.PrintError(f"CurveUps{f', {what}' if what else ''}: {error}\n")
+    _show(_rich(error))
 
 
-def said(error: CurveUpsError) -> str:
-    """An error in the user's language, in a line."""
-    return str(CurveUpsError(words_of(error.what), error.where, words_of(error.remedy)))
+def _rich(error: CurveUpsError) -> str:
+    """An error in the user's language, with links to its tiles."""
+    what, remedy = (escape(in_user_units(words_of(text)), quote=False) for text in (error.what, error.remedy))
+    if error.finding is not None:
+        what, remedy = error.finding.sentence(_RICH), error.finding.remedy(_RICH)
+    place = escape(error.where, quote=False)
+    for tile in error.tiles:
+        place = place.replace(tile_name(tile), _link(tile))
+    return what + (f" ({place})" if place else "") + (f": {remedy}" if remedy else "")
 
 
 def show_line(line: str) -> None:
     """A line for the user: in the panel that is open, else as a notice."""
-    _show(with_links(line))
+    _show(escape(line, quote=False))
 
 
 def _show(text: str) -> None:
@@ -85,17 +81,15 @@ def show_in(panel: Optional[Callable[[str], None]]) -> None:
 
 
 def words_of(text: str) -> str:
-    """A text of sentences.py, or of an error, in the user's language; also where names or numbers stand in
-    it in the places {0}, {1} and so on."""
+    """An error's text, or what work says that it does, in the user's language; also where names or numbers
+    stand in it in the places {0}, {1} and so on."""
     found = translate(CONTEXT, text)
     if found != text:
         return found
     for template, pattern in _templates():
         match = pattern.fullmatch(text)
         if match:
-            parts = match.groups()
-            return re.sub(r"{(\d)}", lambda place: words_of(parts[int(place[1])]),
-                          translate(CONTEXT, template))
+            return translate(CONTEXT, template).format(*map(words_of, match.groups()))
     return text
 
 
@@ -109,6 +103,12 @@ def _templates() -> list[tuple[str, re.Pattern]]:
             for text in sorted(texts, key=len, reverse=True) if re.search(r"{\d}", text)]
 
 
+def link(target: str, text: str) -> str:
+    """Rich text that can be clicked: on a dark ground in a lighter blue than Qt's."""
+    style = ' style="color: #6cb4ff"' if ink_and_paper()[0].lightness() > 128 else ""
+    return f'<a href="{target}"{style}>{text}</a>'
+
+
 def _link(tile: int) -> str:
     return link(tile_name(tile), tile_name(tile))
 
@@ -118,33 +118,14 @@ _RICH = Style(words_of, _link, lambda text: escape(text, quote=False))
 
 
 def shown(design: Any, found: Finding, rich: bool = True) -> str:
-    """A finding in the user's language and units, with parameters called as the design's properties are;
-    in rich text names of tiles and of commands can be clicked."""
-    text = in_user_units(as_properties(design, found.sentence(_RICH if rich else _PLAIN)))
-    return _with_topics(text) if rich else text
-
-
-def with_links(line: str, tiles: Iterable[int] = ()) -> str:
-    """Rich text in the user's units, in which names of these tiles and of commands can be clicked."""
-    links = {tile_name(tile): _link(tile) for tile in tiles}
-    text = escape(in_user_units(line), quote=False)
-    if links:
-        text = re.sub(rf"\b({'|'.join(links)})\b", lambda match: links[match[0]], text)
-    return _with_topics(text)
-
-
-def _with_topics(text: str) -> str:
-    topics = {translate(f"CurveUps_{topic.replace(' ', '')}", topic): topic for topic in _TOPICS}
-    topics |= {topic: topic for topic in _TOPICS}
-    return re.sub(rf"\b({'|'.join(map(re.escape, topics))})\b",
-                  lambda match: link_to(topics[match[0]], match[0]), text)
+    """A finding in the user's language and units, with parameters called as the design's properties are; in
+    rich text names of tiles can be clicked."""
+    return in_user_units(as_properties(design, found.sentence(_RICH if rich else _PLAIN)))
 
 
 def follow_link(link: str) -> None:
-    """Selects the tiles that a link names, or opens its file, or the guide at its topic."""
-    if link.startswith(SCHEME):
-        show_guide(link[len(SCHEME):])
-    elif link.startswith("file:"):
+    """Opens a file, or selects the tiles that a link names."""
+    if link.startswith("file:"):
         QtGui.QDesktopServices.openUrl(QtCore.QUrl(link))
     else:
         select_tiles(link)

@@ -16,7 +16,7 @@ try:
 except ImportError:
     QtWidgets = QtGui
 
-__all__ = ("EventFilter", "QtCore", "QtGui", "QtWidgets", "QT_TRANSLATE_NOOP", "freecad_field",
+__all__ = ("QtCore", "QtGui", "QtWidgets", "QT_TRANSLATE_NOOP", "freecad_field",
            "ink_and_paper", "load_ui", "translate")
 
 RESOURCES = Path(__file__).parents[3] / "resources"
@@ -97,19 +97,3 @@ def freecad_field(kind: str) -> Any:
 
 def _nothing(*_: Any) -> None:
     pass
-
-
-class EventFilter(QtCore.QObject):
-    """Sees the events of widgets before they do: a subclass has takes(event), whether nobody else gets it.
-    PySide2 may hand over a deleted object that had the event's address: what is no event is not filtered."""
-
-    def __init__(self, parent: Any, *widgets: Any):
-        super().__init__(parent)
-        for widget in widgets:
-            widget.installEventFilter(self)
-
-    def eventFilter(self, widget: Any, event: Any) -> bool:
-        try:
-            return isinstance(event, QtCore.QEvent) and self.takes(event)
-        except (RuntimeError, ReferenceError):  # a view or a design is going
-            return False

@@ -12,17 +12,17 @@ import FreeCAD
 import FreeCADGui
 
 from ..base.errors import CurveUpsError
-from ..features.document import set_running
+from ..features.document import has_layout, set_running
 from ..project.project import Project
 from ..project.worker import WORKER, Outcome, Status
 from ..stages import label_of
 from ..stages.stage import Job
 from .notice import errors_shown, show_error, show_line, words_of
+from .overlay.cameras import active_view
 from .overlay.scene import scene_of
 from .overlays import overlay_of
 from .panels.preferences import draws_live
 from .qt import QtCore, QtWidgets, translate
-from .revealing import Reveal, follow_undo, forget_cameras
 
 INTERVAL = 40  # ms between looks at the worker
 TELLING = 0.2  # s between words of how far a stage is: each has the whole window composed anew
@@ -57,7 +57,7 @@ class Live:
         self._place = ("", "")  # document and object that the run is for
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
         self._told = ("", 0.0)  # of which stage the observers were last, and when
-        self._reveal: Any = None
+        self._first = False    # whether the design had no layout before
         self._drawing = False  # the document has the results; the picture follows
 
     @property
@@ -87,7 +87,7 @@ class Live:
         WORKER.start_work(task.work, self._ended)
         self._task, self._place = task, (design.Document.Name, design.Name)
         self._drawn, self._rest_until, self._scene_drawn = 0, 0.0, False
-        self._reveal = Reveal(design)
+        self._first = not has_layout(design)
         set_running(design, True)
         self._timer.start(INTERVAL)
         self._tell(True)
@@ -143,31 +143,27 @@ class Live:
             return
         start = time.perf_counter()
         self._drawn = status.count
-        _, T, q, _ = status.iterate
+        T, q = status.iterate
         with errors_shown(""):
             scene = None
             if not self._scene_drawn and self._task is not None and self._task.project is not None:
                 scene = scene_of(self._task.project)
             overlay_of(design).set_iterate(T, q, scene)
-        first, self._scene_drawn = not self._scene_drawn, True
+        self._scene_drawn = True
         self._rest_until = time.perf_counter() + 2 * (time.perf_counter() - start)
-        if first:
-            self._reveal.begin(design)
 
     def _ended(self, outcome: Outcome) -> None:
-        task, design, reveal = self._task, self._design(), self._reveal
+        task, design = self._task, self._design()
         self._task = None
         if design is None or task is None:
             self._tell(False)
             return
-        reveal.end()
         with errors_shown(task.title):
             self._settle(design, task, outcome)
         if outcome.value is not None:
             self._drawing = True  # in a turn of the event loop of its own: each holds the window for a while
-            QtCore.QTimer.singleShot(0, lambda: self._show(task, reveal))
+            QtCore.QTimer.singleShot(0, lambda: self._show(task))
             return
-        follow_undo(design.Document)
         self._tell(False)
 
     def _settle(self, design: Any, task: Task, outcome: Outcome) -> None:
@@ -182,8 +178,8 @@ class Live:
                                 task=task.title))
         overlay_of(design).show_design()
 
-    def _show(self, task: Task, reveal: Reveal) -> None:
-        """Draws what a run has made, tells of its end, and brings it into view."""
+    def _show(self, task: Task) -> None:
+        """Draws what a run has made, tells of its end, and brings a first layout into view."""
         self._drawing, design = False, self._design()
         if design is not None:
             with errors_shown(task.title):
@@ -196,7 +192,9 @@ class Live:
         if task.told is not None:
             with errors_shown(task.title):
                 task.told()
-        reveal.fit(design)
+        view = active_view(design.Document.Name)
+        if self._first and view is not None and has_layout(design):
+            view.fitAll()
 
     def _design(self) -> Any:
         document, name = self._place
@@ -224,10 +222,6 @@ class _Watcher:
 
     def slotDeletedDocument(self, document: Any) -> None:
         self._live.abandon(document.Name)
-        forget_cameras(document.Name)
-
-    def slotUndoDocument(self, document: Any) -> None:
-        follow_undo(document)
 
     def slotDeletedObject(self, obj: Any) -> None:
         self._live.abandon(obj.Document.Name, obj.Name)

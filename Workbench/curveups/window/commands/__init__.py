@@ -43,13 +43,5 @@ def register() -> None:
             FreeCADGui.addCommand(one.name, one)
 
 
-def for_view() -> list[str]:
-    """Names for the context menu of the 3D view as things stand: what can't run is left out. In the tree
-    objects have their own."""
-    files = ("check", "solve", "cuts", "overlay", "export", "show_flat", "show_actuated")
-    found = [_command(file) for file in files]
-    return [command.name for command in found if not command.reason()]
-
-
 def _command(file: str) -> Any:
     return importlib.import_module(f"{__name__}.{file}").COMMAND

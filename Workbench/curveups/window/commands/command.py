@@ -9,7 +9,6 @@ from typing import Any, Sequence
 import FreeCADGui
 
 from .. import runs
-from ..guide import link_to
 from ..notice import errors_shown
 from ..panels.panel import Panel, obstacle, show
 from ..qt import translate
@@ -67,9 +66,6 @@ class Command(ABC):
                 return
             action.setToolTip(shown)
             action.setStatusTip(reason or tip)
-            guide = link_to(self.text, translate("CurveUps_Guide", "Guide"))
-            action.setWhatsThis(f"{shown}<p>{guide}</p>")
-            action.setProperty("CurveUpsTopic", self.text)
 
 
 class DesignCommand(Command):

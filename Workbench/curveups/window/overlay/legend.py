@@ -1,25 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The legend in the 3D view: a bar of colours whose ends can be dragged, and what the marks mean.
-
-It is drawn in the view's own pixels by Coin, so that saved pictures have it too; `Dragging`
-takes the mouse before the view does, so that neither camera nor selection notice.
-"""
+"""The legend in the 3D view: a bar of colours, and what the marks mean. Coin draws it in the view's own
+pixels, so that saved pictures have it too."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
 from textwrap import wrap
-from typing import Any, Callable, Mapping, Optional, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 import FreeCADGui
 import numpy as np
 from pivy import coin
 
-from ..qt import QtCore, ink_and_paper
+from ..qt import ink_and_paper
 from ..units import short, user_unit
 from . import colours
-from .mouse import Mouse
 from .nodes import Markers, fill, unlit, unpickable
 
 LEFT, WIDTH, HEIGHT = 30, 16, 230   # of the bar, px
@@ -59,7 +55,6 @@ class Legend:
         self.node = coin.SoSwitch()
         self.node.whichChild = coin.SO_SWITCH_NONE
         self.content: Optional[Content] = None
-        self.axis: Optional[tuple[float, float]] = None  # what the bar spans while an end is dragged
         self._camera, self._place = coin.SoOrthographicCamera(), coin.SoTranslation()
         self._camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
         self._camera.nearDistance, self._camera.farDistance = 0.0, 10.0
@@ -151,22 +146,17 @@ class Legend:
             self._write(line, (12 if mark else -8, y), ink)
 
     def _draw_bar(self, content: Content, ink: tuple) -> None:
-        first, last = self.axis or (content.low, content.high)
-
-        def share_of(value: float) -> float:
-            return (value - first) / (last - first)
-
         y = np.linspace(0, HEIGHT, _STEPS + 1)
-        values = np.array([first + share_at(middle) * (last - first) for middle in (y[:-1] + y[1:]) / 2])
-        shown = colours.sample(content.colour_map, colours.shares(values, content.low, content.high))
+        middles = (y[:-1] + y[1:]) / 2
+        shares = np.clip(middles / HEIGHT * (1 + 2 * BEYOND) - BEYOND, 0, 1)
+        shown = colours.sample(content.colour_map, shares)
         for k, colour in enumerate(colours.faded(shown) if content.faded else shown):
             self._body.addChild(_polygon([(0, y[k]), (WIDTH, y[k]), (WIDTH, y[k + 1]), (0, y[k + 1])],
                                          colour))
         factor, _ = user_unit(content.unit, max(abs(content.low), abs(content.high)))
-        for value in np.linspace(content.low, content.high, 5):
-            place = height_of(share_of(value))
-            if value in (content.low, content.high):
-                self._body.addChild(_polygon([(-10, place - 6), (0, place), (-10, place + 6)], ink))
+        for share in np.linspace(0, 1, 5):
+            value = content.low + share * (content.high - content.low)
+            place = HEIGHT * (share + BEYOND) / (1 + 2 * BEYOND)
             self._body.addChild(_polygon([(WIDTH, place - 0.5), (WIDTH + 4, place - 0.5),
                                           (WIDTH + 4, place + 0.5), (WIDTH, place + 0.5)], ink))
             self._write(short(value * factor), (WIDTH + 8, place - 4), ink)
@@ -199,16 +189,6 @@ def scale() -> float:
 def bottom(height: float) -> float:
     """Where the bar begins, in px from the lower edge of a view of this height."""
     return max(60.0, (height - HEIGHT) / 2)
-
-
-def height_of(share: float) -> float:
-    """Where a share of the range is on the bar, px from its lower end."""
-    return HEIGHT * (share + BEYOND) / (1 + 2 * BEYOND)
-
-
-def share_at(y: float) -> float:
-    """The inverse of `height_of`."""
-    return y / HEIGHT * (1 + 2 * BEYOND) - BEYOND
 
 
 def _lines(content: Content) -> list[tuple[str, str]]:
@@ -249,52 +229,3 @@ def _polygon(corners: Sequence[tuple], colour: Sequence[float], transparency: fl
     for part in (material, points, face):
         group.addChild(part)
     return group
-
-
-class Dragging:
-    """Lets the mouse drag the ends of a legend's range: a handler of mouse.py."""
-
-    def __init__(self, legend: Legend, visible: Callable[[], bool],
-                 set_range: Callable[[Optional[tuple[float, float]]], None]):
-        """set_range: gets the new range, or None for the automatic one."""
-        self._legend, self._visible, self._set_range = legend, visible, set_range
-        self._dragged: Optional[tuple[str, float, float]] = None  # which end, and the range at the start
-
-    def taken(self, at: Mouse, event: Any) -> bool:
-        kind = event.type()
-        if kind == QtCore.QEvent.MouseMove and self._dragged:
-            self._move(at, event)
-            return True
-        if kind == QtCore.QEvent.MouseButtonRelease and self._dragged:
-            self._dragged = self._legend.axis = None
-            self._legend.show(self._legend.content)
-            return True
-        if kind not in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
-            return False
-        content = self._legend.content
-        if event.button() != QtCore.Qt.LeftButton or content is None or not content.has_bar \
-                or not self._visible():
-            return False
-        x, y = self._position(at, event)
-        if not (-14 <= x <= WIDTH + 60 and -8 <= y <= HEIGHT + 8):
-            return False
-        if kind == QtCore.QEvent.MouseButtonDblClick:
-            self._set_range(None)
-            return True
-        self._dragged = ("low" if share_at(y) < 0.5 else "high", content.low, content.high)
-        self._legend.axis = (content.low, content.high)
-        return True
-
-    def _move(self, at: Mouse, event: Any) -> None:
-        assert self._dragged is not None
-        end, low, high = self._dragged
-        share = share_at(self._position(at, event)[1])
-        value = low + share * (high - low)
-        least = 0.02 * (high - low)
-        self._set_range((min(value, high - least), high) if end == "low" else (low, max(value, low + least)))
-
-    def _position(self, at: Mouse, event: Any) -> tuple[float, float]:
-        """In px of the view from the bar's lower left corner."""
-        x, y = (length / scale() for length in at.position(event))
-        height = at.widget.height() * at.widget.devicePixelRatioF() / scale()
-        return x - self._legend.left, y - bottom(height)

@@ -21,9 +21,9 @@ from ..overlays import overlays
 from ..qt import QtCore, translate
 from ..run import LIVE, Task
 from ..units import short, user_unit
-from . import cameras, colours, mouse, origin
+from . import cameras, colours, origin
 from .fields import MEMBRANE, Field
-from .legend import Content, Dragging, Legend, arrange
+from .legend import Content, Legend, arrange
 from .picture import Picture
 from .scene import NO_FIELD, Scene, membranes_of, scene_of, target_scene_of
 
@@ -59,7 +59,6 @@ class Overlay:
         self.folding: Any = None                       # what moves the tiles just now
         self.closed = False
         self._picture, self.legend = Picture(), Legend()
-        self._dragging: Optional[Dragging] = None
         self.node = self._picture.node
         self.node.addChild(self.legend.node)
         self._add_properties()
@@ -80,10 +79,6 @@ class Overlay:
     def close(self) -> None:
         """The design is gone."""
         self.scene, self._shown, self.closed = None, None, True
-        if self._dragging is not None:
-            mouse.leave(self._document, self._dragging.taken)
-        # It holds the overlay, whose nodes would stay until Python collects garbage, in some later run.
-        self._dragging = None
         self._show_legend(None)
         self._tell()
 
@@ -154,10 +149,6 @@ class Overlay:
 
     def _refresh(self) -> None:
         self._waiting = False
-        if not self.closed:
-            mouse.watch(self._document)
-            self._dragging = self._dragging or Dragging(self.legend, self.visible, self.set_range)
-            mouse.take(self._document, self._dragging.taken)
         try:
             if not self._iterating and (self._view.Visibility or self.observers):
                 self.show_design()

@@ -11,7 +11,6 @@ from ...base.errors import CurveUpsError
 from ...base.native import native
 from ..overlays import overlay_of
 from ..qt import QtCore, translate
-from .meshing import when_meshed
 
 _BODIES = ("Tiles", "Support", "Anchors")
 _FOLDING, _FRAME = 500, 30          # ms: from flat to actuated, and between two pictures
@@ -29,16 +28,11 @@ def show_actuated(design: Any) -> None:
 
 
 def show_solids(design: Any) -> None:
-    """The bodies of the print instead of the overlay, once they are triangulated, which the user can
-    cancel. Raises CurveUpsError where there are none."""
+    """The bodies of the print instead of the overlay. Raises CurveUpsError where there are none."""
     tiles = design.Tiles
     if tiles is None or not tiles.Shape.Solids:
         raise CurveUpsError(translate("CurveUps_ShowSolids", "there are no solids yet"), design.Label,
                             translate("CurveUps_ShowSolids", "run Build Solids"))
-    when_meshed(tiles, lambda: _show_solids(design))
-
-
-def _show_solids(design: Any) -> None:
     for body in (design.Tiles, design.Anchors):  # the support would hide the tiles' back faces
         if body is not None:
             view = body.ViewObject

@@ -12,13 +12,12 @@ import FreeCADGui
 
 from ...features.document import designs
 from ..overlays import forget, overlay_of, overlays
-from ..qt import QtCore, QtWidgets
-from . import mouse
+from ..qt import QtCore
 
 _TILE = re.compile(r"(?:^|\.)T(\d{5,})$")
 _started: Optional[tuple] = None
-_LOOK = 500  # ms between looks at the unit schema: FreeCAD tells nobody that it has changed
-unit_observers: list[Callable[[], None]] = []  # called when it has
+_UNITS = "User parameter:BaseApp/Preferences/Units"
+unit_observers: list[Callable[[], None]] = []  # called when the unit schema has changed
 
 
 def start() -> None:
@@ -28,14 +27,6 @@ def start() -> None:
         _started = (_Selection(), _Documents(), _Units())
         FreeCADGui.Selection.addObserver(_started[0])
         FreeCAD.addDocumentObserver(_started[1])
-        area = FreeCADGui.getMainWindow().findChild(QtWidgets.QMdiArea)
-        area.subWindowActivated.connect(lambda *_: QtCore.QTimer.singleShot(0, _watch_views))
-
-
-def _watch_views() -> None:
-    """A new view is activated once it stands."""
-    for document in {overlay.object.Document.Name for overlay in overlays()}:
-        mouse.watch(document)
 
 
 def tile_in(element: str) -> int:
@@ -94,19 +85,16 @@ def _say(overlay: Any, name: str, tile: int) -> None:
 
 
 class _Units:
-    """The user's unit schema, in FreeCAD 1 that of the active document."""
+    """Observer of the user's unit schema."""
 
     def __init__(self) -> None:
-        self._schema = FreeCAD.Units.getSchema()
-        self._timer = QtCore.QTimer()
-        self._timer.timeout.connect(lambda: self._look())
-        self._timer.start(_LOOK)
+        self._group = FreeCAD.ParamGet(_UNITS)
+        self._group.Attach(self)
 
-    def _look(self) -> None:
-        schema = FreeCAD.Units.getSchema()
-        if schema == self._schema:
-            return
-        self._schema = schema
+    def onChange(self, group: Any, name: str) -> None:
+        QtCore.QTimer.singleShot(0, self._show)  # FreeCAD sets the schema after the preference
+
+    def _show(self) -> None:
         for overlay in overlays():
             overlay.explain()
         for observer in list(unit_observers):

@@ -30,8 +30,6 @@ _MOST_CHANGES = 3  # that are named: the report has all
 class ActuatePanel(Panel):
     """The view shows the path while the panel is open, and the design as it is after an edit."""
 
-    TOPIC = "Actuate"
-
     def __init__(self, design: Any):
         super().__init__(design, "actuate",
                          translate("CurveUps_Actuate", "Path of {name}", name=design.Label))

@@ -37,8 +37,6 @@ class CheckPanel(Panel):
     """While it is open the overlay shows the target instead of a layout. What was
     checked under other values stands there as out of date until it is checked again."""
 
-    TOPIC = "Check"
-
     def __init__(self, design: Any):
         super().__init__(design, "check", translate("CurveUps_Check", "Check of {name}", name=design.Label))
         self._found: Optional[Results] = None
@@ -82,7 +80,7 @@ class CheckPanel(Panel):
         """The overlay has changed, which it does with every change of the design."""
         scene, note = self._overlay.scene, self._overlay.note
         if scene is not None:
-            self._reveal.uncover(self.design)
+            self._uncover()
         if self._drawn is None or self._drawn[0] is not scene or self._drawn[1] != note:
             self._drawn = scene, note
             self._fill()

@@ -32,8 +32,6 @@ _INTERVAL = 150  # ms between looks at whether the cuts have changed elsewhere, 
 class CutsPanel(Panel):
     """A click is a step of undo."""
 
-    TOPIC = "Cuts"
-
     def __init__(self, design: Any):
         super().__init__(design, "cuts", translate("CurveUps_Cuts", "Cuts of {name}", name=design.Label))
         form = self.form
@@ -77,7 +75,7 @@ class CutsPanel(Panel):
     def show(self) -> None:
         """The overlay has changed: lines go along."""
         if self._overlay.scene is not None:
-            self._reveal.uncover(self.design)
+            self._uncover()
         self._draw()
 
     # The target whose edges are picked.

@@ -16,8 +16,7 @@ from ...features import actions
 from ...features.document import settings_of
 from ...report.exports import Choice, choices, file_names, replaced
 from .. import runs
-from ..guide import link
-from ..notice import errors_shown, shown
+from ..notice import errors_shown, link, shown
 from ..qt import QtCore, QtWidgets, translate
 from ..run import LIVE, Task
 from ..units import show_number
@@ -28,8 +27,6 @@ from .panel import Panel, enable, fit_columns
 
 class ExportPanel(Panel):
     """It changes nothing of the design. What is being written is written to its end."""
-
-    TOPIC = "Export Print Files"
 
     def __init__(self, design: Any):
         super().__init__(design, "export", translate("CurveUpsExport", "Export {name}", name=design.Label))

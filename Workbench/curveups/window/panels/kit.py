@@ -14,8 +14,7 @@ from ...features.status import OUT_OF_DATE
 from ...kit.files import Order, last_order, print_names
 from ...stages.solids import KINDS
 from .. import runs
-from ..guide import link
-from ..notice import errors_shown, shown
+from ..notice import errors_shown, link, shown
 from ..qt import translate
 from ..run import LIVE, Task
 from .folder_row import FolderRow
@@ -24,8 +23,6 @@ from .panel import Panel, enable
 
 class KitPanel(Panel):
     """It changes nothing of the design but that it has a kit."""
-
-    TOPIC = "Fabrication Kit"
 
     def __init__(self, design: Any):
         super().__init__(design, "kit", translate("CurveUps_Kit", "Kit of {name}", name=design.Label))

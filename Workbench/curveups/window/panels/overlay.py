@@ -25,8 +25,6 @@ class OverlayPanel(Panel):
     """What is chosen here is kept by the view provider at once, and followed where
     it is chosen elsewhere."""
 
-    TOPIC = "Overlay"
-
     def __init__(self, design: Any):
         super().__init__(design, "overlay",
                          translate("CurveUps_Overlay", "Overlay of {name}", name=design.Label))

@@ -5,17 +5,16 @@ overlay and goes with the design."""
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from contextlib import suppress
 from typing import Any, Optional
 
 import FreeCADGui
 
 from ...base.errors import CurveUpsError
 from ...project.worker import WORKER, Status
-from ..guide import answer_keys
 from ..notice import follow_link, show_in
 from ..overlays import overlay_of
 from ..qt import QtCore, QtWidgets, load_ui, translate
-from ..revealing import Reveal
 from ..run import LIVE
 
 _current: Optional["Panel"] = None
@@ -85,7 +84,6 @@ class Panel(ABC):
     they are in the form's `progress`; its `stop` and `cancel` end this design's run."""
 
     form: Any
-    TOPIC = ""  # of the guide: the command that opens it
 
     def __init__(self, design: Any, ui: str, title: str):
         """ui: the file in resources/ui."""
@@ -96,10 +94,8 @@ class Panel(ABC):
         # FreeCAD makes the panel as wide as its title.
         letters = self.form.fontMetrics()
         self.form.setWindowTitle(letters.elidedText(title, QtCore.Qt.ElideRight, 9 * letters.height()))
-        self.form.setProperty("CurveUpsTopic", self.TOPIC)
-        answer_keys(self.form)
         self._overlay = overlay_of(design)
-        self._reveal = Reveal(design)
+        self._hidden: Any = None  # the surface, while it would cover its target
         self._line: Any = getattr(self.form, "line", None)
         for name in ("line", "verdict", "doubts"):
             if hasattr(self.form, name):
@@ -107,7 +103,7 @@ class Panel(ABC):
         for name, end in (("stop", lambda *_: LIVE.stop()), ("cancel", lambda *_: LIVE.cancel())):
             if hasattr(self.form, name):
                 getattr(self.form, name).clicked.connect(end)
-        # Once for many changes: a legend that is dragged changes with every move of the mouse.
+        # Once for many changes.
         self._later = QtCore.QTimer(self.form)
         self._later.setSingleShot(True)
         self._later.timeout.connect(lambda: self.show())
@@ -125,6 +121,12 @@ class Panel(ABC):
             self._show_progress(WORKER.status(), running)
             self._show_running(running)
         self.show()
+
+    def _uncover(self) -> None:
+        """Hides the surface of the target until the panel closes."""
+        source = getattr(self.design.Target, "Source", None)
+        if self._hidden is None and source is not None and source.Visibility:
+            self._hidden, source.Visibility = source, False
 
     @abstractmethod
     def show(self) -> None:
@@ -185,7 +187,10 @@ class Panel(ABC):
         if self._line is not None:
             LIVE.forget(self._run_changed)
             show_in(None)
-        self._reveal.end()
+        if self._hidden is not None:
+            with suppress(ReferenceError):  # it was deleted meanwhile
+                self._hidden.Visibility = True
+            self._hidden = None
         if _current is self:
             _current = None
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 import time
 from functools import partial
 from html import escape
-from typing import Any, Callable, Optional
+from typing import Any, Callable
 
 import FreeCAD
 
@@ -30,9 +30,6 @@ from ..run import LIVE
 from ..units import short, text_of
 from . import preferences
 from .check import choose_sizes
-from .curves import Curves
-from .edits import Edits
-from .held_tiles import HeldTiles
 from .panel import Panel, enable, fit_columns
 from .parameter_rows import ParameterRows
 
@@ -82,16 +79,9 @@ DONE, RUNNING, WAITING = "✓", "▶", "·"
 class SolvePanel(Panel):
     """Each pause in editing parameters ends a step of undo."""
 
-    TOPIC = "Solve"
-
     def __init__(self, design: Any):
         super().__init__(design, "solve", f"CurveUps: {design.Label}")
-        self.curves = Curves()
-        place = QtWidgets.QVBoxLayout(self.form.curves_place)
-        place.setContentsMargins(0, 0, 0, 0)
-        place.addWidget(self.curves)
         self._ranges: Any = None  # that are shown, and in which schema of units
-        self._held: Optional[HeldTiles] = None
         self._began: dict[str, float] = {}
         self._prepare_buttons()
         self._prepare_parameters()
@@ -99,8 +89,6 @@ class SolvePanel(Panel):
 
     def close(self) -> None:
         """Ends edits. A run goes on."""
-        if self._held:
-            self._held.close()
         if self.form is None:
             self._rows.stop()
         else:
@@ -146,8 +134,6 @@ class SolvePanel(Panel):
         form.all.setChecked(preferences.shows_all())
         form.all.toggled.connect(lambda value: self._show_all(bool(value)))
         names = [name for group in self._groups.values() for name in group]
-        self._edits = Edits(self.design, names)
-        form.revert.clicked.connect(lambda: self._revert())
         form.remember.clicked.connect(lambda: preferences.remember(self.design, names))
         self._prepare_profiles()
         self._prepare_materials()
@@ -199,10 +185,6 @@ class SolvePanel(Panel):
         button.clicked.connect(lambda *_: self._choose(name))
         return button
 
-    def _pick_held(self) -> Any:
-        self._held = HeldTiles(self.design, lambda: self._rows.refresh())
-        return self._held.button
-
     def _choose(self, name: str) -> None:
         self._rows.flush()
         self._say("")
@@ -217,9 +199,6 @@ class SolvePanel(Panel):
     def _show_group(self) -> None:
         self._rows.flush()
         self._rows.close()
-        if self._held:
-            self._held.close()
-            self._held = None
         self._rows = self._make_rows()
 
     def _make_rows(self) -> ParameterRows:
@@ -230,7 +209,6 @@ class SolvePanel(Panel):
             names = basic
         beside: dict[str, Callable[[], Any]] = {
             properties.property_name(name): partial(self._automatic, name) for name in AUTOMATIC}
-        beside["HeldTiles"] = self._pick_held
         return ParameterRows(self.form.rows, self.design, names, self.show, beside)
 
     def _is_basic(self, name: str) -> bool:
@@ -241,17 +219,8 @@ class SolvePanel(Panel):
         preferences.set_shows_all(value)
         self._show_group()
 
-    def _revert(self) -> None:
-        self._rows.flush()  # what waits is taken back, too
-        with errors_shown(""):
-            self._edits.revert(translate("CurveUpsSolve", "Revert all edits"))
-        self._rows.refresh()
-        self.show()
-
     def show(self) -> None:
         """The verdict: it changes when solids follow, by undo, and by scripts."""
-        if self._held:
-            self._held.show()
         state = self.design.Status
         head = ", ".join(translate("CurveUpsSolve", word) for word in (
             self.design.Verdict if state == "current" else state, self.design.Holds))
@@ -261,8 +230,6 @@ class SolvePanel(Panel):
             lines += self._warnings()
         if getattr(self.design, "Kit", "").startswith(OUT_OF_DATE):
             lines.append(translate("CurveUpsSolve", "The fabrication kit is out of date"))
-        enable(self.form.revert, "" if self._edits.edited() else translate(
-            "CurveUpsSolve", "Nothing was edited since the panel opened"))
         self.form.verdict.setText(f"<b>{escape(self.design.Label)}: {escape(head)}</b>"
                                   + "".join(f"<br>{line}" for line in lines))
         self._show_window()
@@ -322,7 +289,6 @@ class SolvePanel(Panel):
         if goes_on and not LIVE.runs_on(self.design):
             return
         self._show_stage(status, goes_on)
-        self.curves.show_status(status)
         self._show_running(goes_on)
         if not goes_on and self.design.Document.Name in FreeCAD.listDocuments():
             self._rows.refresh()

@@ -19,8 +19,6 @@ _MOST = 300  # rows
 class WorstContactsPanel(Panel):
     """A click on a row selects its tiles and turns the camera to them."""
 
-    TOPIC = "Worst Contacts"
-
     def __init__(self, design: Any):
         super().__init__(design, "worst_contacts",
                          translate("CurveUps_WorstContacts", "Worst of {name}", name=design.Label))

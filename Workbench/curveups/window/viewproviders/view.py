@@ -1,19 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Base of all views in the tree."""
+"""Base of all views in the tree, and their icons, with a badge of an object's state that differs in shape as
+well."""
 
 from __future__ import annotations
 
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any
 
 import FreeCADGui
 
+from ...features import status
 from ...features.proxy import design_of
 from .. import commands
 from ..notice import errors_shown
 from ..panels.panel import show
 from ..panels.solve import SolvePanel
-from .icons import icon
+from ..qt import RESOURCES, QtCore, QtGui
+
+_SIZE = 64
+# Drawn in a square of 1: polylines, closed and filled on a disc of the colour.
+_BADGES = {
+    status.OUT_OF_DATE: ("#e08a00", (((0.5, 0.22), (0.5, 0.52)), ((0.5, 0.52), (0.72, 0.64)))),  # a clock
+    status.INVALID: ("#c62828", (((0.3, 0.3), (0.7, 0.7)), ((0.3, 0.7), (0.7, 0.3)))),  # a cross
+    status.RUNNING: ("#1565c0", (((0.38, 0.26), (0.74, 0.5), (0.38, 0.74), (0.38, 0.26)),)),  # play
+    status.EMPTY: ("#757575", (((0.28, 0.5), (0.72, 0.5)),)),  # a dash
+}
 
 
 class View:
@@ -51,7 +62,7 @@ class View:
             obj.ViewObject.signalChangeIcon()
 
     def getIcon(self) -> Any:
-        return icon(self.ICON, getattr(self.object, "Status", ""))
+        return _icon(self.ICON, getattr(self.object, "Status", ""))
 
     def dumps(self) -> Any:
         return None
@@ -83,3 +94,28 @@ def run_on(obj: Any, command: str, *_: Any) -> bool:
         return False
     FreeCADGui.runCommand(command)
     return True
+
+
+@lru_cache(maxsize=None)
+def _icon(name: str, state: str) -> Any:
+    """The icon in resources/icons/`name`.svg with the badge of a state; current has none."""
+    pixmap = QtGui.QIcon(str(RESOURCES / "icons" / f"{name}.svg")).pixmap(_SIZE, _SIZE)
+    if state in _BADGES:
+        painter = QtGui.QPainter(pixmap)
+        painter.setRenderHint(QtGui.QPainter.Antialiasing)
+        _draw(painter, *_BADGES[state])
+        painter.end()
+    return QtGui.QIcon(pixmap)
+
+
+def _draw(painter: Any, colour: str, lines: Any) -> None:
+    size = 0.56 * _SIZE
+    painter.translate(_SIZE - size, _SIZE - size)
+    painter.setPen(QtGui.QPen(QtGui.QColor("white"), 3))
+    painter.setBrush(QtGui.QColor(colour))
+    painter.drawEllipse(QtCore.QRectF(2, 2, size - 4, size - 4))
+    pen = QtGui.QPen(QtGui.QColor("white"), 5)
+    pen.setCapStyle(QtCore.Qt.RoundCap)
+    painter.setPen(pen)
+    for line in lines:
+        painter.drawPolyline(QtGui.QPolygonF([QtCore.QPointF(x * size, y * size) for x, y in line]))
