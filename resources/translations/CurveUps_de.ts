@@ -529,10 +529,6 @@
       <translation>Es gibt keinen Entwurf: „Neuer Entwurf“ oder „Beispiele“ legt einen an</translation>
     </message>
     <message>
-      <source>There is no document</source>
-      <translation>Es gibt kein Dokument</translation>
-    </message>
-    <message>
       <source>There is no layout yet: Solve makes it</source>
       <translation>Es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
     </message>
@@ -541,39 +537,12 @@
       <translation>Es gibt noch keine Abwicklung: „Lösen“ berechnet sie</translation>
     </message>
     <message>
-      <source>There is nothing to restore</source>
-      <translation>Es gibt nichts wiederherzustellen</translation>
-    </message>
-    <message>
-      <source>objects that were restored: {count}</source>
-      <translation>wiederhergestellte Objekte: {count}</translation>
-    </message>
-    <message>
       <source>unexpected {kind} ({said}): please report it, with what CURVEUPS_DEBUG=1 shows</source>
       <translation>unerwarteter Fehler {kind} ({said}): bitte melden, mit dem, was CURVEUPS_DEBUG=1 zeigt</translation>
     </message>
     <message>
       <source>{task} was cancelled: the design is as it was</source>
       <translation>{task} wurde abgebrochen: der Entwurf ist wie zuvor</translation>
-    </message>
-  </context>
-  <context>
-    <name>CurveUpsCurves</name>
-    <message>
-      <source>Energy</source>
-      <translation>Energie</translation>
-    </message>
-    <message>
-      <source>Energy and violation appear here</source>
-      <translation>Hier erscheinen Energie und Verletzung</translation>
-    </message>
-    <message>
-      <source>Violation</source>
-      <translation>Verletzung</translation>
-    </message>
-    <message>
-      <source>Weak points</source>
-      <translation>Schwache Punkte</translation>
     </message>
   </context>
   <context>
@@ -729,10 +698,6 @@
       <translation>Abstände</translation>
     </message>
     <message>
-      <source>Click tiles in the view to hold or release them. Drag with Shift to hold all tiles below the mouse. Click a held tile with Ctrl to hold the tiles around its patch too</source>
-      <translation>Kacheln in der Ansicht anklicken, um sie zu halten oder freizugeben. Mit der Umschalttaste ziehen, um alle Kacheln unter der Maus zu halten. Eine gehaltene Kachel mit Strg anklicken, um auch die Kacheln um ihr Gebiet zu halten</translation>
-    </message>
-    <message>
       <source>Constraints</source>
       <translation>Bedingungen</translation>
     </message>
@@ -809,10 +774,6 @@
       <translation>Ausbessern</translation>
     </message>
     <message>
-      <source>Nothing was edited since the panel opened</source>
-      <translation>Seit der Aufgabenbereich offen ist, wurde nichts geändert</translation>
-    </message>
-    <message>
       <source>Other sizes</source>
       <translation>Andere Maße</translation>
     </message>
@@ -825,14 +786,6 @@
       <translation>Physik</translation>
     </message>
     <message>
-      <source>Pick</source>
-      <translation>Wählen</translation>
-    </message>
-    <message>
-      <source>Pick held tiles</source>
-      <translation>Gehaltene Kacheln wählen</translation>
-    </message>
-    <message>
       <source>Pieces</source>
       <translation>Stücke</translation>
     </message>
@@ -843,14 +796,6 @@
     <message>
       <source>Repair</source>
       <translation>Reparieren</translation>
-    </message>
-    <message>
-      <source>Revert all edits</source>
-      <translation>Alles zurücknehmen</translation>
-    </message>
-    <message>
-      <source>Set Gravity to held first</source>
-      <translation>Zuerst Gravity auf held setzen</translation>
     </message>
     <message>
       <source>Set the defaults of all parameters that a profile sets</source>
@@ -1416,8 +1361,8 @@
       <translation>* eine Schätzung: die Abwicklung kann etwas besser oder schlechter ausfallen</translation>
     </message>
     <message>
-      <source>; dimples stop what slides after {play:.3g} mm at most</source>
-      <translation>; Mulden halten nach höchstens {play:.3g} mm auf, was gleitet</translation>
+      <source>; dimples stop what slides after {play:.3g mm} at most</source>
+      <translation>; Mulden halten nach höchstens {play:.3g mm} auf, was gleitet</translation>
     </message>
     <message>
       <source>; hold more tiles, or others (held_tiles)</source>
@@ -1488,16 +1433,16 @@
       <translation>ein Schnitt nahe den genannten Kacheln gibt Spalten Platz</translation>
     </message>
     <message>
-      <source>a cut of {length:.0f} mm</source>
-      <translation>ein Schnitt von {length:.0f} mm</translation>
+      <source>a cut of {length:.0f mm}</source>
+      <translation>ein Schnitt von {length:.0f mm}</translation>
     </message>
     <message>
-      <source>a cut of {length:.0f} mm {why:; }</source>
-      <translation>ein Schnitt von {length:.0f} mm: {why:; }</translation>
+      <source>a cut of {length:.0f mm} {why:; }</source>
+      <translation>ein Schnitt von {length:.0f mm}: {why:; }</translation>
     </message>
     <message>
-      <source>a cut of {length:.0f} mm {why:; } (predicted: flat area {area_before:.2f} to {area_after:.2f} times the actuated, slack membrane at {slack_before} to {slack_after} places, energy per contact {energy_before:.2f} to {energy_after:.2f})</source>
-      <translation>ein Schnitt von {length:.0f} mm: {why:; } (vorhergesagt: flache Fläche {area_before:.2f} auf {area_after:.2f} mal die in Form, schlaffe Membran an {slack_before} auf {slack_after} Stellen, Energie je Kontakt {energy_before:.2f} auf {energy_after:.2f})</translation>
+      <source>a cut of {length:.0f mm} {why:; } (predicted: flat area {area_before:.2f} to {area_after:.2f} times the actuated, slack membrane at {slack_before} to {slack_after} places, energy per contact {energy_before:.2f} to {energy_after:.2f})</source>
+      <translation>ein Schnitt von {length:.0f mm}: {why:; } (vorhergesagt: flache Fläche {area_before:.2f} auf {area_after:.2f} mal die in Form, schlaffe Membran an {slack_before} auf {slack_after} Stellen, Energie je Kontakt {energy_before:.2f} auf {energy_after:.2f})</translation>
     </message>
     <message>
       <source>a cut runs along no edge of the target</source>
@@ -1668,8 +1613,8 @@
       <translation>Weg in die Form</translation>
     </message>
     <message>
-      <source>actuated tiles overlap by {value:.3g} mm3 ({at})</source>
-      <translation>Kacheln in Form überlappen um {value:.3g} mm3 ({at})</translation>
+      <source>actuated tiles overlap by {value:.3g mm3} ({at})</source>
+      <translation>Kacheln in Form überlappen um {value:.3g mm3} ({at})</translation>
     </message>
     <message>
       <source>add {0} of the sheet before it is stretched</source>
@@ -1784,28 +1729,28 @@
       <translation>bump_rows ({0}) ist mehr als bump_count ({1})</translation>
     </message>
     <message>
-      <source>bumps are {height:g} mm high, less than the {least:g} mm that a {printer} resolves</source>
-      <translation>Noppen sind {height:g} mm hoch, weniger als die {least:g} mm, die ein {printer} auflöst</translation>
+      <source>bumps are {height:g mm} high, less than the {least:g mm} that a {printer} resolves</source>
+      <translation>Noppen sind {height:g mm} hoch, weniger als die {least:g mm}, die ein {printer} auflöst</translation>
     </message>
     <message>
-      <source>bumps stand into the gap between flat tiles, as walls are not recessed for their height: {left:.3g} of {asked:.3g} mm (d_gap_min) are left</source>
-      <translation>Noppen ragen in den Spalt zwischen flachen Kacheln, da Wände für ihre Höhe nicht zurückstehen: {left:.3g} von {asked:.3g} mm (d_gap_min) bleiben</translation>
+      <source>bumps stand into the gap between flat tiles, as walls are not recessed for their height: {left:.3g mm} of {asked:.3g mm} (d_gap_min) are left</source>
+      <translation>Noppen ragen in den Spalt zwischen flachen Kacheln, da Wände für ihre Höhe nicht zurückstehen: {left:.3g mm} von {asked:.3g mm} (d_gap_min) bleiben</translation>
     </message>
     <message>
       <source>bumps would touch the neighbour in the flat layout</source>
       <translation>Noppen würden in der Abwicklung den Nachbarn berühren</translation>
     </message>
     <message>
-      <source>by hand it comes into its shape: shake it ({taps} taps), lay it over the former of the kit, press {pressed} tiles to their places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
-      <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), über die Form des Bausatzes legen, {pressed} Kacheln an ihre Plätze drücken, {force:g} N je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g} mm von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
+      <source>by hand it comes into its shape: shake it ({taps} taps), lay it over the former of the kit, press {pressed} tiles to their places, {force:g N} a tile, shake it again and let go; then it is {shortfall:.3g mm} from the shape that it keeps, and {open} of {count} contacts stay open</source>
+      <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), über die Form des Bausatzes legen, {pressed} Kacheln an ihre Plätze drücken, {force:g N} je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g mm} von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
-      <source>by hand it comes into its shape: shake it ({taps} taps), press {touches:, } to their places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
-      <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), {touches:, } an ihre Plätze drücken, {force:g} N je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g} mm von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
+      <source>by hand it comes into its shape: shake it ({taps} taps), press {touches:, } to their places, {force:g N} a tile, shake it again and let go; then it is {shortfall:.3g mm} from the shape that it keeps, and {open} of {count} contacts stay open</source>
+      <translation>mit der Hand kommt es in seine Form: rütteln ({taps} Stöße), {touches:, } an ihre Plätze drücken, {force:g N} je Kachel, wieder rütteln und loslassen; dann ist es {shortfall:.3g mm} von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
-      <source>by hand it does not come home: shaken ({taps} taps), with {pressed} tiles pressed to their places, {force:g} N a tile, shaken again and let go, it is {shortfall:.3g} mm short of its shape, and {open} of {count} contacts stay open</source>
-      <translation>mit der Hand kommt es nicht in seine Form: gerüttelt ({taps} Stöße), mit {pressed} Kacheln an ihre Plätze gedrückt, {force:g} N je Kachel, wieder gerüttelt und losgelassen fehlen ihm {shortfall:.3g} mm zu seiner Form, und {open} von {count} Kontakten bleiben offen</translation>
+      <source>by hand it does not come home: shaken ({taps} taps), with {pressed} tiles pressed to their places, {force:g N} a tile, shaken again and let go, it is {shortfall:.3g mm} short of its shape, and {open} of {count} contacts stay open</source>
+      <translation>mit der Hand kommt es nicht in seine Form: gerüttelt ({taps} Stöße), mit {pressed} Kacheln an ihre Plätze gedrückt, {force:g N} je Kachel, wieder gerüttelt und losgelassen fehlen ihm {shortfall:.3g mm} zu seiner Form, und {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
       <source>can't write {0}: it is a device, and a rename would replace it</source>
@@ -1888,10 +1833,6 @@
       <translation>Kacheln untersuchen</translation>
     </message>
     <message>
-      <source>choose STEP, STL or 3MF</source>
-      <translation>STEP, STL oder 3MF wählen</translation>
-    </message>
-    <message>
       <source>choose a Mesh or Part object with faces, or a file</source>
       <translation>ein Objekt von Mesh oder Part mit Flächen wählen, oder eine Datei</translation>
     </message>
@@ -1968,8 +1909,8 @@
       <translation>Koordinaten liegen jenseits von 1e8 mm, wo Dateien alle Stellen verlieren</translation>
     </message>
     <message>
-      <source>coordinates reach {largest:.4g} mm, where files lose digits</source>
-      <translation>Koordinaten reichen bis {largest:.4g} mm, wo Dateien Stellen verlieren</translation>
+      <source>coordinates reach {largest:.4g mm}, where files lose digits</source>
+      <translation>Koordinaten reichen bis {largest:.4g mm}, wo Dateien Stellen verlieren</translation>
     </message>
     <message>
       <source>corner_reach must be a length</source>
@@ -2024,16 +1965,12 @@
       <translation>Entwurf: {0} {1}</translation>
     </message>
     <message>
-      <source>designs are not written as {0}</source>
-      <translation>Entwürfe werden nicht als {0} geschrieben</translation>
-    </message>
-    <message>
       <source>dihedral margin, deg</source>
       <translation>Spielraum des Diederwinkels, Grad</translation>
     </message>
     <message>
-      <source>dimples are {clearance:g} mm wider than bumps, less than the {least:g} mm that a {printer} resolves</source>
-      <translation>Mulden sind {clearance:g} mm weiter als Noppen, weniger als die {least:g} mm, die ein {printer} auflöst</translation>
+      <source>dimples are {clearance:g mm} wider than bumps, less than the {least:g mm} that a {printer} resolves</source>
+      <translation>Mulden sind {clearance:g mm} weiter als Noppen, weniger als die {least:g mm}, die ein {printer} auflöst</translation>
     </message>
     <message>
       <source>dividing into 1 piece</source>
@@ -2144,12 +2081,12 @@
       <translation>die Lücke füllen oder verbreitern</translation>
     </message>
     <message>
-      <source>flat tiles are {violation:.3g} mm nearer than d_gap_min</source>
-      <translation>Flache Kacheln sind um {violation:.3g} mm näher als d_gap_min</translation>
+      <source>flat tiles are {violation:.3g mm} nearer than d_gap_min</source>
+      <translation>Flache Kacheln sind um {violation:.3g mm} näher als d_gap_min</translation>
     </message>
     <message>
-      <source>flat tiles are {violation:.3g} mm nearer than d_gap_min ({pairs:6})</source>
-      <translation>Flache Kacheln sind um {violation:.3g} mm näher als d_gap_min ({pairs:6})</translation>
+      <source>flat tiles are {violation:.3g mm} nearer than d_gap_min ({pairs:6})</source>
+      <translation>Flache Kacheln sind um {violation:.3g mm} näher als d_gap_min ({pairs:6})</translation>
     </message>
     <message>
       <source>flatten each by itself</source>
@@ -2536,16 +2473,16 @@
       <translation>Ist sie in Metern oder Zoll? scale setzen (1000 oder 25.4) oder ein kleineres L wählen</translation>
     </message>
     <message>
-      <source>it arrives by itself, {shortfall:.3g} mm from the shape that it keeps</source>
-      <translation>Das Stück kommt von selbst in seine Form, {shortfall:.3g} mm von der, die es behält</translation>
+      <source>it arrives by itself, {shortfall:.3g mm} from the shape that it keeps</source>
+      <translation>Das Stück kommt von selbst in seine Form, {shortfall:.3g mm} von der, die es behält</translation>
     </message>
     <message>
-      <source>it does not arrive by itself: all contacts close, {shortfall:.3g} mm from the shape that it keeps (hold_tolerance allows {most:.3g} mm)</source>
-      <translation>Das Stück kommt nicht von selbst in seine Form: alle Kontakte schließen sich, {shortfall:.3g} mm von der Form, die es behält (hold_tolerance erlaubt {most:.3g} mm)</translation>
+      <source>it does not arrive by itself: all contacts close, {shortfall:.3g mm} from the shape that it keeps (hold_tolerance allows {most:.3g mm})</source>
+      <translation>Das Stück kommt nicht von selbst in seine Form: alle Kontakte schließen sich, {shortfall:.3g mm} von der Form, die es behält (hold_tolerance erlaubt {most:.3g mm})</translation>
     </message>
     <message>
-      <source>it does not arrive by itself: it comes to rest {shortfall:.3g} mm short of its shape, and {open} of {count} contacts stay open: {contacts:8}</source>
-      <translation>Das Stück kommt nicht von selbst in seine Form: es bleibt {shortfall:.3g} mm davor stehen, und {open} von {count} Kontakten bleiben offen: {contacts:8}</translation>
+      <source>it does not arrive by itself: it comes to rest {shortfall:.3g mm} short of its shape, and {open} of {count} contacts stay open: {contacts:8}</source>
+      <translation>Das Stück kommt nicht von selbst in seine Form: es bleibt {shortfall:.3g mm} davor stehen, und {open} von {count} Kontakten bleiben offen: {contacts:8}</translation>
     </message>
     <message>
       <source>it runs through {other}, another part of the target, and no plane parts them</source>
@@ -2556,12 +2493,12 @@
       <translation>der Entwurf wurde nicht geprüft: „Prüfen“ beurteilt ihn</translation>
     </message>
     <message>
-      <source>it would not arrive without friction either: it comes to rest {distance:.3g} mm from where the actuated piece does</source>
-      <translation>Auch ohne Reibung käme es nicht in seine Form: es bleibt {distance:.3g} mm von dort stehen, wo das aktuierte Stück zur Ruhe kommt</translation>
+      <source>it would not arrive without friction either: it comes to rest {distance:.3g mm} from where the actuated piece does</source>
+      <translation>Auch ohne Reibung käme es nicht in seine Form: es bleibt {distance:.3g mm} von dort stehen, wo das aktuierte Stück zur Ruhe kommt</translation>
     </message>
     <message>
-      <source>it would not arrive without friction either: it comes to rest {distance:.3g} mm from where the actuated piece does; tiles that are no neighbours wedge: {pairs:8}</source>
-      <translation>Auch ohne Reibung käme es nicht in seine Form: es bleibt {distance:.3g} mm von dort stehen, wo das aktuierte Stück zur Ruhe kommt; Kacheln, die keine Nachbarn sind, verkeilen sich: {pairs:8}</translation>
+      <source>it would not arrive without friction either: it comes to rest {distance:.3g mm} from where the actuated piece does; tiles that are no neighbours wedge: {pairs:8}</source>
+      <translation>Auch ohne Reibung käme es nicht in seine Form: es bleibt {distance:.3g mm} von dort stehen, wo das aktuierte Stück zur Ruhe kommt; Kacheln, die keine Nachbarn sind, verkeilen sich: {pairs:8}</translation>
     </message>
     <message>
       <source>its first word has to be OFF</source>
@@ -2576,12 +2513,12 @@
       <translation>ihr Stück lässt sich nicht flach auslegen: geschlossene Flächen und Henkel müssen zuerst aufgeschnitten werden</translation>
     </message>
     <message>
-      <source>its {side} membrane would cut into it at a sharp corner or fold: pins rise {room:.2f} mm over it, {least:.2g} are wanted</source>
-      <translation>ihre Membran ({side}) schnitte an einer scharfen Ecke oder Falte in sie: Zapfen stehen {room:.2f} mm über ihr, {least:.2g} sind verlangt</translation>
+      <source>its {side} membrane would cut into it at a sharp corner or fold: pins rise {room:.2f mm} over it, {least:.2g mm} are wanted</source>
+      <translation>ihre Membran ({side}) schnitte an einer scharfen Ecke oder Falte in sie: Zapfen stehen {room:.2f mm} über ihr, {least:.2g mm} sind verlangt</translation>
     </message>
     <message>
-      <source>its {side} pin has room for {area:.3g} mm2, less than A_pin_floor ({least:g})</source>
-      <translation>ihr Zapfen ({side}) hat Platz für {area:.3g} mm2, weniger als A_pin_floor ({least:g})</translation>
+      <source>its {side} pin has room for {area:.3g mm2}, less than A_pin_floor ({least:g mm2})</source>
+      <translation>ihr Zapfen ({side}) hat Platz für {area:.3g mm2}, weniger als A_pin_floor ({least:g mm2})</translation>
     </message>
     <message>
       <source>joins the hole at {tile} to another boundary</source>
@@ -2804,8 +2741,8 @@
       <translation>mend=on</translation>
     </message>
     <message>
-      <source>mend=on does by estimates, and moves vertices by up to {moved:.2g} mm</source>
-      <translation>nach Schätzungen genügt mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt</translation>
+      <source>mend=on does by estimates, and moves vertices by up to {moved:.2g mm}</source>
+      <translation>nach Schätzungen genügt mend=on, das Ecken um bis zu {moved:.2g mm} verschiebt</translation>
     </message>
     <message>
       <source>mending left {at:6} with too little room for pins or under membranes</source>
@@ -2940,8 +2877,8 @@
       <translation>keine Dicke bis {0} mm genügt für L = {1} mm</translation>
     </message>
     <message>
-      <source>no touches that were tried bring it home: of {tried}, with up to {force:g} N on every tile, the best leave it {shortfall:.3g} mm short of its shape and {open} of {count} contacts open</source>
-      <translation>kein Griff, der versucht wurde, bringt es in seine Form: von {tried}, mit bis zu {force:g} N auf jeder Kachel, lässt der beste {shortfall:.3g} mm bis zu ihr und {open} von {count} Kontakten offen</translation>
+      <source>no touches that were tried bring it home: of {tried}, with up to {force:g N} on every tile, the best leave it {shortfall:.3g mm} short of its shape and {open} of {count} contacts open</source>
+      <translation>kein Griff, der versucht wurde, bringt es in seine Form: von {tried}, mit bis zu {force:g N} auf jeder Kachel, lässt der beste {shortfall:.3g mm} bis zu ihr und {open} von {count} Kontakten offen</translation>
     </message>
     <message>
       <source>no volume</source>
@@ -2988,10 +2925,6 @@
       <translation>Auf einem halb so groben Membrannetz: {reason}</translation>
     </message>
     <message>
-      <source>one design is exported at a time</source>
-      <translation>nur ein Entwurf wird auf einmal exportiert</translation>
-    </message>
-    <message>
       <source>only {0} of the file's {1} faces could be read</source>
       <translation>nur {0} von {1} Flächen der Datei ließen sich lesen</translation>
     </message>
@@ -3012,20 +2945,20 @@
       <translation>p_floor ({0} mm) lässt keine Wand um Nählöcher</translation>
     </message>
     <message>
-      <source>p_max gives way on {count} edges of pins, where folds ask for less than pins that face one another leave: from {before:.3g} to {after:.3g} mm at the {side} of {tile}</source>
-      <translation>p_max gibt an {count} Zapfenkanten nach, wo Falten weniger verlangen, als gegenüberliegende Zapfen lassen: von {before:.3g} auf {after:.3g} mm an {tile} ({side})</translation>
+      <source>p_max gives way on {count} edges of pins, where folds ask for less than pins that face one another leave: from {before:.3g mm} to {after:.3g mm} at the {side} of {tile}</source>
+      <translation>p_max gibt an {count} Zapfenkanten nach, wo Falten weniger verlangen, als gegenüberliegende Zapfen lassen: von {before:.3g mm} auf {after:.3g mm} an {tile} ({side})</translation>
     </message>
     <message>
       <source>p_min ({0} mm) is larger than p_max ({1} mm)</source>
       <translation>p_min ({0} mm) ist größer als p_max ({1} mm)</translation>
     </message>
     <message>
-      <source>p_min gave way to {least:.3g} mm at {at:6}, below what a {printer} makes ({makes:g} mm): raise p_floor</source>
-      <translation>p_min gab bis auf {least:.3g} mm nach an {at:6}, weniger, als ein {printer} macht ({makes:g} mm): p_floor erhöhen</translation>
+      <source>p_min gave way to {least:.3g mm} at {at:6}, below what a {printer} makes ({makes:g mm}): raise p_floor</source>
+      <translation>p_min gab bis auf {least:.3g mm} nach an {at:6}, weniger, als ein {printer} macht ({makes:g mm}): p_floor erhöhen</translation>
     </message>
     <message>
-      <source>p_min gives way on {count} edges of pins, where folds leave their pins no room: from {before:.3g} to {after:.3g} mm at the {side} of {tile}</source>
-      <translation>p_min gibt an {count} Zapfenkanten nach, wo Falten ihren Zapfen keinen Platz lassen: von {before:.3g} auf {after:.3g} mm an {tile} ({side})</translation>
+      <source>p_min gives way on {count} edges of pins, where folds leave their pins no room: from {before:.3g mm} to {after:.3g mm} at the {side} of {tile}</source>
+      <translation>p_min gibt an {count} Zapfenkanten nach, wo Falten ihren Zapfen keinen Platz lassen: von {before:.3g mm} auf {after:.3g mm} an {tile} ({side})</translation>
     </message>
     <message>
       <source>pairs of tiles that run into one another</source>
@@ -3072,8 +3005,8 @@
       <translation>die Kanten erneut wählen</translation>
     </message>
     <message>
-      <source>piece {piece} by itself: a contact point of {contact} has {least:.3g} N, less than f_min = {f_min:.3g} N of this piece</source>
-      <translation>Stück {piece} für sich: ein Kontaktpunkt von {contact} hat {least:.3g} N, weniger als f_min = {f_min:.3g} N dieses Stücks</translation>
+      <source>piece {piece} by itself: a contact point of {contact} has {least:.3g N}, less than f_min = {f_min:.3g N} of this piece</source>
+      <translation>Stück {piece} für sich: ein Kontaktpunkt von {contact} hat {least:.3g N}, weniger als f_min = {f_min:.3g N} dieses Stücks</translation>
     </message>
     <message>
       <source>pieces that are not in the print</source>
@@ -3092,16 +3025,16 @@
       <translation>Spielraum der Zapfenfläche vorn, mm2</translation>
     </message>
     <message>
-      <source>pin insets leave their bounds by {violation:.3g} mm</source>
-      <translation>Zapfen verlassen ihre Grenzen um {violation:.3g} mm</translation>
+      <source>pin insets leave their bounds by {violation:.3g mm}</source>
+      <translation>Zapfen verlassen ihre Grenzen um {violation:.3g mm}</translation>
     </message>
     <message>
       <source>pin keep-out</source>
       <translation>Sperrbereich der Zapfen</translation>
     </message>
     <message>
-      <source>pins of at least A_pin_floor ({A_pin_floor:.3g} mm2) leave no room for stitching holes of {joint_hole:.3g} mm</source>
-      <translation>Zapfen von mindestens A_pin_floor ({A_pin_floor:.3g} mm2) lassen keinen Platz für Nählöcher von {joint_hole:.3g} mm</translation>
+      <source>pins of at least A_pin_floor ({A_pin_floor:.3g mm2}) leave no room for stitching holes of {joint_hole:.3g mm}</source>
+      <translation>Zapfen von mindestens A_pin_floor ({A_pin_floor:.3g mm2}) lassen keinen Platz für Nählöcher von {joint_hole:.3g mm}</translation>
     </message>
     <message>
       <source>pins of {0} tiles are turned inside out or leave their face</source>
@@ -3140,12 +3073,12 @@
       <translation>Toleranzfenster</translation>
     </message>
     <message>
-      <source>pushing forces at bumps' tips within friction {mu:.3g} leave a least normal force of {least:.3g} N, less than f_min = {f_min:.3g} N, first at {contacts:8}{more}</source>
-      <translation>Drückende Kräfte an den Noppenspitzen mit der Reibung {mu:.3g} lassen eine kleinste Normalkraft von {least:.3g} N, weniger als f_min = {f_min:.3g} N, zuerst an {contacts:8}{more}</translation>
+      <source>pushing forces at bumps' tips within friction {mu:.3g} leave a least normal force of {least:.3g N}, less than f_min = {f_min:.3g N}, first at {contacts:8}{more}</source>
+      <translation>Drückende Kräfte an den Noppenspitzen mit der Reibung {mu:.3g} lassen eine kleinste Normalkraft von {least:.3g N}, weniger als f_min = {f_min:.3g N}, zuerst an {contacts:8}{more}</translation>
     </message>
     <message>
-      <source>pushing forces within friction {mu:.3g} leave a least normal force of {least:.3g} N, less than f_min = {f_min:.3g} N, first at {contacts:8}{more}</source>
-      <translation>Drückende Kräfte mit der Reibung {mu:.3g} lassen eine kleinste Normalkraft von {least:.3g} N, weniger als f_min = {f_min:.3g} N, zuerst an {contacts:8}{more}</translation>
+      <source>pushing forces within friction {mu:.3g} leave a least normal force of {least:.3g N}, less than f_min = {f_min:.3g N}, first at {contacts:8}{more}</source>
+      <translation>Drückende Kräfte mit der Reibung {mu:.3g} lassen eine kleinste Normalkraft von {least:.3g N}, weniger als f_min = {f_min:.3g N}, zuerst an {contacts:8}{more}</translation>
     </message>
     <message>
       <source>put everything in braces</source>
@@ -3348,10 +3281,6 @@
       <translation>siehe FreeCADs Ausgabefenster</translation>
     </message>
     <message>
-      <source>select it alone, or its bodies</source>
-      <translation>ihn allein wählen oder seine Körper</translation>
-    </message>
-    <message>
       <source>send it elsewhere</source>
       <translation>sie anderswohin leiten</translation>
     </message>
@@ -3380,12 +3309,12 @@
       <translation>mend=on setzen ({actions})</translation>
     </message>
     <message>
-      <source>set mend_border=on, as some are at the border; or set mend_max above {most:g}, or another L or H_body</source>
-      <translation>mend_border=on setzen, da einige am Rand liegen; oder mend_max über {most:g} setzen, oder ein anderes L oder H_body</translation>
+      <source>set mend_border=on, as some are at the border; or set mend_max above {most:g mm}, or another L or H_body</source>
+      <translation>mend_border=on setzen, da einige am Rand liegen; oder mend_max über {most:g mm} setzen, oder ein anderes L oder H_body</translation>
     </message>
     <message>
-      <source>set mend_max above {most:g}, or another L or H_body</source>
-      <translation>mend_max über {most:g} setzen, oder ein anderes L oder H_body</translation>
+      <source>set mend_max above {most:g mm}, or another L or H_body</source>
+      <translation>mend_max über {most:g mm} setzen, oder ein anderes L oder H_body</translation>
     </message>
     <message>
       <source>set orientation to front-up, or support to breakaway</source>
@@ -3420,12 +3349,12 @@
       <translation>schütteln und von Hand andrücken, wo Kontakte offen sind</translation>
     </message>
     <message>
-      <source>shaken, it comes home: after {taps} taps it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} contacts stay open</source>
-      <translation>gerüttelt kommt es in seine Form: nach {taps} Stößen ist es {shortfall:.3g} mm von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
+      <source>shaken, it comes home: after {taps} taps it is {shortfall:.3g mm} from the shape that it keeps, and {open} of {count} contacts stay open</source>
+      <translation>gerüttelt kommt es in seine Form: nach {taps} Stößen ist es {shortfall:.3g mm} von der Form entfernt, die es behält, und {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
-      <source>shaken, it comes into its shape: after {taps} taps it is {shortfall:.3g} mm from the shape that it keeps; {open} of {count} contacts stay open, and none of {tried} touches that were tried closes them</source>
-      <translation>gerüttelt kommt es in seine Form: nach {taps} Stößen ist es {shortfall:.3g} mm von der Form entfernt, die es behält; {open} von {count} Kontakten bleiben offen, und keiner von {tried} versuchten Griffen schließt sie</translation>
+      <source>shaken, it comes into its shape: after {taps} taps it is {shortfall:.3g mm} from the shape that it keeps; {open} of {count} contacts stay open, and none of {tried} touches that were tried closes them</source>
+      <translation>gerüttelt kommt es in seine Form: nach {taps} Stößen ist es {shortfall:.3g mm} von der Form entfernt, die es behält; {open} von {count} Kontakten bleiben offen, und keiner von {tried} versuchten Griffen schließt sie</translation>
     </message>
     <message>
       <source>shaking</source>
@@ -3692,24 +3621,24 @@
       <translation>Vorder- oder Rückseite von {0} Kacheln verschwindet oder stülpt sich um</translation>
     </message>
     <message>
-      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece does not hold without them: pushing forces leave {least:.3g} N, less than f_min = {f_min:.3g} N</source>
-      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Das Stück hält ohne sie nicht: Drückende Kräfte lassen {least:.3g} N, weniger als f_min = {f_min:.3g} N</translation>
+      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). The piece does not hold without them: pushing forces leave {least:.3g N}, less than f_min = {f_min:.3g N}</source>
+      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g MPa} Schub, mehr als er aushält ({limit:.3g MPa}). Das Stück hält ohne sie nicht: Drückende Kräfte lassen {least:.3g N}, weniger als f_min = {f_min:.3g N}</translation>
     </message>
     <message>
-      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece holds without them</source>
-      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Das Stück hält ohne sie</translation>
+      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). The piece holds without them</source>
+      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g MPa} Schub, mehr als er aushält ({limit:.3g MPa}). Das Stück hält ohne sie</translation>
     </message>
     <message>
-      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). Too few pins hold the membranes then</source>
-      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g} MPa Schub, mehr als er aushält ({limit:.3g} MPa). Dann halten zu wenige Zapfen die Membranen</translation>
+      <source>the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). Too few pins hold the membranes then</source>
+      <translation>der Kleber lässt Zapfen von {loose:8} los: Am Zapfen ({side}) von {tile} trägt er {shear:.3g MPa} Schub, mehr als er aushält ({limit:.3g MPa}). Dann halten zu wenige Zapfen die Membranen</translation>
     </message>
     <message>
-      <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear</source>
-      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g} MPa Schub</translation>
+      <source>the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear</source>
+      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g MPa} Schub</translation>
     </message>
     <message>
-      <source>the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear, more than glue_strength ({limit:.3g} MPa): raise A_pin_min or lower tau</source>
-      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g} MPa Schub, mehr als glue_strength ({limit:.3g} MPa): A_pin_min erhöhen oder tau verringern</translation>
+      <source>the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear, more than glue_strength ({limit:.3g MPa}): raise A_pin_min or lower tau</source>
+      <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g MPa} Schub, mehr als glue_strength ({limit:.3g MPa}): A_pin_min erhöhen oder tau verringern</translation>
     </message>
     <message>
       <source>the label of piece {piece} has no room: not the whole name</source>
@@ -3748,12 +3677,8 @@
       <translation>die Abwicklung ist {0} m breit</translation>
     </message>
     <message>
-      <source>the layout's lists were changed by hand: Solve brings it up to date</source>
-      <translation>die Listen der Abwicklung wurden von Hand geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
-    </message>
-    <message>
-      <source>the least force exceeds f_min = {f_min:.3g} N by less than its error at {contacts:8}: lower mesh_size to find out on which side it is</source>
-      <translation>bei {contacts:8} liegt die kleinste Kraft um weniger als ihren Fehler über f_min = {f_min:.3g} N: ein kleineres mesh_size zeigt, auf welcher Seite sie liegt</translation>
+      <source>the least force exceeds f_min = {f_min:.3g N} by less than its error at {contacts:8}: lower mesh_size to find out on which side it is</source>
+      <translation>bei {contacts:8} liegt die kleinste Kraft um weniger als ihren Fehler über f_min = {f_min:.3g N}: ein kleineres mesh_size zeigt, auf welcher Seite sie liegt</translation>
     </message>
     <message>
       <source>the list of cuts has an odd number of vertices</source>
@@ -3848,8 +3773,8 @@
       <translation>das Teil hat keine ebene Fläche, die offen bleiben könnte</translation>
     </message>
     <message>
-      <source>the part is drawn {wall:.3g} mm thick, tiles are {H_body:g} mm thick</source>
-      <translation>Das Teil ist {wall:.3g} mm dick gezeichnet, Kacheln sind {H_body:g} mm dick</translation>
+      <source>the part is drawn {wall:.3g mm} thick, tiles are {H_body:g mm} thick</source>
+      <translation>Das Teil ist {wall:.3g mm} dick gezeichnet, Kacheln sind {H_body:g mm} dick</translation>
     </message>
     <message>
       <source>the piece of {tile} tips over on the table: its weight acts beside the corners on which it stands</source>
@@ -3868,8 +3793,8 @@
       <translation>der Preis {0} ist „{1}“</translation>
     </message>
     <message>
-      <source>the print ({x:.0f} x {y:.0f} x {z:.0f} mm) is larger than the bed of a {printer}</source>
-      <translation>Der Druck ({x:.0f} x {y:.0f} x {z:.0f} mm) ist größer als das Bett eines {printer}</translation>
+      <source>the print ({x:.0f mm} x {y:.0f mm} x {z:.0f mm}) is larger than the bed of a {printer}</source>
+      <translation>Der Druck ({x:.0f mm} x {y:.0f mm} x {z:.0f mm}) ist größer als das Bett eines {printer}</translation>
     </message>
     <message>
       <source>the print can't be made: {error}</source>
@@ -3896,8 +3821,8 @@
       <translation>der Scan ist kein Text</translation>
     </message>
     <message>
-      <source>the shape does not hold: friction lets it drift by {drift:.3g} mm, more than hold_tolerance ({most:.3g} mm)</source>
-      <translation>Die Form hält nicht: die Reibung lässt sie um {drift:.3g} mm abdriften, mehr als hold_tolerance ({most:.3g} mm)</translation>
+      <source>the shape does not hold: friction lets it drift by {drift:.3g mm}, more than hold_tolerance ({most:.3g mm})</source>
+      <translation>Die Form hält nicht: die Reibung lässt sie um {drift:.3g mm} abdriften, mehr als hold_tolerance ({most:.3g mm})</translation>
     </message>
     <message>
       <source>the shape does not hold: the contacts {contacts:8} open as the tiles settle</source>
@@ -3908,8 +3833,8 @@
       <translation>Die Platte liegt auf der Höhe der Zapfen ({side}), die zuerst geklebt werden: auch sie nimmt Kleber an</translation>
     </message>
     <message>
-      <source>the slab's walls between tiles are as thin as {clearance:.3g} mm; a {printer} makes {least:g} mm</source>
-      <translation>Die Wände der Platte zwischen Kacheln sind nur {clearance:.3g} mm dünn; ein {printer} macht {least:g} mm</translation>
+      <source>the slab's walls between tiles are as thin as {clearance:.3g mm}; a {printer} makes {least:g mm}</source>
+      <translation>Die Wände der Platte zwischen Kacheln sind nur {clearance:.3g mm} dünn; ein {printer} macht {least:g mm}</translation>
     </message>
     <message>
       <source>the solids can't be united</source>
@@ -3930,10 +3855,6 @@
     <message>
       <source>the sparse solver ran out of memory at {0} unknowns</source>
       <translation>dem dünnbesetzten Löser ging bei {0} Unbekannten der Speicher aus</translation>
-    </message>
-    <message>
-      <source>the stored results are damaged or were changed by hand: Solve brings it up to date</source>
-      <translation>die gespeicherten Ergebnisse sind beschädigt oder wurden von Hand geändert: „Lösen“ bringt es auf den neuesten Stand</translation>
     </message>
     <message>
       <source>the support of piece {0} falls apart</source>
@@ -3992,20 +3913,20 @@
       <translation>die Fläche ist zu groß oder zu klein für Kacheln</translation>
     </message>
     <message>
-      <source>the surface is {size:.4g} mm large, smaller than one tile of L = {L:.4g} mm</source>
-      <translation>Die Fläche ist {size:.4g} mm groß, kleiner als eine Kachel von L = {L:.4g} mm</translation>
+      <source>the surface is {size:.4g mm} large, smaller than one tile of L = {L:.4g mm}</source>
+      <translation>Die Fläche ist {size:.4g mm} groß, kleiner als eine Kachel von L = {L:.4g mm}</translation>
     </message>
     <message>
-      <source>the surface needs about {tiles_needed:.4g} tiles of L = {L:.4g} mm</source>
-      <translation>Die Fläche braucht etwa {tiles_needed:.4g} Kacheln von L = {L:.4g} mm</translation>
+      <source>the surface needs about {tiles_needed:.4g} tiles of L = {L:.4g mm}</source>
+      <translation>Die Fläche braucht etwa {tiles_needed:.4g} Kacheln von L = {L:.4g mm}</translation>
     </message>
     <message>
       <source>the surface would need about {0} tiles of L = {1} mm</source>
       <translation>die Fläche bräuchte etwa {0} Kacheln mit L = {1} mm</translation>
     </message>
     <message>
-      <source>the surplus membrane pulls with {pull:.3g} N at an anchor, whose glue then carries {shear:.3g} MPa of shear, more than glue_strength ({limit:g} MPa): raise anchor_radius or lower anchor_spacing</source>
-      <translation>Die überstehende Membran zieht mit {pull:.3g} N an einem Anker, dessen Kleber dann {shear:.3g} MPa Schub trägt, mehr als glue_strength ({limit:g} MPa): anchor_radius erhöhen oder anchor_spacing verringern</translation>
+      <source>the surplus membrane pulls with {pull:.3g N} at an anchor, whose glue then carries {shear:.3g MPa} of shear, more than glue_strength ({limit:g MPa}): raise anchor_radius or lower anchor_spacing</source>
+      <translation>Die überstehende Membran zieht mit {pull:.3g N} an einem Anker, dessen Kleber dann {shear:.3g MPa} Schub trägt, mehr als glue_strength ({limit:g MPa}): anchor_radius erhöhen oder anchor_spacing verringern</translation>
     </message>
     <message>
       <source>the target is in {count} pieces, {asked} are asked for</source>
@@ -4036,10 +3957,6 @@
       <translation>das Gleichgewicht der Kacheln ließ sich nicht lösen</translation>
     </message>
     <message>
-      <source>the verification's lists were changed by hand: Verify brings it up to date</source>
-      <translation>die Listen der Prüfung wurden von Hand geändert: „Prüfen“ bringt es auf den neuesten Stand</translation>
-    </message>
-    <message>
       <source>the {0} membrane between {1} folds over itself in the layout</source>
       <translation>die Membran ({0}) zwischen {1} faltet sich in der Abwicklung über sich selbst</translation>
     </message>
@@ -4060,16 +3977,16 @@
       <translation>Die Membran ({side}) ist schlaff neben {beside:8}</translation>
     </message>
     <message>
-      <source>the {side} membrane nearly touches the body of {tile} (clearance {clearance:.3g} mm)</source>
-      <translation>Die Membran ({side}) berührt fast den Körper von {tile} (Abstand {clearance:.3g} mm)</translation>
+      <source>the {side} membrane nearly touches the body of {tile} (clearance {clearance:.3g mm})</source>
+      <translation>Die Membran ({side}) berührt fast den Körper von {tile} (Abstand {clearance:.3g mm})</translation>
     </message>
     <message>
-      <source>the {side} membrane would cut {depth:.3g} mm into the body of {tile}: raise H_pin or lower insets there</source>
-      <translation>Die Membran ({side}) schnitte {depth:.3g} mm in den Körper von {tile}: H_pin erhöhen oder die Zapfen dort weniger zurücksetzen</translation>
+      <source>the {side} membrane would cut {depth:.3g mm} into the body of {tile}: raise H_pin or lower insets there</source>
+      <translation>Die Membran ({side}) schnitte {depth:.3g mm} in den Körper von {tile}: H_pin erhöhen oder die Zapfen dort weniger zurücksetzen</translation>
     </message>
     <message>
-      <source>the {side} pin of {tile} has {area_mm2:.3g} mm2, less than A_pin_min</source>
-      <translation>Der Zapfen ({side}) von {tile} hat {area_mm2:.3g} mm2, weniger als A_pin_min</translation>
+      <source>the {side} pin of {tile} has {area_mm2:.3g mm2}, less than A_pin_min</source>
+      <translation>Der Zapfen ({side}) von {tile} hat {area_mm2:.3g mm2}, weniger als A_pin_min</translation>
     </message>
     <message>
       <source>there are no bodies of the kind '{0}'</source>
@@ -4094,6 +4011,10 @@
     <message>
       <source>there is no language '{0}'</source>
       <translation>es gibt keine Sprache „{0}“</translation>
+    </message>
+    <message>
+      <source>there is no layout yet</source>
+      <translation>es gibt noch keine Abwicklung</translation>
     </message>
     <message>
       <source>there is no layout yet: Solve makes it</source>
@@ -4192,32 +4113,32 @@
       <translation>Kacheln werden von Händen gedrückt, wo ein Weg aus der Ebene endet</translation>
     </message>
     <message>
-      <source>tiles are up to {distance:.2f} mm from the target, more than mend_max ({most:g} mm): they can't follow its corners and edges</source>
-      <translation>Kacheln sind bis zu {distance:.2f} mm vom Ziel entfernt, mehr als mend_max ({most:g} mm): Sie können seinen Ecken und Kanten nicht folgen</translation>
+      <source>tiles are up to {distance:.2f mm} from the target, more than mend_max ({most:g mm}): they can't follow its corners and edges</source>
+      <translation>Kacheln sind bis zu {distance:.2f mm} vom Ziel entfernt, mehr als mend_max ({most:g mm}): Sie können seinen Ecken und Kanten nicht folgen</translation>
     </message>
     <message>
-      <source>tiles come as near as {clearance:.3g} mm; a {printer} needs {least:g} mm</source>
-      <translation>Kacheln kommen sich bis auf {clearance:.3g} mm nah; ein {printer} braucht {least:g} mm</translation>
+      <source>tiles come as near as {clearance:.3g mm}; a {printer} needs {least:g mm}</source>
+      <translation>Kacheln kommen sich bis auf {clearance:.3g mm} nah; ein {printer} braucht {least:g mm}</translation>
     </message>
     <message>
       <source>tiles have {0} to {1} mm: set scale for another unit, or remesh</source>
       <translation>Kacheln haben {0} bis {1} mm: für eine andere Einheit scale setzen, oder neu vernetzen</translation>
     </message>
     <message>
-      <source>tiles of H_body = {value:g} mm instead of {set:g} give the pins named a quarter more than A_pin_min</source>
-      <translation>Kacheln mit H_body = {value:g} mm statt {set:g} geben den genannten Zapfen ein Viertel mehr als A_pin_min</translation>
+      <source>tiles of H_body = {value:g mm} instead of {set:g mm} give the pins named a quarter more than A_pin_min</source>
+      <translation>Kacheln mit H_body = {value:g mm} statt {set:g mm} geben den genannten Zapfen ein Viertel mehr als A_pin_min</translation>
     </message>
     <message>
-      <source>tiles of L = {value:g} mm instead of {set:.3g} do so too</source>
-      <translation>Kacheln mit L = {value:g} mm statt {set:.3g} tun das auch</translation>
+      <source>tiles of L = {value:g mm} instead of {set:.3g mm} do so too</source>
+      <translation>Kacheln mit L = {value:g mm} statt {set:.3g mm} tun das auch</translation>
     </message>
     <message>
-      <source>tiles of L = {value:g} mm instead of {set:.3g} give the pins named a quarter more than A_pin_min</source>
-      <translation>Kacheln mit L = {value:g} mm statt {set:.3g} geben den genannten Zapfen ein Viertel mehr als A_pin_min</translation>
+      <source>tiles of L = {value:g mm} instead of {set:.3g mm} give the pins named a quarter more than A_pin_min</source>
+      <translation>Kacheln mit L = {value:g mm} statt {set:.3g mm} geben den genannten Zapfen ein Viertel mehr als A_pin_min</translation>
     </message>
     <message>
-      <source>tiles reach out level by up to {reach:.2g} mm beyond the pin they stand on, {H_pin:g} mm above the bed; a {printer} prints {most:g} mm without supports</source>
-      <translation>Kacheln reichen waagrecht bis zu {reach:.2g} mm über den Zapfen hinaus, auf dem sie stehen, {H_pin:g} mm über dem Bett; ein {printer} druckt {most:g} mm ohne Stützen</translation>
+      <source>tiles reach out level by up to {reach:.2g mm} beyond the pin they stand on, {H_pin:g mm} above the bed; a {printer} prints {most:g mm} without supports</source>
+      <translation>Kacheln reichen waagrecht bis zu {reach:.2g mm} über den Zapfen hinaus, auf dem sie stehen, {H_pin:g mm} über dem Bett; ein {printer} druckt {most:g mm} ohne Stützen</translation>
     </message>
     <message>
       <source>to the tip at {tile}, which the flat map scales by {scale:.2g} of the mean</source>
@@ -4304,16 +4225,12 @@
       <translation>Wand neben dem Nähloch</translation>
     </message>
     <message>
-      <source>walls stand back by {set:g} mm for what prints grow; a {printer} grows walls by {grows:g} mm: raise xy_compensation</source>
-      <translation>Wände stehen um {set:g} mm zurück für das, was Drucke wachsen; ein {printer} lässt Wände um {grows:g} mm wachsen: xy_compensation erhöhen</translation>
+      <source>walls stand back by {set:g mm} for what prints grow; a {printer} grows walls by {grows:g mm}: raise xy_compensation</source>
+      <translation>Wände stehen um {set:g mm} zurück für das, was Drucke wachsen; ein {printer} lässt Wände um {grows:g mm} wachsen: xy_compensation erhöhen</translation>
     </message>
     <message>
       <source>what brings it home by hand is not known: it was stopped</source>
       <translation>was es mit der Hand in seine Form bringt, ist nicht bekannt: es wurde abgebrochen</translation>
-    </message>
-    <message>
-      <source>what was said of the layout's making is damaged or gone: Solve makes it</source>
-      <translation>was über die Entstehung der Abwicklung gesagt war, ist beschädigt oder fehlt: „Lösen“ berechnet sie</translation>
     </message>
     <message>
       <source>where its tiles settle could not be found</source>
@@ -4352,60 +4269,60 @@
       <translation>Ob die Form hält, ist nicht bekannt: {error}</translation>
     </message>
     <message>
-      <source>with H_body = {H_body:g} mm, L = {L:g} mm does</source>
-      <translation>Mit H_body = {H_body:g} mm genügt L = {L:g} mm</translation>
+      <source>with H_body = {H_body:g mm}, L = {L:g mm} does</source>
+      <translation>Mit H_body = {H_body:g mm} genügt L = {L:g mm}</translation>
     </message>
     <message>
-      <source>with H_body = {H_body:g} mm, L from {low:g} to {high:g} mm does</source>
-      <translation>Mit H_body = {H_body:g} mm genügt L von {low:g} bis {high:g} mm</translation>
+      <source>with H_body = {H_body:g mm}, L from {low:g mm} to {high:g mm} does</source>
+      <translation>Mit H_body = {H_body:g mm} genügt L von {low:g mm} bis {high:g mm}</translation>
     </message>
     <message>
-      <source>with H_body = {H_body:g} mm, no L was found that does</source>
-      <translation>Mit H_body = {H_body:g} mm wurde kein L gefunden, das genügt</translation>
+      <source>with H_body = {H_body:g mm}, no L was found that does</source>
+      <translation>Mit H_body = {H_body:g mm} wurde kein L gefunden, das genügt</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin = {H_pin:g} mm does</source>
-      <translation>Mit L = {L:.4g} mm und H_body = {H_body:g} mm genügt H_pin = {H_pin:g} mm</translation>
+      <source>with L = {L:.4g mm} and H_body = {H_body:g mm}, H_pin = {H_pin:g mm} does</source>
+      <translation>Mit L = {L:.4g mm} und H_body = {H_body:g mm} genügt H_pin = {H_pin:g mm}</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin down to {H_pin:g} mm does</source>
-      <translation>Mit L = {L:.4g} mm und H_body = {H_body:g} mm genügt H_pin bis hinab zu {H_pin:g} mm</translation>
+      <source>with L = {L:.4g mm} and H_body = {H_body:g mm}, H_pin down to {H_pin:g mm} does</source>
+      <translation>Mit L = {L:.4g mm} und H_body = {H_body:g mm} genügt H_pin bis hinab zu {H_pin:g mm}</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm and H_body = {H_body:g} mm, no H_pin was found that does</source>
-      <translation>Mit L = {L:.4g} mm und H_body = {H_body:g} mm wurde kein H_pin gefunden, das genügt</translation>
+      <source>with L = {L:.4g mm} and H_body = {H_body:g mm}, no H_pin was found that does</source>
+      <translation>Mit L = {L:.4g mm} und H_body = {H_body:g mm} wurde kein H_pin gefunden, das genügt</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm, H_body = {H_body:g} mm and H_pin = {H_pin:g} mm together do</source>
-      <translation>Mit L = {L:.4g} mm genügen H_body = {H_body:g} mm und H_pin = {H_pin:g} mm zusammen</translation>
+      <source>with L = {L:.4g mm}, H_body = {H_body:g mm} and H_pin = {H_pin:g mm} together do</source>
+      <translation>Mit L = {L:.4g mm} genügen H_body = {H_body:g mm} und H_pin = {H_pin:g mm} zusammen</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm, H_body = {H_body:g} mm does</source>
-      <translation>Mit L = {L:.4g} mm genügt H_body = {H_body:g} mm</translation>
+      <source>with L = {L:.4g mm}, H_body = {H_body:g mm} does</source>
+      <translation>Mit L = {L:.4g mm} genügt H_body = {H_body:g mm}</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm, H_body up to {H_body:g} mm and more does</source>
-      <translation>Mit L = {L:.4g} mm genügt H_body bis {H_body:g} mm und mehr</translation>
+      <source>with L = {L:.4g mm}, H_body up to {H_body:g mm} and more does</source>
+      <translation>Mit L = {L:.4g mm} genügt H_body bis {H_body:g mm} und mehr</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm, H_body up to {H_body:g} mm does</source>
-      <translation>Mit L = {L:.4g} mm genügt H_body bis {H_body:g} mm</translation>
+      <source>with L = {L:.4g mm}, H_body up to {H_body:g mm} does</source>
+      <translation>Mit L = {L:.4g mm} genügt H_body bis {H_body:g mm}</translation>
     </message>
     <message>
-      <source>with L = {L:.4g} mm, no H_body was found that does</source>
-      <translation>Mit L = {L:.4g} mm wurde kein H_body gefunden, das genügt</translation>
+      <source>with L = {L:.4g mm}, no H_body was found that does</source>
+      <translation>Mit L = {L:.4g mm} wurde kein H_body gefunden, das genügt</translation>
     </message>
     <message>
-      <source>with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance the tiles: {pull:.3g} N of pull would be needed, first at {contacts:8}{more}</source>
-      <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte an den Noppenspitzen die Kacheln im Gleichgewicht: {pull:.3g} N Zug wären nötig, zuerst an {contacts:8}{more}</translation>
+      <source>with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance the tiles: {pull:.3g N} of pull would be needed, first at {contacts:8}{more}</source>
+      <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte an den Noppenspitzen die Kacheln im Gleichgewicht: {pull:.3g N} Zug wären nötig, zuerst an {contacts:8}{more}</translation>
     </message>
     <message>
-      <source>with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: {pull:.3g} N of pull would be needed, first at {contacts:8}{more}</source>
-      <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte die Kacheln im Gleichgewicht: {pull:.3g} N Zug wären nötig, zuerst an {contacts:8}{more}</translation>
+      <source>with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: {pull:.3g N} of pull would be needed, first at {contacts:8}{more}</source>
+      <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte die Kacheln im Gleichgewicht: {pull:.3g N} Zug wären nötig, zuerst an {contacts:8}{more}</translation>
     </message>
     <message>
-      <source>with mend=on, which moves vertices by up to {moved:.2g} mm, the sizes that are set do</source>
-      <translation>Mit mend=on, das Ecken um bis zu {moved:.2g} mm verschiebt, genügen die eingestellten Größen</translation>
+      <source>with mend=on, which moves vertices by up to {moved:.2g mm}, the sizes that are set do</source>
+      <translation>Mit mend=on, das Ecken um bis zu {moved:.2g mm} verschiebt, genügen die eingestellten Größen</translation>
     </message>
     <message>
       <source>with {sizes} a design is not valid all the same: {reasons:; }</source>
@@ -4496,20 +4413,20 @@
       <translation>{0}; oder {1}</translation>
     </message>
     <message>
-      <source>{changes:, }: it arrives by itself, {shortfall:.3g} mm from the shape that it keeps</source>
-      <translation>{changes:, }: das Stück kommt von selbst in seine Form, {shortfall:.3g} mm von der, die es behält</translation>
+      <source>{changes:, }: it arrives by itself, {shortfall:.3g mm} from the shape that it keeps</source>
+      <translation>{changes:, }: das Stück kommt von selbst in seine Form, {shortfall:.3g mm} von der, die es behält</translation>
     </message>
     <message>
-      <source>{changes:, }: it arrives by itself, {shortfall:.3g} mm from the shape that it keeps, but the design is not valid</source>
-      <translation>{changes:, }: das Stück kommt von selbst in seine Form, {shortfall:.3g} mm von der, die es behält, aber der Entwurf ist nicht gültig</translation>
+      <source>{changes:, }: it arrives by itself, {shortfall:.3g mm} from the shape that it keeps, but the design is not valid</source>
+      <translation>{changes:, }: das Stück kommt von selbst in seine Form, {shortfall:.3g mm} von der, die es behält, aber der Entwurf ist nicht gültig</translation>
     </message>
     <message>
-      <source>{changes:, }: it comes to rest {shortfall:.3g} mm short of its shape with {open} of {count} contacts open</source>
-      <translation>{changes:, }: es bleibt {shortfall:.3g} mm vor seiner Form stehen, {open} von {count} Kontakten bleiben offen</translation>
+      <source>{changes:, }: it comes to rest {shortfall:.3g mm} short of its shape with {open} of {count} contacts open</source>
+      <translation>{changes:, }: es bleibt {shortfall:.3g mm} vor seiner Form stehen, {open} von {count} Kontakten bleiben offen</translation>
     </message>
     <message>
-      <source>{changes:, }: it comes to rest {shortfall:.3g} mm short of its shape with {open} of {count} contacts open, and the design is not valid</source>
-      <translation>{changes:, }: es bleibt {shortfall:.3g} mm vor seiner Form stehen, {open} von {count} Kontakten bleiben offen, und der Entwurf ist nicht gültig</translation>
+      <source>{changes:, }: it comes to rest {shortfall:.3g mm} short of its shape with {open} of {count} contacts open, and the design is not valid</source>
+      <translation>{changes:, }: es bleibt {shortfall:.3g mm} vor seiner Form stehen, {open} von {count} Kontakten bleiben offen, und der Entwurf ist nicht gültig</translation>
     </message>
     <message>
       <source>{changes:, }: there is no such design: {error}</source>
@@ -4532,8 +4449,8 @@
       <translation>{count} Anker hält der Stützkörper nicht</translation>
     </message>
     <message>
-      <source>{count} bodies have features smaller than a {printer} makes; {body}: {place}, {size:.3g} mm</source>
-      <translation>{count} Körper haben kleinere Stellen, als ein {printer} macht; {body}: {place}, {size:.3g} mm</translation>
+      <source>{count} bodies have features smaller than a {printer} makes; {body}: {place}, {size:.3g mm}</source>
+      <translation>{count} Körper haben kleinere Stellen, als ein {printer} macht; {body}: {place}, {size:.3g mm}</translation>
     </message>
     <message>
       <source>{count} contacts are only a hinge: nothing but the front edge touches</source>
@@ -4596,12 +4513,12 @@
       <translation>{count} Zapfenenden sind kleiner als A_pin_floor ({at:6})</translation>
     </message>
     <message>
-      <source>{count} pin sides can't reach A_pin_min ({A_pin_min:.3g} mm2); the smallest has {least:.3g} mm2</source>
-      <translation>{count} Zapfenenden erreichen A_pin_min nicht ({A_pin_min:.3g} mm2); das kleinste hat {least:.3g} mm2</translation>
+      <source>{count} pin sides can't reach A_pin_min ({A_pin_min:.3g mm2}); the smallest has {least:.3g mm2}</source>
+      <translation>{count} Zapfenenden erreichen A_pin_min nicht ({A_pin_min:.3g mm2}); das kleinste hat {least:.3g mm2}</translation>
     </message>
     <message>
-      <source>{count} tiles are far smaller or larger than L ({L:.3g} mm)</source>
-      <translation>{count} Kacheln sind weit kleiner oder größer als L ({L:.3g} mm)</translation>
+      <source>{count} tiles are far smaller or larger than L ({L:.3g mm})</source>
+      <translation>{count} Kacheln sind weit kleiner oder größer als L ({L:.3g mm})</translation>
     </message>
     <message>
       <source>{count} tiles are likely to fail ({at:6})</source>
@@ -4612,8 +4529,8 @@
       <translation>{count} Kacheln hält der Stützkörper nicht</translation>
     </message>
     <message>
-      <source>{count} tiles lie at folds sharper than a tile of thickness {H_body:.3g} mm can have: their back faces vanish</source>
-      <translation>{count} Kacheln liegen an Falten, die schärfer sind, als eine Kachel der Dicke {H_body:.3g} mm sie haben kann: ihre Rückseiten verschwinden</translation>
+      <source>{count} tiles lie at folds sharper than a tile of thickness {H_body:.3g mm} can have: their back faces vanish</source>
+      <translation>{count} Kacheln liegen an Falten, die schärfer sind, als eine Kachel der Dicke {H_body:.3g mm} sie haben kann: ihre Rückseiten verschwinden</translation>
     </message>
     <message>
       <source>{count} vertices are not finite (vertices {vertices:#5})</source>
@@ -4648,12 +4565,12 @@
       <translation>{other}, ein anderer Teil der Zielfläche, liegt ihr so nah gegenüber, dass Zapfen dazwischen sich träfen</translation>
     </message>
     <message>
-      <source>{points} contact points push too weakly or pull ({pulling} pull): less than f_min = {f_min:.3g} N at {contacts:8}; the weakest has {least:.3g} N at {weakest}</source>
-      <translation>{points} Kontaktpunkte drücken zu schwach oder ziehen ({pulling} ziehen): weniger als f_min = {f_min:.3g} N an {contacts:8}; der schwächste hat {least:.3g} N an {weakest}</translation>
+      <source>{points} contact points push too weakly or pull ({pulling} pull): less than f_min = {f_min:.3g N} at {contacts:8}; the weakest has {least:.3g N} at {weakest}</source>
+      <translation>{points} Kontaktpunkte drücken zu schwach oder ziehen ({pulling} ziehen): weniger als f_min = {f_min:.3g N} an {contacts:8}; der schwächste hat {least:.3g N} an {weakest}</translation>
     </message>
     <message>
-      <source>{points} contact points push too weakly: less than f_min = {f_min:.3g} N at {contacts:8}; the weakest has {least:.3g} N at {weakest}</source>
-      <translation>{points} Kontaktpunkte drücken zu schwach: weniger als f_min = {f_min:.3g} N an {contacts:8}; der schwächste hat {least:.3g} N an {weakest}</translation>
+      <source>{points} contact points push too weakly: less than f_min = {f_min:.3g N} at {contacts:8}; the weakest has {least:.3g N} at {weakest}</source>
+      <translation>{points} Kontaktpunkte drücken zu schwach: weniger als f_min = {f_min:.3g N} an {contacts:8}; der schwächste hat {least:.3g N} an {weakest}</translation>
     </message>
     <message>
       <source>{sizes: or }, with which the estimates of 'curveups check' find nothing in the way</source>
@@ -4683,16 +4600,16 @@
       <translation>Zurück</translation>
     </message>
     <message>
-      <source>From a surface to print files; F1 opens it at the command under the mouse or at the panel that is open</source>
-      <translation>Von der Fläche zu den Druckdateien; F1 öffnet es beim Befehl unter der Maus oder beim offenen Fenster</translation>
-    </message>
-    <message>
       <source>Guide</source>
       <translation>Anleitung</translation>
     </message>
     <message>
       <source>Guide to CurveUps</source>
       <translation>Anleitung zu CurveUps</translation>
+    </message>
+    <message>
+      <source>Open the guide, from a surface to print files</source>
+      <translation>Die Anleitung öffnen, von einer Fläche zu Druckdateien</translation>
     </message>
   </context>
   <context>
@@ -4816,17 +4733,6 @@
     <message>
       <source>Write report.html, with verdict, pictures and figures, and open it</source>
       <translation>report.html mit Urteil, Bildern und Zahlen schreiben und öffnen</translation>
-    </message>
-  </context>
-  <context>
-    <name>CurveUps_RestoreObjects</name>
-    <message>
-      <source>Restore Objects</source>
-      <translation>Objekte wiederherstellen</translation>
-    </message>
-    <message>
-      <source>Restore designs that a FreeCAD without CurveUps saved</source>
-      <translation>Entwürfe wiederherstellen, die ein FreeCAD ohne CurveUps gespeichert hat</translation>
     </message>
   </context>
   <context>
@@ -5709,20 +5615,12 @@
   <context>
     <name>CurveUps_ShowSolids</name>
     <message>
-      <source>Cancel</source>
-      <translation>Abbrechen</translation>
-    </message>
-    <message>
       <source>Show Solids</source>
       <translation>Volumenkörper zeigen</translation>
     </message>
     <message>
       <source>Show tiles and anchors as printed solids. They are exact, but slow for thousands of tiles</source>
       <translation>Kacheln und Anker als gedruckte Volumenkörper zeigen. Sie sind genau, aber langsam bei Tausenden von Kacheln</translation>
-    </message>
-    <message>
-      <source>Triangulating {count} solids</source>
-      <translation>{count} Volumenkörper werden trianguliert</translation>
     </message>
     <message>
       <source>run Build Solids</source>
@@ -6198,10 +6096,6 @@
       <translation>Reparieren</translation>
     </message>
     <message>
-      <source>Revert All Edits</source>
-      <translation>Alles zurücknehmen</translation>
-    </message>
-    <message>
       <source>Set the parameters of a membrane, a glue or a material of tiles (one step of undo)</source>
       <translation>Setzt die Parameter einer Membran, eines Klebers oder eines Materials der Kacheln (ein Schritt zum Rückgängigmachen)</translation>
     </message>
@@ -6224,10 +6118,6 @@
     <message>
       <source>Stop</source>
       <translation>Anhalten</translation>
-    </message>
-    <message>
-      <source>Take back all changes of parameters since this panel opened (one step of undo)</source>
-      <translation>Alle Änderungen an Parametern seit dem Öffnen dieses Fensters zurücknehmen (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
       <source>Time</source>

@@ -44,8 +44,10 @@ def test_a_sentence_names_what_its_figures_are():
 def test_a_style_writes_words_tiles_and_text():
     found = Finding.about("glue_carries", [2], side="back", tile=(2,), shear=0.3)
     style = Style(lambda text: {"back": "hinten"}.get(text, text).replace("carries", "<trägt>"),
-                  lambda row: f"<{row}>", lambda text: escape(text, quote=False))
-    assert found.sentence(style).startswith("the glue on the hinten pin of <2> &lt;trägt&gt; 0.3 MPa")
+                  lambda row: f"<{row}>", lambda text: escape(text, quote=False),
+                  lambda number, how, unit: f"{1000 * number:{how}} k{unit}")
+    assert "0.3 MPa of shear" in str(found)
+    assert found.sentence(style).startswith("the glue on the hinten pin of <2> &lt;trägt&gt; 300 kMPa")
     named = failed("unprintable", CurveUpsError("a < b", "", "do it"))
     assert named.sentence(style) == "the print can't be made: a &lt; b (do it)"
 

@@ -6,11 +6,12 @@ import FreeCADGui
 import Mesh
 import Part
 import pytest
+from curveups.base.findings import Finding
 from curveups.features import actions
 from curveups.stages import sizes
 from curveups.window.overlay.colours import MARK
+from curveups.window.notice import shown
 from curveups.window.overlays import overlay_of
-from curveups.window.units import in_user_units
 from robot import (at_rest, click, click_at, click_item, close_panel, once_open, picture, press, QtGui,
                    report, settle, until, widget)
 from steps import begin, example, in_units, LIVE, panel
@@ -273,12 +274,10 @@ def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
                     found += [row.text(column) for column in range(tree.columnCount())]
         return found
 
-    line = "T00012 cuts 0.254 mm into 6.4516 mm2 (H_pin 5 to 50.8 mm, tau 2, 8 N, part2 mm-wide)"
-    assert in_user_units(line) == line
+    gap = Finding.about("gap", (), violation=0.254, pairs=((11, 43),))
+    assert shown(gap, False) == "flat tiles are 0.254 mm nearer than DGapMin (T00012-T00044)"
     in_units(3)
-    shown = in_user_units(line)
-    assert shown.startswith("T00012 cuts 0.0100 in into 0.0100 in^2 (H_pin 0.197 to 2.00 in, tau 2, "), shown
-    assert shown.endswith(", part2 mm-wide)"), shown
+    assert shown(gap, False) == "flat tiles are 0.0100 in nearer than DGapMin (T00012-T00044)"
     sheet = "QWidget { background: #2b2b2b; color: #dddddd; }"
     QtGui.QApplication.instance().setStyleSheet(sheet)
     made, design = design_of_roof(L="9 mm", HBody="9 mm", MaximumDeviation="3 mm")

@@ -300,7 +300,7 @@ def test_errors_are_one_line_with_tiles_to_click(pictures):
     at_rest()
     panel().reject()
     settle(200)
-    found = Finding.about("said", (11, 43), said="2 back faces vanish")
+    found = Finding.about("sharp_fold", (11, 43), count=2, H_body=3.0)
     show_error(CurveUpsError(str(found), "Design, T00012, T00044", "make HBody less", finding=found), "Solve")
     settle(700)
     notice = widget("CurveUpsNotice")

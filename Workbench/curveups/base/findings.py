@@ -15,11 +15,13 @@ from .value import Value
 @dataclass(frozen=True)
 class Style:
     """How a sentence is written. `words`: a template in another language; `tile`: a row of F by its name;
-    `plain`: text as it stands in the sentence (escaped, say)."""
+    `plain`: text as it stands in the sentence (escaped, say); `quantity`: a number, how Python writes it, and
+    its unit."""
 
     words: Callable[[str], str] = str
     tile: Callable[[int], str] = tile_name
     plain: Callable[[str], str] = str
+    quantity: Callable[[float, str, str], str] = lambda number, how, unit: f"{number:{how}} {unit}"
 
 
 ENGLISH = Style()
@@ -94,8 +96,8 @@ class Finding(Value):
 
 
 class _Shown:
-    """A figure in a sentence. After the colon of its place stands how: of numbers as Python has it; of rows
-    how many are named, "#" before that of no tiles; of findings what stands between them."""
+    """A figure in a sentence. After the colon of its place stands how: of numbers as Python has it, and a
+    unit; of rows how many are named, "#" before that of no tiles; of findings what stands between them."""
 
     def __init__(self, figure: Any, style: Style):
         self._figure, self._style = figure, style
@@ -108,7 +110,8 @@ class _Shown:
             sentence = " " in figure  # of an error; a name has no spaces
             return style.plain(style.words(figure) if sentence or figure in WORDS else figure)
         if not isinstance(figure, tuple):
-            return format(figure, how)
+            number, _, unit = how.partition(" ")
+            return style.quantity(figure, number, unit) if unit else format(figure, number)
         if figure and isinstance(figure[0], Finding):
             return style.plain(style.words(how)).join(one.sentence(style) for one in figure)
         most = int(how.lstrip("#") or len(figure))
@@ -146,6 +149,11 @@ def failed(kind: str, error: CurveUpsError) -> Finding:
     if error.finding is not None:
         return Finding(kind, error.finding.tiles, {"error": error.finding})
     return Finding(kind, (), {"error": error.what + (f" ({error.remedy})" if error.remedy else "")})
+
+
+def refused(error: CurveUpsError) -> Finding:
+    """An error whole: what, where and remedy."""
+    return Finding.about("refused", error.tiles, what=error.what, where=error.where, remedy=error.remedy)
 
 
 def settle(findings: Sequence[Any], where: str) -> tuple[Finding, ...]:

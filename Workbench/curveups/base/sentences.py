@@ -46,10 +46,10 @@ ESTIMATE = "* an estimate: the layout may do a little better or worse"  # of a m
 _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     # Contact forces and membranes.
     "no_pressure": "the membranes do not press the tiles together",
-    "weak_points": "{points} contact points push too weakly: less than f_min = {f_min:.3g} N at "
-                   "{contacts:8}; the weakest has {least:.3g} N at {weakest}",
+    "weak_points": "{points} contact points push too weakly: less than f_min = {f_min:.3g N} at "
+                   "{contacts:8}; the weakest has {least:.3g N} at {weakest}",
     "weak_points.pulling": "{points} contact points push too weakly or pull ({pulling} pull): less than "
-                           "f_min = {f_min:.3g} N at {contacts:8}; the weakest has {least:.3g} N at "
+                           "f_min = {f_min:.3g N} at {contacts:8}; the weakest has {least:.3g N} at "
                            "{weakest}",
     "unbalanced": "contacts can't hold {held:8}: a hinge or nothing at all carries them",
     "in_the_air": "nothing carries the piece of {tile}: it does not reach the ground, where the lowest "
@@ -59,72 +59,72 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                  "stands",
     "coarse_mesh": "f_min is the estimated error of the membrane mesh, which is more than f_min_ratio asks "
                    "for: lower mesh_size",
-    "undecided": "the least force exceeds f_min = {f_min:.3g} N by less than its error at {contacts:8}: "
+    "undecided": "the least force exceeds f_min = {f_min:.3g N} by less than its error at {contacts:8}: "
                  "lower mesh_size to find out on which side it is",
-    "no_balance": "with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: {pull:.3g} "
-                  "N of pull would be needed, first at {contacts:8}{more}",
+    "no_balance": "with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: "
+                  "{pull:.3g N} of pull would be needed, first at {contacts:8}{more}",
     "no_balance.tips": "with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance "
-                       "the tiles: {pull:.3g} N of pull would be needed, first at {contacts:8}{more}",
+                       "the tiles: {pull:.3g N} of pull would be needed, first at {contacts:8}{more}",
     "balance_unknown": "whether pushing forces within friction {mu:.3g} balance the tiles could not be "
                        "shown{more}",
     "balance_unknown.tips": "whether pushing forces at bumps' tips within friction {mu:.3g} balance the "
                             "tiles could not be shown{more}",
-    "least_force": "pushing forces within friction {mu:.3g} leave a least normal force of {least:.3g} N, "
-                   "less than f_min = {f_min:.3g} N, first at {contacts:8}{more}",
+    "least_force": "pushing forces within friction {mu:.3g} leave a least normal force of {least:.3g N}, "
+                   "less than f_min = {f_min:.3g N}, first at {contacts:8}{more}",
     "least_force.tips": "pushing forces at bumps' tips within friction {mu:.3g} leave a least normal force "
-                        "of {least:.3g} N, less than f_min = {f_min:.3g} N, first at {contacts:8}{more}",
-    "dimples_stop": "; dimples stop what slides after {play:.3g} mm at most",
+                        "of {least:.3g N}, less than f_min = {f_min:.3g N}, first at {contacts:8}{more}",
+    "dimples_stop": "; dimples stop what slides after {play:.3g mm} at most",
     "hold_more": "; hold more tiles, or others (held_tiles)",
     "no_equilibrium": "the membranes' equilibrium was not reached (residual {residual:.3g})",
     "membrane.covers": ("two sides of a cut need the same place in the flat layout, where the sheet would "
                         "lie on itself between {contacts:8}", "leave out the cut there, or cut elsewhere"),
-    "membrane.cuts": "the {side} membrane would cut {depth:.3g} mm into the body of {tile}: raise H_pin or "
+    "membrane.cuts": "the {side} membrane would cut {depth:.3g mm} into the body of {tile}: raise H_pin or "
                      "lower insets there",
-    "membrane.touches": "the {side} membrane nearly touches the body of {tile} (clearance {clearance:.3g} "
-                        "mm)",
+    "membrane.touches": "the {side} membrane nearly touches the body of {tile} (clearance "
+                        "{clearance:.3g mm})",
     "membrane.slack": "the {side} membrane is slack beside {beside:8}",
     "sheet_tears": "more than 1 % of the membranes is stretched by {elongation:.3g} % or more, beyond "
                    "elongation_at_break ({limit:.3g} %): they tear; lower tau",
     # Of documents that were saved before pins could let go.
-    "glue_shear": "the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear, more than "
-                  "glue_strength ({limit:.3g} MPa): raise A_pin_min or lower tau",
+    "glue_shear": "the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear, more than "
+                  "glue_strength ({limit:.3g MPa}): raise A_pin_min or lower tau",
     "glue_shear.holds": (
         "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
-        "carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece "
+        "carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). The piece "
         "holds without them",
         "take a stronger glue, raise A_pin_min or lower tau"),
     "glue_shear.fails": (
         "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
-        "carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). The piece does "
-        "not hold without them: pushing forces leave {least:.3g} N, less than f_min = {f_min:.3g} N",
+        "carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). The piece does "
+        "not hold without them: pushing forces leave {least:.3g N}, less than f_min = {f_min:.3g N}",
         "take a stronger glue, raise A_pin_min or lower tau"),
     "glue_shear.all": (
         "the glue lets go of pins of {loose:8}: on the {side} pin of {tile} it "
-        "carries {shear:.3g} MPa of shear, more than it withstands ({limit:.3g} MPa). Too "
+        "carries {shear:.3g MPa} of shear, more than it withstands ({limit:.3g MPa}). Too "
         "few pins hold the membranes then",
         "take a stronger glue, raise A_pin_min or lower tau"),
     "not_laid_out": "{said}",
-    "piece_weak": "piece {piece} by itself: a contact point of {contact} has {least:.3g} N, less than f_min "
-                  "= {f_min:.3g} N of this piece",
+    "piece_weak": "piece {piece} by itself: a contact point of {contact} has {least:.3g N}, less than f_min "
+                  "= {f_min:.3g N} of this piece",
     "recheck": "on a membrane mesh of half the size: {reason}",
     # Settled forces.
     "settled_open": "the shape does not hold: the contacts {contacts:8} open as the tiles settle",
-    "settled_drift": ("the shape does not hold: friction lets it drift by {drift:.3g} mm, more than "
-                      "hold_tolerance ({most:.3g} mm)",
+    "settled_drift": ("the shape does not hold: friction lets it drift by {drift:.3g mm}, more than "
+                      "hold_tolerance ({most:.3g mm})",
                       "raise friction_coefficient, or choose bumps=dimples"),
     "settled_restless": "whether the shape holds is not known: the tiles do not come to rest",
     "settle_failed": "whether the shape holds is not known: {error}",
     # From flat to shape.
-    "actuation_arrives": "it arrives by itself, {shortfall:.3g} mm from the shape that it keeps",
-    "actuation_jammed": ("it does not arrive by itself: it comes to rest {shortfall:.3g} mm short of its "
+    "actuation_arrives": "it arrives by itself, {shortfall:.3g mm} from the shape that it keeps",
+    "actuation_jammed": ("it does not arrive by itself: it comes to rest {shortfall:.3g mm} short of its "
                          "shape, and {open} of {count} contacts stay open: {contacts:8}",
                          "shake it, and press it home by hand where contacts are open"),
-    "actuation_short": ("it does not arrive by itself: all contacts close, {shortfall:.3g} mm from the "
-                        "shape that it keeps (hold_tolerance allows {most:.3g} mm)",
+    "actuation_short": ("it does not arrive by itself: all contacts close, {shortfall:.3g mm} from the "
+                        "shape that it keeps (hold_tolerance allows {most:.3g mm})",
                         "press it into its shape by hand"),
-    "actuation_trapped": "it would not arrive without friction either: it comes to rest {distance:.3g} mm "
+    "actuation_trapped": "it would not arrive without friction either: it comes to rest {distance:.3g mm} "
                          "from where the actuated piece does; tiles that are no neighbours wedge: {pairs:8}",
-    "actuation_elsewhere": "it would not arrive without friction either: it comes to rest {distance:.3g} mm "
+    "actuation_elsewhere": "it would not arrive without friction either: it comes to rest {distance:.3g mm} "
                            "from where the actuated piece does",
     "actuation_friction": "friction holds it back: with a coefficient of {reach:.3g} it arrives",
     "actuation_anew": ("the frame that it begins at has no memory that this design can use: contacts forget "
@@ -132,34 +132,34 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                        "begin at a frame that has one"),
     "actuation_restless": "whether it arrives is not known: the tiles do not come to rest",
     "actuation_stopped": "whether it arrives is not known: it was stopped",
-    "hands_shaken": "shaken, it comes home: after {taps} taps it is {shortfall:.3g} mm from the shape that "
+    "hands_shaken": "shaken, it comes home: after {taps} taps it is {shortfall:.3g mm} from the shape that "
                     "it keeps, and {open} of {count} contacts stay open",
     "hands_press": "by hand it comes into its shape: shake it ({taps} taps), press {touches:, } to their "
-                   "places, {force:g} N a tile, shake it again and let go; then it is {shortfall:.3g} mm "
+                   "places, {force:g N} a tile, shake it again and let go; then it is {shortfall:.3g mm} "
                    "from the shape that it keeps, and {open} of {count} contacts stay open",
     "hands_over": "by hand it comes into its shape: shake it ({taps} taps), lay it over the former of the "
-                  "kit, press {pressed} tiles to their places, {force:g} N a tile, shake it again and let "
-                  "go; then it is {shortfall:.3g} mm from the shape that it keeps, and {open} of {count} "
+                  "kit, press {pressed} tiles to their places, {force:g N} a tile, shake it again and let "
+                  "go; then it is {shortfall:.3g mm} from the shape that it keeps, and {open} of {count} "
                   "contacts stay open",
-    "hands_none": "no touches that were tried bring it home: of {tried}, with up to {force:g} N on every "
-                  "tile, the best leave it {shortfall:.3g} mm short of its shape and {open} of {count} "
+    "hands_none": "no touches that were tried bring it home: of {tried}, with up to {force:g N} on every "
+                  "tile, the best leave it {shortfall:.3g mm} short of its shape and {open} of {count} "
                   "contacts open",
-    "hands_no_more": "shaken, it comes into its shape: after {taps} taps it is {shortfall:.3g} mm from the "
+    "hands_no_more": "shaken, it comes into its shape: after {taps} taps it is {shortfall:.3g mm} from the "
                      "shape that it keeps; {open} of {count} contacts stay open, and none of {tried} touches "
                      "that were tried closes them",
     "hands_short": "by hand it does not come home: shaken ({taps} taps), with {pressed} tiles pressed to "
-                   "their places, {force:g} N a tile, shaken again and let go, it is {shortfall:.3g} mm "
+                   "their places, {force:g N} a tile, shaken again and let go, it is {shortfall:.3g mm} "
                    "short of its shape, and {open} of {count} contacts stay open",
     "hands_restless": "whether it comes home by hand is not known: let go, the tiles do not come to rest",
     "hands_touch.inwards": "{which:8} inwards",
     "hands_touch.outwards": "{which:8} outwards",
     "hands_touch.sideways": "{which:8} sideways",
-    "help_arrives": "{changes:, }: it arrives by itself, {shortfall:.3g} mm from the shape that it keeps",
-    "help_arrives.invalid": "{changes:, }: it arrives by itself, {shortfall:.3g} mm from the shape that it "
+    "help_arrives": "{changes:, }: it arrives by itself, {shortfall:.3g mm} from the shape that it keeps",
+    "help_arrives.invalid": "{changes:, }: it arrives by itself, {shortfall:.3g mm} from the shape that it "
                             "keeps, but the design is not valid",
-    "help_short": "{changes:, }: it comes to rest {shortfall:.3g} mm short of its shape with {open} of "
+    "help_short": "{changes:, }: it comes to rest {shortfall:.3g mm} short of its shape with {open} of "
                   "{count} contacts open",
-    "help_short.invalid": "{changes:, }: it comes to rest {shortfall:.3g} mm short of its shape with {open} "
+    "help_short.invalid": "{changes:, }: it comes to rest {shortfall:.3g mm} short of its shape with {open} "
                           "of {count} contacts open, and the design is not valid",
     "help_restless": "{changes:, }: whether it arrives is not known: the tiles do not come to rest",
     "help_restless.invalid": "{changes:, }: whether it arrives is not known: the tiles do not come to rest, "
@@ -168,11 +168,11 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "help_none": "none of {tried} changes that were tried gives a valid design that comes nearer to its "
                  "shape",
     "help_change": "{name}={value}",
-    "help_change.cut": "a cut of {length:.0f} mm",
+    "help_change.cut": "a cut of {length:.0f mm}",
     "hands_stopped": "what brings it home by hand is not known: it was stopped",
     "unsettled_design": "the margin is required, and the tiles did not settle: set run_settling and "
                         "run_verification on",
-    "glue_carries": "the glue on the {side} pin of {tile} carries {shear:.3g} MPa of shear",
+    "glue_carries": "the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear",
     "margin": "the margin is not met: where the {side} membrane pulls {percent:.3g} % harder and friction is "
               "{mu:.3g}, {reason}",
     "margin.design": "the margin is not met: {reason}",
@@ -222,15 +222,15 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                "of it"),
     "self-intersections": ("{count} faces run through others of the same surface",
                            "repair the surface: tiles can't pass through one another"),
-    "huge-coordinates": ("coordinates reach {largest:.4g} mm, where files lose digits",
+    "huge-coordinates": ("coordinates reach {largest:.4g mm}, where files lose digits",
                          "move the surface to the origin, or check its unit (scale)"),
-    "too-small": ("the surface is {size:.4g} mm large, smaller than one tile of L = {L:.4g} mm",
+    "too-small": ("the surface is {size:.4g mm} large, smaller than one tile of L = {L:.4g mm}",
                   "is it in metres or inches? set scale (1000 or 25.4), or choose a smaller L"),
-    "too-large": ("the surface needs about {tiles_needed:.4g} tiles of L = {L:.4g} mm",
+    "too-large": ("the surface needs about {tiles_needed:.4g} tiles of L = {L:.4g mm}",
                   "check the unit of the file (scale), or choose a larger L"),
     "components": "the surface has {count} components, which are laid out side by side",
     # Its tiles.
-    "sharp_fold": ("{count} tiles lie at folds sharper than a tile of thickness {H_body:.3g} mm can have: "
+    "sharp_fold": ("{count} tiles lie at folds sharper than a tile of thickness {H_body:.3g mm} can have: "
                    "their back faces vanish",
                    "lower H_body, raise L or smooth the target there"),
     "folded_over": ("{count} pairs of tiles overlap in the target and no plane separates them without "
@@ -238,27 +238,27 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                     "lower H_body, or keep parts of the target farther from one another"),
     "hinge": ("{count} contacts are only a hinge: truncation leaves no interface",
               "lower H_body or smooth the target there"),
-    "small_pin": ("{count} pin sides can't reach A_pin_min ({A_pin_min:.3g} mm2); the smallest has "
-                  "{least:.3g} mm2",
+    "small_pin": ("{count} pin sides can't reach A_pin_min ({A_pin_min:.3g mm2}); the smallest has "
+                  "{least:.3g mm2}",
                   "lower H_body, p_min or A_pin_min, raise L or smooth the target there"),
-    "edge_length": ("{count} tiles are far smaller or larger than L ({L:.3g} mm)",
+    "edge_length": ("{count} tiles are far smaller or larger than L ({L:.3g mm})",
                     "let the target be remeshed"),
-    "wall": ("the part is drawn {wall:.3g} mm thick, tiles are {H_body:g} mm thick", "set H_body={wall:.3g}"),
+    "wall": ("the part is drawn {wall:.3g mm} thick, tiles are {H_body:g mm} thick", "set H_body={wall:.3g}"),
     "fold": "no back face: its folds are too sharp for tiles of this thickness",
-    "pin": "its {side} pin has room for {area:.3g} mm2, less than A_pin_floor ({least:g})",
+    "pin": "its {side} pin has room for {area:.3g mm2}, less than A_pin_floor ({least:g mm2})",
     "overlap.bodies": "it runs through {other}, another part of the target, and no plane parts them",
     "overlap.pins": "{other}, another part of the target, faces it so near that pins between them would meet",
     "closed.tile": "its piece has no flat map: closed surfaces and handles have to be cut open first",
-    "membrane.room": "its {side} membrane would cut into it at a sharp corner or fold: pins rise {room:.2f} "
-                     "mm over it, {least:.2g} are wanted",
+    "membrane.room": "its {side} membrane would cut into it at a sharp corner or fold: pins rise "
+                     "{room:.2f mm} over it, {least:.2g mm} are wanted",
     "stretch": "the flat map scales it by {stretch:.2f}; it can do with {low:.2f} to {high:.2f}: cuts would "
                "even that out",
     "mending.remaining": ("mending left {at:6} with too little room for pins or under membranes",
-                          "set mend_max above {most:g}, or another L or H_body"),
+                          "set mend_max above {most:g mm}, or another L or H_body"),
     "mending.border": ("mending left {at:6} with too little room for pins or under membranes",
-                       "set mend_border=on, as some are at the border; or set mend_max above {most:g}, or "
+                       "set mend_border=on, as some are at the border; or set mend_max above {most:g mm}, or "
                        "another L or H_body"),
-    "mending.far": ("tiles are up to {distance:.2f} mm from the target, more than mend_max ({most:g} mm): "
+    "mending.far": ("tiles are up to {distance:.2f mm} from the target, more than mend_max ({most:g mm}): "
                     "they can't follow its corners and edges",
                     "lower L, or give edges that tiles must meet a crease_angle"),
     "pieces": ("the target is in {count} pieces, {asked} are asked for",
@@ -269,18 +269,18 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     # The layout and the design.
     "unsettled": "the layout did not converge in {iterations} iterations",
     "layout": "the layout did not converge in {iterations} iterations; all constraints hold",
-    "gap": "flat tiles are {violation:.3g} mm nearer than d_gap_min ({pairs:6})",
-    "gap.somewhere": "flat tiles are {violation:.3g} mm nearer than d_gap_min",
-    "pin_bounds": "pin insets leave their bounds by {violation:.3g} mm",
+    "gap": "flat tiles are {violation:.3g mm} nearer than d_gap_min ({pairs:6})",
+    "gap.somewhere": "flat tiles are {violation:.3g mm} nearer than d_gap_min",
+    "pin_bounds": "pin insets leave their bounds by {violation:.3g mm}",
     "pins_below_floor": "{count} pin sides are smaller than A_pin_floor ({at:6})",
     "overlap": "{count} pairs of tiles overlap when actuated and no plane parts them ({pairs:6})",
-    "small_pin.side": "the {side} pin of {tile} has {area_mm2:.3g} mm2, less than A_pin_min",
+    "small_pin.side": "the {side} pin of {tile} has {area_mm2:.3g mm2}, less than A_pin_min",
     "relaxed.p_min": "p_min gives way on {count} edges of pins, where folds leave their pins no room: from "
-                     "{before:.3g} to {after:.3g} mm at the {side} of {tile}",
+                     "{before:.3g mm} to {after:.3g mm} at the {side} of {tile}",
     "relaxed.p_max": "p_max gives way on {count} edges of pins, where folds ask for less than pins that "
-                     "face one another leave: from {before:.3g} to {after:.3g} mm at the {side} of {tile}",
+                     "face one another leave: from {before:.3g mm} to {after:.3g mm} at the {side} of {tile}",
     "flat_gap": "bumps stand into the gap between flat tiles, as walls are not recessed for their height: "
-                "{left:.3g} of {asked:.3g} mm (d_gap_min) are left",
+                "{left:.3g mm} of {asked:.3g mm} (d_gap_min) are left",
     "shortened": "{count} pairs of tiles without a common corner would overlap when actuated; interfaces "
                  "were shortened to part them: {pairs:6}",
     "hinge.design": "{count} contacts are only a hinge: nothing but the front edge touches",
@@ -292,7 +292,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                         "no cut was found that is worth it"),
     # Bodies, solids and printers.
     "bodies_meet": "solids meet in the flat layout ({at})",
-    "bodies_overlap": "actuated tiles overlap by {value:.3g} mm3 ({at})",
+    "bodies_overlap": "actuated tiles overlap by {value:.3g mm3} ({at})",
     "unprintable": "the print can't be made: {error}",
     "unbuilt": "solids can't be built: {error}",
     "unsound": "solids are not sound: {solids:; }",
@@ -307,17 +307,17 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "loose.anchors": "{count} anchors are not held by the support",
     "label": "the label of piece {piece} says only '{said}': not the whole name",
     "label.none": "the label of piece {piece} has no room: not the whole name",
-    "joint.room": ("pins of at least A_pin_floor ({A_pin_floor:.3g} mm2) leave no room for stitching holes "
-                   "of {joint_hole:.3g} mm",
+    "joint.room": ("pins of at least A_pin_floor ({A_pin_floor:.3g mm2}) leave no room for stitching holes "
+                   "of {joint_hole:.3g mm}",
                    "lower joint_hole to {hole:.3g} or H_body, raise L, or set joint to none"),
-    "joint.no_room": ("pins of at least A_pin_floor ({A_pin_floor:.3g} mm2) leave no room for stitching "
-                      "holes of {joint_hole:.3g} mm",
+    "joint.no_room": ("pins of at least A_pin_floor ({A_pin_floor:.3g mm2}) leave no room for stitching "
+                      "holes of {joint_hole:.3g mm}",
                       "lower H_body, raise L, or set joint to none"),
-    "overhang": ("tiles reach out level by up to {reach:.2g} mm beyond the pin they stand on, {H_pin:g} mm "
-                 "above the bed; a {printer} prints {most:g} mm without supports",
+    "overhang": ("tiles reach out level by up to {reach:.2g mm} beyond the pin they stand on, {H_pin:g mm} "
+                 "above the bed; a {printer} prints {most:g mm} without supports",
                  "let the slicer put supports there, on the bed alone"),
-    "overhang.front_down": ("tiles reach out level by up to {reach:.2g} mm beyond the pin they stand on, "
-                            "{H_pin:g} mm above the bed; a {printer} prints {most:g} mm without supports",
+    "overhang.front_down": ("tiles reach out level by up to {reach:.2g mm} beyond the pin they stand on, "
+                            "{H_pin:g mm} above the bed; a {printer} prints {most:g mm} without supports",
                             "let the slicer put supports there, on the bed alone; with "
                             "orientation=front-up they come off once a membrane holds the tiles"),
     "joint.none": ("joint=holes, but no two pieces have a border in common: there is nothing to join",
@@ -326,24 +326,24 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
               "{what_to_do}"),
     "glue": ("the slab is level with the {side} pins, which are glued first: glue takes it, too",
              "raise support_drop"),
-    "anchor": "the surplus membrane pulls with {pull:.3g} N at an anchor, whose glue then carries "
-              "{shear:.3g} MPa of shear, more than glue_strength ({limit:g} MPa): raise anchor_radius or "
+    "anchor": "the surplus membrane pulls with {pull:.3g N} at an anchor, whose glue then carries "
+              "{shear:.3g MPa} of shear, more than glue_strength ({limit:g MPa}): raise anchor_radius or "
               "lower anchor_spacing",
-    "bed": "the print ({x:.0f} x {y:.0f} x {z:.0f} mm) is larger than the bed of a {printer}",
+    "bed": "the print ({x:.0f mm} x {y:.0f mm} x {z:.0f mm}) is larger than the bed of a {printer}",
     "material": ("the soluble slab is a second material; a {printer} prints one", "set support to breakaway"),
-    "gap.printer": "tiles come as near as {clearance:.3g} mm; a {printer} needs {least:g} mm",
-    "feature.slab": ("the slab's walls between tiles are as thin as {clearance:.3g} mm; a {printer} makes "
-                     "{least:g} mm",
+    "gap.printer": "tiles come as near as {clearance:.3g mm}; a {printer} needs {least:g mm}",
+    "feature.slab": ("the slab's walls between tiles are as thin as {clearance:.3g mm}; a {printer} makes "
+                     "{least:g mm}",
                      "raise d_gap_min, or set support to breakaway"),
-    "feature": "{count} bodies have features smaller than a {printer} makes; {body}: {place}, {size:.3g} mm",
-    "resolution.bumps": ("bumps are {height:g} mm high, less than the {least:g} mm that a {printer} resolves",
+    "feature": "{count} bodies have features smaller than a {printer} makes; {body}: {place}, {size:.3g mm}",
+    "resolution.bumps": ("bumps are {height:g mm} high, less than the {least:g mm} that a {printer} resolves",
                          "set bumps to none, or raise bump_height"),
-    "resolution.dimples": ("dimples are {clearance:g} mm wider than bumps, less than the {least:g} mm that "
+    "resolution.dimples": ("dimples are {clearance:g mm} wider than bumps, less than the {least:g mm} that "
                            "a {printer} resolves",
                            "raise dimple_clearance, or set bumps to none"),
-    "growth": "walls stand back by {set:g} mm for what prints grow; a {printer} grows walls by {grows:g} "
-              "mm: raise xy_compensation",
-    "thin_p_min": "p_min gave way to {least:.3g} mm at {at:6}, below what a {printer} makes ({makes:g} mm): "
+    "growth": "walls stand back by {set:g mm} for what prints grow; a {printer} grows walls by "
+              "{grows:g mm}: raise xy_compensation",
+    "thin_p_min": "p_min gave way to {least:.3g mm} at {at:6}, below what a {printer} makes ({makes:g mm}): "
                   "raise p_floor",
     # Repair and advice.
     "repair": "repair can't begin: {error}",
@@ -360,8 +360,8 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "advice.pull": "another tau, or a smoother target near the tiles named, changes the membranes' pull "
                    "there",
     "suggested": "suggested: {what_to_do}",
-    "cut": "a cut of {length:.0f} mm {why:; }",
-    "cut.predicted": "a cut of {length:.0f} mm {why:; } (predicted: flat area {area_before:.2f} to "
+    "cut": "a cut of {length:.0f mm} {why:; }",
+    "cut.predicted": "a cut of {length:.0f mm} {why:; } (predicted: flat area {area_before:.2f} to "
                      "{area_after:.2f} times the actuated, slack membrane at {slack_before} to "
                      "{slack_after} places, energy per contact {energy_before:.2f} to {energy_after:.2f})",
     "cut.opens": "opens what is closed or has handles",
@@ -370,11 +370,11 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "cut.weak_contact": "through the weak contact {contact}",
     "cut.hole": "joins the hole at {tile} to another boundary",
     "cuts": "cuts could not be looked for: {error}",
-    "advice.H_body": "tiles of H_body = {value:g} mm instead of {set:g} give the pins named a quarter more "
-                     "than A_pin_min",
-    "advice.L": "tiles of L = {value:g} mm instead of {set:.3g} give the pins named a quarter more than "
-                "A_pin_min",
-    "advice.L_too": "tiles of L = {value:g} mm instead of {set:.3g} do so too",
+    "advice.H_body": "tiles of H_body = {value:g mm} instead of {set:g mm} give the pins named a quarter "
+                     "more than A_pin_min",
+    "advice.L": "tiles of L = {value:g mm} instead of {set:.3g mm} give the pins named a quarter more "
+                "than A_pin_min",
+    "advice.L_too": "tiles of L = {value:g mm} instead of {set:.3g mm} do so too",
     "advice.tau": "membranes stretched to tau = {value:g} instead of {set:g} would be taut at all weak "
                   "contacts",
     "advice.tried": "{sizes: }, with which it is valid: that was tried",
@@ -382,7 +382,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "advice.sizes": "of {tried} other sizes that were tried, {sizes: or } does by estimates "
                     "('curveups check' makes trial layouts)",
     "advice.no_sizes": "none of {tried} other sizes that were tried does",
-    "advice.mend": "mend=on does by estimates, and moves vertices by up to {moved:.2g} mm",
+    "advice.mend": "mend=on does by estimates, and moves vertices by up to {moved:.2g mm}",
     "advice.checked": "{sizes: or }, with which the estimates of 'curveups check' find nothing in the way",
     "advice.auto": "H_body=auto and L=auto try them with mending, too",
     "advice.mend_surface": "set mend=on ({actions})",
@@ -402,19 +402,19 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                        "steps: the estimates stand",
     "check.passed_beyond": "the design of that layout is not valid all the same: {reasons:; }",
     "check.beyond": "with {sizes} a design is not valid all the same: {reasons:; }",
-    "check.no_L": "with H_body = {H_body:g} mm, no L was found that does",
-    "check.L": "with H_body = {H_body:g} mm, L from {low:g} to {high:g} mm does",
-    "check.L_alone": "with H_body = {H_body:g} mm, L = {L:g} mm does",
-    "check.no_H_body": "with L = {L:.4g} mm, no H_body was found that does",
-    "check.H_body_alone": "with L = {L:.4g} mm, H_body = {H_body:g} mm does",
-    "check.H_body": "with L = {L:.4g} mm, H_body up to {H_body:g} mm does",
-    "check.H_body_more": "with L = {L:.4g} mm, H_body up to {H_body:g} mm and more does",
-    "check.no_H_pin": "with L = {L:.4g} mm and H_body = {H_body:g} mm, no H_pin was found that does",
-    "check.H_pin": "with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin = {H_pin:g} mm does",
-    "check.H_pin_down": "with L = {L:.4g} mm and H_body = {H_body:g} mm, H_pin down to {H_pin:g} mm does",
-    "check.together": "with L = {L:.4g} mm, H_body = {H_body:g} mm and H_pin = {H_pin:g} mm together do",
+    "check.no_L": "with H_body = {H_body:g mm}, no L was found that does",
+    "check.L": "with H_body = {H_body:g mm}, L from {low:g mm} to {high:g mm} does",
+    "check.L_alone": "with H_body = {H_body:g mm}, L = {L:g mm} does",
+    "check.no_H_body": "with L = {L:.4g mm}, no H_body was found that does",
+    "check.H_body_alone": "with L = {L:.4g mm}, H_body = {H_body:g mm} does",
+    "check.H_body": "with L = {L:.4g mm}, H_body up to {H_body:g mm} does",
+    "check.H_body_more": "with L = {L:.4g mm}, H_body up to {H_body:g mm} and more does",
+    "check.no_H_pin": "with L = {L:.4g mm} and H_body = {H_body:g mm}, no H_pin was found that does",
+    "check.H_pin": "with L = {L:.4g mm} and H_body = {H_body:g mm}, H_pin = {H_pin:g mm} does",
+    "check.H_pin_down": "with L = {L:.4g mm} and H_body = {H_body:g mm}, H_pin down to {H_pin:g mm} does",
+    "check.together": "with L = {L:.4g mm}, H_body = {H_body:g mm} and H_pin = {H_pin:g mm} together do",
     "check.estimated": "these are estimates: check what you choose of them",
-    "check.mend": "with mend=on, which moves vertices by up to {moved:.2g} mm, the sizes that are set do",
+    "check.mend": "with mend=on, which moves vertices by up to {moved:.2g mm}, the sizes that are set do",
 }
 
 SENTENCES: Mapping[str, tuple[str, str]] = {

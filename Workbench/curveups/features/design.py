@@ -11,7 +11,7 @@ from typing import Any, Iterator, Optional
 
 from .. import __version__
 from ..base.errors import CurveUpsError
-from ..base.findings import Finding
+from ..base.findings import Finding, Style, refused
 from ..base.native import native, problem
 from ..project.project import Project
 from . import figures, properties, rebuild, status, target
@@ -100,11 +100,11 @@ class DesignProxy(Proxy):
             found = self.state(obj)
             write(obj, "Verdict", found.verdict)
             write(obj, "Holds", found.holds)
-            write(obj, "Reasons", [properties.as_properties(obj, str(reason)) for reason in found.reasons])
+            write(obj, "Reasons", [reason.sentence(_NAMED) for reason in found.reasons])
             write(obj, "Status", found.state)
             for name, parts in (("Kit", found.kit), ("Actuation", found.actuation)):
                 if name in obj.PropertiesList:
-                    write(obj, name, properties.as_properties(obj, ": ".join(filter(None, parts))))
+                    write(obj, name, ": ".join(filter(None, parts)))
             for slot, (state, reason) in found.parts.items():
                 part = getattr(obj, slot)
                 if part is not None and {"Status", "Reason"} <= set(part.PropertiesList):
@@ -133,7 +133,7 @@ class DesignProxy(Proxy):
         try:
             properties.read_parameters(obj, native.Parameters())
         except CurveUpsError as error:
-            return Finding.about("refused", what=error.what, where=error.where, remedy=error.remedy)
+            return refused(error)
         return None
 
     def onDocumentRestored(self, obj: Any) -> None:
@@ -144,6 +144,8 @@ class DesignProxy(Proxy):
             show(obj.Target)  # it has no proxy that would
         self.refresh(obj)
 
+
+_NAMED = Style(properties.named)
 
 # A change of these is a change of state.
 _WATCHED = (*SLOTS, "Results", "Keys", "RebuiltKeys", "KitKeys")

@@ -19,8 +19,8 @@ from .proxy import write
 class Keys:
     """records: of results by their stage. valid and reasons: the verdict of the run that ended with them;
     holds: whether the shape does, by settled forces.
-    stamp, linked and cuts: the source, whether it is an object, and the cuts that were asked for. failure:
-    why no solids can be made."""
+    stamp, linked and cuts: the source, whether it is an object, and the cuts that were asked for.
+    failed: whether no solids can be made, for these reasons."""
 
     records: Mapping[str, Record] = field(default_factory=dict)
     valid: Optional[bool] = None
@@ -28,7 +28,7 @@ class Keys:
     stamp: str = ""
     linked: bool = False
     cuts: str = ""
-    failure: str = ""
+    failed: bool = False
     holds: Optional[bool] = None
 
 

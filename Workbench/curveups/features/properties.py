@@ -144,13 +144,10 @@ def value_of(obj: Any, name: str) -> Any:
     return value
 
 
-def as_properties(obj: Any, text: str) -> str:
-    """A message with parameters called as the property editor calls them."""
-    def name(match: re.Match) -> str:
-        found = property_name(match[0])
-        return found if found in obj.PropertiesList else match[0]
-
-    return re.sub(r"\b[A-Za-z]+(?:_[A-Za-z]+)+\b", name, text)
+def named(template: str) -> str:
+    """The template of a sentence with parameters called as their properties; its places stay."""
+    names = "|".join(row.name for row in rows() if "_" in row.name)
+    return re.sub(rf"(?<![{{\w])({names})\b", lambda match: property_name(match[0]), template)
 
 
 def same(a: Any, b: Any) -> bool:

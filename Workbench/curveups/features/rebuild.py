@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any, Optional
 
 from ..base.errors import CurveUpsError
+from ..base.findings import Finding, refused
 from ..base.native import problem
 from ..project.keys import Record, key_of
 from ..project.project import Results
@@ -30,7 +31,7 @@ def needed(obj: Any) -> bool:
 
 def failed(obj: Any) -> bool:
     """Whether it is known that no solids can be made of the design and values as they are."""
-    return bool(status.known_of_values(obj, read_keys(obj), properties.values_of(obj)).failure)
+    return status.known_of_values(obj, read_keys(obj), properties.values_of(obj)).failed
 
 
 def follow(obj: Any, job: Optional[Job] = None) -> None:
@@ -40,7 +41,7 @@ def follow(obj: Any, job: Optional[Job] = None) -> None:
     try:
         take(obj, live.design_project_of(obj).run(GOALS, job, strict=True))
     except CurveUpsError as error:
-        fail(obj, error)
+        fail(obj, refused(error))
 
 
 def take(obj: Any, results: Results) -> None:
@@ -51,7 +52,7 @@ def take(obj: Any, results: Results) -> None:
     model = results["solids"].model
     if model is None:  # stopped, or known not to be possible
         for reason in (*results["bodies"].reasons(), *results["solids"].reasons()):
-            fail(obj, CurveUpsError(str(reason), finding=reason))
+            fail(obj, reason)
         return
     keys = Keys({name: results.made[name].record for name in GOALS},
                 reasons=tuple(results["figures"].reasons()))
@@ -66,10 +67,10 @@ def take(obj: Any, results: Results) -> None:
         FreeCAD.Console.PrintWarning(f"{obj.Label}: {warning}\n")
 
 
-def fail(obj: Any, error: CurveUpsError) -> None:
+def fail(obj: Any, reason: Finding) -> None:
     """No solids can be made of the values as they are: the old ones stay, and the design says so."""
     records = expected(read_keys(obj), properties.values_of(obj), (BODIES.name,))
-    write_keys(obj, Keys(records, failure=str(error)), "RebuiltKeys")
+    write_keys(obj, Keys(records, failed=True, reasons=(reason,)), "RebuiltKeys")
     obj.Proxy.refresh(obj)
 
 

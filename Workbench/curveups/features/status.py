@@ -122,8 +122,8 @@ def verdict_changes(keys: Keys, values: Mapping[str, Any]) -> list[Finding]:
 def _judgement(obj: Any, keys: Keys, values: Mapping[str, Any], layout: list[Finding],
                verification: list[Finding]) -> tuple[str, str, list[Finding]]:
     known = known_of_values(obj, keys, values)
-    if known.failure:
-        return INVALID, VERDICTS[False], [Finding.read(known.failure)]
+    if known.failed:
+        return INVALID, VERDICTS[False], list(known.reasons)
     broken = list(known.reasons) if verification else []
     if layout:
         return OUT_OF_DATE, OUT_OF_DATE, layout + broken

@@ -19,10 +19,10 @@ import FreeCADGui
 from ..base.errors import CurveUpsError, Stopped, tile_name
 from ..base.findings import Finding, Style
 from ..base.sentences import CONTEXT
-from ..features.properties import as_properties
+from ..features.properties import named
 from .qt import RESOURCES, QtCore, QtGui, QtWidgets, ink_and_paper, translate
 from .selection import select_tiles
-from .units import in_user_units
+from .units import quantity
 
 _panel: Optional[Callable[[str], None]] = None  # shows a line of rich text
 
@@ -53,7 +53,7 @@ def show_error(error: Exception, what: str = "") -> None:
 
 def _rich(error: CurveUpsError) -> str:
     """An error in the user's language, with links to its tiles."""
-    what, remedy = (escape(in_user_units(words_of(text)), quote=False) for text in (error.what, error.remedy))
+    what, remedy = (escape(words_of(text), quote=False) for text in (error.what, error.remedy))
     if error.finding is not None:
         what, remedy = error.finding.sentence(_RICH), error.finding.remedy(_RICH)
     place = escape(error.where, quote=False)
@@ -113,14 +113,17 @@ def _link(tile: int) -> str:
     return link(tile_name(tile), tile_name(tile))
 
 
-_PLAIN = Style(words_of)
-_RICH = Style(words_of, _link, lambda text: escape(text, quote=False))
+def _words(text: str) -> str:
+    return named(words_of(text))
 
 
-def shown(design: Any, found: Finding, rich: bool = True) -> str:
-    """A finding in the user's language and units, with parameters called as the design's properties are; in
-    rich text names of tiles can be clicked."""
-    return in_user_units(as_properties(design, found.sentence(_RICH if rich else _PLAIN)))
+_PLAIN = Style(_words, quantity=quantity)
+_RICH = Style(_words, _link, lambda text: escape(text, quote=False), quantity)
+
+
+def shown(found: Finding, rich: bool = True) -> str:
+    """A finding in the user's language and units; in rich text names of tiles can be clicked."""
+    return found.sentence(_RICH if rich else _PLAIN)
 
 
 def follow_link(link: str) -> None:

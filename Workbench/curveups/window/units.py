@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writes numbers, also in messages, as the user's unit schema does."""
+"""Numbers as the user's unit schema writes them."""
 
 from __future__ import annotations
 
@@ -12,9 +12,6 @@ import FreeCAD
 _NUMBER = r"\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 _FREECADS = {"mm": "mm", "mm2": "mm^2", "mm3": "mm^3", "N": "N", "MPa": "MPa"}
 _MOST_DECIMALS = 9
-_TO = "to|bis"  # in a range, in any of our languages
-_QUANTITY = re.compile(
-    rf"(?<![\w.])({_NUMBER})(?: ({_TO}) ({_NUMBER}))? ({'|'.join(_FREECADS)})(?![\w/^])")
 
 
 def user_unit(unit: str, size: float) -> tuple[float, str]:
@@ -64,19 +61,11 @@ def show_number(field: Any, value: Any) -> None:
     field.setProperty("value", quantity)
 
 
-def in_user_units(text: str) -> str:
-    """A message with its lengths, areas, volumes, forces and pressures in the user's units. Where those of
-    lengths are millimetres it stays as it is."""
+def quantity(number: float, how: str, unit: str) -> str:
+    """A number in a sentence with its unit; where the user's lengths are millimetres as `how` has it."""
     if user_unit("mm", 10.0)[1] == "mm":
-        return text
-
-    def quantity(match: re.Match) -> str:
-        first, to, last, unit = match.groups()
-        factor, name = user_unit(_FREECADS[unit], float(last or first))
-        numbers = (short(float(number) * factor) for number in (first, last) if number)
-        return f"{f' {to} '.join(numbers)} {name}"
-
-    return _QUANTITY.sub(quantity, text)
+        return f"{number:{how}} {unit}"
+    return text_of(number, _FREECADS[unit], number)
 
 
 def row_in_user_units(row: Sequence[str]) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from typing import Any, Optional
 from ...features.status import OUT_OF_DATE
 from ...stages import BY_NAME
 from ..qt import translate
-from ..units import in_user_units, text_of
+from ..units import text_of
 from .fields import Field
 from .scene import Scene
 
@@ -30,7 +30,7 @@ def age(design: Any, one: Optional[Field], scene: Optional[Scene]) -> str:
     part = getattr(design, _slot(one, scene), None)
     if part is None or part.Status != OUT_OF_DATE:
         return ""
-    return translate("CurveUps_Overlay", "out of date: {why}", why=in_user_units(part.Reason))
+    return translate("CurveUps_Overlay", "out of date: {why}", why=part.Reason)
 
 
 def text(one: Optional[Field], scene: Scene) -> str:

@@ -93,7 +93,7 @@ class ActuatePanel(Panel):
         if found and helped and helped.before == found.block["shortfall_mm"]:  # of this very path
             said = [*said, *helped.findings()[:_MOST_CHANGES]]
         form.verdict.setText("<br>".join(text for one in said for text in (
-            shown(self.design, one), words_of(one.remedy())) if text))
+            shown(one), words_of(one.remedy())) if text))
         form.note.setVisible(self.design.Actuation.startswith(OUT_OF_DATE))
         self._enable_changes()
 

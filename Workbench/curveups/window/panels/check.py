@@ -110,7 +110,7 @@ class CheckPanel(Panel):
             "CurveUps_Check", "Not feasible")
         if not current:
             head = translate("CurveUps_Check", "Out of date: check again")
-        said = [shown(self.design, one) for one in words.verdict(found)]
+        said = [shown(one) for one in words.verdict(found)]
         form.verdict.setText(f"<b>{escape(head)}</b><br>{', '.join(said)}")
         self._fill_sizes(found)
         self._fill_margins(found)
@@ -118,7 +118,7 @@ class CheckPanel(Panel):
 
     def _fill_sizes(self, found: Results) -> None:
         form, get = self.form, found.parameters.get
-        form.advice.setText("\n".join(shown(self.design, one, False) for one in words.advice(found)))
+        form.advice.setText("\n".join(shown(one, False) for one in words.advice(found)))
         form.use_mending.setVisible(found["sizes"].mending is not None)
         for name, button in (("L", form.use_length), ("H_body", form.use_thickness),
                              ("H_pin", form.use_pin)):
@@ -131,8 +131,7 @@ class CheckPanel(Panel):
         tree.clear()
         for row in words.rows(found):
             head, worst, tile, *cells = row_in_user_units((words_of(row[0]), *row[1:]))
-            name = properties.as_properties(self.design, head)
-            top = QtWidgets.QTreeWidgetItem(tree, [fill(name, _LETTERS)])
+            top = QtWidgets.QTreeWidgetItem(tree, [fill(head, _LETTERS)])
             top.setFirstColumnSpanned(True)
             top.setExpanded(True)
             values = QtWidgets.QTreeWidgetItem(top, [f"{worst}\n{tile}".strip(), *cells])
@@ -144,7 +143,7 @@ class CheckPanel(Panel):
         form, blocked = self.form, found["trial layout"].blocked
         form.obstacles.clear()
         for one in blocked[:_MOST]:
-            why = shown(self.design, one.why, False)
+            why = shown(one.why, False)
             text = fill(why if one.certain else f"{why} *", _LETTERS)
             item = QtWidgets.QTreeWidgetItem([tile_name(one.tile), text])
             item.setToolTip(1, why)
@@ -224,7 +223,7 @@ def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
         runs.finish("choose_sizes", obj, found, repr(names))
         obj.Document.recompute()
         values = _words_of_sizes(found.values)
-        why = "; ".join(shown(obj, one, False) for one in found.beyond)
+        why = "; ".join(shown(one, False) for one in found.beyond)
         show_line(_line_of(found.trial, values, why))
 
     with errors_shown(title):

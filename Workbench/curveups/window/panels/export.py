@@ -102,7 +102,7 @@ class ExportPanel(Panel):
     def show(self) -> None:
         """What speaks against printing the design as it is."""
         found = actions.doubts(self.design)
-        self.form.doubts.setText("<br>".join(f"<b>{shown(self.design, one)}</b>" for one in found))
+        self.form.doubts.setText("<br>".join(f"<b>{shown(one)}</b>" for one in found))
         self.form.doubts.setVisible(bool(found))
         self.form.insist.setVisible(bool(found))
 

@@ -67,7 +67,7 @@ class KitPanel(Panel):
     def show(self) -> None:
         """What the sheets will say of the design, and whether the kit is of the design as it is."""
         found = actions.doubts(self.design)
-        self.form.doubts.setText("<br>".join(f"<b>{shown(self.design, one)}</b>" for one in found))
+        self.form.doubts.setText("<br>".join(f"<b>{shown(one)}</b>" for one in found))
         self.form.doubts.setVisible(bool(found))
         self.form.note.setVisible(self.design.Kit.startswith(OUT_OF_DATE))
 

@@ -16,7 +16,7 @@ from ..macro import assign
 from ..notice import errors_shown
 from ..overlay.watching import unit_observers
 from ..qt import QtCore, QtWidgets, freecad_field, translate
-from ..units import in_user_units, show_number, whole
+from ..units import show_number, whole
 from .preferences import plain
 
 PAUSE = 400  # ms without typing after which an edit counts
@@ -125,7 +125,7 @@ class ParameterRows:
     def _show_tips(self) -> None:
         """What parameters mean, and their values, of which fields show three digits."""
         for name, field in self._fields.items():
-            about = in_user_units(translate("App::Property", self._object.getDocumentationOfProperty(name)))
+            about = translate("App::Property", self._object.getDocumentationOfProperty(name))
             value = getattr(self._object, name)
             for part in (field, self._labels[name]):
                 part.setToolTip(f"{about}\n= {whole(value)}" if hasattr(value, "Unit") else about)

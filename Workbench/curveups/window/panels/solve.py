@@ -225,7 +225,7 @@ class SolvePanel(Panel):
         head = ", ".join(translate("CurveUpsSolve", word) for word in (
             self.design.Verdict if state == "current" else state, self.design.Holds))
         found = self.design.Proxy.state(self.design)
-        lines = [shown(self.design, reason) for reason in found.reasons[:6]]
+        lines = [shown(reason) for reason in found.reasons[:6]]
         if found.state in (CURRENT, INVALID) and found.parts["Layout"][0] == CURRENT:
             lines += self._warnings()
         if getattr(self.design, "Kit", "").startswith(OUT_OF_DATE):
@@ -242,7 +242,7 @@ class SolvePanel(Panel):
             return []
         lines = []
         for found, others in warnings[:6]:
-            line = translate("CurveUpsSolve", "Warning: {what}").format(what=shown(self.design, found))
+            line = translate("CurveUpsSolve", "Warning: {what}").format(what=shown(found))
             more = translate("CurveUpsSolve", " (and {count} more of this kind)").format(count=others)
             lines.append(line + more * bool(others))
         return lines
@@ -266,7 +266,7 @@ class SolvePanel(Panel):
                 item.setText(column, f"{mark} {_value(one, searched)}" if end is None else _value(one, end))
                 item.setTextAlignment(column, QtCore.Qt.AlignRight)
                 if failure:
-                    item.setToolTip(column, shown(self.design, failure, False))
+                    item.setToolTip(column, shown(failure, False))
                     item.setData(column, QtCore.Qt.UserRole, list(failure.tiles))
             tree.addTopLevelItem(item)
         tree.setVisible(bool(ranges))

@@ -21,5 +21,13 @@ def attach(obj: Any) -> None:
     view, kind = getattr(obj, "ViewObject", None), _KINDS.get(type_of(obj))
     if view is None or kind is None or "Proxy" not in view.PropertiesList:
         return
-    if not isinstance(view.Proxy, kind):
-        kind(view)
+    if isinstance(view.Proxy, kind):
+        return
+    attached = view.Proxy is not None  # in a FreeCAD without this workbench; FreeCAD attaches a view once
+    kind(view)
+    if attached:
+        view.Proxy.attach(view)
+    if attached and kind is not ShapeView:
+        view.DisplayMode = view.Proxy.getDisplayModes(view)
+        view.Visibility = False
+        view.Visibility = True

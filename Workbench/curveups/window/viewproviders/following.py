@@ -13,6 +13,7 @@ import FreeCAD
 import FreeCADGui
 
 from ...base.errors import CurveUpsError
+from ...base.findings import refused
 from ...base.native import problem
 from ...features import live, properties, rebuild
 from ...features.keys import read_keys
@@ -86,7 +87,7 @@ class Follower:
             project = live.design_project_of(design)
             self._worker.start(project, rebuild.GOALS, self._take)
         except CurveUpsError as error:
-            rebuild.fail(design, error)
+            rebuild.fail(design, refused(error))
             return
         self._design, self._values = design, values
         self._poll.start()
@@ -100,10 +101,10 @@ class Follower:
         elif _values(design) != values:
             self.later()
         elif isinstance(outcome.error, CurveUpsError):
-            rebuild.fail(design, outcome.error)
+            rebuild.fail(design, refused(outcome.error))
         elif outcome.error is not None:
-            rebuild.fail(design, CurveUpsError(f"unexpected failure: {outcome.error}", design.Label,
-                                               "please report it"))
+            rebuild.fail(design, refused(CurveUpsError(f"unexpected failure: {outcome.error}", design.Label,
+                                                       "please report it")))
         elif outcome.value is not None:
             rebuild.take(design, outcome.value)
             self.later()
