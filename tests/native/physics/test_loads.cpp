@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "curveups/core/errors.hpp"
 #include "curveups/physics/loads.hpp"
@@ -157,9 +158,10 @@ Carried one_tile_on_a_table(const Vec3& place, const Vec3& down = -Vec3::UnitZ()
   one.V *= turn.transpose();
   Parameters p;
   p.gravity = "resting";
-  set_parameter(p, "gravity_x", down.x());
-  set_parameter(p, "gravity_y", down.y());
-  set_parameter(p, "gravity_z", down.z());
+  std::ostringstream direction;
+  direction.precision(17);
+  direction << down.x() << ',' << down.y() << ',' << down.z();
+  set_parameter(p, "gravity_direction", direction.str());
   const DesignGeometry geometry = make_geometry(one, Edges(0, 2), p);
   Wrenches weight = Wrenches::Zero(1, 6);
   const Vec3 at = one.V.transpose() * place - tile_centres(geometry.tiles).row(0).transpose();
