@@ -741,7 +741,6 @@ def test_every_release_ends_and_says_what_hands_did(risen, printed, curveups, tm
 
 def test_anchors_of_a_path_stand_where_they_are_printed(risen):
     parameters = native.Parameters(risen.design.parameters)
-    parameters.set("engrave", False)  # a label is no part of what is glued
     points, _, body = native.make_print_model(risen.design.with_parameters(parameters)).mesh("anchors")
     found = native.actuate_design(risen.design, answers=False, release="together").block["surplus"]
     assert found["anchors"] == body.max() + 1

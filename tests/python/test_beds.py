@@ -94,7 +94,7 @@ def test_anchors_for_which_there_is_no_room_are_left_out(design):
     whole, printed = amounts([model]), amounts([found.bed(0)])
     share = len(anchors) / (len(anchors) + found.left_out)
     assert printed["bodies"] == whole["bodies"] - found.left_out
-    tops = np.pi * design.parameters.get("anchor_radius") ** 2  # the label has no room
+    tops = np.pi * design.parameters.get("anchor_radius") ** 2
     assert 0 < printed["anchor_volume_cm3"] <= share * whole["anchor_volume_cm3"] + 1e-6
     for side in ("front", "back"):
         assert printed["glue"][f"{side}_anchors_mm2"] == pytest.approx(len(anchors) * tops, rel=1e-6)
@@ -310,7 +310,7 @@ def test_the_search_for_beds_ends_when_it_is_told_to(design):
 def test_a_print_that_can_not_be_made_with_fewer_anchors_is_cut(design, monkeypatch, error):
     def make(design, *given, **named):
         if "region" in named:
-            raise error("the label has no room")
+            raise error("no slab can be cut so")
         return native.make_print_model(design, *given, **named)
 
     model = native.make_print_model(design)

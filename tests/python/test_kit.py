@@ -494,7 +494,7 @@ def test_trim_marks_go_around_all_pins_at_their_distance(kit):
     share = np.einsum("pnk,nk->pn", corners[:, None] - ends, along) / np.einsum("nk,nk->n", along, along)
     distance = np.linalg.norm(corners[:, None] - ends - share.clip(0, 1)[..., None] * along, axis=2).min(1)
     assert distance.min() > 1.499 and np.median(np.sort(distance)[:len(pins)]) < 1.7
-    # Anchors lie around that as they are printed, which the label makes plain.
+    # Anchors lie around that as they are printed.
     anchors = [np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="control"]')]
     assert len(anchors) == kit.json["sheets"]["anchors"]
     assert not any(inside(corner, ends) for anchor in anchors for corner in anchor)

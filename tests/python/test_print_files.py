@@ -244,13 +244,3 @@ def test_names_that_xml_has_to_escape(curveups, printed, tmp_path):
         for part in ("Document.xml", "GuiDocument.xml"):
             ElementTree.fromstring(archive.read(part))
     assert html.escape(name) in (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
-
-
-def test_long_names_are_said_to_be_cut_on_labels(curveups, printed, tmp_path):
-    design = json.loads((printed.folder / "design.json").read_text(encoding="utf-8"))
-    for name, cut in (("the-lamp-shade-of-the-hall", False), ("x" * 90, True)):
-        (tmp_path / "d.json").write_text(json.dumps({**design, "name": name}), encoding="utf-8")
-        folder = tmp_path / name[:8]
-        assert curveups("export", tmp_path / "d.json", "-o", folder).status == 0
-        report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
-        assert any(warning.get("kind") == "label" for warning in report["warnings"]) == cut

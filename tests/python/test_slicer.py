@@ -161,7 +161,7 @@ def test_the_profile_for_fdm_leaves_level_overhangs_alone(fdm_print):
     _, report = fdm_print
     assert report["valid"] is True
     said = {warning.get("kind") for warning in report["warnings"]}
-    assert not said & {"bed", "material", "gap", "feature", "resolution", "glue", "loose", "label"}
+    assert not said & {"bed", "material", "gap", "feature", "resolution", "glue", "loose"}
     assert report["print"]["smallest_feature_mm"] >= 0.4
     assert report["solids"]["min_clearance_flat_mm"] >= 0.8 - 1e-6
 

@@ -17,7 +17,7 @@ OR = " or "                 # between findings
 WORDS = ("front", "back", "gap", "pin area", "pin keep-out", "inset at its limit", "open", "invalid",
          "faces turned over", "no volume", "volume", "front pin", "back pin", "height of the pins",
          "body", "bump", "joint hole", "wall beside the joint hole", "notch of the bridge",
-         "stroke of the engraving", "out of date")
+         "out of date")
 
 # What long work says that it is doing; {0} stands for a name or a number.
 PROGRESS = (
@@ -305,8 +305,6 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "bare.would_break_through": "its hollows would break into another face",
     "loose": "{count} tiles are not held by the support",
     "loose.anchors": "{count} anchors are not held by the support",
-    "label": "the label of piece {piece} says only '{said}': not the whole name",
-    "label.none": "the label of piece {piece} has no room: not the whole name",
     "joint.room": ("pins of at least A_pin_floor ({A_pin_floor:.3g mm2}) leave no room for stitching holes "
                    "of {joint_hole:.3g mm}",
                    "lower joint_hole to {hole:.3g} or H_body, raise L, or set joint to none"),

@@ -112,8 +112,7 @@ def _packed(model: Any, bed: Sequence[float]) -> Optional[list[dict[int, Place]]
 
 
 def _made(asked: Asked, design: Any, **given: Any) -> Any:
-    """A native PrintModel; None where there is none, for instance where the label has no room or no slab can
-    be cut so."""
+    """A native PrintModel; None where there is none, for instance where no slab can be cut so."""
     try:
         return native.make_print_model(design, asked, **given)
     except (native.TopologyError, native.SolverFailure):
@@ -133,15 +132,12 @@ def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any, a
         return None
     half = np.array(bed[:2]) / 2
     region = (np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * half - turn[:2]) @ turned(-turn[2]).T
-    own = native.Parameters(design.parameters)
+    made = _made(asked, design, region=[*region])
+    on_one = made and _on_one(made, bed)
+    if not on_one:
+        return None
     anchors = model.piece_of_bodies("anchors")
-    for engraved in (own.get("engrave"), False):
-        own.set("engrave", engraved)
-        made = _made(asked, design.with_parameters(own), region=[*region])
-        found = made and _on_one(made, bed)
-        if found:
-            return Beds(made, found, left_out=len(anchors) - len(made.piece_of_bodies("anchors")))
-    return None
+    return Beds(made, on_one, left_out=len(anchors) - len(made.piece_of_bodies("anchors")))
 
 
 def _cut(design: Any, model: Any, printer: Mapping[str, Any], shapes: Any, asked: Asked) -> Optional[Beds]:

@@ -28,8 +28,8 @@ def make(kit: Kit, kind: str) -> bytes:
 
 
 _NOTE = Text("""Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before
-that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors and
-labels. Copy the thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off
+that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors.
+Copy the thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off
 its rings. Where small circles lie on them, punch these first.""")
 
 
@@ -56,7 +56,7 @@ def marks(kit: Kit) -> Drawing:
 
 
 def _anchors(kit: Kit) -> list[np.ndarray]:
-    """Their outlines seen from the front; the label beside one says which way round all is."""
+    """Outlines of anchors seen from the front."""
     if not kit.model.volumes["anchors"]:
         return []
     side = (1, 1) if kit.results.parameters.get("orientation") == "front-up" else (1, -1)

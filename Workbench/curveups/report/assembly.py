@@ -38,17 +38,17 @@ more just before gluing, since latex creeps. The
 front sheet pulls with {front[0]:.0f} N at the left and right sides of its ring and {front[1]:.0f} N at the
 others, the back sheet with {back[0]:.0f} N and {back[1]:.0f} N: wear goggles, a sheet that slips off snaps
 back.""")
-_LOOK = Text("""{label} There are {bodies} bodies: {counts}. The map at the end of this sheet has the
+_LOOK = Text("""{lies} There are {bodies} bodies: {counts}. The map at the end of this sheet has the
 number of each tile. What is missing or broken is printed anew by its number, and laid into its place
 before gluing: the program CurveUps writes tile 12 by “curveups export design.json --tiles T00012 -o
 spares”. {weak}""")
 _LAY = Text("""Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3
-mm thick, by their numbers ({which}), and press them together. A part without a label fits its pocket with its
+mm thick, by their numbers ({which}), and press them together. A part fits its pocket with its
 {first} up alone. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first
 membrane is glued over all of them at once.""")
 _LAY_BARE = Text("""Print the drawing {name}-frame.pdf at 100 %, and hold the {parts} parts on it by thin
-double-sided tape below them, their {first} up, tile on tile, by their numbers ({which}). A part without a
-label matches the drawing with its {first} up alone. Gaps between parts are {opening:g} mm wider than those
+double-sided tape below them, their {first} up, tile on tile, by their numbers ({which}). A part matches
+the drawing with its {first} up alone. Gaps between parts are {opening:g} mm wider than those
 inside of them, and no tile may be more than {error:g} mm off its place. The first membrane is glued over all
 of them at once.""")
 _PEEL = Text("""On the {on_bed} {level}. Bridges alone hold the tiles meanwhile, and break easily.""")
@@ -84,8 +84,7 @@ it was stretched, and the back one as far outside of its own pins. {stop} Anchor
 {apart}""")
 _EACH = Text("""Where the pieces did not come to lie as far apart as they were printed, cut the paper between
 them, and lay each part of it on its own piece.""")
-_OWN = Text("""Each piece has its own former, from the left to the right, and its own ribs: P1 is of the
-piece whose label says P1.""")
+_OWN = Text("""Each piece has its own former, from the left to the right, and its own ribs.""")
 _STOP = Text("""Follow rims, holes and cuts. Where the drawing has small circles, punch these first: they keep
 a cut from tearing on.""")
 _APART = Text("So the {pieces} pieces come apart: each holds its shape by itself.")
@@ -167,9 +166,7 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
     away = say("{some} and {last}", some=", ".join(removals[:-1]), last=removals[-1]) if removals[1:] else \
         "".join(removals)
     along = slab or (reach_out and on_bed == second)
-    label = say("Each piece has a label beside an anchor, on the side that it names: {side}.",
-                side="FRONT" if on_bed == "back" else "BACK") if get("anchors") and get("engrave") else \
-        say("As it was printed, the {side} is up.", side=words["front" if on_bed == "back" else "back"])
+    lies = say("As it was printed, the {side} is up.", side=words["front" if on_bed == "back" else "back"])
     stretched, joints = sheets["control_square_stretched_mm"], report.get("joints", {})
     worst = _pairs(one["tiles"] for one in report.get("worst_contacts", ()))
     facing = _pairs(report.get("borders", {}).get("named", ()))
@@ -191,7 +188,7 @@ def _values(report: Mapping[str, Any], parameters: Any, say: Language) -> dict[s
             "tau": get("tau"), "window": sheets["window_mm"],
             "pitch": sheets["tooth_pitch_mm"], "square": sheets["control_square_mm"], "stretched": stretched,
             "slack": 0.02 * stretched, "front": sheets["load_n"]["front"], "back": sheets["load_n"]["back"],
-            "label": label, "bodies": block["bodies"], "counts": ", ".join(counts),
+            "lies": lies, "bodies": block["bodies"], "counts": ", ".join(counts),
             "punch": HOLE * sheets["grid_mm"], "stays": stays, "level": level, "layer": GLUE_LAYER,
             "away": away, "trim": TRIM, "weak": weak,
             "lay": say(lay, first=words[first], pieces=block["pieces"]),

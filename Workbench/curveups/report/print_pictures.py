@@ -115,7 +115,7 @@ def _seen(model: Any) -> tuple[np.ndarray, np.ndarray]:
             found = V[F]
             normal = np.cross(found[:, 1] - found[:, 0], found[:, 2] - found[:, 0])
             found = found[normal[:, 2] > 0.05 * np.linalg.norm(normal, axis=1)]
-            # Darker with depth, in bands: engraved letters contrast with what they are engraved into.
+            # Darker with depth, in bands.
             below = found[:, :, 2].max() - found[:, :, 2].mean(1)
             corners.append(found)
             colours.append(np.array(native.COLOURS[kind]) / 255

@@ -171,7 +171,7 @@ def print_picture(results: Results) -> Optional[Picture]:
     if not has_solids(results):
         return None
     model, printer = results["solids"].model, read_printer(results.parameters.get("printer"))
-    return Picture("", "All that is printed, seen from above: tiles, anchors with the label, and what holds "
+    return Picture("", "All that is printed, seen from above: tiles, anchors, and what holds "
                        "them together.", "print",
                    {"models": [model], "bed": printer["bed_mm"]})
 

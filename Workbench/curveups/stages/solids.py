@@ -88,8 +88,6 @@ def _lacks(model: Any) -> list[Finding]:
         warnings.append(Finding.about("loose", loose, count=len(loose)))
     if model.loose_anchors:
         warnings.append(Finding.about("loose.anchors", count=int(model.loose_anchors)))
-    warnings += [Finding.about("label" if lines else "label.none", piece=piece + 1, said=" ".join(lines))
-                 for piece, lines, whole in model.labels if not whole]
     return warnings
 
 

@@ -119,17 +119,6 @@ void bind_print_model(py::module_& module) {
       .def_readonly("loose_tiles", &PrintModel::loose_tiles)
       .def_readonly("loose_anchors", &PrintModel::loose_anchors)
       .def_property_readonly(
-          "labels",
-          [](const PrintModel& m) {
-            py::list out;
-            for (const PieceLabel& label : m.labels) {
-              out.append(py::make_tuple(label.piece, label.lines, label.whole));
-            }
-            return out;
-          },
-          "Of each piece with a label: its number from 0, the lines engraved and whether they have "
-          "the whole name.")
-      .def_property_readonly(
           "overhangs", [](const PrintModel& m) { return m.overhang; },
           "Per tile how far its body reaches out level beyond the pin on the bed.")
       .def_property_readonly(
@@ -288,7 +277,7 @@ void bind_print_model(py::module_& module) {
          double opening, const Points& region) {
         PrintModel model = without_gil(std::move(progress), [&](const Progress&) {
           checkpoint("building bodies");
-          return make_print_model(design, CURVEUPS_VERSION, {part_of_tile, opening, region});
+          return make_print_model(design, {part_of_tile, opening, region});
         });
         return HeldModel(new PrintModel(std::move(model)));
       },

@@ -12,16 +12,13 @@
 namespace curveups {
 
 // The footprints of one piece, seen from above: its tiles (convex polygons), what joins them (the
-// gaps of contacts), which only keeps the outline in one loop, and the tab of its label.
+// gaps of contacts), which only keeps the outline in one loop.
 struct PieceFootprint {
   std::vector<Polygon> tiles;
   std::vector<int> rows;  // of F, ascending
   std::vector<Polygon> joints;
   std::vector<std::array<int, 2>> joined;  // the two tiles of each
   std::vector<Vec2> anchors;               // axes
-  int labelled = -1;                       // the anchor whose tab is the label; -1: none
-  std::vector<Polygon> tab;                // its convex parts
-  Polygon outline;                         // of that anchor with its tab, counter-clockwise
 };
 
 // The flat front corners of one side of a contact, as its tile runs along it.

@@ -188,10 +188,6 @@ void check_parameters(const Parameters& p) {
                            " mm overlap at a spacing of " + number(p.anchor_spacing) + " mm",
                        "raise anchor_spacing or lower anchor_radius");
   }
-  if (p.anchors && p.engrave && p.engrave_depth >= p.H_pin + p.H_body) {
-    throw InvalidInput("engrave_depth (" + number(p.engrave_depth) + " mm) pierces the label",
-                       "give less than its thickness, " + number(p.H_pin + p.H_body) + " mm");
-  }
 }
 
 }  // namespace curveups

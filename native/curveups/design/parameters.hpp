@@ -66,8 +66,6 @@ struct Parameters {
   double anchor_radius = 4.0;
   double anchor_spacing = 14.0;
   double anchor_distance = 3.0;
-  bool engrave = true;
-  double engrave_depth = 0.4;
   // Files
   std::string printer = "polyjet";
   double mesh_deviation = 0.02;

@@ -121,9 +121,6 @@ void add_bridges(PrintModel& model, const std::vector<PieceFootprint>& footprint
     }
     wishes.push_back(std::move(wish));
   }
-  for (const PieceFootprint& footprint : footprints) {  // tabs are only in the way
-    for (const Polygon& tab : footprint.tab) bodies.push_back({make_prism(tab, 0, height), {}, {}});
-  }
   Bridges bridges = make_bridges(bodies, wishes, p.H_pin, p);
   std::map<int, int> number;
   for (std::size_t k = 0; k < bridges.bodies.size(); ++k) {

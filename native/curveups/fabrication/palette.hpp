@@ -8,7 +8,7 @@
 
 namespace curveups {
 
-// sRGB, 0 to 255: tiles blue, support sand, anchors brick (the engraved one marks the front).
+// sRGB, 0 to 255: tiles blue, support sand, anchors brick.
 struct Colour {
   unsigned char red, green, blue;
 };

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include "curveups/bodies/anchors.hpp"
@@ -15,8 +14,6 @@
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/pins.hpp"
 #include "curveups/fabrication/bridges.hpp"
-#include "curveups/fabrication/label_text.hpp"
-#include "curveups/fabrication/labels.hpp"
 #include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/supports.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
@@ -25,9 +22,6 @@ namespace curveups {
 namespace {
 
 constexpr double widest_print = 1e4;  // mm; anchors and slabs of wider ones would be endless work
-
-constexpr double engraving_stroke = 0.5;  // letters 2.5 mm high, mm
-constexpr int label_width = 52;           // of its lines, cells: 26 mm
 
 // Turns the print over, about the x axis, between the bed and its height; twice is nothing.
 RigidMotion turned_over(double height) {
@@ -39,8 +33,8 @@ RigidMotion turned_over(double height) {
 
 class Builder {
  public:
-  Builder(const Design& design, std::string version, const Division& division)
-      : version_(std::move(version)), kind_(support_kind(design.parameters)) {
+  Builder(const Design& design, const Division& division)
+      : kind_(support_kind(design.parameters)) {
     model_.division = division;
     static_cast<TileBodies&>(model_) = make_tile_bodies(design);
     const Truncation& truncation = model_.geometry.truncation;
@@ -134,42 +128,13 @@ class Builder {
     }
     for (int piece = 0; piece < model_.piece_count; ++piece) {
       checkpoint();
-      const std::optional<PrintBody> labelled = p().engrave ? add_label(piece) : std::nullopt;
       for (std::size_t k = 0; k < centres[piece].size(); ++k) {
-        PrintBody anchor = labelled && static_cast<int>(k) == footprints_[piece].labelled
-                               ? *labelled
-                               : make_anchor(centres[piece][k], p().anchor_radius, height());
+        PrintBody anchor = make_anchor(centres[piece][k], p().anchor_radius, height());
         anchor.name = numbered("Anchor P%d A%03d", piece + 1, static_cast<int>(k) + 1);
         anchor.piece = piece;
-        if (!anchor.points.empty()) {
-          model_.thin.push_back({anchor.name, "stroke of the engraving", engraving_stroke});
-        }
         model_.anchors.push_back(std::move(anchor));
       }
     }
-  }
-
-  // The anchor that carries the label of a piece, the side that is printed up named last; where
-  // there is no room for the name, without it.
-  std::optional<PrintBody> add_label(int piece) {
-    const std::string number = "P" + std::to_string(piece + 1),
-                      side = front_down() ? "BACK" : "FRONT";
-    LabelText text = label_text(model_.name, number + " " + version_ + " " + side, label_width);
-    LabelText brief = label_text("", number + " " + side, label_width);
-    brief.whole = false;
-    for (const LabelText& tried : {text, brief}) {
-      const EngravedText letters = engrave(tried.lines, engraving_stroke);
-      const auto place = place_label(footprints_, piece, letters.size, p());
-      if (!place) continue;
-      model_.labels.push_back({piece, tried.lines, tried.whole});
-      // What is turned over later is made turned over, so that it is upright as printed.
-      PrintBody anchor = make_labelled_anchor(front_down() ? turned_over(*place) : *place, height(),
-                                              p().H_pin + p().H_body, letters, p().engrave_depth);
-      if (front_down()) move(anchor, turned_over(height()));
-      return anchor;
-    }
-    model_.labels.push_back({piece, {}, false});
-    return std::nullopt;
   }
 
   // After the support, which is to fill no hole: what is printed above its slab stays open.
@@ -264,15 +229,13 @@ class Builder {
   }
 
   PrintModel model_;
-  std::string version_;
   SupportKind kind_;
   std::vector<PieceFootprint> footprints_;
 };
 
 }  // namespace
 
-PrintModel make_print_model(const Design& design, const std::string& version,
-                            const Division& division) {
+PrintModel make_print_model(const Design& design, const Division& division) {
   if (!division.part_of_tile.empty()) {
     if (division.part_of_tile.size() != static_cast<std::size_t>(design.T.rows()) ||
         *std::min_element(division.part_of_tile.begin(), division.part_of_tile.end()) < 0 ||
@@ -297,7 +260,7 @@ PrintModel make_print_model(const Design& design, const std::string& version,
         "the layout is " + std::to_string(static_cast<long long>(width / 1000)) + " m wide",
         "bring tiles that lie far away back to the others");
   }
-  return Builder(design, version, division).run();
+  return Builder(design, division).run();
 }
 
 PrintModel only_pieces(const PrintModel& model, const std::map<int, RigidMotion>& motions) {
@@ -333,7 +296,6 @@ PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows) {
   out.solids = std::make_shared<KeptSolids>();
   out.supports.clear();
   out.anchors.clear();
-  out.labels.clear();
   out.loose_anchors = 0;
   out.tiles.clear();
   out.box = {};

@@ -33,13 +33,6 @@ struct ThinFeature {
   int tile = -1;  // PrintBody::tile
 };
 
-// What is engraved on the tab of a piece's label.
-struct PieceLabel {
-  int piece;
-  std::vector<std::string> lines;  // none where there was no room for any
-  bool whole;                      // with the whole name
-};
-
 // How a print is divided among beds: along gaps between tiles, and within what a bed has room for.
 struct Division {
   std::vector<int> part_of_tile;  // by rows of F; empty: pieces are not divided
@@ -63,8 +56,7 @@ struct PrintModel : TileBodies {
   // whose bodies run into one another, so that no slab fills the gaps between them.
   std::vector<int> loose_tiles;
   int loose_anchors = 0;
-  JointHoles joints;               // through `tiles` and `actuated`
-  std::vector<PieceLabel> labels;  // of each piece, where labels are wanted
+  JointHoles joints;  // through `tiles` and `actuated`
   Division division;
   std::vector<std::vector<Polygon>> outlines;  // of each slab, in print coordinates, by supports
   // Per tile how far, mm, its body reaches out level beyond the pin that it stands on.
@@ -87,12 +79,11 @@ struct GluedAreas {
 };
 GluedAreas glued_areas(const PrintModel& model, Side side);
 
-// version: what is engraved beside name and piece. Throws what make_tile_bodies throws;
-// InfeasibleDesign where pieces are too near to each other for their anchors and slabs, or the
-// layout is wider than 10 m; SolverFailure where a slab's outline falls apart.
+// Throws what make_tile_bodies throws; InfeasibleDesign where pieces are too near to each other for
+// their anchors and slabs, or the layout is wider than 10 m; SolverFailure where a slab's outline
+// falls apart.
 // division: bodies then have their part for their piece, anchors that of the tile that is nearest.
-PrintModel make_print_model(const Design& design, const std::string& version,
-                            const Division& division = {});
+PrintModel make_print_model(const Design& design, const Division& division = {});
 
 // These tiles (rows of F) alone, at their places, each once and in the order of the rows.
 PrintModel only_tiles(const PrintModel& model, const std::vector<int>& rows);

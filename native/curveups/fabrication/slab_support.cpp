@@ -94,14 +94,13 @@ struct SlabContent {
   std::vector<OutlineShape> shapes;
   std::vector<PrintBody> inside;
   std::vector<Vec2> bores;  // axes of the anchors that stand in it
-  int anchors = 0;          // the labelled one, which needs no bore, among them
 };
 
 // Of a piece, or of one of its parts: `has` says of a tile whether it belongs there. Anchors belong
 // to the tile that is nearest.
 template <class Has>
 SlabContent content_of(const PrintModel& model, const PieceFootprint& footprint,
-                       const std::vector<PrintBody>& cavity, double top, const Has& has) {
+                       const std::vector<PrintBody>& cavity, const Has& has) {
   const Parameters& p = model.parameters;
   SlabContent out;
   // Up to the anchors' axes, so that the slab holds them firmly.
@@ -115,16 +114,10 @@ SlabContent content_of(const PrintModel& model, const PieceFootprint& footprint,
     const auto& [a, b] = footprint.joined[k];
     if (has(a) && has(b)) out.shapes.push_back({footprint.joints[k], reach});
   }
-  for (std::size_t k = 0; k < footprint.anchors.size(); ++k) {
-    if (!has(nearest_tile(footprint, footprint.anchors[k]))) continue;
-    ++out.anchors;
-    out.shapes.push_back({{footprint.anchors[k]}, p.support_margin + p.anchor_radius});
-    if (static_cast<int>(k) == footprint.labelled) {
-      for (const Polygon& tab : footprint.tab) out.shapes.push_back({tab, p.support_margin});
-      out.inside.push_back(prism_cavity(footprint.outline, top));
-    } else {
-      out.bores.push_back(footprint.anchors[k]);
-    }
+  for (const Vec2& anchor : footprint.anchors) {
+    if (!has(nearest_tile(footprint, anchor))) continue;
+    out.shapes.push_back({{anchor}, p.support_margin + p.anchor_radius});
+    out.bores.push_back(anchor);
   }
   for (int row : footprint.rows) {
     if (has(row)) out.inside.push_back(cavity[row]);
@@ -155,16 +148,13 @@ std::vector<OutlineShape> others_of(const PrintModel& model, const PieceFootprin
   for (const Vec2& anchor : footprint.anchors) {
     if (has(nearest_tile(footprint, anchor))) own.push_back(anchor);
   }
-  for (std::size_t k = 0; k < footprint.anchors.size(); ++k) {
-    const Vec2& anchor = footprint.anchors[k];
+  for (const Vec2& anchor : footprint.anchors) {
     if (has(nearest_tile(footprint, anchor))) continue;
     double gap = 2 * std::min(p.support_margin, 0.5 * p.anchor_distance);
     for (const Vec2& other : own) {
       gap = std::min(gap, (other - anchor).norm() - 2 * p.anchor_radius);
     }
     out.push_back({{anchor}, 0.5 * gap + p.anchor_radius});
-    if (static_cast<int>(k) != footprint.labelled) continue;
-    for (const Polygon& tab : footprint.tab) out.push_back({tab, 0.5 * gap});
   }
   return out;
 }
@@ -188,7 +178,7 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
       const auto has = [&](int row) {
         return parts.size() == 1 || division.part_of_tile[row] == part;
       };
-      const SlabContent content = content_of(model, footprint, cavity, top, has);
+      const SlabContent content = content_of(model, footprint, cavity, has);
       std::vector<Polygon> loops = outline_of(content.shapes, deviation);
       if (parts.size() > 1) {
         const std::vector<OutlineShape> others = others_of(model, footprint, has);
@@ -223,7 +213,7 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
         model.outlines.push_back(std::move(loops));
       } catch (const TopologyError&) {  // a layout whose bodies run into one another
         leave_loose(model, piece);
-        model.loose_anchors += content.anchors;
+        model.loose_anchors += static_cast<int>(content.bores.size());
       }
     }
   }

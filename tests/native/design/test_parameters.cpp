@@ -110,7 +110,6 @@ TEST(Parameters, ContradictionsAreRefused) {
   contradicts("bump_rows", 4.0);
   contradicts("support_drop", 6.0);
   contradicts("anchor_spacing", 5.0);
-  contradicts("engrave_depth", 4.5);
   contradicts("orientation", std::string("front-down"));
 }
 

@@ -55,7 +55,7 @@ class Files : public ::testing::Test {
     test::SampleOptions o;
     o.rows = 2;
     o.columns = 3;
-    return make_print_model(test::sample_design({}, o), "0.1");
+    return make_print_model(test::sample_design({}, o));
   }
 
   fs::path folder_;
@@ -157,7 +157,7 @@ void expect_solid_by_cgal(const std::string& path, double volume) {
 TEST_F(Files, APieceOnBridgesIsOneClosedShellWhereItIsFused) {
   Parameters parameters;
   parameters.support = "breakaway";
-  const PrintModel s = make_print_model(test::sample_design(parameters, {}), "0.1");
+  const PrintModel s = make_print_model(test::sample_design(parameters, {}));
   ASSERT_GT(s.supports.size(), 10u);
   ASSERT_TRUE(s.loose_tiles.empty());
   write_stl(s, "fused", path("a.stl"));

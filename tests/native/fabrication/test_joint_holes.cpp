@@ -61,13 +61,13 @@ TEST_P(JointHolesOf, PiecesAreSoundAndLackTheHolesVolume) {
       o.rows = 2;
       o.cuts.conservativeResize(2, Eigen::NoChange);
       const Design design = test::sample_design(p, o);
-      const PrintModel model = make_print_model(design, "0.1");
+      const PrintModel model = make_print_model(design);
       expect_sound(model);
       EXPECT_EQ(test::unsound(model.actuated), "");
       EXPECT_TRUE(model.joints.closed.empty());
       Design closed = design;
       closed.parameters.joint = "none";
-      const PrintModel without = make_print_model(closed, "0.1");
+      const PrintModel without = make_print_model(closed);
       EXPECT_TRUE(without.joints.joints.empty());
       std::size_t holes = 0;
       for (std::size_t i = 0; i < model.tiles.size(); ++i) {
@@ -88,7 +88,7 @@ TEST_P(JointHolesOf, PiecesAreSoundAndLackTheHolesVolume) {
 
 TEST_P(JointHolesOf, ThePartnersOfAnEdgeCorrespond) {
   const PrintModel model =
-      make_print_model(test::sample_design(sewn(), halves(GetParam()[0], GetParam()[1])), "0.1");
+      make_print_model(test::sample_design(sewn(), halves(GetParam()[0], GetParam()[1])));
   const TileMesh& tiles = model.geometry.tiles;
   ASSERT_EQ(model.joints.joints.size(), 4u);
   for (int k = 0; k < 4; ++k) {
@@ -118,7 +118,7 @@ TEST_P(JointHolesOf, HolesKeepTheirDistances) {
     Parameters p = sewn();
     p.bumps = bumps;
     const PrintModel model =
-        make_print_model(test::sample_design(p, halves(GetParam()[0], GetParam()[1])), "0.1");
+        make_print_model(test::sample_design(p, halves(GetParam()[0], GetParam()[1])));
     const TileMesh& tiles = model.geometry.tiles;
     for (int i = 0; i < tiles.tile_count(); ++i) {
       for (const JointHole& hole : model.joints.of_tile[i]) {
@@ -157,7 +157,7 @@ TEST(JointHoles, LongEdgesHaveTwo) {
   Parameters p = sewn(1.0);
   p.L = 14;
   p.p_max = 6;
-  const PrintModel model = make_print_model(test::sample_design(p, halves(0.004, 0.004)), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(p, halves(0.004, 0.004)));
   EXPECT_TRUE(model.joints.closed.empty());
   for (const Joint& joint : model.joints.joints) {
     for (int s = 0; s < 2; ++s) {
@@ -174,7 +174,7 @@ TEST(JointHoles, PrintedFrontDownTheyAreThereAsWell) {
   Parameters p = sewn();
   p.support = "breakaway";
   p.orientation = "front-down";
-  const PrintModel model = make_print_model(test::sample_design(p, halves(0.01, 0.01)), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(p, halves(0.01, 0.01)));
   EXPECT_EQ(model.tiles[model.joints.joints[0].tile[0]].cylinders.size(), 1u);
   expect_sound(model);
 }
@@ -183,7 +183,7 @@ TEST(JointHoles, SlitsAndTheTargetsOwnBorderHaveNone) {
   test::SampleOptions o = halves(0.01, 0.01);
   o.cuts.conservativeResize(3, Eigen::NoChange);  // the last edge holds it together
   o.piece_offset = 0;
-  const PrintModel model = make_print_model(test::sample_design(sewn(), o), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(sewn(), o));
   EXPECT_EQ(model.piece_count, 1);
   EXPECT_TRUE(model.joints.joints.empty());
   for (const PrintBody& tile : model.tiles) EXPECT_TRUE(tile.cylinders.empty());
@@ -194,7 +194,7 @@ TEST(JointHoles, PinsThatLeaveNoRoomCloseThem) {
   Design design = test::sample_design({}, halves(0.01, 0.01));
   design.parameters.joint = "holes";
   design.parameters.joint_hole = 0.7;
-  const PrintModel model = make_print_model(design, "0.1");
+  const PrintModel model = make_print_model(design);
   EXPECT_EQ(model.joints.closed, (std::vector<int>{0, 1, 2, 3}));
   EXPECT_EQ(model.joints.possible.hole, 0.7);  // bounds would have room
   for (const PrintBody& tile : model.tiles) EXPECT_TRUE(tile.cylinders.empty());
@@ -242,7 +242,7 @@ TEST(JointHoles, PinsMakeRoomAsFarAsTheirAreaLetsThem) {
   for (double hole : {possible.hole, possible.hole + 0.05}) {
     wide.joint_hole = hole;
     const Design design = test::sample_design(wide, o);
-    const bool all = make_print_model(design, "0.1").joints.closed.empty();
+    const bool all = make_print_model(design).joints.closed.empty();
     EXPECT_EQ(all, hole == possible.hole) << hole;
   }
   Parameters small = sewn(1.2);
@@ -252,7 +252,7 @@ TEST(JointHoles, PinsMakeRoomAsFarAsTheirAreaLetsThem) {
   for (double share : {1.0, 1.1}) {
     small.A_pin_floor = share * area;
     const Design design = test::sample_design(small, o);
-    EXPECT_EQ(make_print_model(design, "0.1").joints.closed.empty(), share == 1.0);
+    EXPECT_EQ(make_print_model(design).joints.closed.empty(), share == 1.0);
   }
 }
 

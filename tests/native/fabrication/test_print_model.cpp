@@ -40,7 +40,7 @@ TEST_P(Shapes, AreSoundWithEveryKindOfBumpAndSupport) {
       o.kx = GetParam()[0];
       o.ky = GetParam()[1];
       SCOPED_TRACE(std::string(bumps) + " " + support);
-      const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+      const PrintModel model = make_print_model(test::sample_design(p, o));
       expect_sound(model);
       // Hollows need more room than bumps: where walls lean sharply three may not fit.
       const std::size_t contacts = model.geometry.tiles.contacts.size();
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(FlatDomeSaddleBowl, Shapes,
                                            std::array<double, 2>{-0.015, -0.015}));
 
 TEST(Solids, AreBuiltOnceWhoeverAsks) {
-  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  const PrintModel model = make_print_model(test::sample_design());
   std::array<std::shared_ptr<const TopoDS_Shape>, 3> found;
   std::vector<std::thread> threads;
   for (auto& one : found) {
@@ -76,7 +76,7 @@ TEST(Solids, AreBuiltOnceWhoeverAsks) {
 }
 
 TEST(Solids, WhatOpenCascadeRefusesIsATypedErrorThatNamesTheBody) {
-  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  const PrintModel model = make_print_model(test::sample_design());
   PrintBody body = *model.bodies("tiles").front();
   const PlanarFace& face = body.faces.front();
   body.points[face.outer.points[1]] = body.points[face.outer.points[0]];  // an edge of no length
@@ -91,7 +91,7 @@ TEST(Solids, WhatOpenCascadeRefusesIsATypedErrorThatNamesTheBody) {
 }
 
 TEST(Solids, CanBeStoppedWhileAnotherThreadBuildsThem) {
-  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  const PrintModel model = make_print_model(test::sample_design());
   const std::lock_guard<std::recursive_timed_mutex> building(model.solids->building);
   std::thread other([&] {
     const ProgressScope scope([](const std::string&, double) { return false; });
@@ -101,7 +101,7 @@ TEST(Solids, CanBeStoppedWhileAnotherThreadBuildsThem) {
 }
 
 TEST(Bumps, InterleaveAndTouchTheFacingWallOnly) {
-  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  const PrintModel model = make_print_model(test::sample_design());
   const TileMesh& tiles = model.geometry.tiles;
   std::vector<std::array<std::vector<CapSphere>, 2>> caps(tiles.contacts.size());
   std::vector<std::vector<Vec3>> centres(tiles.contacts.size());
@@ -154,7 +154,7 @@ TEST(Dimples, LeaveMaterialToOtherFacesAndToOneAnother) {
     p.bumps = "dimples";
     test::SampleOptions o;
     o.kx = o.ky = k;
-    const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+    const PrintModel model = make_print_model(test::sample_design(p, o));
     EXPECT_TRUE(model.bumps.bare.empty());
     double least = 1e300;
     for (std::size_t i = 0; i < model.tiles.size(); ++i) {
@@ -204,7 +204,7 @@ TEST(Bridges, BreakWhereEveryPrinterStillPrints) {
   EXPECT_NEAR(bridge_neck(p), 0.3, 1e-12);
   p = {};
   p.support = "breakaway";
-  const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(p));
   for (const PrintBody& bridge : model.supports) {
     // From the notches' tips to the upper side.
     double tip = 0, high = 0;
@@ -226,7 +226,7 @@ TEST(Bridges, KeepTheLayoutsGapFromThirdTiles) {
     test::SampleOptions o;
     o.rows = 6;
     o.columns = 8;
-    const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+    const PrintModel model = make_print_model(test::sample_design(p, o));
     EXPECT_TRUE(model.loose_tiles.empty());
     std::vector<ConvexBody> tiles;
     for (std::size_t i = 0; i < model.tiles.size(); ++i) {
@@ -260,7 +260,7 @@ TEST(Bridges, NeverMeet) {
   o.columns = 8;
   Parameters p;
   p.support = "breakaway";
-  const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(p, o));
   EXPECT_TRUE(model.loose_tiles.empty());
   EXPECT_EQ(model.loose_anchors, 0);
   TriangleMesh all;
@@ -297,8 +297,7 @@ TEST(Bridges, NeverMeet) {
 TEST(Meshes, OfCylindersHaveTheirVolume) {
   for (double deviation : {0.1, 0.02, 0.001}) {
     Parameters p;
-    p.engrave = false;
-    const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+    const PrintModel model = make_print_model(test::sample_design(p));
     ASSERT_FALSE(model.anchors.empty());
     for (const PrintBody& anchor : model.anchors) {
       const BodyMesh mesh = mesh_body(anchor, {deviation, true});
@@ -317,7 +316,7 @@ TEST(Meshes, OfCylindersHaveTheirVolume) {
 TEST(Bumps, NeverRecessBoundaryWallsAndLeaveTooSmallInterfacesBare) {
   Parameters p;
   p.bump_diameter = 6;
-  const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(p));
   EXPECT_FALSE(model.bumps.bare.empty());
   for (const BareInterface& bare : model.bumps.bare) {
     const Contact& contact = model.geometry.tiles.contacts[bare.contact];
@@ -325,7 +324,7 @@ TEST(Bumps, NeverRecessBoundaryWallsAndLeaveTooSmallInterfacesBare) {
       EXPECT_EQ(model.bumps.recess(contact.tile[s], contact.side[s]), p.xy_compensation);
     }
   }
-  const PrintModel standard = make_print_model(test::sample_design(), "0.1");
+  const PrintModel standard = make_print_model(test::sample_design());
   const TileMesh& tiles = standard.geometry.tiles;
   for (int i = 0; i < tiles.tile_count(); ++i) {
     for (int t = 0; t < 3; ++t) {
@@ -339,9 +338,7 @@ TEST(Anchors, MeetNothing) {
   o.rows = 6;
   o.columns = 8;
   Parameters p;
-  p.engrave = false;
-  const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
-  EXPECT_TRUE(model.labels.empty());
+  const PrintModel model = make_print_model(test::sample_design(p, o));
   for (const PrintBody& a : model.anchors) {
     const Vec2 c = a.circles[0].centre.head<2>();
     for (const PrintBody& b : model.anchors) {
@@ -358,111 +355,12 @@ TEST(Anchors, MeetNothing) {
   }
 }
 
-// The tab of a labelled anchor: of what lies up at the height of the tiles' faces what letters are
-// sunk into (their islands lie there, too).
-const PlanarFace& tab_of(const PrintModel& model, const PrintBody& anchor) {
-  const Parameters& p = model.parameters;
-  const PlanarFace* tab = &anchor.faces[0];
-  for (const PlanarFace& face : anchor.faces) {
-    const double z = anchor.points[face.outer.points[0]].z();
-    if (face.normal.z() < 0.5 || std::abs(z - p.H_pin - p.H_body) > 1e-9) continue;
-    if (face.inner.size() > tab->inner.size()) tab = &face;
-  }
-  return *tab;
-}
-
-TEST(Labels, StandFreeOfGlueAndOfEverything) {
-  for (const char* support : {"soluble", "breakaway", "none"}) {
-    for (const char* orientation : {"front-up", "front-down"}) {
-      if (support == std::string("soluble") && orientation == std::string("front-down")) continue;
-      SCOPED_TRACE(std::string(support) + " " + orientation);
-      Parameters p;
-      p.support = support;
-      p.orientation = orientation;
-      Design design = test::sample_design(p);
-      design.name = "half-sphere";
-      const PrintModel model = make_print_model(design, "0.1");
-      expect_sound(model);
-      EXPECT_EQ(model.loose_anchors, 0);
-      ASSERT_EQ(model.labels.size(), 1u);
-      EXPECT_TRUE(model.labels[0].whole);
-      const std::string side = p.orientation == "front-up" ? "FRONT" : "BACK";
-      EXPECT_EQ(model.labels[0].lines, (std::vector<std::string>{"HALF-SPHERE", "P1 0.1 " + side}));
-      int labelled = 0;
-      for (const PrintBody& anchor : model.anchors) {
-        if (anchor.points.empty()) continue;
-        ++labelled;
-        const PlanarFace& tab = tab_of(model, anchor);
-        std::size_t letters = 0;
-        for (const std::string& line : model.labels[0].lines) {
-          letters += line.size() - std::count(line.begin(), line.end(), ' ');
-        }
-        EXPECT_EQ(tab.inner.size(), letters);
-        // As high as the print, with the glue's area of a cylinder, and a floor below the letters.
-        const Box box = bounding_box(anchor);
-        EXPECT_NEAR(box.low.z(), 0, 1e-12);
-        EXPECT_NEAR(box.high.z(), 5, 1e-12);
-        double top = 0;
-        for (const PlanarFace& face : anchor.faces) {
-          if (face.normal.z() < 0.5 || anchor.points[face.outer.points[0]].z() < 5 - 1e-9) continue;
-          Polygon loop;
-          for (int i : face.outer.points) loop.push_back(anchor.points[i].head<2>());
-          top += area(loop);
-        }
-        EXPECT_NEAR(top, M_PI * 16, 0.2);
-        const double inked = 4.0 - p.engrave_depth;
-        EXPECT_TRUE(std::any_of(anchor.points.begin(), anchor.points.end(),
-                                [&](const Vec3& q) { return std::abs(q.z() - inked) < 1e-9; }));
-        const Polygon seen = seen_from_above(anchor);
-        for (const PrintBody& tile : model.tiles) {
-          EXPECT_LT(intersection(seen, seen_from_above(tile)).size(), 3u);
-        }
-        for (const PrintBody& other : model.anchors) {
-          if (!other.points.empty()) continue;
-          const Vec2 c = other.circles[0].centre.head<2>();
-          for (int i : tab.outer.points) {
-            EXPECT_GT((anchor.points[i].head<2>() - c).norm(), p.anchor_radius + 0.9);
-          }
-        }
-      }
-      EXPECT_EQ(labelled, 1);
-    }
-  }
-}
-
-// Printed front side down, letters are still not mirrored: the text is the same, seen from above.
-TEST(Labels, ReadTheSameWayUpWhicheverSideIsUp) {
-  std::vector<Vec2> first_letter[2];
-  for (int down = 0; down < 2; ++down) {
-    Parameters p;
-    p.support = "breakaway";
-    p.orientation = down ? "front-down" : "front-up";
-    Design design = test::sample_design(p);
-    design.name = "L";
-    const PrintModel model = make_print_model(design, "0.1");
-    for (const PrintBody& anchor : model.anchors) {
-      if (anchor.points.empty()) continue;
-      const PlanarFace& tab = tab_of(model, anchor);
-      std::vector<Vec2>& letter = first_letter[down];
-      for (int i : tab.inner[0].points) letter.push_back(anchor.points[i].head<2>());
-      const Vec2 origin = letter[0];
-      for (Vec2& q : letter) q -= origin;
-    }
-    ASSERT_FALSE(first_letter[down].empty());
-  }
-  ASSERT_EQ(first_letter[0].size(), first_letter[1].size());
-  for (std::size_t k = 0; k < first_letter[0].size(); ++k) {
-    EXPECT_LT((first_letter[0][k] - first_letter[1][k]).norm(), 1e-9);
-  }
-}
-
 TEST(Orientation, FrontDownIsTheSamePrintTurnedOver) {
   Parameters p;
   p.support = "breakaway";
-  p.engrave = false;
-  const PrintModel up = make_print_model(test::sample_design(p), "0.1");
+  const PrintModel up = make_print_model(test::sample_design(p));
   p.orientation = "front-down";
-  const PrintModel down = make_print_model(test::sample_design(p), "0.1");
+  const PrintModel down = make_print_model(test::sample_design(p));
   const std::vector<const PrintBody*> a = up.bodies("print"), b = down.bodies("print");
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -486,20 +384,20 @@ TEST(Pieces, HaveTheirOwnSlabsAndAnchorsOrAreRefused) {
   o.cuts.resize(2, 2);
   o.cuts << 2, 7, 7, 12;
   o.piece_offset = 40;
-  const PrintModel model = make_print_model(test::sample_design({}, o), "0.1");
+  const PrintModel model = make_print_model(test::sample_design({}, o));
   ASSERT_EQ(model.piece_count, 2);
   ASSERT_EQ(model.supports.size(), 2u);
   EXPECT_EQ(model.supports[1].name, "Support P2");
   expect_sound(model);
   o.piece_offset = 2;
-  EXPECT_THROW(make_print_model(test::sample_design({}, o), "0.1"), InfeasibleDesign);
+  EXPECT_THROW(make_print_model(test::sample_design({}, o)), InfeasibleDesign);
 }
 
 TEST(PrintModel, NamesTilesWhosePinsTurnInsideOut) {
   Design design = test::sample_design();
   design.q.row(7).setConstant(4.0);
   try {
-    make_print_model(design, "0.1");
+    make_print_model(design);
     FAIL();
   } catch (const InfeasibleDesign& error) {
     EXPECT_EQ(error.tiles(), std::vector<int>{7});
@@ -511,7 +409,7 @@ TEST(PrintModel, DoesNotDependOnTheNumberOfThreads) {
   std::vector<double> volumes[2];
   for (int run = 0; run < 2; ++run) {
     set_thread_count(run + 1);
-    const PrintModel model = make_print_model(test::sample_design(), "0.1");
+    const PrintModel model = make_print_model(test::sample_design());
     for (const auto* bodies : {&model.tiles, &model.supports, &model.anchors}) {
       for (const PrintBody& body : *bodies) volumes[run].push_back(volume(body));
     }
@@ -521,7 +419,7 @@ TEST(PrintModel, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(PrintModelOf, SomeTilesAreTheseAtTheirPlaces) {
-  const PrintModel all = make_print_model(test::sample_design(), "0.1");
+  const PrintModel all = make_print_model(test::sample_design());
   solids_of(all, "tiles");  // what is built of all tiles is not theirs
   const PrintModel some = only_tiles(all, {7, 2, 7});
   ASSERT_EQ(some.bodies("print").size(), 2u);

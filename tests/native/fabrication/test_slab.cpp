@@ -84,9 +84,8 @@ TEST(Slab, IsItsBoxLessWhatItSurrounds) {
   for (double drop : {0.0, 0.3, 1.0, 2.2, 4.0, 4.5}) {
     Parameters p;
     p.support_drop = drop;
-    p.engrave = false;  // the outline has no hole, then
     SCOPED_TRACE(drop);
-    const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+    const PrintModel model = make_print_model(test::sample_design(p));
     EXPECT_EQ(unsound(model.supports), "");
     ASSERT_EQ(model.supports.size(), 1u);
     const PrintBody& slab = model.supports[0];
@@ -131,7 +130,7 @@ TEST(Slab, HasATopAndABottomOfSmallFacesWithoutHoles) {
     SCOPED_TRACE(drop);
     Parameters p;
     p.support_drop = drop;
-    const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+    const PrintModel model = make_print_model(test::sample_design(p));
     expect_divided(model.supports[0], model.anchors.size() - 1);  // the label's is no circle
   }
 }
@@ -143,7 +142,7 @@ TEST(Slab, AroundOneTile) {
   for (bool anchors : {true, false}) {
     Parameters p;
     p.anchors = anchors;
-    const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+    const PrintModel model = make_print_model(test::sample_design(p, o));
     ASSERT_EQ(model.tiles.size(), 1u);
     EXPECT_EQ(model.anchors.empty(), !anchors);
     expect_divided(model.supports[0], anchors ? model.anchors.size() - 1 : 0);
@@ -158,7 +157,7 @@ TEST(Slab, AroundARingOfTilesIsOpenInside) {
   Parameters p;
   p.anchors = false;
   p.support_margin = 1;
-  const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(p, o));
   const PrintBody& slab = model.supports[0];
   expect_divided(slab, 0);
   expect_sound(model);
@@ -184,7 +183,7 @@ TEST(Slab, HoldsAnchorsThatStandCloseToEverything) {
   p.anchor_distance = 0.2;
   p.support_margin = 0.2;
   p.anchor_spacing = 2 * p.anchor_radius + p.d_gap_min;
-  const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(p));
   EXPECT_GE(model.anchors.size(), 12u);
   expect_divided(model.supports[0], model.anchors.size() - 1);
   expect_sound(model);
@@ -205,7 +204,7 @@ TEST(Slab, LeavesAThousandthBetweenBores) {
 TEST(Slab, IsLeftOutWhereBodiesRunIntoOneAnother) {
   Design design = test::sample_design();
   design.T.row(0) = design.T.row(1);
-  const PrintModel model = make_print_model(design, "0.1");
+  const PrintModel model = make_print_model(design);
   EXPECT_TRUE(model.supports.empty());
   EXPECT_EQ(model.loose_tiles.size(), model.tiles.size());
   EXPECT_EQ(model.loose_anchors, static_cast<int>(model.anchors.size()));

@@ -31,7 +31,7 @@ namespace {
 PrintModel sample(const char* bumps) {
   Parameters p;
   p.bumps = bumps;
-  return make_print_model(test::sample_design(p), "0.1");
+  return make_print_model(test::sample_design(p));
 }
 
 bool valid(const TopoDS_Shape& shape) { return BRepCheck_Analyzer(shape).IsValid(); }

@@ -142,7 +142,7 @@ TEST_F(StepFile, HoldsStitchingHolesAsCylinders) {
   o.cuts.resize(2, 2);
   o.cuts << 2, 7, 7, 12;
   o.piece_offset = 40;
-  const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(p, o));
   ASSERT_TRUE(model.joints.closed.empty());
   for (const char* kind : {"tiles", "actuated"}) {
     write_step(model, kind, path());
@@ -164,7 +164,7 @@ TEST_F(StepFile, HoldsEveryBodyByNameAndColourWithItsVolume) {
       p.support = support;
       test::SampleOptions o;
       o.rows = o.columns = 2;
-      const PrintModel model = make_print_model(test::sample_design(p, o), "0.1");
+      const PrintModel model = make_print_model(test::sample_design(p, o));
       for (const char* kind : {"tiles", "support", "anchors", "print", "actuated"}) {
         SCOPED_TRACE(std::string(bumps) + " " + support + " " + kind);
         testing::internal::CaptureStdout();
@@ -223,7 +223,7 @@ class Entities {
 };
 
 TEST_F(StepFile, HasFacesInAnOrderInWhichEachJoinsThoseBefore) {
-  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  const PrintModel model = make_print_model(test::sample_design());
   write_step(model, "print", path());
   const Entities entities(path());
   const std::vector<int> shells = entities.named("CLOSED_SHELL");
@@ -261,7 +261,7 @@ void write_with_opencascade(const std::vector<const PrintBody*>& bodies, const s
 }
 
 TEST_F(StepFile, HasTheEntitiesThatOpenCascadeWritesOfTheSameBodies) {
-  const PrintModel model = make_print_model(test::sample_design(), "0.1");
+  const PrintModel model = make_print_model(test::sample_design());
   const std::vector<const PrintBody*> bodies = model.bodies("print");
   write_step(bodies, "sample", StepStructure::assembly, path());
   const std::string other_path = (folder_ / "b.step").string();
@@ -286,7 +286,7 @@ TEST_F(StepFile, HasTheEntitiesThatOpenCascadeWritesOfTheSameBodies) {
 TEST_F(StepFile, IsOnePartOfAllSolidsWhereThatIsAskedFor) {
   Parameters p;
   p.step_structure = "one-part";
-  const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(p));
   write_step(model, "print", path());
   const Entities entities(path());
   EXPECT_EQ(entities.named("PRODUCT").size(), 1u);
@@ -314,7 +314,7 @@ TEST_F(StepFile, IsOnePartOfAllSolidsWhereThatIsAskedFor) {
 TEST_F(StepFile, OfOnePartHasNamesAndColoursOfItsSolids) {
   Parameters p;
   p.step_structure = "one-part";
-  const PrintModel model = make_print_model(test::sample_design(p), "0.1");
+  const PrintModel model = make_print_model(test::sample_design(p));
   write_step(model, "print", path());
   // Names of solids in a part are read where that is asked for, colours always.
   STEPCAFControl_Reader reader;
@@ -353,7 +353,7 @@ TEST_F(StepFile, OfOnePartHasNamesAndColoursOfItsSolids) {
 }
 
 TEST_F(StepFile, KeepsNamesThatStepMustEncode) {
-  PrintBody body = make_print_model(test::sample_design(), "0.1").tiles[0];
+  PrintBody body = make_print_model(test::sample_design()).tiles[0];
   body.name = u8"L'\u00e9cran \\ \u5c4b\u6839 'a'";
   write_step({&body}, u8"Fl\u00e4che", StepStructure::assembly, path());
   expect_bodies({&body}, u8"Fl\u00e4che");
