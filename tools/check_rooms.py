@@ -25,7 +25,6 @@ NATIVE: dict[str, tuple[str, ...]] = {
 LIBRARIES = (
     ("OpenCASCADE", r"[\w/]+\.hxx", {"fabrication"}),
     ("lib3mf", r"(Model/COM/|lib3mf).*", {"fabrication"}),
-    ("libpng", r"png\.h", {"fabrication"}),
     ("Clipper", r"polyclipping/.*", {"bodies"}),
     ("CHOLMOD", r"cholmod.*|suitesparse/.*", {"numerics"}),
     ("oneTBB", r"(tbb|oneapi)/.*", {"core"}),

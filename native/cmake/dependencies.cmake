@@ -41,9 +41,6 @@ add_library(curveups_occt_step INTERFACE)
 target_link_libraries(curveups_occt_step INTERFACE curveups_occt TKMesh TKShHealing TKXSBase
   ${step_toolkits} TKCDF TKLCAF TKCAF TKVCAF TKXCAF)
 
-# libpng: thumbnails.
-find_package(PNG 1.6 REQUIRED)
-
 # lib3mf: named bodies in 3MF files.
 find_path(LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
 find_library(LIB3MF_LIBRARY NAMES 3MF 3mf REQUIRED)

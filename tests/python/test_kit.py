@@ -619,7 +619,6 @@ def test_freecad_reads_each_drawing_at_its_size(kit):
 
 
 def test_assimp_reads_every_3mf(kit):
-    """Whatever their thumbnails: it takes pictures for textures."""
     found = [path for path in kit.folder.rglob("*.3mf") if "coupons" not in path.parts]
     assert len(found) >= 2
     for path in found:

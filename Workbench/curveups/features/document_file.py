@@ -50,9 +50,8 @@ def write_document(results: Results, path: Path) -> dict[str, str]:
     colours = {name: native.COLOURS[kind] for name, kind in {**KINDS, "Target": "tiles"}.items()}
     views = [View(name, value, colours.get(name), MESH_FLAT_LINES if name == "Target" else SHADED)
              for name, value in shown.items()]
-    V, F = results.design.V, results.design.F
-    finish_document(path, views, _print_box(results["solids"].model) if shown["Tiles"] else _box(V),
-                    native.draw_thumbnail(V, F))
+    box = _print_box(results["solids"].model) if shown["Tiles"] else _box(results.design.V)
+    finish_document(path, views, box)
     return {"freecad": freecad_session.version(freecad), "occt": part.OCC_VERSION}
 
 

@@ -40,8 +40,8 @@ class View:
     display_mode: int = SHADED
 
 
-def finish_document(path: Path, views: Sequence[View], box: Box, thumbnail: bytes) -> None:
-    """Adds the views, a camera that sees `box` from the front and a PNG to a document without them. Raises
+def finish_document(path: Path, views: Sequence[View], box: Box) -> None:
+    """Adds the views and a camera that sees `box` from the front to a document without them. Raises
     OSError, also where FreeCAD has not saved all of it: it does not say so itself."""
     finished = path.with_name(path.name + ".finished")
     try:
@@ -52,7 +52,6 @@ def finish_document(path: Path, views: Sequence[View], box: Box, thumbnail: byte
                     content = _without_materials(content.decode()).encode()
                 _add(new, entry.filename, content)
             _add(new, "GuiDocument.xml", _document(views, box).encode())
-            _add(new, "thumbnails/Thumbnail.png", thumbnail)
         finished.replace(path)
     except (zipfile.BadZipFile, zlib.error, EOFError) as error:
         raise OSError(errno.EIO, "FreeCAD could not save the whole document (is the disk full?)",

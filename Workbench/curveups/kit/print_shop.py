@@ -21,15 +21,12 @@ _TYPES = """<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
 <Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
 <Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
-<Default Extension="thumbnail" ContentType="image/png"/>
 </Types>
 """
 _RELATIONS = """<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
 <Relationship Target="/3D/3dmodel.model" Id="rel-1"
  Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
-<Relationship Target="/Metadata/print.thumbnail" Id="rel-2"
- Type="http://schemas.openxmlformats.org/package/2006/relationships/metadata/thumbnail"/>
 </Relationships>
 """
 _MODEL = """<?xml version="1.0" encoding="UTF-8"?>
@@ -59,7 +56,7 @@ def fused(kit: Kit, ending: str, model: Any = None) -> bytes:
     is not that of the kit."""
     model = model or kit.model
     shell = kit.shell(model)
-    return shell if ending == "stl" else _threemf(kit, model, [("print", shell, 1)])
+    return shell if ending == "stl" else _threemf(kit, [("print", shell, 1)])
 
 
 def project(kit: Kit, model: Any = None) -> bytes:
@@ -69,11 +66,11 @@ def project(kit: Kit, model: Any = None) -> bytes:
     soluble = native.support_kind(kit.results.parameters).soluble
     parts = [(kind, kit.written(model, "stl", kind), 2 if kind == "support" and soluble else 1)
              for kind in KINDS if model.volumes[kind] > 0]
-    return _threemf(kit, model, parts)
+    return _threemf(kit, parts)
 
 
-def _threemf(kit: Kit, model: Any, parts: Sequence[tuple[str, bytes, int]]) -> bytes:
-    """A 3MF of one object with PrusaSlicer's settings of parts and a thumbnail of the model. parts: their
+def _threemf(kit: Kit, parts: Sequence[tuple[str, bytes, int]]) -> bytes:
+    """A 3MF of one object with PrusaSlicer's settings of parts. parts: their
     name, STL and extruder."""
     vertices: list[str] = []
     triangles: list[str] = []
@@ -90,8 +87,7 @@ def _threemf(kit: Kit, model: Any, parts: Sequence[tuple[str, bytes, int]]) -> b
     members = {"[Content_Types].xml": _TYPES.encode(), "_rels/.rels": _RELATIONS.encode(),
                "3D/3dmodel.model": mesh.encode(),
                "Metadata/Slic3r_PE_model.config":
-                   _CONFIG.format(title=quoteattr(kit.title), parts=volumes).encode("utf-8"),
-               "Metadata/print.thumbnail": model.thumbnail()}
+                   _CONFIG.format(title=quoteattr(kit.title), parts=volumes).encode("utf-8")}
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as zipped:
         for name, content in members.items():

@@ -11,7 +11,6 @@
 #include "curveups/fabrication/print_solids.hpp"
 #include "curveups/fabrication/ring.hpp"
 #include "curveups/fabrication/supports.hpp"
-#include "curveups/fabrication/thumbnail.hpp"
 
 namespace curveups::bindings {
 
@@ -181,14 +180,6 @@ void bind_print_model(py::module_& module) {
           "x "
           "3, counter-clockwise seen from outside) and the body of each triangle, from 0.")
       .def(
-          "thumbnail",
-          [](const PrintModel& m) {
-            return py::bytes(without_gil(py::none(), [&](const Progress&) {
-              return draw_thumbnail(mesh_bodies(m.bodies("print"), {0.1, false}));
-            }));
-          },
-          "A PNG of the print, without bumps, seen obliquely from above, on a transparent ground.")
-      .def(
           "only_tiles",
           [](const PrintModel& m, const std::vector<int>& tiles) {
             require_tiles(tiles, static_cast<Eigen::Index>(m.tiles.size()), "tiles");
@@ -307,20 +298,6 @@ void bind_print_model(py::module_& module) {
       "thickness, with teeth that are round on top. Of each part, seen from the teeth: outline and "
       "window (empty: none), both counter-clockwise, places of teeth, places of holes as wide as "
       "these.");
-  module.def(
-      "draw_thumbnail",
-      [](const PointsIn& V, const TrianglesIn& F) {
-        const TriangleMesh mesh = read_mesh(V, F);
-        BodyMesh body;
-        for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) body.points.push_back(mesh.V.row(v));
-        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
-          body.triangles.push_back({mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2)});
-        }
-        return py::bytes(draw_thumbnail({body}));
-      },
-      py::arg("V"), py::arg("F"),
-      "A PNG of a surface in the colour of tiles, seen obliquely from above, on a transparent "
-      "ground.");
   py::dict colours;
   for (int k = 0; k < 3; ++k) {
     const Colour c = body_colour(static_cast<BodyKind>(k));

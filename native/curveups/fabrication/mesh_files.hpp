@@ -16,7 +16,7 @@ void write_stl(const std::vector<BodyMesh>& meshes, const std::string& title,
 
 // 3MF in mm (lib3mf): each piece is one build item, an assembly whose components are one named
 // object with its material per body. Slicers place every build item anew; components keep their
-// places. A thumbnail shows all. materials: their names by BodyKind; a slicer's user gives each its
+// places. materials: their names by BodyKind; a slicer's user gives each its
 // own filament or nozzle. The same meshes give the same bytes. Throws IoError, SolverFailure
 // where lib3mf refuses a mesh, Cancelled.
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,

@@ -14,7 +14,6 @@
 #include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/mesh_files.hpp"
 #include "curveups/fabrication/palette.hpp"
-#include "curveups/fabrication/thumbnail.hpp"
 
 namespace curveups {
 namespace {
@@ -201,21 +200,6 @@ void place_piece(NMR::PLib3MFModel* model, const std::vector<Body>& bodies,
           "place " + name);
 }
 
-// Its relationship says what it is, and no ending: assimp 5.2 takes every .png and .jpg of a
-// package for a texture, and ends the program of whoever reads that.
-void add_thumbnail(NMR::PLib3MFModel* model, std::string png) {
-  Held<NMR::PLib3MFModelAttachment> picture;
-  require(NMR::lib3mf_model_getpackagethumbnailattachment(model, true, picture.out()),
-          "add a thumbnail");
-  require(NMR::lib3mf_model_addcustomcontenttypeutf8(model, "thumbnail", "image/png"),
-          "add the kind of a thumbnail");
-  require(NMR::lib3mf_attachment_setpathutf8(picture.get(), "/Metadata/print.thumbnail"),
-          "name the thumbnail");
-  require(NMR::lib3mf_attachment_readfrombuffer(picture.get(), reinterpret_cast<BYTE*>(png.data()),
-                                                png.size()),
-          "take the thumbnail");
-}
-
 }  // namespace
 
 void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
@@ -277,9 +261,6 @@ void write_3mf(const std::vector<BodyMesh>& meshes, const std::string& title,
   }
   for (int piece = 0; piece < piece_count; ++piece) {
     place_piece(model.get(), bodies[piece], title, piece, piece_count);
-  }
-  if (std::string png = draw_thumbnail(meshes); !png.empty()) {
-    add_thumbnail(model.get(), std::move(png));
   }
   Held<NMR::PLib3MFModelWriter> writer;
   require(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), "make a writer");
