@@ -87,7 +87,7 @@ def test_bad_usage_is_one_line_and_status_2(curveups, tmp_path, arguments):
 
 
 @pytest.mark.parametrize("arguments", [("--set", b"L=\xff"), ("--set", b"\xff=7"),
-                                       ("--set", b"held_tiles=\xff"), ("--fit", b"\xff")])
+                                       ("--set", b"held_tiles=\xff")])
 def test_settings_that_are_no_text(tmp_path, arguments):
     done = subprocess.run([*command("design", "disc", "-o", "out"), *arguments], cwd=tmp_path,
                           env=environment(), capture_output=True, text=True)

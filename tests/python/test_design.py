@@ -128,7 +128,7 @@ def test_horns(curveups, tmp_path, sectors, rings, lies_flat):
 
 
 def test_supports_that_run_into_one_another_are_named(curveups, tmp_path):
-    """Domes apart as the layout sets them; slabs with wider margins would need more room."""
+    """Domes apart as the layout sets them; slabs around wider anchors would need more room."""
     second = re.sub(r"(?m)^v (\S+)", lambda m: f"v {float(m[1]) + 60!r}", dome(1))
     second = re.sub(r"(?m)^f .*$", lambda m: "f " + " ".join(
         str(int(i) + 7) for i in m[0].split()[1:]), second)
@@ -137,7 +137,7 @@ def test_supports_that_run_into_one_another_are_named(curveups, tmp_path):
                    "--set", "run_verification=off")
     assert ran.status == 0, ran.err
     ran = curveups("export", tmp_path / "out" / "design.json", "-o", tmp_path / "wide", "--set",
-                   "support_margin=40")
+                   "anchor_radius=25")
     assert ran.status == 2 and not (tmp_path / "wide").exists(), ran.err
     found = re.search(r"support of piece (\d) runs into piece (\d) \(.*, T(\d+), T(\d+)\)",
                       ran.error_lines[0])
@@ -150,8 +150,7 @@ def test_supports_that_run_into_one_another_are_named(curveups, tmp_path):
 
 def test_prints_that_cannot_be_made_leave_the_design(curveups, cap, tmp_path):
     out = tmp_path / "out"
-    ran = curveups("design", cap, "-o", out, "--no-remesh", "--set", "support=breakaway",
-                   "--set", "bridge_thickness=0.9", "--set", "bridge_notch=0.4")
+    ran = curveups("design", cap, "-o", out, "--no-remesh", "--set", "support=breakaway", "H_body=0.6")
     assert ran.status == 1, ran.err
     report = json.loads((out / "report.json").read_text("utf-8"))
     check_report(report)

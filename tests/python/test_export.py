@@ -43,7 +43,7 @@ def test_other_heights_over_the_same_layout(curveups, printed, tmp_path, name, v
 
 
 def test_settings_of_files_change_no_geometry(curveups, printed, tmp_path):
-    ran = curveups("export", printed.folder / "design.json", "-o", tmp_path, "--set", "mesh_bumps=off")
+    ran = curveups("export", printed.folder / "design.json", "-o", tmp_path, "--set", "mesh_deviation=0.2")
     assert ran.status == 0, ran.err
     _, report = read(tmp_path)
     assert report["valid"] is None and report["reasons"] == ["an export does not verify"]

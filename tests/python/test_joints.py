@@ -9,7 +9,6 @@ import struct
 import numpy as np
 import pytest
 from curveups.base.native import native
-from curveups.stages.joining import joints_of, not_joined
 from running import by_admesh
 from schema import read_run
 from shapes import obj_text, sphere
@@ -124,13 +123,12 @@ def test_holes_that_find_no_room_are_refused(curveups, ball_file, tmp_path):
         return curveups("design", ball_file, "-o", tmp_path / name, "--set", "pieces=2", "verify=off",
                         "joint=holes", *values)
 
-    refused = run("wide", "joint_hole=3")
+    refused = run("wide", "A_pin_floor=4")
     line, = refused.error_lines
     assert refused.status == 2 and not (tmp_path / "wide").exists()
-    assert "no room for stitching holes of 3 mm" in line and "T0" in line and "tried" not in line
-    hole = float(line.split("lower joint_hole to ")[1].split()[0])
-    assert 1 < hole < 3
-    assert run("advised", f"joint_hole={hole:g}").status == 0
+    assert "no room for stitching holes of 1 mm" in line and "T0" in line and "tried" not in line
+    assert "lower A_pin_floor" in line
+    assert run("advised", "A_pin_floor=1").status == 0
     report = json.loads((tmp_path / "advised" / "report.json").read_text("utf-8"))
     assert report["joints"]["without"] == []
 
@@ -164,30 +162,9 @@ def test_a_layout_without_holes_is_to_be_made_anew(curveups, ball_file, tmp_path
 
 
 @pytest.mark.parametrize("values, named", [
-    (["joint=glue"], "none, holes"), (["joint_hole=0"], "0.2 to 10"), (["joint_hole=wide"], "0.2 to 10"),
-    (["joint=holes", "p_floor=0.05"], "p_floor"),
-    (["joint=holes", "support=breakaway", "bridge_depth=0.4"], "bridge_depth")])
+    (["joint=glue"], "none, holes"), (["joint=holes", "p_floor=0.05"], "p_floor"),
+    (["joint=holes", "support=breakaway", "p_floor=0.15"], "bridges enter")])
 def test_what_cannot_be_is_refused(curveups, ball_file, tmp_path, values, named):
     ran = curveups("design", ball_file, "-o", tmp_path / "out", "--set", *values)
     assert ran.status == 2 and len(ran.error_lines) == 1 and named in ran.error_lines[0]
     assert not (tmp_path / "out").exists()
-
-
-def test_remedies_by_what_is_possible():
-    class Model:
-        joints = ([(0, 1)], [(2, 3)], 2, 0.0, 0.5)
-
-    parameters = native.Parameters()
-    assert joints_of(Model, parameters) == {} and not_joined({}, parameters) == ()
-    parameters.set("joint", "holes")
-
-    def remedy(hole, area):
-        Model.joints = ([(0, 1)], [(2, 3)], 2, hole, area)
-        said, = not_joined(joints_of(Model, parameters), parameters)
-        assert str(said) == "1 of 2 edges between pieces have no room for stitching holes: T00003-T00004"
-        return said.remedy()
-
-    assert remedy(0.0, 0.0) == "raise L or lower H_body"
-    assert "A_pin_floor to 2.34," in remedy(0.0, 2.349) and "joint_hole" not in remedy(0.0, 2.349)
-    assert "joint_hole to 0.78 or A_pin_floor to 2.34" in remedy(0.789, 2.349)
-    assert "compute the layout" in remedy(1.0, 5.0)

@@ -498,7 +498,7 @@ def test_trim_marks_go_around_all_pins_at_their_distance(kit):
     anchors = [np.array([p[:2] for p in line]) for line in space.query('LWPOLYLINE[layer=="control"]')]
     assert len(anchors) == kit.json["sheets"]["anchors"]
     assert not any(inside(corner, ends) for anchor in anchors for corner in anchor)
-    slab = np.array(kit.json["print"]["bbox_mm"][:2]) - 2 * native.Parameters().get("support_margin")
+    slab = np.array(kit.json["print"]["bbox_mm"][:2]) - 2 * native.SUPPORT_MARGIN
     assert np.ptp(np.concatenate(anchors), axis=0) == pytest.approx(slab, abs=0.1)
 
 

@@ -58,7 +58,6 @@ def test_glue_on_the_front_takes_pins_and_anchors_alone(exported, settings):
     assert "Glue the front first" in page
     assert ("would be glued along" in page) == (flush > 0)
     assert ("front side up" if front_up else "front side down") in page
-    assert not any(warning.get("kind") == "glue" for warning in report["warnings"])
 
 
 @pytest.mark.parametrize("settings, order", [
@@ -133,12 +132,6 @@ def test_a_design_file_takes_the_weight_of_another_printer(curveups, tmp_path, s
     curveups("export", tmp_path / "design.json", "-o", tmp_path / "fdm", "--set", "printer=fdm")
     page = (tmp_path / "fdm" / "report.html").read_text(encoding="utf-8")
     assert f"at {density:g} g/cm³" in page
-
-
-def test_a_slab_that_glue_would_take_is_warned_of(exported):
-    _, report = exported("support_drop=0")
-    warning, = (w for w in report["warnings"] if w.get("kind") == "glue")
-    assert "support_drop" in warning["remedy"] and report["print"]["glue"]["front_support_mm2"] > 500
 
 
 def test_bridges_are_no_support_material(exported):

@@ -58,10 +58,10 @@ def test_only_what_is_missing_is_run(project, ran):
 
 @pytest.mark.parametrize("name, value, kept, run", [
     ("friction_coefficient", 0.6, "layout", "verification"),
-    ("support_drop", 0.5, "verification", "bodies"),
+    ("bridge_width", 1.0, "verification", "bodies"),
     ("H_body", 2.5, "target", "layout"),
     ("tau", 2.8, "pin smoothing", "layout"),
-    ("w_a", 20.0, "pin smoothing", "layout"),
+    ("d_gap_min", 0.7, "pin smoothing", "layout"),
     ("printer", "resin", "bodies", None),
     ("A_pin_min", 3.5, "target", "layout"),
 ])
@@ -99,10 +99,10 @@ def test_what_is_out_of_date_says_why_and_comes_back(project, ran):
 
 def test_a_layout_that_was_made_anew_takes_its_verification_along(project):
     first = project.run(("verification",))
-    project.parameters = changed(project.parameters, w_p=10.0)
+    project.parameters = changed(project.parameters, d_gap_min=0.7)
     project.run(("layout",))
     assert project.latest("verification") is first["verification"]
-    assert set(project.out_of_date("verification")) == {"layout", "w_p"}
+    assert set(project.out_of_date("verification")) == {"layout", "d_gap_min"}
 
 
 def test_values_that_contradict_one_another_change_nothing(project):

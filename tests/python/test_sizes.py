@@ -294,25 +294,6 @@ def test_auto_on_the_command_line(curveups, cap, tmp_path):
     assert curveups("design", cap, "-o", tmp_path / "b", "--set", "tau=auto").status == 2
 
 
-@pytest.mark.parametrize("unit", [1.0, 1e-3, 1 / 25.4])
-def test_a_target_is_scaled_to_a_size(unit):
-    V, F = dome()
-    found = project(V * unit, F, fit=80.0).run(("surface",))["surface"]
-    assert np.ptp(found.V, axis=0).max() == pytest.approx(80, rel=1e-12)
-    assert any("to fit 80 mm" in note for note in found.notes)
-    assert np.allclose(found.V, project(V, F, fit=80.0).run(("surface",))["surface"].V)
-
-
-def test_built_ins_grow_without_facets():
-    parameters = native.Parameters()
-    parameters.set("fit", 960.0)
-    of = Project("half-sphere", parameters, {"source": Source("half-sphere", built_in="half-sphere"),
-                                             "cut request": CutRequest()})
-    V = of.run(("surface",))["surface"].V
-    assert np.ptp(V, axis=0).max() == pytest.approx(960, rel=1e-12)
-    assert len(V) > len(native.builtin_target("half-sphere", 0.0035)[0])
-
-
 def test_where_a_quarter_of_the_pins_has_no_room_none_is_made(monkeypatch):
     """Each facet of the dome is two tiles, which no thickness gives room: the search took minutes."""
     asked = []

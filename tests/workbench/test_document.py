@@ -126,7 +126,7 @@ def test_constraints_that_no_longer_hold_are_said(bowl_document):
 
 def test_interfaces_that_lose_their_bumps_are_said(capfd, dome_document):
     document, design, tiles = opened(dome_document)
-    design.BumpDiameter = 9.9
+    design.BumpHeight = 1.1
     document.recompute()
     assert design.Status == "out of date"
     out = "".join(capfd.readouterr())

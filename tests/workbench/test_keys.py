@@ -92,7 +92,7 @@ def test_every_parameter(dome_document, elsewhere):
 def test_a_change_of_what_reads_the_target_alone(dome_document):
     """Such a change left the Target current once."""
     design = FreeCAD.openDocument(str(dome_document)).Design
-    for name, value in (("CreaseAngle", 30), ("Fit", "70 mm"), ("Mend", "on")):
+    for name, value in (("CreaseAngle", 30), ("Scale", 1.5), ("Mend", "on")):
         before = getattr(design, name)
         setattr(design, name, value)
         assert design.Target.Status == "out of date" and name in design.Target.Reason

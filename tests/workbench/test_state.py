@@ -75,11 +75,11 @@ SOLIDS = ("Tiles", "Support", "Anchors")
 
 @pytest.mark.parametrize("name, value, command, parts", [
     ("HBody", "2.5 mm", "Verify", ("Verification", *SOLIDS)),
-    ("BumpDiameter", "1.4 mm", "Verify", ("Verification", *SOLIDS)),
+    ("BumpCount", 4, "Verify", ("Verification", *SOLIDS)),
     ("FrictionCoefficient", 0.3, "Verify", ("Verification",)),
     ("ShearModulusBack", "0.3 MPa", "Verify", ("Verification",)),
     ("Tau", 2, "Solve", ("Layout", "Verification")),
-    ("WA", 20, "Solve", ("Layout", "Verification")),
+    ("DGapMin", "0.7 mm", "Solve", ("Layout", "Verification")),
     ("Flip", True, "Solve", ("Target", "Layout", "Verification")),
 ])
 def test_an_edit_of_each_tier(dome_document, tmp_path, name, value, command, parts):

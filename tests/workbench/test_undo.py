@@ -37,7 +37,7 @@ def test_solids_follow_transactions(dome_document, monkeypatch):
     built, real = [], following.rebuild.take
 
     def take(obj, results):
-        built.append((obj.HBody.Value, obj.AnchorDistance.Value))
+        built.append((obj.HBody.Value, obj.AnchorRadius.Value))
         real(obj, results)
 
     monkeypatch.setattr(following.rebuild, "take", take)
@@ -45,7 +45,7 @@ def test_solids_follow_transactions(dome_document, monkeypatch):
         edit(document, "HBody", f"{thickness} mm")
         assert tiles.Status == "out of date"
     until(lambda: tiles.Status == "current")
-    assert built == [(2.7, 3)] and abs(tiles.Shape.BoundBox.ZLength - 4.7) < 1e-6, built
+    assert built == [(2.7, 4)] and abs(tiles.Shape.BoundBox.ZLength - 4.7) < 1e-6, built
     # No shapes in what can be undone, and following is no step of its own.
     assert document.UndoRedoMemSize - size < 2e5, document.UndoRedoMemSize
     assert document.UndoNames == ["Edit HBody"] * 3
@@ -64,12 +64,12 @@ def test_solids_follow_transactions(dome_document, monkeypatch):
     settle(500)
     assert design.HPin.Value == 1 and tiles.Status == "current" and design.Verdict == "valid"
     # A slow one is ended by the next edit, and does not keep the document open.
-    edit(document, "AnchorDistance", "199 mm")
+    edit(document, "AnchorRadius", "99 mm")
     until(lambda: follower._worker.busy, what="the slow one to begin")
-    edit(document, "AnchorDistance", "3 mm")
+    edit(document, "AnchorRadius", "4 mm")
     until(lambda: tiles.Status == design.Anchors.Status == "current")
     assert design.Verdict == "valid" and design.Anchors.Shape.BoundBox.DiagonalLength < 200
-    assert 199 not in [distance for _, distance in built], built
+    assert 99 not in [radius for _, radius in built], built
     edit(document, "HBody", "2.5 mm")
     until(lambda: follower._worker.busy, what="the next one to begin")
     FreeCAD.closeDocument(document.Name)

@@ -21,7 +21,7 @@ WORDS = ("front", "back", "gap", "pin area", "pin keep-out", "inset at its limit
 
 # What long work says that it is doing; {0} stands for a name or a number.
 PROGRESS = (
-    "working", "reading the target", "mending the target", "coarsening the scan", "remeshing",
+    "working", "reading the target", "mending the target", "remeshing",
     "checking the target", "registering the scan", "smoothing the target", "dividing into pieces",
     "dividing into {0} pieces",
     "dividing into 1 piece", "looking for cuts", "making room for pins", "checking tiles", "trying {0}",
@@ -255,9 +255,6 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                "even that out",
     "mending.remaining": ("mending left {at:6} with too little room for pins or under membranes",
                           "set mend_max above {most:g mm}, or another L or H_body"),
-    "mending.border": ("mending left {at:6} with too little room for pins or under membranes",
-                       "set mend_border=on, as some are at the border; or set mend_max above {most:g mm}, or "
-                       "another L or H_body"),
     "mending.far": ("tiles are up to {distance:.2f mm} from the target, more than mend_max ({most:g mm}): "
                     "they can't follow its corners and edges",
                     "lower L, or give edges that tiles must meet a crease_angle"),
@@ -307,10 +304,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "loose.anchors": "{count} anchors are not held by the support",
     "joint.room": ("pins of at least A_pin_floor ({A_pin_floor:.3g mm2}) leave no room for stitching holes "
                    "of {joint_hole:.3g mm}",
-                   "lower joint_hole to {hole:.3g} or H_body, raise L, or set joint to none"),
-    "joint.no_room": ("pins of at least A_pin_floor ({A_pin_floor:.3g mm2}) leave no room for stitching "
-                      "holes of {joint_hole:.3g mm}",
-                      "lower H_body, raise L, or set joint to none"),
+                   "lower A_pin_floor or H_body, raise L, or set joint to none"),
     "overhang": ("tiles reach out level by up to {reach:.2g mm} beyond the pin they stand on, {H_pin:g mm} "
                  "above the bed; a {printer} prints {most:g mm} without supports",
                  "let the slicer put supports there, on the bed alone"),
@@ -321,12 +315,9 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "joint.none": ("joint=holes, but no two pieces have a border in common: there is nothing to join",
                    "set pieces to auto or to 2 or more, or joint to none"),
     "joint": ("{closed} of {edges} edges between pieces have no room for stitching holes: {pairs}",
-              "{what_to_do}"),
-    "glue": ("the slab is level with the {side} pins, which are glued first: glue takes it, too",
-             "raise support_drop"),
+              "compute the layout again, lower A_pin_floor or H_body, raise L, or set joint to none"),
     "anchor": "the surplus membrane pulls with {pull:.3g N} at an anchor, whose glue then carries "
-              "{shear:.3g MPa} of shear, more than glue_strength ({limit:g MPa}): raise anchor_radius or "
-              "lower anchor_spacing",
+              "{shear:.3g MPa} of shear, more than glue_strength ({limit:g MPa}): raise anchor_radius",
     "bed": "the print ({x:.0f mm} x {y:.0f mm} x {z:.0f mm}) is larger than the bed of a {printer}",
     "material": ("the soluble slab is a second material; a {printer} prints one", "set support to breakaway"),
     "gap.printer": "tiles come as near as {clearance:.3g mm}; a {printer} needs {least:g mm}",
@@ -338,7 +329,7 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
                          "set bumps to none, or raise bump_height"),
     "resolution.dimples": ("dimples are {clearance:g mm} wider than bumps, less than the {least:g mm} that "
                            "a {printer} resolves",
-                           "raise dimple_clearance, or set bumps to none"),
+                           "set bumps to none"),
     "growth": "walls stand back by {set:g mm} for what prints grow; a {printer} grows walls by "
               "{grows:g mm}: raise xy_compensation",
     "thin_p_min": "p_min gave way to {least:.3g mm} at {at:6}, below what a {printer} makes ({makes:g mm}): "
@@ -387,10 +378,6 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "size": "{name}={value:g}",
     "size.both": "H_body={H_body:g} with H_pin={H_pin:g}",
     "size.mend": "mend=on",
-    "joint.relayout": "compute the layout with joint=holes, so that pins make room",
-    "joint.set": "set {options: or }, so that pins can make room; or raise L or lower H_body",
-    "joint.other": "raise L or lower H_body",
-    "joint.option": "{name} to {value:g}",
     "check.clear": "nothing is in the way of any tile",
     "check.blocked": "{count} of {of} tiles can't be made ({at:6})",
     "check.likely": "{count} tiles are likely to fail ({at:6})",

@@ -158,8 +158,6 @@ def _target_arguments(parser: argparse.ArgumentParser, folder_required: bool = T
                         help="a built-in name, or an OBJ, STL, PLY, OFF, 3MF, STEP, IGES or BREP file")
     _output_argument(parser, folder_required)
     _set_argument(parser)
-    parser.add_argument("--fit", metavar="LENGTH",
-                        help="scale the target so that its longest side is LENGTH mm")
     parser.add_argument("--config", type=Path, action="append", default=[], metavar="FILE.json",
                         help='parameters as { "name": value, ... }, with a note as "about"; may be '
                              "given several times: the last wins, and --set wins over all")

@@ -336,8 +336,6 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
     given += [(name, text, f"--set {name}") for name, text in _settings(options.settings)]
     for name, value, where in (*_of_printer([*of_profile, *given]), *of_profile, *_with_materials(given)):
         put(name, value, where)
-    if options.fit is not None:
-        put("fit", options.fit, "--fit")
     will_be_cut = bool(cuts) or cuts.suggested > 0 or values.get("pieces") != "1"
     source = find_source(options.target, remesh=remesh, will_be_cut=will_be_cut)
     project = Project(safe_name(source.name), values, {"source": source, "cut request": cuts}, options.target)

@@ -124,9 +124,8 @@ def _fewer_anchors(design: Any, model: Any, bed: Sequence[float], shapes: Any, a
     """With anchors and slab within the bed, where all tiles with the slab's margin have room there."""
     if not model.volumes["anchors"]:
         return None
-    margin = design.parameters.get("support_margin")
     tiles = np.asarray(shapes.flat)[..., :2].reshape(-1, 2)
-    room = [side - 2 * margin for side in bed[:2]]
+    room = [side - 2 * native.SUPPORT_MARGIN for side in bed[:2]]
     turn = _best_turn(tiles, room)
     if turn is None:
         return None
@@ -247,8 +246,8 @@ def _has_room(corners: np.ndarray, piece: np.ndarray, bed: Sequence[float], reac
 def _rim(parameters: Any) -> float:
     """mm that anchors and slab reach beyond the tiles."""
     get = parameters.get
-    anchors = get("anchor_distance") + 2 * get("anchor_radius") if get("anchors") else 0.0
-    return float(anchors + get("support_margin"))
+    anchors = native.ANCHOR_DISTANCE + 2 * get("anchor_radius") if get("anchors") else 0.0
+    return float(anchors + native.SUPPORT_MARGIN)
 
 
 def _points(model: Any) -> dict[int, np.ndarray]:

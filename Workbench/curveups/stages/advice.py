@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, Iterable, Iterator, Mapping, Optional, Sequence
 
 from ..base.findings import Finding
@@ -70,18 +69,6 @@ def other_sizes(options: Sequence[Sizes], tried: int, mending: Optional[float], 
     moved = [Finding.about("advice.mend", moved=mending)] if mending is not None else []
     more = [Finding("advice.auto")] if mended else []
     return "; ".join(map(str, (sizes, *moved, *more)))
-
-
-def for_joints(possible: Mapping[str, float], parameters: Any) -> Finding:
-    """Where stitching holes have no room. possible: what leaves room everywhere."""
-    # Rounded down, so that what is named does.
-    hole, area = (math.floor(100 * possible[name]) / 100 for name in ("joint_hole", "A_pin_floor"))
-    if hole >= parameters.get("joint_hole"):
-        return Finding("joint.relayout")
-    room = {"joint_hole": (hole, hole > 0), "A_pin_floor": (area, area > 0)}
-    options = tuple(Finding.about("joint.option", name=name, value=value)
-                    for name, (value, does) in room.items() if does)
-    return Finding.about("joint.set", options=options) if options else Finding("joint.other")
 
 
 def of_check(sizes: Any, L: float, H_body: float) -> Iterator[Finding]:

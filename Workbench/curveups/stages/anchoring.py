@@ -42,7 +42,7 @@ def _run(inputs: Inputs, job: Job) -> Anchoring:
     if not get("anchors"):
         return Anchoring()
     tension = native.surplus_tension(inputs.parameters)
-    pull = [get("anchor_spacing") * each for each in tension]
+    pull = [native.ANCHOR_SPACING * each for each in tension]
     area = math.pi * get("anchor_radius") ** 2
     return Anchoring({"surplus_tension_n_per_mm": list(tension), "pull_n": pull,
                       "glue_shear_mpa": [each / area for each in pull]}, get("glue_strength"))

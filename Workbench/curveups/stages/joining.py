@@ -6,18 +6,17 @@ from __future__ import annotations
 from typing import Any, Mapping, Sequence
 
 from ..base.findings import Finding
-from .advice import for_joints
+from ..base.native import native
 
 
 def joints_of(model: Any, parameters: Any) -> dict[str, Any]:
-    """The block of report.json: edges between pieces, holes, their sizes (mm), the pairs of tiles (rows of
-    F) without room and what leaves room everywhere; empty with joint=none. model: native PrintModel."""
+    """The block of report.json: edges between pieces, holes, their sizes (mm) and the pairs of tiles (rows of
+    F) without room; empty with joint=none. model: native PrintModel."""
     if parameters.get("joint") == "none":
         return {}
-    joined, closed, holes, hole, area = model.joints
-    return {"edges": len(joined) + len(closed), "holes": int(holes), "hole_mm": parameters.get("joint_hole"),
-            "wall_mm": parameters.get("p_floor"), "without": [[int(a), int(b)] for a, b in closed],
-            **({"possible": {"joint_hole": hole, "A_pin_floor": area}} if closed else {})}
+    joined, closed, holes = model.joints
+    return {"edges": len(joined) + len(closed), "holes": int(holes), "hole_mm": native.JOINT_HOLE,
+            "wall_mm": parameters.get("p_floor"), "without": [[int(a), int(b)] for a, b in closed]}
 
 
 def not_joined(joints: Mapping[str, Any], parameters: Any) -> Sequence[Finding]:
@@ -30,5 +29,4 @@ def not_joined(joints: Mapping[str, Any], parameters: Any) -> Sequence[Finding]:
         return ()
     pairs = tuple((a, b) for a, b in joints["without"])
     return (Finding.about("joint", (tile for pair in pairs for tile in pair), closed=len(pairs),
-                          edges=joints["edges"], pairs=pairs,
-                          what_to_do=for_joints(joints["possible"], parameters)),)
+                          edges=joints["edges"], pairs=pairs),)

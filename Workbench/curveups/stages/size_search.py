@@ -236,7 +236,7 @@ class SizeSearch:
         values = [value for value in series(low, high) if LEAST_TILES <= self.tiles(value) <= MOST_CHOSEN]
         if not values:
             raise CurveUpsError("the surface is too large or too small for tiles", where,
-                                "check its unit (scale, fit)")
+                                "check its unit (scale)")
 
         def near(value: float) -> bool:
             return self.chord_error(value) <= maximum_deviation

@@ -141,8 +141,7 @@ def _if_sound(inputs: Inputs) -> Check:
     solids = {"tiles": int(model.tile_count), "invalid": 0, "volume_cm3": printed["tile_volume_cm3"],
               "min_clearance_flat_mm": clearance, "max_overlap_actuated_mm3": overlap}
     printer = read_printer(inputs.parameters.get("printer"))
-    warned = (*_glue_warnings(printed["glue"]),
-              *_printer_warnings(model, inputs.parameters, box, clearance, printer),
+    warned = (*_printer_warnings(model, inputs.parameters, box, clearance, printer),
               *_fit_warnings(inputs.parameters, printer))
     return Check(printed, solids, too_thin(inputs["figures"].relaxed, printer), warned)
 
@@ -177,11 +176,6 @@ CHECK = Stage("check", ("solids", "figures", "clearances"), frozenset({"check", 
               label="Check of the solids", asked_by=("print",), judges=True)
 
 
-def _glue_warnings(glue: Mapping[str, Any]) -> Sequence[Finding]:
-    flush = glue[f"{GLUED_FIRST}_support_mm2"]
-    return (Finding.about("glue", side=GLUED_FIRST),) if flush else ()
-
-
 def _printer_warnings(model: Any, parameters: Any, box: Sequence[float], clearance: float, printer: dict
                       ) -> list[Finding]:
     """What the chosen printer can't make: bed, materials, gaps, features, overhangs."""
@@ -206,8 +200,8 @@ def _printer_warnings(model: Any, parameters: Any, box: Sequence[float], clearan
              size=size)
     if get("bumps") != "none" and get("bump_height") < printer["resolution_mm"]:
         warn("resolution.bumps", height=get("bump_height"), least=printer["resolution_mm"])
-    if get("bumps") == "dimples" and get("dimple_clearance") < printer["resolution_mm"]:
-        warn("resolution.dimples", clearance=get("dimple_clearance"), least=printer["resolution_mm"])
+    if get("bumps") == "dimples" and native.DIMPLE_CLEARANCE < printer["resolution_mm"]:
+        warn("resolution.dimples", clearance=native.DIMPLE_CLEARANCE, least=printer["resolution_mm"])
     if overhangs(max(model.overhangs, default=0.0), parameters, printer):
         most = printer["overhang_mm"]
         warn("overhang.front_down" if get("orientation") == "front-down" else "overhang",

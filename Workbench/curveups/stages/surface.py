@@ -11,7 +11,6 @@ from typing import Any, Callable, Optional
 
 import numpy as np
 
-from ..base.errors import CurveUpsError
 from ..base.native import native
 from ..base.output import plain_name
 from ..targets.cad_files import Read
@@ -74,25 +73,12 @@ def _run(inputs: Inputs, job: Job) -> Surface:
             return source.read(deflection, choice)
         return read_target(Path(source.path), deflection, partial(job, "reading the target"), choice)
 
-    scale, fit = get("scale"), get("fit")
+    scale = get("scale")
     found = read(scale)
-    if fit:
-        scale = fit / _longest_side(found.V, inputs.where)
-        if scale > get("scale"):  # as fine as the larger one asks for
-            found = read(scale)
-            scale = fit / _longest_side(found.V, inputs.where)
     V = np.ascontiguousarray(found.V, float) * scale
     F = np.ascontiguousarray(found.F[:, ::-1] if get("flip") else found.F, np.int32)
-    notes = (*found.notes, f"scaled by {scale:.6g} to fit {fit:g} mm") if fit else found.notes
     wall = None if found.wall is None else found.wall * scale
-    return Surface(V, F, notes, wall, found.creases)
-
-
-def _longest_side(V: np.ndarray, where: str) -> float:
-    side = float(np.ptp(V, axis=0).max()) if len(V) else 0.0
-    if not np.isfinite(side) or side <= 0:
-        raise CurveUpsError("the surface has no size that could be scaled", where, "leave fit at 0")
-    return side
+    return Surface(V, F, found.notes, wall, found.creases)
 
 
 STAGE = Stage("surface", ("source",), frozenset({"target"}), _run,

@@ -76,9 +76,10 @@ def _run(inputs: Inputs, job: Job) -> TargetSmoothing:
              "mean_mm": float(move[move > 0].mean()) if moved else 0.0, "max_mm": largest,
              "hausdorff_mm": max(target.mended_by, float(faired_by)), "tiles": tiles,
              "remaining": sorted({int(pin.tile) for pin in made.remaining})}
-    found = [_remaining(block["remaining"], target.F, parameters)] if block["remaining"] else []
+    tiles, most = block["remaining"], parameters.get("mend_max")
+    found = [Finding.about("mending.remaining", tiles, at=tuple(tiles), most=most)] if tiles else []
     V = np.ascontiguousarray(made.V) if moved else target.V
-    found += _far(V, target, parameters.get("mend_max"), job)
+    found += _far(V, target, most, job)
     shown = (target.F, native.distances(V, *target.given)) if actions else ()
     return TargetSmoothing(V, True, block, tuple(found), *shown)
 
@@ -97,12 +98,6 @@ def _border(F: np.ndarray) -> np.ndarray:
     """The vertices of the boundary."""
     pairs, faces = mesh_edges(F)
     return np.unique(pairs[faces == 1])
-
-
-def _remaining(tiles: list[int], F: np.ndarray, parameters: Any) -> Finding:
-    at_border = not parameters.get("mend_border") and np.isin(F[tiles], _border(F)).any()
-    return Finding.about("mending.border" if at_border else "mending.remaining", tiles,
-                         at=tuple(tiles), most=parameters.get("mend_max"))
 
 
 STAGE = Stage("target smoothing", ("target",), frozenset({"target", "tiles"}), _run,

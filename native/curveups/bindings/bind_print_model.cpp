@@ -5,6 +5,7 @@
 #include "curveups/bindings/bindings.hpp"
 #include "curveups/bindings/part_shape.hpp"
 #include "curveups/bodies/body_reasons.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
 #include "curveups/fabrication/palette.hpp"
 #include "curveups/fabrication/print_files.hpp"
@@ -108,13 +109,10 @@ void bind_print_model(py::module_& module) {
             }
             std::size_t holes = 0;
             for (const auto& row : m.joints.of_tile) holes += row.size();
-            return py::make_tuple(joined, closed, holes, m.joints.possible.hole,
-                                  m.joints.possible.area);
+            return py::make_tuple(joined, closed, holes);
           },
           "With joint=holes the pairs of tiles along borders of pieces with stitching holes, those "
-          "without room for them, how many holes there are in all, and, where there are such "
-          "without, the largest joint_hole (mm, 0 for none) and the largest A_pin_floor (mm2) for "
-          "which pins can make room everywhere.")
+          "without room for them, and how many holes there are in all.")
       .def_readonly("loose_tiles", &PrintModel::loose_tiles)
       .def_readonly("loose_anchors", &PrintModel::loose_anchors)
       .def_property_readonly(
@@ -304,6 +302,11 @@ void bind_print_model(py::module_& module) {
     colours[printed_kinds[k]] = py::make_tuple(c.red, c.green, c.blue);
   }
   module.attr("COLOURS") = colours;  // of bodies by kind, sRGB from 0 to 255, as in STEP and 3MF
+  module.attr("SUPPORT_MARGIN") = support_margin;  // these in mm (print_constants.hpp)
+  module.attr("ANCHOR_DISTANCE") = anchor_distance;
+  module.attr("ANCHOR_SPACING") = anchor_spacing;
+  module.attr("JOINT_HOLE") = joint_hole;
+  module.attr("DIMPLE_CLEARANCE") = dimple_clearance;
 }
 
 }  // namespace curveups::bindings

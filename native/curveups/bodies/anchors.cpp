@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "curveups/core/parallel.hpp"
+#include "curveups/design/print_constants.hpp"
 
 namespace curveups {
 namespace {
@@ -61,7 +62,7 @@ void join_footprints(std::vector<PieceFootprint>& pieces, const std::vector<int>
 
 std::vector<std::vector<Vec2>> place_anchors(const std::vector<PieceFootprint>& pieces,
                                              const Parameters& p) {
-  const double reach = p.anchor_distance + p.anchor_radius;
+  const double reach = anchor_distance + p.anchor_radius;
   const double least = 2 * p.anchor_radius + anchor_gap;
   std::vector<std::vector<Vec2>> candidates(pieces.size()), anchors(pieces.size());
   parallel_for(static_cast<int>(pieces.size()), [&](int i) {
@@ -73,7 +74,7 @@ std::vector<std::vector<Vec2>> place_anchors(const std::vector<PieceFootprint>& 
       shapes.push_back({joint, reach + contour_deviation});
     }
     const Polygon contour = outline_of(shapes, contour_deviation)[0];
-    candidates[i] = spread_along(contour, std::max(p.anchor_spacing, least));
+    candidates[i] = spread_along(contour, std::max(anchor_spacing, least));
   });
   std::vector<Vec2> all;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -8,6 +8,7 @@
 namespace curveups {
 namespace {
 
+constexpr int rows = 2;
 constexpr double least_spread = 0.3;  // height of the triangle of three bumps, mm
 
 // The interval of the polygon at height v.
@@ -36,8 +37,8 @@ bool far_apart(const std::vector<Vec2>& centres, double spacing) {
   return true;
 }
 
-// Rows from one side of the region to the other, the longer ones with one bump more.
-std::vector<Vec2> in_rows(const Polygon& region, int count, int rows) {
+// Two rows at the sides of the region, the longer one with one bump more where they differ.
+std::vector<Vec2> in_rows(const Polygon& region, int count) {
   double low = 1e300, high = -1e300;
   for (const Vec2& p : region) {
     low = std::min(low, p.y());
@@ -46,7 +47,7 @@ std::vector<Vec2> in_rows(const Polygon& region, int count, int rows) {
   if (high - low < least_spread) return {};
   std::vector<std::array<double, 2>> chords;  // -length, v
   for (int row = 0; row < rows; ++row) {
-    const double v = low + (high - low) * (1e-6 + (1 - 2e-6) * row / (rows - 1));
+    const double v = low + (high - low) * (row == 0 ? 1e-6 : 1 - 1e-6);
     const auto c = chord(region, v);
     if (!c) return {};
     chords.push_back({(*c)[0] - (*c)[1], v});
@@ -58,10 +59,8 @@ std::vector<Vec2> in_rows(const Polygon& region, int count, int rows) {
   for (int row = 0; row < rows; ++row) {
     const int bumps = count / rows + (row < count % rows ? 1 : 0);
     const auto c = *chord(region, chords[row][1]);
-    // Single bumps in every row: at alternating ends, so that they do not stand in a line.
-    const double single = count > rows ? 0.5 : row % 2 ? 0.8 : 0.2;
     for (int k = 0; k < bumps; ++k) {
-      const double s = bumps == 1 ? single : static_cast<double>(k) / (bumps - 1);
+      const double s = bumps == 1 ? 0.5 : static_cast<double>(k) / (bumps - 1);
       centres.emplace_back(c[0] + s * (c[1] - c[0]), chords[row][1]);
     }
   }
@@ -92,11 +91,11 @@ std::vector<Vec2> largest_triangle(const Polygon& region) {
 
 }  // namespace
 
-std::vector<Vec2> bump_pattern(const Polygon& region, int count, int rows, double spacing) {
+std::vector<Vec2> bump_pattern(const Polygon& region, int count, double spacing) {
   auto good = [&](const std::vector<Vec2>& centres) {
     return spread_out(centres) && far_apart(centres, spacing);
   };
-  std::vector<Vec2> found = in_rows(region, count, rows);
+  std::vector<Vec2> found = in_rows(region, count);
   if (!good(found)) found = largest_triangle(region);
   if (!good(found)) return {};
   std::sort(found.begin(), found.end(), [](const Vec2& a, const Vec2& b) {

@@ -8,9 +8,9 @@
 
 namespace curveups {
 
-// `count` centres in the room (convex, counter-clockwise) in `rows` rows of constant y, or, where
+// `count` centres in the room (convex, counter-clockwise) in two rows of constant y, or, where
 // those would stand nearer than `spacing` or on a line, three at corners of the room. From left to
-// right; empty where not even three fit. Preconditions: count >= 3, count >= rows >= 2.
-std::vector<Vec2> bump_pattern(const Polygon& region, int count, int rows, double spacing);
+// right; empty where not even three fit. Precondition: count >= 3.
+std::vector<Vec2> bump_pattern(const Polygon& region, int count, double spacing);
 
 }  // namespace curveups

@@ -9,6 +9,7 @@
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
 
 namespace curveups {
@@ -19,7 +20,7 @@ constexpr double bump_spacing = 0.2;     // between two caps of an interface, mm
 constexpr double flat_clearance = 0.05;  // between a cap and the neighbour in the flat layout, mm
 constexpr double hollow_margin = 0.2;    // of material beside a hollow at least, mm
 constexpr int shrink_steps = 4;          // of the diameter, down to
-constexpr double least_diameter = 0.5;   // fraction of bump_diameter that shrinking stops at
+constexpr double least_diameter = 0.5;   // fraction that shrinking stops at: half a sphere
 
 const BodyFace* find_face(const ConvexBody& body, int tag) {
   for (const BodyFace& face : body.faces) {
@@ -48,10 +49,11 @@ struct Shape {
   double radius, height;
 };
 
-Shape dimple_of(const Shape& bump, double clearance) {
+Shape dimple_of(const Shape& bump) {
   const double R = sphere_radius(bump.radius, bump.height);
   const double flat = R - bump.height;
-  return {std::sqrt((R + clearance) * (R + clearance) - flat * flat), bump.height + clearance};
+  const double wider = R + dimple_clearance;
+  return {std::sqrt(wider * wider - flat * flat), bump.height + dimple_clearance};
 }
 
 class Planner {
@@ -114,7 +116,7 @@ class Planner {
   // Where the centres of bumps of this shape may be, in the interface's plane.
   Polygon region(int k, const InterfacePlane& plane, const Shape& bump) const {
     const bool dimples = p_.bumps == "dimples";
-    const Shape hollow = dimple_of(bump, p_.dimple_clearance);
+    const Shape hollow = dimple_of(bump);
     const double radius = dimples ? hollow.radius : bump.radius;
     const Contact& contact = tiles_.contacts[k];
     std::vector<Vec2> corners;
@@ -132,15 +134,6 @@ class Planner {
     }
     common = inset(common, radius + edge_margin);
     if (dimples) common = region_for_hollows(k, plane, hollow, std::move(common));
-    if (p_.support == "soluble" && p_.support_drop >= p_.H_pin) {
-      // The slab ends beside the walls: caps stay below its top, so that it need not cut them.
-      const double top = p_.H_pin - p_.support_drop - p_.bump_height - radius;
-      for (int tile : contact.tile) {
-        const Vec3 up = tiles_.normal(tile);
-        const Vec2 slope(up.dot(plane.u), up.dot(plane.v));
-        common = clip(common, slope, top - up.dot(plane.origin - tiles_.frame[tile].t));
-      }
-    }
     return common;
   }
 
@@ -195,16 +188,12 @@ class Planner {
       return;
     }
     const InterfacePlane plane = make_plane(geometry_.patches[k]);
-    const double least =
-        std::min(p_.bump_diameter, std::max(2 * p_.bump_height, least_diameter * p_.bump_diameter));
     for (int& step = shrink_[k]; step <= shrink_steps; ++step) {
-      const double diameter = p_.bump_diameter + (least - p_.bump_diameter) * step / shrink_steps;
-      shape_[k] = {0.5 * diameter, p_.bump_height};
-      const double apart = p_.bumps == "dimples"
-                               ? 2 * dimple_of(shape_[k], p_.dimple_clearance).radius + material_
-                               : 2 * shape_[k].radius + bump_spacing;
-      for (const Vec2& p :
-           bump_pattern(region(k, plane, shape_[k]), p_.bump_count, p_.bump_rows, apart)) {
+      const double shrunk = 1 - (1 - least_diameter) * step / shrink_steps;
+      shape_[k] = {0.5 * bump_aspect * p_.bump_height * shrunk, p_.bump_height};
+      const double apart = p_.bumps == "dimples" ? 2 * dimple_of(shape_[k]).radius + material_
+                                                 : 2 * shape_[k].radius + bump_spacing;
+      for (const Vec2& p : bump_pattern(region(k, plane, shape_[k]), p_.bump_count, apart)) {
         centres_[k].push_back(plane.to_world(p));
       }
       if (!centres_[k].empty()) return;
@@ -217,7 +206,7 @@ class Planner {
     const Contact& contact = tiles_.contacts[k];
     const int tile = contact.tile[s], wall = contact.side[s];
     const Vec3 normal = tiles_.wall_normal(tile, wall);
-    const Shape hollow = dimple_of(shape_[k], p_.dimple_clearance);
+    const Shape hollow = dimple_of(shape_[k]);
     std::vector<WallCap> caps;
     for (std::size_t i = 0; i < centres_[k].size(); ++i) {
       const bool own = static_cast<int>(i % 2) == s;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "curveups/core/tolerances.hpp"
+#include "curveups/design/print_constants.hpp"
 
 namespace curveups {
 namespace {
@@ -21,12 +22,8 @@ class Planner {
  public:
   Planner(const DesignGeometry& geometry, const BumpPlan& bumps, const Array6& q,
           const Parameters& parameters)
-      : tiles_(geometry.tiles),
-        truncation_(geometry.truncation),
-        bumps_(bumps),
-        q_(q),
-        p_(parameters) {
-    plan_.radius = 0.5 * p_.joint_hole;
+      : tiles_(geometry.tiles), bumps_(bumps), q_(q), p_(parameters) {
+    plan_.radius = 0.5 * joint_hole;
     plan_.of_tile.resize(tiles_.tile_count());
   }
 
@@ -35,9 +32,6 @@ class Planner {
     plan_.joints = find_joints(tiles_);
     for (int k = 0; k < static_cast<int>(plan_.joints.size()); ++k) {
       if (!place(k)) plan_.closed.push_back(k);
-    }
-    if (!plan_.closed.empty()) {
-      plan_.possible = joint_limits(tiles_, truncation_, p_);
     }
     return std::move(plan_);
   }
@@ -134,7 +128,6 @@ class Planner {
   }
 
   const TileMesh& tiles_;
-  const Truncation& truncation_;
   const BumpPlan& bumps_;
   const Array6& q_;
   const Parameters& p_;

@@ -6,7 +6,6 @@
 
 #include "curveups/bodies/bumps.hpp"
 #include "curveups/design/joints.hpp"
-#include "curveups/design/pin_bounds.hpp"
 
 namespace curveups {
 
@@ -21,7 +20,6 @@ struct JointHoles {
   std::vector<std::vector<JointHole>> of_tile;  // one row per tile
   std::vector<Joint> joints;                    // all that there are; none with joint=none
   std::vector<int> closed;                      // those without room for a hole on both sides
-  JointLimits possible{0, 0};                   // where there are such: what would do
 };
 
 // One hole on either side of each joint, two where its edge is at least 12 mm long, at the same

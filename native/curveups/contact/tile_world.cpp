@@ -156,7 +156,7 @@ class Builder {
                                    : force_scale(solved_) * 4 * static_cast<double>(interfaces) /
                                          static_cast<double>(tips);
     const Parameters& p = bodies_.parameters;
-    const double R = sphere_radius(0.5 * p.bump_diameter, p.bump_height);
+    const double R = sphere_radius(0.5 * bump_aspect * p.bump_height, p.bump_height);
     const double tip_stiffness = sphere_stiffness(modulus_, R, force);
     const std::vector<std::array<int, 3>> contact_of = contacts_of_walls(tiles_);
     const std::vector<int> piece = pieces_of_faces(tiles_.topology, tiles_.cut);

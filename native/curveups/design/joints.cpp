@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curveups/design/print_constants.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 
 namespace curveups {
@@ -21,13 +22,13 @@ std::vector<Joint> find_joints(const TileMesh& tiles) {
 }
 
 double joint_depth(const TileMesh& tiles, const Parameters& p, int tile, int t) {
-  return std::max(0.0, tiles.back_shift(tile, t)) + 0.5 * p.joint_hole +
+  return std::max(0.0, tiles.back_shift(tile, t)) + 0.5 * joint_hole +
          p.p_floor / std::cos(0.5 * tiles.dihedral(tile, t));
 }
 
 double joint_inset(const TileMesh& tiles, const Parameters& p, int tile, Side side, int t) {
   const double edge = side == Side::back ? tiles.back_shift(tile, t) : 0.0;
-  return joint_depth(tiles, p, tile, t) + 0.5 * p.joint_hole + p.p_floor - edge;
+  return joint_depth(tiles, p, tile, t) + 0.5 * joint_hole + p.p_floor - edge;
 }
 
 Array6 joint_insets(const TileMesh& tiles, const Parameters& p) {

@@ -14,7 +14,6 @@ namespace curveups {
 struct Parameters {
   // Target
   double scale = 1.0;
-  double fit = 0.0;
   bool flip = false;
   std::string skin = "outer";
   std::string faces;  // of a CAD part
@@ -24,10 +23,8 @@ struct Parameters {
   double crease_angle = 180.0;
   std::string mend = "off";
   double mend_max = 2.0;
-  bool mend_border = true;
   std::string pieces = "1";  // "auto", or a number
   std::string joint = "none";
-  double joint_hole = 1.0;
   // Tiles
   double H_body = 3.0;
   double H_pin = 1.0;
@@ -38,39 +35,22 @@ struct Parameters {
   double p_max = 3.0;
   double A_pin_min = 4.0;
   double A_pin_floor = 1.0;
-  double pin_clearance = 0.05;
   double tau = 3.0;
-  double w_a = 30.0;
-  double w_p = 30.0;
-  double w_s = 1.0;
   // Bumps
   std::string bumps = "bumps";
   double bump_height = 0.25;
-  double bump_diameter = 1.0;
   int bump_count = 3;
-  int bump_rows = 2;
-  bool bump_recess = true;
-  double dimple_clearance = 0.1;
   double xy_compensation = 0.05;
   // Support
   std::string support = "soluble";
   std::string orientation = "front-up";
-  double support_drop = 0.3;
-  double support_margin = 2.0;
   double bridge_width = 0.8;
-  double bridge_thickness = 0.8;
-  double bridge_notch = 0.2;
-  double bridge_depth = 0.2;
   // Anchors
   bool anchors = true;
   double anchor_radius = 4.0;
-  double anchor_spacing = 14.0;
-  double anchor_distance = 3.0;
   // Files
   std::string printer = "polyjet";
   double mesh_deviation = 0.02;
-  bool mesh_bumps = true;
-  std::string step_structure = "assembly";
   // Physics
   double shear_modulus_front = 0.72;
   double shear_modulus_back = 0.72;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "curveups/design/joints.hpp"
+#include "curveups/design/print_constants.hpp"
 
 namespace curveups {
 namespace {
@@ -21,7 +22,7 @@ double lower_bound(const TileMesh& tiles, const Parameters& p, int tile, Side si
   const double half = 0.5 * tiles.dihedral(tile, t);
   const double recess = interior && !tiles.cut[edge] ? wall_recess(p) / std::cos(half) : 0.0;
   const double bend = side == Side::front ? -half : half;  // positive: concave on this side
-  const double facing = bend > 0 ? p.H_pin * std::tan(bend) + p.pin_clearance : 0.0;
+  const double facing = bend > 0 ? p.H_pin * std::tan(bend) + pin_clearance : 0.0;
   return std::max(recess + p_min, facing);
 }
 
@@ -37,7 +38,7 @@ double upper_bound(const TileMesh& tiles, const Parameters& p, int tile, Side si
   const double half = 0.5 * tiles.dihedral(tile, t);
   const double bend = side == Side::front ? half : -half;  // positive: convex on this side
   if (bend <= 0) return p.p_max;
-  return std::min(p.p_max, p.H_pin / std::tan(bend) - p.pin_clearance);
+  return std::min(p.p_max, p.H_pin / std::tan(bend) - pin_clearance);
 }
 
 // Pin corners that a plane could reach within the bounds. levels: z of the pin's foot and top.
@@ -116,7 +117,7 @@ PinRegion pin_region(const TileMesh& tiles, const Truncation& truncation, const 
   }
   const auto& planes = side == Side::front ? truncation.front_pins : truncation.of_tile;
   for (const TruncationPlane& plane : planes[tile]) {
-    add_keepouts(tiles, tile, side, plane, p.pin_clearance, {face_z, top_z}, out);
+    add_keepouts(tiles, tile, side, plane, pin_clearance, {face_z, top_z}, out);
   }
   const Vec3 weight = tiles.length.row(tile);
   double sum = out.keepouts.empty() ? weight.dot(Eigen::Map<const Vec3>(out.lower.data()))
@@ -204,34 +205,6 @@ PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation
     }
   }
   return out;
-}
-
-JointLimits joint_limits(const TileMesh& tiles, const Truncation& truncation, Parameters p) {
-  // The largest A_pin_floor that such holes leave.
-  const auto area = [&](double hole) {
-    p.joint_hole = hole;
-    const Array6 joint = joint_insets(tiles, p);
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < tiles.tile_count(); ++i) {
-      if (!(joint.row(i).maxCoeff() > 0)) continue;
-      for (Side side : {Side::front, Side::back}) {
-        const int at = inset_index(side, 0);
-        const PinRegion region = pin_region(tiles, truncation, p, i, side, p.p_min,
-                                            {joint(i, at), joint(i, at + 1), joint(i, at + 2)});
-        least = std::min(least, region.area / enough);
-      }
-    }
-    return least;
-  };
-  double low = std::min(p.p_floor, p.joint_hole), high = p.joint_hole;
-  const double as_set = area(high);
-  if (as_set >= p.A_pin_floor) return {high, as_set};
-  if (area(low) < p.A_pin_floor) return {0, as_set};
-  while (high - low > 1e-3) {
-    const double middle = 0.5 * (low + high);
-    (area(middle) >= p.A_pin_floor ? low : high) = middle;
-  }
-  return {low, as_set};
 }
 
 }  // namespace curveups

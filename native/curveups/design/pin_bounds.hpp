@@ -69,13 +69,4 @@ struct PinBounds {
 PinBounds compute_pin_bounds(const TileMesh& tiles, const Truncation& truncation,
                              const Parameters& parameters);
 
-// What would leave room for a hole on both sides of every joint, by the bounds of pins.
-struct JointLimits {
-  double hole;  // the largest joint_hole, no larger than the one that is set; 0 where not even one
-                // as wide as p_floor has room
-  double area;  // the largest A_pin_floor with the joint_hole that is set, mm2
-};
-JointLimits joint_limits(const TileMesh& tiles, const Truncation& truncation,
-                         Parameters parameters);
-
 }  // namespace curveups

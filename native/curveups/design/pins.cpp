@@ -15,7 +15,7 @@ std::array<double, 3> insets(Side side, const double* q) {
 
 double wall_recess(const Parameters& parameters) {
   if (parameters.bumps != "bumps") return parameters.xy_compensation;
-  return parameters.bump_recess ? 0.5 * parameters.bump_height : 0.0;
+  return 0.5 * parameters.bump_height;
 }
 
 std::array<Vec2, 3> pin_corners(const TileMesh& tiles, int tile, Side side, const double* q) {

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "curveups/design/parameters.hpp"
+#include "curveups/design/print_constants.hpp"
 
 namespace curveups {
 
 // mm from the tiles to the rim of the slab that carries them and their anchors, and a gap besides.
 inline double print_margin(const Parameters& p) {
-  const double anchors = p.anchors ? p.anchor_distance + 2 * p.anchor_radius : 0.0;
-  const double support = p.support == "none" ? 0.0 : p.support_margin;
+  const double anchors = p.anchors ? anchor_distance + 2 * p.anchor_radius : 0.0;
+  const double support = p.support == "none" ? 0.0 : support_margin;
   return anchors + support + p.d_gap_min;
 }
 

@@ -7,6 +7,7 @@
 
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/joints.hpp"
+#include "curveups/design/print_constants.hpp"
 
 namespace curveups {
 namespace {
@@ -58,13 +59,9 @@ std::vector<Finding> check_target(const TriangleMesh& mesh, const Edges& cuts,
     }
   }
   if (!closed.empty()) {
-    const double hole =
-        std::floor(100 * joint_limits(tiles, geometry.truncation, parameters).hole) / 100;
-    findings.push_back({hole > 0 ? "joint.room" : "joint.no_room",
+    findings.push_back({"joint.room",
                         std::move(closed),
-                        {{"A_pin_floor", parameters.A_pin_floor},
-                         {"joint_hole", parameters.joint_hole},
-                         {"hole", hole}},
+                        {{"A_pin_floor", parameters.A_pin_floor}, {"joint_hole", joint_hole}},
                         true});
   }
   if (!bounds.small.empty()) {

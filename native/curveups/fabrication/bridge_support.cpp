@@ -46,7 +46,7 @@ void add_anchor_wishes(const PrintModel& model, int piece, const Vec2& c, double
         // Towards the axis, or straight out of the wall, where the anchor is met beside its axis.
         const Vec2 inwards = (c - target).normalized(), out = -left_of(b - a).normalized();
         wish.sight.push_back({0.5 * (target + c - r * inwards), inwards});
-        beside.push_back({target + 0.5 * p.anchor_distance * out, out});
+        beside.push_back({target + 0.5 * anchor_distance * out, out});
       }
     }
     wish.sight.insert(wish.sight.end(), beside.begin(), beside.end());

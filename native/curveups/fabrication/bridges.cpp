@@ -10,11 +10,14 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/geometry/overlapping_boxes.hpp"
 
 namespace curveups {
 namespace {
 
+// Twice the smallest feature of the coarsest printer (FDM), half of it above the notches.
+constexpr double bridge_thickness = 0.8, bridge_notch = 0.2;
 constexpr double clearance = 0.1;  // from back and front faces, and bumps of its own two bodies, mm
 constexpr double apart =
     0.3;  // from others at least: the widest gap that a printer of ours asks for
@@ -60,12 +63,12 @@ bool contains(const ConvexBody& body, const Vec3& p) {
 // and whoever prints it front side down prints notches that are open at their top.
 PrintBody notched(const Span& span, const Parameters& p, double z0, double z1) {
   const double gap = span.wall_to - span.wall_from;
-  const double half = std::min(p.bridge_notch, 0.24 * gap);
+  const double half = std::min(bridge_notch, 0.24 * gap);
   std::vector<std::array<double, 2>> profile{{span.from, z0}};
-  if (p.bridge_notch > 0 && half > 1e-3) {
+  if (half > 1e-3) {
     for (double s : {span.wall_from + 1.02 * half, span.wall_to - 1.02 * half}) {
       profile.push_back({s - half, z0});
-      profile.push_back({s, z0 + 2 * p.bridge_notch});
+      profile.push_back({s, z0 + 2 * bridge_notch});
       profile.push_back({s + half, z0});
     }
   }
@@ -112,8 +115,8 @@ std::optional<Span> find_span(const ConvexBody& a, const ConvexBody& b,
     span.wall_to = std::min(span.wall_to, *forth);
   }
   if (span.wall_to - span.wall_from < 0.05) return std::nullopt;
-  span.from -= p.bridge_depth;
-  span.to += p.bridge_depth;
+  span.from -= bridge_depth;
+  span.to += bridge_depth;
   for (const Vec3& q : corners) {
     if (!contains(a, q + span.from * d) || !contains(b, q + span.to * d)) return std::nullopt;
   }
@@ -142,19 +145,19 @@ class TakenPlaces {
 };
 
 double thickness(const Parameters& p) {
-  return std::min(p.bridge_thickness, p.H_body - 2 * clearance);
+  return std::min(bridge_thickness, p.H_body - 2 * clearance);
 }
 
 }  // namespace
 
-double bridge_neck(const Parameters& p) { return thickness(p) - 2 * p.bridge_notch; }
+double bridge_neck(const Parameters& p) { return thickness(p) - 2 * bridge_notch; }
 
 Bridges make_bridges(const std::vector<BridgeObstacle>& bodies,
                      const std::vector<BridgeWish>& wishes, double z, const Parameters& p) {
   const double z0 = z + clearance, z1 = z0 + thickness(p);
-  if (z1 - z0 < std::max(0.1, 2.5 * p.bridge_notch)) {
+  if (z1 - z0 < 2.5 * bridge_notch) {
     throw InfeasibleDesign("the tiles are too thin for breakaway bridges",
-                           "raise H_body or lower bridge_notch, or choose another support");
+                           "raise H_body, or choose another support");
   }
   const double gap = std::max(apart, p.d_gap_min);  // from third bodies, as these from one another
   const double reach = std::max(2.0, gap);

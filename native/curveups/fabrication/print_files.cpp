@@ -44,7 +44,7 @@ std::vector<BodyMesh> fused(const std::vector<BodyMesh>& bodies, const PrintMode
 }
 
 std::vector<BodyMesh> meshes_of(const PrintModel& model, const std::string& kind) {
-  const MeshingOptions options{model.parameters.mesh_deviation, model.parameters.mesh_bumps};
+  const MeshingOptions options{model.parameters.mesh_deviation, true};
   if (kind == "fused") {
     return fused(mesh_bodies(model.bodies("print"), options), model);
   }
@@ -54,10 +54,7 @@ std::vector<BodyMesh> meshes_of(const PrintModel& model, const std::string& kind
 }  // namespace
 
 void write_step(const PrintModel& model, const std::string& kind, const std::string& path) {
-  const StepStructure structure = model.parameters.step_structure == "one-part"
-                                      ? StepStructure::one_part
-                                      : StepStructure::assembly;
-  write_step(model.bodies(kind), model.name + "-" + kind, structure, path);
+  write_step(model.bodies(kind), model.name + "-" + kind, path);
 }
 
 void write_stl(const PrintModel& model, const std::string& kind, const std::string& path) {

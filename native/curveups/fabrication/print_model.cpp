@@ -116,7 +116,7 @@ class Builder {
   void add_anchors() {
     auto centres = place_anchors(footprints_, p());
     const Polygon room =
-        inset(model_.division.region, p().anchor_radius + std::min(1.0, p().support_margin));
+        inset(model_.division.region, p().anchor_radius + 0.5 * support_margin);
     for (auto& of_piece : centres) {
       if (model_.division.region.empty()) break;
       of_piece.erase(std::remove_if(of_piece.begin(), of_piece.end(),
@@ -179,7 +179,7 @@ class Builder {
       if (f.bump > 0) consider("bump", f.bump);
       consider("material beside a dimple", f.hollow_wall);
       if (!model_.joints.of_tile[i].empty()) {
-        consider("joint hole", p().joint_hole);
+        consider("joint hole", joint_hole);
         consider("wall beside the joint hole", p().p_floor);
       }
       model_.thin.push_back(std::move(thin));

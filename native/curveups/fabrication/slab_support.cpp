@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <set>
-#include <tuple>
 
 #include "curveups/bodies/outline.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
-#include "curveups/core/tolerances.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/slab.hpp"
 #include "curveups/fabrication/supports.hpp"
@@ -14,47 +13,9 @@
 namespace curveups {
 namespace {
 
+// From the front pin tops down to the slab, mm: keeps the glue on the pins away from it.
+constexpr double support_drop = 0.3;
 constexpr double slab_deviation = 0.1;  // of the chords of the outline's arcs, mm
-
-// What stands in the slab from its underside to its top, upright.
-PrintBody prism_cavity(const Polygon& outline, double top) {
-  PrintBody body;
-  PlanarFace foot, mouth;
-  std::tie(foot.outer, mouth.outer) = add_walls(body, outline, top, FaceRole::back_pin);
-  foot.normal = -Vec3::UnitZ();
-  foot.role = FaceRole::foot;
-  mouth.normal = Vec3::UnitZ();
-  mouth.role = FaceRole::front;
-  body.faces.push_back(foot);
-  body.faces.push_back(mouth);
-  return body;
-}
-
-// What the slab surrounds of each tile: everything below its top.
-std::vector<PrintBody> cavities(const PrintModel& model, double top) {
-  const Parameters& p = model.parameters;
-  const TileMesh& tiles = model.geometry.tiles;
-  const double cut = top - p.H_pin - p.H_body;  // in the tile's frame
-  if (cut >= 0) return model.tiles;
-  if (top > p.H_pin + tolerance::snap) {
-    std::vector<ConvexBody> bodies = model.bumps.body;
-    std::vector<std::vector<WallCap>> caps(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      clip(bodies[i], {Vec3::UnitZ(), cut}, body_tag::front);
-      for (const WallCap& cap : model.bumps.of_tile[i]) {
-        if (cap.centre.z() < cut) caps[i].push_back(cap);
-      }
-    }
-    return flat_tiles(model, bodies, caps);
-  }
-  std::vector<PrintBody> pins;  // only the back pins stand in the slab
-  for (int tile = 0; tile < tiles.tile_count(); ++tile) {
-    const auto pin =
-        place(model.poses, tile, pin_corners(tiles, tile, Side::back, model.q.row(tile).data()));
-    pins.push_back(prism_cavity({pin.begin(), pin.end()}, top));
-  }
-  return pins;
-}
 
 // No other piece's tiles or slab (`outer`, of the pieces before) may be where this piece's slab is.
 void refuse_strangers(const PrintModel& model, int piece, const Polygon& loop,
@@ -64,8 +25,7 @@ void refuse_strangers(const PrintModel& model, int piece, const Polygon& loop,
     throw InfeasibleDesign(
         "the support of piece " + std::to_string(piece + 1) + " runs into piece " +
             std::to_string(other + 1),
-        "lower anchor_radius, anchor_distance or support_margin, or compute "
-        "the layout again with these",
+        "lower anchor_radius, or compute the layout again",
         {nearest_tile(footprints[piece], where), nearest_tile(footprints[other], where)});
   };
   for (int other = 0; other < model.piece_count; ++other) {
@@ -99,14 +59,13 @@ struct SlabContent {
 // Of a piece, or of one of its parts: `has` says of a tile whether it belongs there. Anchors belong
 // to the tile that is nearest.
 template <class Has>
-SlabContent content_of(const PrintModel& model, const PieceFootprint& footprint,
-                       const std::vector<PrintBody>& cavity, const Has& has) {
+SlabContent content_of(const PrintModel& model, const PieceFootprint& footprint, const Has& has) {
   const Parameters& p = model.parameters;
   SlabContent out;
   // Up to the anchors' axes, so that the slab holds them firmly.
   const double reach = footprint.anchors.empty()
-                           ? p.support_margin
-                           : std::max(p.support_margin, p.anchor_distance + p.anchor_radius);
+                           ? support_margin
+                           : std::max(support_margin, anchor_distance + p.anchor_radius);
   for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {
     if (has(footprint.rows[k])) out.shapes.push_back({footprint.tiles[k], reach});
   }
@@ -116,11 +75,11 @@ SlabContent content_of(const PrintModel& model, const PieceFootprint& footprint,
   }
   for (const Vec2& anchor : footprint.anchors) {
     if (!has(nearest_tile(footprint, anchor))) continue;
-    out.shapes.push_back({{anchor}, p.support_margin + p.anchor_radius});
+    out.shapes.push_back({{anchor}, support_margin + p.anchor_radius});
     out.bores.push_back(anchor);
   }
   for (int row : footprint.rows) {
-    if (has(row)) out.inside.push_back(cavity[row]);
+    if (has(row)) out.inside.push_back(model.tiles[row]);
   }
   return out;
 }
@@ -135,7 +94,7 @@ std::vector<OutlineShape> others_of(const PrintModel& model, const PieceFootprin
   for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {
     if (has(footprint.rows[k])) continue;
     const Polygon& tile = footprint.tiles[k];
-    double gap = 2 * p.support_margin;
+    double gap = 2 * support_margin;
     for (std::size_t i = 0; i < footprint.tiles.size(); ++i) {
       const Polygon& own = footprint.tiles[i];
       if (!has(footprint.rows[i])) continue;
@@ -150,7 +109,7 @@ std::vector<OutlineShape> others_of(const PrintModel& model, const PieceFootprin
   }
   for (const Vec2& anchor : footprint.anchors) {
     if (has(nearest_tile(footprint, anchor))) continue;
-    double gap = 2 * std::min(p.support_margin, 0.5 * p.anchor_distance);
+    double gap = 2 * std::min(support_margin, 0.5 * anchor_distance);
     for (const Vec2& other : own) {
       gap = std::min(gap, (other - anchor).norm() - 2 * p.anchor_radius);
     }
@@ -163,9 +122,7 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
   const Parameters& p = model.parameters;
   const Division& division = model.division;
   std::vector<Polygon> outer;
-  const double top = 2 * p.H_pin + p.H_body - p.support_drop;
-  const double deviation = std::min(slab_deviation, 0.1 * p.support_margin);
-  const std::vector<PrintBody> cavity = cavities(model, top);
+  const double top = 2 * p.H_pin + p.H_body - std::min(support_drop, 0.5 * p.H_pin);
   for (int piece = 0; piece < model.piece_count; ++piece) {
     const PieceFootprint& footprint = footprints[piece];
     std::set<int> parts{piece};
@@ -178,25 +135,25 @@ void add_slabs(PrintModel& model, const std::vector<PieceFootprint>& footprints)
       const auto has = [&](int row) {
         return parts.size() == 1 || division.part_of_tile[row] == part;
       };
-      const SlabContent content = content_of(model, footprint, cavity, has);
-      std::vector<Polygon> loops = outline_of(content.shapes, deviation);
+      const SlabContent content = content_of(model, footprint, has);
+      std::vector<Polygon> loops = outline_of(content.shapes, slab_deviation);
       if (parts.size() > 1) {
         const std::vector<OutlineShape> others = others_of(model, footprint, has);
-        loops = outline_without(loops, {}, outline_of(others, deviation), 0, deviation);
+        loops = outline_without(loops, {}, outline_of(others, slab_deviation), 0, slab_deviation);
         // Chords of the opening's arcs leave nine tenths of it.
-        const double of_opening = division.opening > 0 ? 0.1 * division.opening : deviation;
-        loops =
-            outline_without(loops, {}, before, division.opening, std::min(deviation, of_opening));
+        const double of_opening = division.opening > 0 ? 0.1 * division.opening : slab_deviation;
+        loops = outline_without(loops, {}, before, division.opening,
+                                std::min(slab_deviation, of_opening));
         before.insert(before.end(), loops.begin(), loops.end());
       }
       if (!division.region.empty()) {
-        loops = outline_without(loops, division.region, {}, 0, deviation);
+        loops = outline_without(loops, division.region, {}, 0, slab_deviation);
       }
       bool whole = !loops.empty();
       for (std::size_t k = 1; k < loops.size(); ++k) whole = whole && area(loops[k]) < 0;
       if (!whole) {
         throw SolverFailure("the support of piece " + std::to_string(piece + 1) + " falls apart",
-                            "raise support_margin");
+                            "compute the layout again, or set support to breakaway");
       }
       for (std::size_t k = 0; k < footprint.tiles.size(); ++k) {  // what hangs by a neck
         if (!has(footprint.rows[k]) || contains(loops[0], footprint.tiles[k][0])) continue;

@@ -17,8 +17,7 @@ constexpr std::size_t bodies_at_once = 64;  // between two calls of the progress
 // The products around the solids.
 class Products {
  public:
-  Products(StepText& step, const std::string& title, StepStructure structure)
-      : step_(step), title_(title) {
+  Products(StepText& step, const std::string& title) : step_(step), title_(title) {
     const StepId application =
         step_.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
     step_.add("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,",
@@ -29,7 +28,6 @@ class Products {
     add_units();
     part_space_ = add_space("parts");
     part_frame_ = add_frame();
-    if (structure == StepStructure::one_part) return;
     // The place in the assembly that a part's frame goes to: bodies stand where they are. What a
     // transformation relates are two spaces, not one with itself (the schema's rule WR1).
     const StepId space = add_space("assembly"), frame = add_frame();
@@ -62,19 +60,8 @@ class Products {
   // A solid with its colour.
   StepId add_solid(const PrintBody& body) {
     const StepId solid = add_step_solid(step_, body);
-    solids_.push_back(solid);
     styled_.push_back(step_.add("STYLED_ITEM('color',(", style(body.kind), "),", solid, ")"));
     return solid;
-  }
-
-  // The one part that all solids are.
-  void add_whole() {
-    const std::string name = step_string(title_);
-    std::vector<StepId> items{part_frame_};
-    items.insert(items.end(), solids_.begin(), solids_.end());
-    add_product(
-        name, name,
-        step_.add("ADVANCED_BREP_SHAPE_REPRESENTATION(", name, ",", items, ",", part_space_, ")"));
   }
 
   void finish() {
@@ -137,28 +124,23 @@ class Products {
   StepId product_context_{}, definition_context_{}, accuracy_{}, part_space_{}, part_frame_{};
   StepId stay_{}, root_shape_{}, root_{};
   std::array<StepId, 3> style_{};
-  std::vector<StepId> units_, products_, solids_, styled_;
+  std::vector<StepId> units_, products_, styled_;
 };
 
 }  // namespace
 
 void write_step(const std::vector<const PrintBody*>& bodies, const std::string& title,
-                StepStructure structure, const std::string& path) {
+                const std::string& path) {
   write_atomically(path, [&](const std::string& temporary) {
     StepText step(temporary, title);
-    Products products(step, title, structure);
+    Products products(step, title);
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       if (k % bodies_at_once == 0) {
         checkpoint("writing STEP", static_cast<double>(k) / bodies.size());
       }
-      if (structure == StepStructure::assembly) {
-        products.add_part(*bodies[k]);
-      } else {
-        products.add_solid(*bodies[k]);
-      }
+      products.add_part(*bodies[k]);
     }
     checkpoint("writing STEP", 1);
-    if (structure == StepStructure::one_part) products.add_whole();
     products.finish();
     step.finish();
   });

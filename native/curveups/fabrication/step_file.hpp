@@ -11,15 +11,11 @@
 
 namespace curveups {
 
-// How a file's bodies are products: each one of its own, in an assembly named after the file, or
-// all of them solids of one part. Solids have the bodies' names either way.
-enum class StepStructure { assembly, one_part };
-
-// All bodies, in mm; no two of them have one name. Products have their bodies' names and ids that
-// no other body or file of the design has: `title`, and for parts of it "title/name". The same
-// bodies give the same bytes: no dates. Throws IoError, Cancelled, SolverFailure for a coordinate
-// that is not finite.
+// An assembly of all bodies, each a product of its own, in mm; no two of them have one name.
+// Products have their bodies' names and ids that no other body or file of the design has: `title`,
+// and for parts of it "title/name". The same bodies give the same bytes: no dates. Throws IoError,
+// Cancelled, SolverFailure for a coordinate that is not finite.
 void write_step(const std::vector<const PrintBody*>& bodies, const std::string& title,
-                StepStructure structure, const std::string& path);
+                const std::string& path);
 
 }  // namespace curveups

@@ -116,7 +116,7 @@ std::string plain_zip(const std::string& zip) {
   constexpr std::size_t in_zip64 = 0xffffffff, most = 0xfffffffe;  // bytes
   if (zip.size() > most) {
     throw IoError("the 3MF would have more than 4 GB, which slicers do not read",
-                  "raise mesh_deviation or set mesh_bumps to off");
+                  "raise mesh_deviation");
   }
   const std::size_t end = zip.rfind(std::string("PK\5\6", 4));
   if (end == std::string::npos) throw SolverFailure("lib3mf wrote no archive", "report this");

@@ -12,7 +12,7 @@ namespace {
 class AlignmentEnergy : public LayoutTerm {
  public:
   explicit AlignmentEnergy(const LayoutModel& model)
-      : model_(model), weight_(std::sqrt(model.parameters.w_a) / model.L) {}
+      : model_(model), weight_(std::sqrt(w_a) / model.L) {}
 
   std::string_view name() const override { return "alignment"; }
   int element_count() const override { return static_cast<int>(contacts().size()); }

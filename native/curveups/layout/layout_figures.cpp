@@ -36,9 +36,7 @@ double scale_spread(const Eigen::VectorXd& scale) { return scale.maxCoeff() / sc
 
 Eigen::VectorXd spring_ratios(const DesignGeometry& geometry, const Parameters& parameters,
                               const FlatPoses& poses, const Array6& q) {
-  Parameters unit = parameters;
-  unit.w_s = 1;
-  const LayoutModel model = make_layout_model(geometry, unit);
+  const LayoutModel model = make_layout_model(geometry, parameters);
   const LayoutState state = state_of(model, poses, q);
   const auto spring = make_spring_energy(model);
   Eigen::VectorXd out(spring->element_count());

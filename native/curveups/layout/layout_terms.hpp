@@ -11,6 +11,9 @@
 
 namespace curveups {
 
+// Weights of alignment, packing and springs in Eq. 9, those of the paper's figures.
+inline constexpr double w_a = 30, w_p = 30, w_s = 1;
+
 using LayoutTerm = Residuals;
 using LayoutTerms = std::vector<std::unique_ptr<LayoutTerm>>;
 

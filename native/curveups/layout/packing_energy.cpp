@@ -14,7 +14,7 @@ namespace {
 class PackingEnergy : public LayoutTerm {
  public:
   explicit PackingEnergy(const LayoutModel& model)
-      : model_(model), weight_(std::sqrt(model.parameters.w_p) / (model.L * model.L)) {}
+      : model_(model), weight_(std::sqrt(w_p) / (model.L * model.L)) {}
 
   std::string_view name() const override { return "packing"; }
   int element_count() const override { return static_cast<int>(contacts().size()); }

@@ -38,7 +38,7 @@ struct PinMiddle {
 class SpringEnergy : public LayoutTerm {
  public:
   explicit SpringEnergy(const LayoutModel& model)
-      : model_(model), weight_(std::sqrt(model.parameters.w_s) / model.parameters.tau) {}
+      : model_(model), weight_(std::sqrt(w_s) / model.parameters.tau) {}
 
   std::string_view name() const override { return "spring"; }
   int element_count() const override { return 2 * static_cast<int>(contacts().size()); }

@@ -11,7 +11,7 @@
 namespace curveups {
 namespace {
 
-constexpr int most_steps = 60;
+constexpr int most_steps = 60;  // with a boundary that stays, and with one that may move
 // Steps without an improvement after which what remains is out of reach.
 constexpr int patience = 8;
 constexpr double largest_step_of_L = 1.0 / 14;  // as far as folds are nearly linear in moves
@@ -74,8 +74,7 @@ struct TargetSmoothing {
   const ClearanceProgram& program;
   const MoveLimits limits;
   const Progress& progress;
-  const int most_in_all;  // steps
-  PinSides lacked;        // sides of the given surface without room
+  PinSides lacked;  // sides of the given surface without room
   Shortfall least;
   SmoothedTarget best;
 
@@ -83,7 +82,7 @@ struct TargetSmoothing {
   double share() const {
     const std::size_t left = std::min(lacked.size(), best.remaining.size());
     return std::max(static_cast<double>(lacked.size() - left) / static_cast<double>(lacked.size()),
-                    static_cast<double>(best.steps) / most_in_all);
+                    static_cast<double>(best.steps) / (2 * most_steps));
   }
 
   // From the given surface until nothing is missing or no step helps; fixed: vertices that stay.
@@ -137,10 +136,8 @@ SmoothedTarget smooth_target(const TriangleMesh& mesh, const Edges& cuts, const 
   const std::vector<SmallPin> lacking = program.lacking(here);
   // Coordinates are bounded one by one: the corner of their box is largest_move away.
   const MoveLimits limits{largest_step_of_L * parameters.L, largest_move / std::sqrt(3.0)};
-  const int most_in_all = parameters.mend_border ? 2 * most_steps : most_steps;
   TargetSmoothing smoothing{
-      mesh, program, limits, progress, most_in_all, sides_of(lacking), shortfall(program, here),
-      {}};
+      mesh, program, limits, progress, sides_of(lacking), shortfall(program, here), {}};
   SmoothedTarget& out = smoothing.best;
   out.mesh = mesh;
   out.move.assign(mesh.V.rows(), 0);
@@ -155,7 +152,7 @@ SmoothedTarget smooth_target(const TriangleMesh& mesh, const Edges& cuts, const 
     if (edge.boundary()) fixed[edge.v[0]] = fixed[edge.v[1]] = 1;
   }
   smoothing.improve(fixed);
-  if (parameters.mend_border && !out.remaining.empty()) smoothing.improve(kept_only);
+  if (!out.remaining.empty()) smoothing.improve(kept_only);
   for (int v = 0; v < mesh.V.rows(); ++v) out.move[v] = (out.mesh.V.row(v) - mesh.V.row(v)).norm();
   const PinSides small = sides_of(out.remaining);
   for (const SmallPin& pin : lacking) {

@@ -24,7 +24,7 @@ struct SmoothedTarget {
 };
 
 // No vertex moves farther than `largest_move` (mm); those of `kept` (vertex pairs) stay. Those of
-// the boundary stay, too, unless tiles then remain without room and mend_border is on. Vertices
+// the boundary stay, too, unless tiles then remain without room. Vertices
 // that nothing asks for stay. Deterministic; faired again, the result stays as it is unless sides
 // remain. Throws what make_tile_mesh throws, InvalidInput (a kept edge names no vertex,
 // largest_move negative or not finite), Cancelled.

@@ -21,32 +21,30 @@ double least_distance(const std::vector<Vec2>& points) {
 
 TEST(BumpPattern, StandsInTheRoomInRowsApartAndNotOnALine) {
   for (int count = 3; count <= 9; ++count) {
-    for (int rows = 2; rows <= std::min(count, 3); ++rows) {
-      SCOPED_TRACE(std::to_string(count) + " in " + std::to_string(rows));
-      const std::vector<Vec2> found = bump_pattern(trapezium, count, rows, 0.3);
-      ASSERT_EQ(static_cast<int>(found.size()), count);
-      std::set<long> heights;
-      for (const Vec2& p : found) {
-        heights.insert(std::lround(1e4 * p.y()));
-        for (std::size_t k = 0; k < trapezium.size(); ++k) {
-          const Vec2 &a = trapezium[k], &b = trapezium[(k + 1) % trapezium.size()];
-          EXPECT_GE(wedge(b - a, p - a), -1e-9);
-        }
+    SCOPED_TRACE(count);
+    const std::vector<Vec2> found = bump_pattern(trapezium, count, 0.3);
+    ASSERT_EQ(static_cast<int>(found.size()), count);
+    std::set<long> heights;
+    for (const Vec2& p : found) {
+      heights.insert(std::lround(1e4 * p.y()));
+      for (std::size_t k = 0; k < trapezium.size(); ++k) {
+        const Vec2 &a = trapezium[k], &b = trapezium[(k + 1) % trapezium.size()];
+        EXPECT_GE(wedge(b - a, p - a), -1e-9);
       }
-      EXPECT_EQ(static_cast<int>(heights.size()), rows);
-      EXPECT_GE(least_distance(found), 0.3);
-      EXPECT_GT(width(convex_hull(found)), 0.29);
     }
+    EXPECT_EQ(heights.size(), 2u);
+    EXPECT_GE(least_distance(found), 0.3);
+    EXPECT_GT(width(convex_hull(found)), 0.29);
   }
 }
 
 TEST(BumpPattern, TakesCornersWhereRowsAreTooNarrowAndNothingWhereThreeDoNotFit) {
-  const std::vector<Vec2> three = bump_pattern(trapezium, 9, 3, 2.0);
+  const std::vector<Vec2> three = bump_pattern(trapezium, 9, 2.0);
   ASSERT_EQ(three.size(), 3u);
   EXPECT_GE(least_distance(three), 2.0);
-  EXPECT_TRUE(bump_pattern(trapezium, 3, 2, 4.5).empty());
-  EXPECT_TRUE(bump_pattern({{0, 0}, {4, 0}, {4, 0.1}, {0, 0.1}}, 3, 2, 0.5).empty());
-  EXPECT_TRUE(bump_pattern({}, 3, 2, 0.5).empty());
+  EXPECT_TRUE(bump_pattern(trapezium, 3, 4.5).empty());
+  EXPECT_TRUE(bump_pattern({{0, 0}, {4, 0}, {4, 0.1}, {0, 0.1}}, 3, 0.5).empty());
+  EXPECT_TRUE(bump_pattern({}, 3, 0.5).empty());
 }
 
 }  // namespace

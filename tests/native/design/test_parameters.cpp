@@ -106,10 +106,7 @@ TEST(Parameters, ContradictionsAreRefused) {
   };
   contradicts("p_min", 3.5);
   contradicts("A_pin_floor", 5.0);
-  contradicts("bump_height", 0.6);
-  contradicts("bump_rows", 4.0);
-  contradicts("support_drop", 6.0);
-  contradicts("anchor_spacing", 5.0);
+  contradicts("bump_height", 1.2);
   contradicts("orientation", std::string("front-down"));
 }
 

@@ -38,9 +38,9 @@ TEST(Pins, FoldsLimitInsetsAtPinLevel) {
   const Contact& contact = geometry.tiles.contacts[0];
   const int t = contact.side[0];
   EXPECT_NEAR(geometry.pin_bounds.lower(0, inset_index(Side::back, t)),
-              std::tan(0.8) + p.pin_clearance, 1e-12);
+              std::tan(0.8) + pin_clearance, 1e-12);
   EXPECT_NEAR(geometry.pin_bounds.upper(0, inset_index(Side::front, t)),
-              1 / std::tan(0.8) - p.pin_clearance, 1e-12);
+              1 / std::tan(0.8) - pin_clearance, 1e-12);
   EXPECT_EQ(geometry.pin_bounds.lower(0, inset_index(Side::front, t)), p.p_min);
   EXPECT_EQ(geometry.pin_bounds.upper(0, inset_index(Side::front, next3(t))), p.p_max);
   // At those insets the pins' top edges really meet, and the chord touches the edge.
@@ -67,8 +67,7 @@ TEST(Pins, PMinCountsFromTheRecessedEdge) {
   EXPECT_NEAR(geometry.pin_bounds.lower(0, inset_index(Side::front, t)),
               p.p_min + 0.5 * p.bump_height / std::cos(0.1), 1e-12);
   EXPECT_EQ(geometry.pin_bounds.lower(0, inset_index(Side::front, next3(t))), p.p_min);
-  p.bump_recess = false;
-  EXPECT_EQ(wall_recess(p), 0);
+  EXPECT_EQ(wall_recess(p), 0.5 * p.bump_height);
   // Walls that meet stand back by what prints grow.
   for (const char* bumps : {"dimples", "none"}) {
     p.bumps = bumps;
@@ -154,7 +153,7 @@ TEST(Pins, UpperBoundsThatContradictLowerOnesGiveWay) {
     listed = true;
     EXPECT_EQ(bound.edge, contact.side[0]);
     EXPECT_EQ(bound.side, Side::front);
-    EXPECT_NEAR(bound.from, p.H_pin / std::tan(1.1) - p.pin_clearance, 1e-12);
+    EXPECT_NEAR(bound.from, p.H_pin / std::tan(1.1) - pin_clearance, 1e-12);
     EXPECT_EQ(bound.to, geometry.pin_bounds.upper(0, inset_index(Side::front, bound.edge)));
     EXPECT_GT(bound.to, bound.from);
   }

@@ -315,7 +315,7 @@ TEST(Meshes, OfCylindersHaveTheirVolume) {
 
 TEST(Bumps, NeverRecessBoundaryWallsAndLeaveTooSmallInterfacesBare) {
   Parameters p;
-  p.bump_diameter = 6;
+  p.bump_height = 1.1;
   const PrintModel model = make_print_model(test::sample_design(p));
   EXPECT_FALSE(model.bumps.bare.empty());
   for (const BareInterface& bare : model.bumps.bare) {
@@ -349,8 +349,8 @@ TEST(Anchors, MeetNothing) {
     for (const PrintBody& tile : model.tiles) {
       for (const Vec3& q : tile.points) nearest = std::min(nearest, (q.head<2>() - c).norm());
     }
-    EXPECT_GT(nearest, p.anchor_radius + p.anchor_distance - 1e-6);
-    EXPECT_LT(nearest, p.anchor_radius + p.anchor_distance + p.L);
+    EXPECT_GT(nearest, p.anchor_radius + anchor_distance - 1e-6);
+    EXPECT_LT(nearest, p.anchor_radius + anchor_distance + p.L);
     EXPECT_DOUBLE_EQ(a.circles[1].centre.z(), 2 * p.H_pin + p.H_body);
   }
 }

@@ -135,7 +135,6 @@ class StepFile : public ::testing::Test {
 TEST_F(StepFile, HoldsStitchingHolesAsCylinders) {
   Parameters p;
   p.joint = "holes";
-  p.joint_hole = 0.7;
   test::SampleOptions o;
   o.rows = 2;
   o.columns = 4;
@@ -263,7 +262,7 @@ void write_with_opencascade(const std::vector<const PrintBody*>& bodies, const s
 TEST_F(StepFile, HasTheEntitiesThatOpenCascadeWritesOfTheSameBodies) {
   const PrintModel model = make_print_model(test::sample_design());
   const std::vector<const PrintBody*> bodies = model.bodies("print");
-  write_step(bodies, "sample", StepStructure::assembly, path());
+  write_step(bodies, "sample", path());
   const std::string other_path = (folder_ / "b.step").string();
   write_with_opencascade(bodies, other_path);
   const Entities ours(path()), theirs(other_path);
@@ -283,79 +282,10 @@ TEST_F(StepFile, HasTheEntitiesThatOpenCascadeWritesOfTheSameBodies) {
   }
 }
 
-TEST_F(StepFile, IsOnePartOfAllSolidsWhereThatIsAskedFor) {
-  Parameters p;
-  p.step_structure = "one-part";
-  const PrintModel model = make_print_model(test::sample_design(p));
-  write_step(model, "print", path());
-  const Entities entities(path());
-  EXPECT_EQ(entities.named("PRODUCT").size(), 1u);
-  EXPECT_TRUE(entities.named("NEXT_ASSEMBLY_USAGE_OCCURRENCE").empty());
-  const std::vector<int> solids = entities.named("MANIFOLD_SOLID_BREP");
-  const std::vector<const PrintBody*> bodies = model.bodies("print");
-  ASSERT_EQ(solids.size(), bodies.size());
-  ASSERT_EQ(entities.named("STYLED_ITEM").size(), bodies.size());
-  STEPControl_Reader reader;
-  testing::internal::CaptureStdout();
-  ASSERT_EQ(reader.ReadFile(path().c_str()), IFSelect_RetDone);
-  EXPECT_EQ(reader.TransferRoots(), 1);
-  testing::internal::GetCapturedStdout();
-  std::size_t k = 0;
-  for (TopExp_Explorer it(reader.OneShape(), TopAbs_SOLID); it.More(); it.Next(), ++k) {
-    ASSERT_LT(k, bodies.size());
-    EXPECT_NEAR(mass_of(it.Current()).Mass(), volume(*bodies[k]), 1e-9 * volume(*bodies[k]));
-    std::string name = bodies[k]->name;  // blanks are left out by Entities
-    name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
-    EXPECT_EQ(entities.text(solids[k]).rfind("MANIFOLD_SOLID_BREP('" + name + "'", 0), 0u);
-  }
-  EXPECT_EQ(k, bodies.size());
-}
-
-TEST_F(StepFile, OfOnePartHasNamesAndColoursOfItsSolids) {
-  Parameters p;
-  p.step_structure = "one-part";
-  const PrintModel model = make_print_model(test::sample_design(p));
-  write_step(model, "print", path());
-  // Names of solids in a part are read where that is asked for, colours always.
-  STEPCAFControl_Reader reader;
-  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
-  reader.SetNameMode(true);
-  reader.SetColorMode(true);
-  Handle(TDocStd_Document) document = new TDocStd_Document("MDTV-XCAF");
-  testing::internal::CaptureStdout();
-  const bool read =
-      reader.ReadFile(path().c_str()) == IFSelect_RetDone && reader.Transfer(document);
-  testing::internal::GetCapturedStdout();
-  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 0);
-  ASSERT_TRUE(read);
-  Handle(XCAFDoc_ColorTool) tool = XCAFDoc_DocumentTool::ColorTool(document->Main());
-  TDF_LabelSequence parts, solids;
-  XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(parts);
-  ASSERT_EQ(parts.Length(), 1);
-  XCAFDoc_ShapeTool::GetSubShapes(parts.First(), solids);
-  std::map<std::string, Quantity_Color> colours;
-  for (const TDF_Label& solid : solids) {
-    Quantity_Color& colour = colours[text_of(solid)];
-    EXPECT_TRUE(tool->GetColor(solid, XCAFDoc_ColorSurf, colour) ||
-                tool->GetColor(solid, XCAFDoc_ColorGen, colour));
-  }
-  const std::vector<const PrintBody*> bodies = model.bodies("print");
-  EXPECT_EQ(colours.size(), bodies.size());
-  for (const PrintBody* body : bodies) {
-    ASSERT_TRUE(colours.count(body->name)) << body->name;
-    double r, g, b;
-    colours[body->name].Values(r, g, b, Quantity_TOC_sRGB);
-    const Colour expected = body_colour(body->kind);
-    EXPECT_NEAR(255 * r, expected.red, 0.5) << body->name;
-    EXPECT_NEAR(255 * g, expected.green, 0.5) << body->name;
-    EXPECT_NEAR(255 * b, expected.blue, 0.5) << body->name;
-  }
-}
-
 TEST_F(StepFile, KeepsNamesThatStepMustEncode) {
   PrintBody body = make_print_model(test::sample_design()).tiles[0];
   body.name = u8"L'\u00e9cran \\ \u5c4b\u6839 'a'";
-  write_step({&body}, u8"Fl\u00e4che", StepStructure::assembly, path());
+  write_step({&body}, u8"Fl\u00e4che", path());
   expect_bodies({&body}, u8"Fl\u00e4che");
 }
 

@@ -135,12 +135,12 @@ TEST(LayoutTerms, EnergiesAreTheFormulasOfThePaper) {
       spring += std::pow(a / (p.tau * b), 2);
     }
   }
-  EXPECT_NEAR(2 * make_alignment_energy(sample.model)->value(sample.state), p.w_a * alignment,
-              1e-4 * p.w_a * alignment);
-  EXPECT_NEAR(2 * make_packing_energy(sample.model)->value(sample.state), p.w_p * packing,
-              1e-9 * p.w_p * packing);
-  EXPECT_NEAR(2 * make_spring_energy(sample.model)->value(sample.state), p.w_s * spring,
-              1e-9 * p.w_s * spring);
+  EXPECT_NEAR(2 * make_alignment_energy(sample.model)->value(sample.state), w_a * alignment,
+              1e-4 * w_a * alignment);
+  EXPECT_NEAR(2 * make_packing_energy(sample.model)->value(sample.state), w_p * packing,
+              1e-9 * w_p * packing);
+  EXPECT_NEAR(2 * make_spring_energy(sample.model)->value(sample.state), w_s * spring,
+              1e-9 * w_s * spring);
 }
 
 }  // namespace

@@ -54,7 +54,6 @@ TEST(Loads, WeightCountsPinsBumpsAndMembranes) {
 TEST(Loads, WeightLacksTheHolesOfJoints) {
   Parameters p;
   p.joint = "holes";
-  p.joint_hole = 0.7;
   p.gravity = "held";
   test::SampleOptions o;
   o.rows = 2;

@@ -177,8 +177,8 @@ TEST(Verify, TilesWithDimplesAreJudgedAtTheirWalls) {
   EXPECT_FALSE(dimples.unilateral.tips_status);
   ASSERT_TRUE(dimples.unilateral.sliding_play);
   // Rim to rim: a bump's sphere grown by the clearance, at the height of the wall.
-  const double r = 0.5 * design.parameters.bump_diameter, h = design.parameters.bump_height,
-               R = (r * r + h * h) / (2 * h), c = design.parameters.dimple_clearance;
+  const double r = 2 * design.parameters.bump_height, h = design.parameters.bump_height,
+               R = (r * r + h * h) / (2 * h), c = dimple_clearance;
   EXPECT_NEAR(*dimples.unilateral.sliding_play,
               std::sqrt((R + c) * (R + c) - (R - h) * (R - h)) - r, 0.3 * c);
   EXPECT_GT(*dimples.unilateral.sliding_play, c);
