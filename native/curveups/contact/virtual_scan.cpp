@@ -87,8 +87,8 @@ VirtualScan describe_scan(Eigen::VectorXd far, const TriangleMesh& scanned,
   scan.rms = std::sqrt(far.squaredNorm() / static_cast<double>(far.size()));
   std::sort(far.begin(), far.end());
   scan.p95 = far(static_cast<Eigen::Index>(0.95 * static_cast<double>(far.size() - 1)));
-  scan.largest = std::max(far(far.size() - 1), largest_distance(scanned, designed).low);
-  scan.hausdorff = std::max(scan.largest, largest_distance(designed, scanned).low);
+  scan.largest = std::max(far(far.size() - 1), largest_distance(scanned, designed));
+  scan.hausdorff = std::max(scan.largest, largest_distance(designed, scanned));
   return scan;
 }
 

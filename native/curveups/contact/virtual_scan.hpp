@@ -11,7 +11,7 @@ namespace curveups {
 // Distances of a scanned surface from the designed one, mm.
 struct VirtualScan {
   double mean = 0, rms = 0, p95 = 0;  // of samples of the scanned surface
-  double largest = 0;                 // of all its points, within distance_tolerance
+  double largest = 0;                 // of all its points, by samples
   double hausdorff = 0;               // the larger of both directions' largest, likewise
 };
 

@@ -9,12 +9,10 @@
 #include "curveups/core/errors.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/geometry/convex_polygon.hpp"
-#include "curveups/geometry/polygon_division.hpp"
+#include "curveups/geometry/polygon_triangulation.hpp"
 
 namespace curveups {
 namespace {
-
-constexpr int most_corners = 16;  // BRepCheck compares the edges of a face pair by pair as well
 
 // Axes of the face's plane, seen from outside.
 struct PlaneAxes {
@@ -93,12 +91,11 @@ void add_divided(PrintBody& body, const PlanarFace& face) {
     checkpoint();  // rings look at all other loops
     add_loop(loop.circle < 0 ? loop : add_ring(body, face, loop, axes));
   }
-  for (std::vector<int>& polygon : divide_region(points, loops, most_corners)) {
-    for (int& i : polygon) i = of_body[i];
+  for (const auto& [a, b, c] : triangulate_region(points, loops)) {
     PlanarFace part;
     part.normal = face.normal;
     part.role = face.role;
-    part.outer.points = std::move(polygon);
+    part.outer.points = {of_body[a], of_body[b], of_body[c]};
     body.faces.push_back(std::move(part));
   }
 }

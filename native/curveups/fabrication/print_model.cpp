@@ -6,7 +6,6 @@
 #include <set>
 
 #include "curveups/bodies/anchors.hpp"
-#include "curveups/bodies/printed_body.hpp"
 #include "curveups/bodies/tile_print.hpp"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
@@ -33,15 +32,9 @@ RigidMotion turned_over(double height) {
 
 class Builder {
  public:
-  Builder(const Design& design, const Division& division)
-      : kind_(support_kind(design.parameters)) {
+  Builder(const Design& design, const Division& division) : kind_(support_kind(design.parameters)) {
     model_.division = division;
     static_cast<TileBodies&>(model_) = make_tile_bodies(design);
-    const Truncation& truncation = model_.geometry.truncation;
-    parallel_for(tiles().tile_count(), [&](int i) {
-      const auto r = model_.bumps.recess.row(i);
-      model_.bumps.body[i] = printed_body(tiles(), truncation, i, {r[0], r[1], r[2]});
-    });
     model_.name = design.name;
   }
 
@@ -115,8 +108,7 @@ class Builder {
 
   void add_anchors() {
     auto centres = place_anchors(footprints_, p());
-    const Polygon room =
-        inset(model_.division.region, p().anchor_radius + 0.5 * support_margin);
+    const Polygon room = inset(model_.division.region, p().anchor_radius + 0.5 * support_margin);
     for (auto& of_piece : centres) {
       if (model_.division.region.empty()) break;
       of_piece.erase(std::remove_if(of_piece.begin(), of_piece.end(),
@@ -220,7 +212,7 @@ class Builder {
     model_.actuated.resize(tiles().tile_count());
     parallel_for(tiles().tile_count(), [&](int i) {
       PrintBody& body = model_.actuated[i];
-      body = make_tile_print(tiles(), printed_body(tiles(), model_.geometry.truncation, i), {},
+      body = make_tile_print(tiles(), tile_body(tiles(), model_.geometry.truncation, i), {},
                              model_.q.row(i).data(), i, p().H_pin);
       body.piece = model_.piece_of_tile[i];
       bore(body, model_.joints.of_tile[i], model_.joints.radius, tiles().H_body, {});

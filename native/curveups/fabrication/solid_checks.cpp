@@ -16,7 +16,6 @@
 #include "curveups/core/parallel.hpp"
 #include "curveups/fabrication/occ_errors.hpp"
 #include "curveups/fabrication/occ_solids.hpp"
-#include "curveups/fabrication/plane_curves.hpp"
 
 namespace curveups {
 namespace {
@@ -85,9 +84,8 @@ std::vector<UnsoundSolid> check_solids(const std::vector<const PrintBody*>& bodi
   checkpoint("checking solids", 0);
   std::vector<char> broken(parts.size(), 0);
   parallel_each(static_cast<int>(parts.size()), [&](int k) {
-    broken[k] = with_occ_errors("checking " + bodies[parts[k].body]->name, [&] {
-      return !BRepCheck_Analyzer(with_plane_curves(parts[k].shape)).IsValid();
-    });
+    broken[k] = with_occ_errors("checking " + bodies[parts[k].body]->name,
+                                [&] { return !BRepCheck_Analyzer(parts[k].shape).IsValid(); });
   });
   std::vector<std::string> reason(solids.size());
   for (std::size_t k = 0; k < parts.size(); ++k) {

@@ -85,29 +85,6 @@ ClosestPoint ClosestPoints::operator()(const Vec3& query) const {
   return {at, static_cast<int>(triangle - impl_->triangles.cbegin()), (at - query).norm()};
 }
 
-// By regions (C. Ericson, "Real-time collision detection", 2005, 5.1.5): a fifth of CGAL's time.
-double ClosestPoints::distance_to_face(const Vec3& query, int face) const {
-  const Vec3 a = impl_->corner(face, 0), b = impl_->corner(face, 1), c = impl_->corner(face, 2);
-  const Vec3 ab = b - a, ac = c - a, ap = query - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return ap.norm();
-  const Vec3 bp = query - b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return bp.norm();
-  const Vec3 cp = query - c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return cp.norm();
-  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return (ap - d1 / (d1 - d3) * ab).norm();
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return (ap - d2 / (d2 - d6) * ac).norm();
-  if (va <= 0 && d4 >= d3 && d5 >= d6) {
-    return (bp - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).norm();
-  }
-  const double all = va + vb + vc;
-  if (!(all > 0)) return std::min({ap.norm(), bp.norm(), cp.norm()});  // without area
-  return (ap - vb / all * ab - vc / all * ac).norm();
-}
-
 Vec3 ClosestPoints::normal(int face) const {
   const Vec3 a = impl_->corner(face, 0), b = impl_->corner(face, 1), c = impl_->corner(face, 2);
   return (b - a).cross(c - a).normalized();

@@ -23,8 +23,6 @@ class ClosestPoints {
   ~ClosestPoints();
 
   ClosestPoint operator()(const Vec3& query) const;
-  // From one face of the mesh.
-  double distance_to_face(const Vec3& query, int face) const;
   // Unit normal of a face of the mesh; zero where it has no area.
   Vec3 normal(int face) const;
 

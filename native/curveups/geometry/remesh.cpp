@@ -10,7 +10,6 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/geometry/clean_mesh.hpp"
-#include "curveups/geometry/coarsen.hpp"
 #include "curveups/geometry/cut_mesh.hpp"
 #include "curveups/geometry/even_edges.hpp"
 #include "curveups/geometry/feature_lines.hpp"
@@ -27,7 +26,6 @@ constexpr double most_faces = 200000;
 // CGAL's collapsing of short edges does not come to an end on spikes of some 500 L; a square with
 // edges of 300 L has more tiles than most_faces.
 constexpr double longest_edge_of_L = 300;
-constexpr int scan_faces = 400000;  // of the surface: below, coarsening spares little
 
 struct EdgeStatistics {
   double mean, deviation;
@@ -61,27 +59,6 @@ Edges all_features(const TriangleMesh& surface, const std::vector<std::array<int
   Edges out(creases.rows() + static_cast<Eigen::Index>(given.size()), 2);
   out << creases, rows_of(given);
   return out;
-}
-
-// Facets far finer than the tiles only cost time: CGAL takes a minute for two million. What is made
-// lies on the surface itself all the same (`closest` below).
-void coarsen_scan(TriangleMesh& surface, Edges& features, double L) {
-  if (surface.F.rows() < scan_faces) return;
-  double sum = 0;
-  for (int f = 0; f < surface.F.rows(); ++f) {
-    for (int t = 0; t < 3; ++t) {
-      sum += (surface.V.row(surface.F(f, next3(t))) - surface.V.row(surface.F(f, t))).norm();
-    }
-  }
-  if (sum > 3 * static_cast<double>(surface.F.rows()) * L / 12) return;
-  checkpoint("coarsening the scan");
-  std::vector<char> kept(surface.V.rows(), 0);
-  for (Eigen::Index k = 0; k < features.size(); ++k) kept[features.data()[k]] = 1;
-  UsedPart coarse = coarsen(surface, L / 8, kept);
-  for (Eigen::Index k = 0; k < features.size(); ++k) {
-    features.data()[k] = coarse.number[features.data()[k]];
-  }
-  surface = std::move(coarse.mesh);
 }
 
 // closest: on this component.
@@ -174,7 +151,7 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   result.mesh.F.resize(0, 3);
   std::vector<std::array<int, 2>> features;
   for (MeshPiece& piece : parts) {
-    TriangleMesh& part = piece.mesh;
+    const TriangleMesh& part = piece.mesh;
     std::vector<int> number(surface.V.rows(), -1);
     for (std::size_t v = 0; v < piece.original.size(); ++v) {
       number[piece.original[v]] = static_cast<int>(v);
@@ -185,12 +162,11 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
       const int a = number[options.features(e, 0)], b = number[options.features(e, 1)];
       if (a >= 0 && b >= 0) given.push_back({a, b});
     }
-    Edges lines = all_features(part, given, options);
+    const Edges lines = all_features(part, given, options);
     checkpoint();
     std::optional<ClosestPoints> own;
     if (parts.size() > 1) own.emplace(part);
     checkpoint();
-    coarsen_scan(part, lines, options.L);
     const IsotropicMesh made_part = remesh_component(part, own ? *own : closest, lines, options);
     const TriangleMesh& made = made_part.mesh;
     const int first_vertex = static_cast<int>(result.mesh.V.rows());
@@ -207,7 +183,7 @@ RemeshResult remesh(const TriangleMesh& surface, const RemeshOptions& options) {
   const EdgeStatistics edges = edge_statistics(result.mesh);
   result.mean_edge = edges.mean;
   result.edge_cv = edges.deviation / edges.mean;
-  result.chord_error = largest_distance(surface, result.mesh).low;
+  result.chord_error = largest_distance(surface, result.mesh);
   return result;
 }
 

@@ -59,7 +59,7 @@ double by_brute_force(const TriangleMesh& mesh, const TriangleMesh& target, int 
   return largest;
 }
 
-TEST(SurfaceDeviation, TheLargestDistanceIsBoundedFromBothSides) {
+TEST(SurfaceDeviation, TheLargestDistanceIsThatOfSamples) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
   int beyond_vertices = 0;
@@ -77,23 +77,22 @@ TEST(SurfaceDeviation, TheLargestDistanceIsBoundedFromBothSides) {
       target.F = rest;
     }
     const ClosestPoints closest(target);
-    const LargestDistance found = largest_distance(mesh, target);
+    const double largest = largest_distance(mesh, target);
     const int parts = 90;
     const double brute = by_brute_force(mesh, target, parts);
-    EXPECT_GE(found.high, brute) << pair;
-    EXPECT_LE(found.low, brute + 3.0 * 1.5 / parts) << pair;
-    EXPECT_LE(found.high - found.low, distance_tolerance * (1 + 1e-9)) << pair;
+    EXPECT_LE(largest, brute + 3.0 * 1.5 / parts) << pair;
+    EXPECT_GE(largest, 0.97 * brute) << pair;
     const Deviation d = surface_deviation(mesh, target);
-    EXPECT_EQ(d.max, found.low);
-    EXPECT_NEAR(d.hausdorff, std::max(brute, by_brute_force(target, mesh, 30)), 0.05) << pair;
+    EXPECT_EQ(d.max, largest);
+    EXPECT_NEAR(d.hausdorff, std::max(brute, by_brute_force(target, mesh, 30)), 0.06) << pair;
     EXPECT_LE(d.mean, d.rms);
     EXPECT_LE(d.rms, d.max);
-    beyond_vertices += found.low > distances(mesh.V, closest).maxCoeff() + 0.01;
+    beyond_vertices += largest > distances(mesh.V, closest).maxCoeff() + 0.01;
   }
   EXPECT_GE(beyond_vertices, 5);  // where samples at vertices say too little
 }
 
-TEST(SurfaceDeviation, TheMiddleOfAHoleIsFoundWhereNoSampleLies) {
+TEST(SurfaceDeviation, AHoleIsFoundWithinAStep) {
   // One big triangle over a plate with a slot: farthest in the slot's middle, at half its width.
   TriangleMesh plate = test::flat_square(8, 8), cover = test::flat_square(1, 8);
   Triangles rest(0, 3);
@@ -106,10 +105,10 @@ TEST(SurfaceDeviation, TheMiddleOfAHoleIsFoundWhereNoSampleLies) {
   }
   plate.F = rest;
   const Deviation d = surface_deviation(cover, plate);
-  EXPECT_NEAR(d.max, 0.5, distance_tolerance);
   EXPECT_LE(d.max, 0.5);
-  // 5 mm2 of 64 are off by 1/6 to 1/4 in the mean; the rule sees few of them.
-  EXPECT_LT(d.mean, 0.1);
+  EXPECT_GT(d.max, 0.3);
+  // 5 mm2 of 64 are off by 1/4 in the mean, less at the slot's ends.
+  EXPECT_NEAR(d.mean, 5.0 / 64 / 4, 0.005);
 }
 
 TEST(SurfaceDeviation, MeanAndRootMeanSquareAreByArea) {
@@ -119,7 +118,7 @@ TEST(SurfaceDeviation, MeanAndRootMeanSquareAreByArea) {
   tilted.V.col(2) = tilted.V.col(0) / 2;
   const Deviation d = surface_deviation(tilted, plane);
   EXPECT_NEAR(d.mean, 0.5, 1e-12);
-  EXPECT_NEAR(d.rms, std::sqrt(1.0 / 3), 1e-12);
+  EXPECT_NEAR(d.rms, std::sqrt(1.0 / 3), 0.01);
   EXPECT_NEAR(d.max, 1, 1e-12);
 }
 
