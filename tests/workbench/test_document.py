@@ -3,7 +3,6 @@
 
 import json
 import re
-import zipfile
 
 import FreeCAD
 import pytest
@@ -71,8 +70,6 @@ def test_the_layout_is_kept_bit_for_bit(dome_document):
     document, design, tiles = opened(dome_document)
     kept = native.write_design(design_project_of(design).latest("design").design)
     assert kept == json_path.read_text(encoding="utf-8")
-
-
 
 
 def test_save_and_reopen(dome_document, tmp_path):
