@@ -5,6 +5,7 @@
 
 #include "curveups/bodies/convex_distance.hpp"
 #include "curveups/core/disjoint_sets.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/bridges.hpp"
 #include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/supports.hpp"

@@ -12,6 +12,7 @@
 #include "curveups/core/parallel.hpp"
 #include "curveups/core/tolerances.hpp"
 #include "curveups/design/pins.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/bridges.hpp"
 #include "curveups/fabrication/print_parts.hpp"
 #include "curveups/fabrication/supports.hpp"
