@@ -5,6 +5,7 @@
 
 #include "curveups/design/design.hpp"
 #include "curveups/design/pin_bounds.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "support/meshes.hpp"
 
 namespace curveups {

@@ -21,6 +21,7 @@
 #include "Model/COM/NMR_DLLInterfaces.h"
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/atomic_file.hpp"
 #include "curveups/fabrication/print_files.hpp"
 #include "support/designs.hpp"

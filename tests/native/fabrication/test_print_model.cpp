@@ -11,6 +11,7 @@
 #include "curveups/core/checkpoint.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/fabrication/body_mesh.hpp"
 #include "curveups/fabrication/bridges.hpp"
 #include "curveups/fabrication/occ_solids.hpp"

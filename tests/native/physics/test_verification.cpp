@@ -6,6 +6,7 @@
 #include "curveups/bodies/bumps.hpp"
 #include "curveups/core/errors.hpp"
 #include "curveups/core/parallel.hpp"
+#include "curveups/design/print_constants.hpp"
 #include "curveups/physics/design_forces.hpp"
 #include "curveups/physics/loosening.hpp"
 #include "curveups/physics/touch_points.hpp"
