@@ -55,7 +55,7 @@ OPTIONAL = {
 STRETCH = {"scale_spread": NUMBER, "area_ratio": NUMBER, "energy_per_contact": NUMBER,
            "spring_mean": NUMBER, "slack_springs": COUNT}
 STAGES = ("remesh", "target smoothing", "pieces", "cuts", "pin smoothing", "flatten", "layout", "verify",
-          "refine", "recheck", "settle", "actuate", "actuation trials", "solids", "check", "trials", "export")
+          "refine", "recheck", "settle", "actuate", "actuation trials", "solids", "check", "export")
 
 
 def check(value, expected, where):

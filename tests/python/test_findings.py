@@ -30,10 +30,9 @@ def test_a_sentence_names_what_its_figures_are():
     assert WEAK.tiles == (1, 3) and WEAK.group == "weak_points"
     inner = Finding("recheck", WEAK.tiles, {"reason": WEAK})
     assert str(inner) == f"on a membrane mesh of half the size: {WEAK}"
-    both = Finding.about("advice.sizes", tried=7, sizes=tuple(
+    both = Finding.about("tried.valid", sizes=tuple(
         Finding.about("size", name=name, value=value) for name, value in (("L", 9.0), ("H_body", 2.5))))
-    assert str(both) == ("of 7 other sizes that were tried, L=9 or H_body=2.5 does by estimates "
-                         "('curveups check' makes trial layouts)")
+    assert str(both) == "tried L=9, H_body=2.5: valid"
     many = Finding.about("thin_p_min", range(9), least=0.25, at=tuple(range(9)), printer="PolyJet", makes=0.6)
     assert "at T00001, T00002, T00003, T00004, T00005, T00006 and 3 more, below" in str(many)
     assert many.tiles == tuple(range(9))

@@ -7,12 +7,10 @@ import math
 import numpy as np
 import pytest
 from curveups.targets.cad_files import Read
-from curveups.base.errors import Stopped
 from curveups.base.native import native
 from curveups.project.project import Project
-from curveups.stages import parameter_search
 from curveups.stages.cut_request import CutRequest
-from curveups.stages.stage import Inputs, Job
+from curveups.stages.stage import Job
 from curveups.stages.surface import Source
 from schema import NUMBER
 from schema import check as check_block
@@ -187,71 +185,3 @@ def test_a_sharp_fold_that_runs_into_the_border(run):
     assert any("of the border" in action for action in block["actions"]) and "of the border" in page
     _, inside, _ = run(tent(), "mend=on", "H_body=5")
     assert inside["mending"]["max_mm"] > 0 and inside["mending"]["border_max_mm"] == 0
-
-
-def test_where_membranes_cut_other_sizes_are_tried(run, monkeypatch):
-    """One after another, until one is valid as a design of its own; only where mending was asked for."""
-    V, F = sheet(lambda x, y: -0.9 * math.hypot(x, y), 24, 24)
-    _, report, _ = run((V, F), "H_pin=0.6")
-    assert report["valid"] is False
-    assert not any("that was tried" in reason for reason in report["reasons"])
-
-    class Verified:
-        valid, judged, failure, blocks = False, True, "", {"physics": {"membrane_clearance_mm": -0.1}}
-
-    class Given:
-        V = F = edges = np.zeros((3, 3))
-        accepted = None
-
-    tried = []
-
-    def valid(inputs, sizes, job, steps):
-        tried.append(sizes)
-        return len(tried) == 3
-
-    monkeypatch.setattr(parameter_search, "_valid", valid)
-    monkeypatch.setattr(parameter_search, "sizes_do", lambda *given: True)
-    parameters = native.Parameters()
-    inputs = Inputs(parameters, {"verification": Verified, "target": Given, "target smoothing": Given,
-                                 "cuts": Given, "cut request": CutRequest()})
-    assert not parameter_search.STAGE.run(inputs, Job()).advice() and not tried
-    parameters.set("mend", "on")
-    said, = parameter_search.STAGE.run(inputs, Job()).advice()
-    assert tried == [(("H_pin", 1.2),), (("H_pin", 1.5),), (("H_body", 1.5),)]
-    assert "H_body=1.5, with" in str(said)
-
-
-def test_what_is_tried_is_the_design_that_it_becomes():
-    """A fold of which one height of pins makes a valid design and another none."""
-    V, F = sheet(lambda x, y: -0.9 * abs(x), 24, 24)
-    parameters = native.Parameters()
-    parameters.set("mend", "on")
-    source = Source("made", stamp="made", read=lambda deflection, choice: Read(V, F))
-    made = Project("made", parameters, {"source": source, "cut request": CutRequest()}, "made")
-    results = made.run(("verification",))
-    inputs = Inputs(parameters, {}, elsewhere=made.elsewhere)
-    heard = []
-    job = Job(listen=lambda *iterate: heard.append(iterate))
-    assert parameter_search._valid(inputs, (("H_pin", 1.0),), job, [60]) == results["verification"].valid
-    assert parameter_search._valid(inputs, (("H_pin", 0.2),), job, [60]) is False
-    assert made.parameters.get("H_pin") == 1.0 and made.out_of_date("verification") == ()
-    assert not heard  # whoever watches the design sees no other
-    with pytest.raises(Stopped):
-        parameter_search._valid(inputs, (("H_pin", 1.0),), Job(lambda what, fraction: False), [60])
-
-
-def test_all_that_is_tried_shares_a_number_of_steps_of_repair():
-    """One trial after another used to be repaired for up to 60 steps: minutes for a hairpin."""
-    taken = []
-
-    def repaired_for_ever(sizes, goals, job, begun, enough):
-        tell, steps = job.listener("repair"), 1
-        while tell(None, None, 0.0):
-            steps += 1
-        taken.append(steps)
-        return {}
-
-    outer = Job()
-    found = parameter_search.other_sizes(Inputs(native.Parameters(), {}, elsewhere=repaired_for_ever), outer)
-    assert found.found is None and found.tried == 4 and not outer.stopped
-    assert taken == [parameter_search.REPAIR_STEPS + 1, 1, 1, 1]

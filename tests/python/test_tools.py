@@ -18,7 +18,6 @@ sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests" / "benchmarks")]
 import bench_results  # noqa: E402
 import bench_table  # noqa: E402
 import check_rooms  # noqa: E402
-import growth  # noqa: E402
 from curveups.project import project  # noqa: E402
 from curveups.base.native import native  # noqa: E402
 from curveups.stages import BY_NAME  # noqa: E402
@@ -62,16 +61,6 @@ def test_the_benchmark_fails_where_a_model_is_not_valid():
     assert failed("disc", False) and failed("disc", None) and failed("turtle", False)
     assert not failed("somebody's own", False)
     assert failed("disc", True, wrong_files=["no solids"]) and failed("mine", None, error="no such file")
-
-
-def test_growth_finds_the_exponents():
-    runs = [{"tiles": n, "wall": {"layout": 1e-5 * n**1.4, "bodies": 2e-4 * n, "check": 1e-4 * n,
-                                  "stl": 1e-9}} for n in (500, 2000, 8000, 20_000)]
-    found = growth.exponents(runs, "wall")
-    # None of what takes no time.
-    assert set(found) == {"layout", "bodies", "checks", growth.TO_VALID, growth.ALL_ELSE}
-    assert found["layout"] == found[growth.TO_VALID] == pytest.approx(1.4)
-    assert [found[row] for row in ("bodies", "checks", growth.ALL_ELSE)] == pytest.approx([1.0] * 3)
 
 
 def test_results_renew_their_models_and_keep_the_others(designed, tmp_path):

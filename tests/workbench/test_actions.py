@@ -131,15 +131,14 @@ def test_exports_that_can_not_be(made, tmp_path):
 def test_a_target_is_checked_and_sizes_that_do_are_taken(made):
     design = document.new_design(made, "mask")
     design.L, design.HBody = 14, 28
-    found = actions.check(design)
-    assert made.UndoNames[0] == "Check" and design.Verdict == "not judged", design.Verdict
-    assert found["trial layout"].blocked and not found["trial layout"].feasible
+    found = actions.find_sizes(design)
+    assert made.UndoNames[0] == "Find Sizes" and design.Verdict == "not judged", design.Verdict
+    assert found["feasibility"].blocked and not found["feasibility"].feasible
     best = found["sizes"].H_body
     assert 1 < best < 28, best
     assert design.Target.Mesh.CountFacets == len(found["feasibility"].F)
-    assert actions.check(design)["feasibility"] is not None
     design.HBody = best
-    assert actions.check(design)["trial layout"].feasible
+    assert actions.check(design)["feasibility"].feasible and made.UndoNames[0] == "Check"
 
     chosen = actions.choose_sizes(design, ("H_body",)).values
     assert made.UndoNames[0] == "Choose Sizes" and set(chosen) == {"H_body"}

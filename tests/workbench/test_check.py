@@ -8,7 +8,6 @@ import Part
 import pytest
 from curveups.base.findings import Finding
 from curveups.features import actions
-from curveups.stages import sizes
 from curveups.window.overlay.colours import MARK
 from curveups.window.notice import shown
 from curveups.window.overlays import overlay_of
@@ -44,15 +43,6 @@ def design_of_roof(**values):
 def checking(form):
     until(lambda: LIVE.busy or form.verdict.text() or form.line.text(), 10, "the check")
     at_rest()
-
-
-def chosen(form, made, design):
-    """The line on the sizes that Choose Both has set, once they are checked."""
-    click(form.choose)
-    until(lambda: made.UndoNames[:2] == ["Check", "Choose Sizes"] and not LIVE.busy, 60, "the check of them")
-    line = form.line.text()
-    assert line.startswith(f"L = {design.L.UserString}"), line
-    return line
 
 
 def marked():
@@ -101,7 +91,12 @@ def test_a_check_says_what_is_in_the_way_and_sizes_that_do(pictures):
     click_item(form.margins, row)
     until(lambda: overlay.field().name == "Membrane clearance", 5, "its field")
 
-    # A thickness that does is taken over and checked; both are steps of undo.
+    # A thickness that works is looked for, taken over and checked; each is a step of undo.
+    assert form.advice.text() == "" and not form.use_thickness.isVisible()
+    click(form.find)
+    until(lambda: LIVE.busy, 10, "the search")
+    at_rest()
+    assert "HBody can be up to" in form.advice.text() and not form.find.isVisible(), form.advice.text()
     assert "HBody" in form.use_thickness.text(), form.use_thickness.text()
     click(form.use_thickness)
     until(lambda: LIVE.busy, 10, "the next check")
@@ -161,7 +156,7 @@ def test_sizes_are_chosen_and_profiles_applied_in_the_panel_of_the_design(pictur
     assert made.UndoNames[0] == "Choose Sizes" and design.L.Value != 13, (design.L, made.UndoNames)
     field = form.findChild(QtGui.QAbstractSpinBox, "L")
     assert abs(field.property("rawValue") - design.L.Value) < 1e-9
-    assert "L = " in form.line.text(), form.line.text()
+    assert form.line.text().endswith(f"tried L={design.L.Value:g}: valid"), form.line.text()
 
     chosen = design.L.Value
     menu = form.profile.menu()
@@ -264,8 +259,8 @@ def test_a_part_with_a_wall_is_taken_as_it_is_drawn(pictures):
     close_panel()
 
 
-def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
-    """A ridge that is too sharp for thick tiles: mended, and with sizes that do; all texts are in inches."""
+def test_both_sizes_are_chosen_in_inches_and_in_the_dark(pictures):
+    """A ridge that is too sharp for thick tiles; all texts are in inches."""
     def texts(form):
         found = [form.verdict.text(), form.advice.text(), form.line.text()]
         for tree in (form.margins, form.obstacles):
@@ -285,10 +280,13 @@ def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
     form = widget("CheckPanel")
     checking(form)
     assert "Not feasible" in form.verdict.text(), form.verdict.text()
+    click(form.find)
+    until(lambda: LIVE.busy, 10, "the search")
+    at_rest()
     said = texts(form)
     assert not [text for text in said if " mm" in text], [text for text in said if " mm" in text]
     assert any(" in" in text or '"' in text for text in said), said
-    assert "HBody = " in form.advice.text() and not any("_" in text for text in said), said
+    assert "HBody can be up to " in form.advice.text() and not any("_" in text for text in said), said
     row = next(form.margins.topLevelItem(k) for k in range(form.margins.topLevelItemCount())
                if form.margins.topLevelItem(k).text(0).startswith("pin area margin front"))
     # The area that is wanted, A_pin_floor, in square inches.
@@ -297,126 +295,22 @@ def test_mending_and_both_sizes_by_buttons_in_inches_and_in_the_dark(pictures):
     FreeCADGui.ActiveDocument.ActiveView.fitAll()
     picture("dark-inches")
 
-    click(form.use_mending)
-    until(lambda: LIVE.busy, 10, "the next check")
-    at_rest()
-    assert design.Mend == "on" and "<b>Feasible" in form.verdict.text(), form.verdict.text()
-    assert not form.use_mending.isVisible() and made.UndoNames[:2] == ["Check", "Use Mend"], made.UndoNames
-    picture("mended")
-    made.undo()
-    made.undo()
-    settle(500)
-    until(lambda: design.Mend == "off" and "Not feasible" in form.verdict.text(), 5, "the check before")
-
     before = design.L.Value, design.HBody.Value
     click(form.choose)
     until(lambda: LIVE.busy, 10, "the search")
     at_rest()
     until(lambda: (design.L.Value, design.HBody.Value) != before and not LIVE.busy, 120, "the sizes")
     until(lambda: "<b>Feasible" in form.verdict.text(), 20, "the check of them")
-    assert form.line.text().startswith("The largest that works: L = "), form.line.text()
+    assert form.line.text().startswith("tried L=") and form.line.text().endswith(": valid"), form.line.text()
     assert "Choose Sizes" in made.UndoNames[:2], made.UndoNames
     picture("chosen")
     close_panel()
     assert report().count("error") == 0, report()
 
 
-def test_a_height_of_pins_that_does_is_taken_over(pictures):
-    made, design = design_of_roof(L="12 mm", HPin="0.2 mm")
-    press("CurveUps_Check")
-    form = widget("CheckPanel")
-    checking(form)
-    assert "Not feasible" in form.verdict.text(), form.verdict.text()
-    assert "HPin" in form.use_pin.text(), form.use_pin.text()
-    click(form.use_pin)
-    until(lambda: LIVE.busy, 10, "the next check")
-    at_rest()
-    assert 0.2 < design.HPin.Value < 0.5 and made.UndoNames[:2] == ["Check", "Use HPin"], made.UndoNames
-    assert "<b>Feasible" in form.verdict.text() and not form.use_pin.isVisible(), form.verdict.text()
-    picture("higher-pins")
-    close_panel()
-    assert report().count("error") == 0, report()
-
-
-def test_a_choice_whose_trial_layouts_fail_says_so(pictures, monkeypatch):
-    """The line stays while what was chosen is checked."""
-    monkeypatch.setattr(sizes.SizeSearch, "named", lambda *given, **more: None)
-    made, design = design_of_roof(L="12 mm", MaximumDeviation="3 mm")
-    press("CurveUps_Check")
-    form = widget("CheckPanel")
-    checking(form)
-    line = chosen(form, made, design)
-    assert "A trial layout with these sizes failed" in line, line
-    picture("failed-choice")
-    close_panel()
-
-
-def test_check_and_a_choice_say_where_no_design_is_valid(pictures):
-    """Tiles can be made, but glue of this strength holds nothing."""
-    made, design = design_of_roof(L="12 mm", HPin="0.2 mm", MaximumDeviation="3 mm", GlueStrength="0.05 MPa")
-    press("CurveUps_Check")
-    form = widget("CheckPanel")
-    checking(form)
-    assert "Not feasible" in form.verdict.text(), form.verdict.text()
-    advice = form.advice.text()
-    assert "with HPin=" in advice and "a design is not valid all the same" in advice, advice
-    picture("not-valid-sizes")
-    design.HPin = "1 mm"
-    made.recompute()
-    settle(500)
-    click(form.check)
-    checking(form)
-    line = chosen(form, made, design)
-    assert "the design is not valid, and no smaller sizes were found with which it is" in line, line
-    assert "of shear" in line and "\n" not in line, line
-    picture("not-valid-choice")
-    close_panel()
-    assert report().count("error") == 0, report()
-
-
-def test_thickness_and_pins_that_do_together_are_taken_over(pictures):
-    def storeys():
-        # Two sheets, one 3 mm above the other.
-        found = []
-        for z in (0, 3):
-            for x in range(-14, 14, 7):
-                for y in range(-14, 14, 7):
-                    corners = ((0, 0), (7, 0), (7, 7), (0, 7))
-                    a, b, c, d = (FreeCAD.Vector(x + i, y + j, z) for i, j in corners)
-                    found += [a, b, c, a, c, d]
-        return found
-
-    made = begin()
-    given = made.addObject("Mesh::Feature", "Storeys")
-    given.Mesh = Mesh.Mesh(storeys())
-    FreeCADGui.Selection.addSelection(given)
-    press("CurveUps_NewDesign")
-    given.ViewObject.Visibility = False
-    design = made.Design
-    press("CurveUps_Check")
-    form = widget("CheckPanel")
-    checking(form)
-    assert "Not feasible" in form.verdict.text(), form.verdict.text()
-    assert "together do" in form.advice.text(), form.advice.text()
-    picture("together")
-    before = design.HBody.Value, design.HPin.Value
-    text = form.use_thickness.text()
-    assert text.startswith("Use HBody = ") and ", HPin = " in text and not form.use_pin.isVisible(), text
-    click(form.use_thickness)
-    until(lambda: LIVE.busy, 10, "the next check")
-    at_rest()
-    assert design.HBody.Value < before[0] and design.HPin.Value < before[1]
-    assert made.UndoNames[:2] == ["Check", "Use HBody, HPin"], made.UndoNames
-    assert "<b>Feasible" in form.verdict.text(), (form.verdict.text(), form.advice.text())
-    assert design.HBody.Value + 2 * design.HPin.Value < 3.001 and design.HBody.Value > 1
-    close_panel()
-    assert report().count("error") == 0, report()
-
-
 def test_a_part_that_is_feasible_as_it_is(pictures):
-    """Progress that stands still says that nobody knows how far it is, and no size is offered where those
-    that are set do. The part would cover its target, and is hidden until the
-    panel closes."""
+    """No size is offered where those that are set work. The part would cover its target, and is hidden until
+    the panel closes."""
     made = begin()
     cap = made.addObject("Part::Feature", "Cap")
     ball = Part.makeSphere(40, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 35)
@@ -426,16 +320,17 @@ def test_a_part_that_is_feasible_as_it_is(pictures):
     press("CurveUps_NewDesign")
     made.Design.L = 11
     made.recompute()
-    told = []
-    LIVE.observe(lambda status, goes_on: told.append((status.what, status.fraction)))
     press("CurveUps_Check")
     form = panel().form
     checking(form)
     picture("cap")
     assert "<b>Feasible" in form.verdict.text(), form.verdict.text()
-    fractions = {fraction for what, fraction in told if what.startswith("trying")}
-    assert fractions == {-1.0}, fractions
-    assert not any(button.isVisible() for button in (form.use_length, form.use_thickness, form.use_pin))
+    assert "All tiles can be made" in form.verdict.text(), form.verdict.text()
+    click(form.find)
+    until(lambda: LIVE.busy, 10, "the search")
+    at_rest()
+    assert "L can be " in form.advice.text() and "(at HBody 3" in form.advice.text(), form.advice.text()
+    assert not any(button.isVisible() for button in (form.use_length, form.use_thickness))
     margins = map(form.margins.topLevelItem, range(form.margins.topLevelItemCount()))
     needed = [row.child(0).text(1) for row in margins]
     assert not any(text.startswith("-") for text in needed), needed

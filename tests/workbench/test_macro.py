@@ -150,20 +150,22 @@ def test_a_macro_of_ones_own_surfaces_replays_without_a_window(tmp_path, picture
     design.ViewObject.doubleClicked()
     until(lambda: panel() is not None and panel().form.isVisible(), 10, "the panel")
     settle(500)
-    for group, name, value in (("Target", "L", "12"), ("Tiles", "HPin", "0.2")):
+    for group, name, value in (("Target", "L", "12"), ("Tiles", "HBody", "40")):
         panel().turn_to(group)
         settle(300)
         enter(panel().form, name, value)
-    until(lambda: (float(design.L), float(design.HPin)) == (12, 0.2), 10, "values")
+    until(lambda: (float(design.L), float(design.HBody)) == (12, 40), 10, "values")
     leave()
     press("CurveUps_Check")
     form = widget("CheckPanel")
     at_rest()
     picture("check")
-    assert "HPin" in form.use_pin.text() and form.use_pin.isVisible(), form.verdict.text()
-    click(form.use_pin)
+    click(form.find)
     at_rest()
-    assert float(design.HPin) > 0.2
+    assert "HBody" in form.use_thickness.text() and form.use_thickness.isVisible(), form.verdict.text()
+    click(form.use_thickness)
+    at_rest()
+    assert float(design.HBody) < 40
     before = float(design.L), float(design.HBody)
     click(form.choose)
     at_rest()

@@ -39,7 +39,7 @@ MARGINS = (
     "dihedral margin, deg", "back face / front face", "pin area margin front, mm2",
     "pin area margin back, mm2", "clearance of the front membrane, mm", "clearance of the back membrane, mm",
     "stretch / least that leaves gaps", "stretch / most before slack",
-    "pairs of tiles that run into one another")
+    "tiles of other parts that a tile runs into")
 ESTIMATE = "* an estimate: the layout may do a little better or worse"  # of a margin
 
 # The sentence, or both.
@@ -366,40 +366,22 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "advice.L_too": "tiles of L = {value:g mm} instead of {set:.3g mm} do so too",
     "advice.tau": "membranes stretched to tau = {value:g} instead of {set:g} would be taut at all weak "
                   "contacts",
-    "advice.tried": "{sizes: }, with which it is valid: that was tried",
-    "advice.none_tried": "no other H_pin or H_body was found that does, of {tried} that were tried",
-    "advice.sizes": "of {tried} other sizes that were tried, {sizes: or } does by estimates "
-                    "('curveups check' makes trial layouts)",
-    "advice.no_sizes": "none of {tried} other sizes that were tried does",
-    "advice.mend": "mend=on does by estimates, and moves vertices by up to {moved:.2g mm}",
-    "advice.checked": "{sizes: or }, with which the estimates of 'curveups check' find nothing in the way",
-    "advice.auto": "H_body=auto and L=auto try them with mending, too",
     "advice.mend_surface": "set mend=on ({actions})",
     "size": "{name}={value:g}",
-    "size.both": "H_body={H_body:g} with H_pin={H_pin:g}",
-    "size.mend": "mend=on",
-    "check.clear": "nothing is in the way of any tile",
+    "check.clear": "all tiles can be made",
     "check.blocked": "{count} of {of} tiles can't be made ({at:6})",
     "check.likely": "{count} tiles are likely to fail ({at:6})",
-    "check.passed": "a trial layout cleared the doubts of estimates: membranes pass over all tiles",
-    "check.failed": "a trial layout, made and repaired where estimates were in doubt, ends with this",
-    "check.undecided": "a trial layout, made where estimates were in doubt, was not repaired after {steps} "
-                       "steps: the estimates stand",
-    "check.passed_beyond": "the design of that layout is not valid all the same: {reasons:; }",
-    "check.beyond": "with {sizes} a design is not valid all the same: {reasons:; }",
-    "check.no_L": "with H_body = {H_body:g mm}, no L was found that does",
-    "check.L": "with H_body = {H_body:g mm}, L from {low:g mm} to {high:g mm} does",
-    "check.L_alone": "with H_body = {H_body:g mm}, L = {L:g mm} does",
-    "check.no_H_body": "with L = {L:.4g mm}, no H_body was found that does",
-    "check.H_body_alone": "with L = {L:.4g mm}, H_body = {H_body:g mm} does",
-    "check.H_body": "with L = {L:.4g mm}, H_body up to {H_body:g mm} does",
-    "check.H_body_more": "with L = {L:.4g mm}, H_body up to {H_body:g mm} and more does",
-    "check.no_H_pin": "with L = {L:.4g mm} and H_body = {H_body:g mm}, no H_pin was found that does",
-    "check.H_pin": "with L = {L:.4g mm} and H_body = {H_body:g mm}, H_pin = {H_pin:g mm} does",
-    "check.H_pin_down": "with L = {L:.4g mm} and H_body = {H_body:g mm}, H_pin down to {H_pin:g mm} does",
-    "check.together": "with L = {L:.4g mm}, H_body = {H_body:g mm} and H_pin = {H_pin:g mm} together do",
-    "check.estimated": "these are estimates: check what you choose of them",
-    "check.mend": "with mend=on, which moves vertices by up to {moved:.2g mm}, the sizes that are set do",
+    "limits.L": "L can be {low:g mm} to {high:g mm} (at H_body {H_body:g mm})",
+    "limits.no_L": "no L was found at which all tiles can be made (at H_body {H_body:g mm})",
+    "limits.H_body": "H_body can be up to {H_body:g mm} (at L {L:.4g mm})",
+    "limits.no_H_body": "no H_body was found at which all tiles can be made (at L {L:.4g mm})",
+    "limits.estimated": "these limits are estimates: Solve tells whether a design is valid",
+    "tried.valid": "tried {sizes:, }: valid",
+    "tried.not_valid": "tried {sizes:, }: not valid, {why:; }",
+    "tried.blocked": "{count} of {of} tiles can't be made or are likely to fail",
+    "tried.far": "the tiles are up to {distance:.2g mm} from the surface",
+    "tried.error": "{error}",
+    "tried.none": "no design with the sizes that were tried is valid",
 }
 
 SENTENCES: Mapping[str, tuple[str, str]] = {

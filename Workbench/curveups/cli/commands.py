@@ -23,17 +23,17 @@ from ..kit.former import former_stl
 from ..kit.underside import Underside
 from ..project.compensation import compensate
 from ..project.project import Project, Results
+from ..project.size_choice import AUTOMATIC, choose
 from ..report import actuation
 from ..report import check as check_report
 from ..report.exports import write_spares
 from ..report.files import Writing, write_check, write_obj, write_verification
-from ..stages import HELP, RISEN, START, asked_by, sizes
+from ..stages import HELP, RISEN, START, asked_by
 from ..stages.actuation import tiles_digest
 from ..stages.cut_request import CutRequest, read_cuts, read_json_object
 from ..stages.solids import density_of
 from ..stages.stage import Job
 from ..stages.surface import find_source
-from ..stages.trial_layout import FAILED
 
 MOST_FORCE = 1e6  # N: of a hand; far more than one has, far less than numbers bear
 
@@ -86,13 +86,19 @@ def check(options: Any, session: Session) -> int:
     # Closed surfaces are looked at too, and told to be.
     project = _project(options, replace(cuts, suggested=1), session, not options.no_remesh)
     project.give("cut request", cuts)
-    results = project.run(asked_by("check"), session.job)
+    job = session.job
+    results = project.run(asked_by("check"), job)
+    for line in check_report.table(results):
+        session.answer(line)
+    results = project.run(asked_by("check", "sizes"), job)
+    for finding in check_report.advice(results):
+        session.answer(str(finding))
     if options.output:
         with session.interrupt.shielded():
             write_check(results, options.output)
-    for line in check_report.table(results):
-        session.answer(line)
-    return VALID if results["trial layout"].feasible else NOT_VALID
+    if results.stopped:
+        return STOPPED
+    return VALID if results["feasibility"].feasible else NOT_VALID
 
 
 def remesh(options: Any, session: Session) -> int:
@@ -323,7 +329,7 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
     values, automatic = native.Parameters(), set()
 
     def put(name: str, value: Any, where: str) -> None:
-        if name in sizes.AUTOMATIC and value == "auto":
+        if name in AUTOMATIC and value == "auto":
             automatic.add(name)
         else:
             automatic.discard(name)
@@ -339,9 +345,7 @@ def _project(options: Any, cuts: CutRequest, session: Session, remesh: bool = Tr
     will_be_cut = bool(cuts) or cuts.suggested > 0 or values.get("pieces") != "1"
     source = find_source(options.target, remesh=remesh, will_be_cut=will_be_cut)
     project = Project(safe_name(source.name), values, {"source": source, "cut request": cuts}, options.target)
-    if automatic:
-        _choose_sizes(project, automatic, session)
-    return project
+    return _with_chosen_sizes(project, automatic, session) if automatic else project
 
 
 def _of_printer(given: Sequence[tuple[str, Any, str]]) -> Iterator[tuple[str, Any, str]]:
@@ -358,20 +362,14 @@ def _with_materials(given: Sequence[tuple[str, Any, str]]) -> list[tuple[str, An
     return of_materials + [row for row in given if row[0] not in MATERIALS]
 
 
-def _choose_sizes(project: Project, names: set[str], session: Session) -> None:
-    with translated(project.where):
-        chosen = sizes.choose(project.inputs(sizes.READS, session.job), names, session.job)
-    values = project.parameters
-    for name, value in chosen.values.items():
-        values.set(name, value)
+def _with_chosen_sizes(project: Project, names: set[str], session: Session) -> Project:
+    """The project with the sizes that are chosen, and the design that was made with them."""
+    choice = choose(project, names, session.job)
+    for finding in choice.findings():
+        session.reporter.say(str(finding))
+    for name, value in choice.values.items():
         session.reporter.say(f"{name} = {value:g} mm is chosen")
-    if chosen.trial == FAILED:
-        session.reporter.say("warning: a trial layout with these sizes failed, and no smaller sizes were "
-                             "found that pass one")
-    if chosen.beyond:
-        session.reporter.say("warning: a design with these sizes is not valid, and no smaller sizes were "
-                             f"found with which it is: {'; '.join(map(str, chosen.beyond))}")
-    project.parameters = values
+    return choice.project
 
 
 def _read_design(path: Path) -> Any:

@@ -19,9 +19,10 @@ from ..base.native import native, translated
 from ..base.output import Folder, safe_name
 from ..kit import files as kit_files
 from ..project.project import Project, Results
+from ..project.size_choice import AUTOMATIC, SizeChoice, choose
 from ..report import actuation
 from ..report.exports import Choice, File, choices, report as write_report, write_export
-from ..stages import RISEN, asked_by, sizes
+from ..stages import RISEN, asked_by
 from ..stages.layout import Layout
 from ..stages.stage import Job
 from . import live, properties, rebuild, status
@@ -70,6 +71,7 @@ def _repaired(design: Any) -> Project:
 RUNS = {
     "divide": Run("Divide", ("target smoothing",), live.project_of),
     "check": Run("Check", asked_by("check"), live.project_of),
+    "find_sizes": Run("Find Sizes", asked_by("check", "sizes"), live.project_of),
     "solve": Run("Solve", asked_by("solve", "settle"), live.project_of, anew=True),
     "verify": Run("Verify", asked_by("verify"), live.design_project_of),
     "repair": Run("Repair", ("design", *asked_by("verify")), _repaired),
@@ -116,31 +118,31 @@ def divide(design: Any) -> Results:
 
 
 def check(design: Any) -> Results:
-    """What of the target can be tiles, and sizes that would do: "feasibility", "trial layout" and "sizes" of
-    the results."""
+    """Margins of the target's tiles, and what is in their way: "feasibility" of the results."""
     return _run("check", design)
 
 
-def choose_sizes(design: Any, names: Collection[str] = sizes.AUTOMATIC) -> sizes.Chosen:
+def find_sizes(design: Any) -> Results:
+    """The same, and limits of sizes: "sizes" of the results."""
+    return _run("find_sizes", design)
+
+
+def choose_sizes(design: Any, names: Collection[str] = AUTOMATIC) -> SizeChoice:
     """Sets the length L of the tiles, their thickness H_body or both to what `auto` is on the command line
-    (sizes.choose), and says what a trial layout with them has shown. Raises CurveUpsError where there are
-    none, or where an expression says what they are."""
-    found: sizes.Chosen = _made_by("choose_sizes", design, lambda: sizes_work(design, names))
+    (size_choice.choose). Raises CurveUpsError where there are none, or where an expression says what they
+    are."""
+    found: SizeChoice = _made_by("choose_sizes", design, lambda: sizes_work(design, names))
     with transaction(design.Document, "Choose Sizes"):
         for name, value in found.values.items():
             properties.write_parameter(design, name, value)
     return found
 
 
-def sizes_work(design: Any, names: Collection[str]) -> Callable[[Job], sizes.Chosen]:
+def sizes_work(design: Any, names: Collection[str]) -> Callable[[Job], SizeChoice]:
     """The same for any thread; nothing is set."""
     refuse_bound(design, names)
     project = live.project_of(design).copy()
-
-    def work(job: Job) -> sizes.Chosen:
-        return sizes.choose(project.inputs(sizes.READS, job), names, job)
-
-    return work
+    return lambda job: choose(project, names, job)
 
 
 def refuse_bound(design: Any, names: Collection[str]) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import threading
 import time
 from dataclasses import dataclass, field
-from functools import cached_property, partial
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Sequence
 
@@ -102,7 +102,7 @@ class Results(Mapping[str, Any]):
 class Project:
     """`given`: results that are not made but given: "source" and "cut request" where a target is to
     become a design, "design" where there is one. `where` names the target or file in messages. `known`:
-    results made elsewhere or saved; those that were made from something else are out of date here."""
+    results of another project or saved ones; those made from something else are out of date here."""
 
     def __init__(self, name: str, parameters: Any, given: Mapping[str, Result], where: str = "",
                  known: Mapping[str, Made] | None = None):
@@ -142,22 +142,6 @@ class Project:
             twin._given = dict(self._given)
         return twin
 
-    def elsewhere(self, values: Mapping[str, Any], goals: Sequence[str], job: Job,
-                  begun: Optional[Results] = None, enough: Optional[Callable[[Results], bool]] = None,
-                  known: Mapping[str, Made] = MappingProxyType({})) -> Results:
-        """What a copy makes with other values of some parameters. begun: what one with these values has made.
-        enough: as `run` has it. known: results besides its own."""
-        twin = self.copy()
-        twin.parameters = with_values(self.parameters, values)
-        twin._made.update({**known, **(begun.made if begun else {})})
-        return twin.run(goals, job, enough=enough)
-
-    def inputs(self, names: Sequence[str], job: Job) -> Inputs:
-        """What a stage that reads these results would read."""
-        found = self.run(names, job)
-        return Inputs(found.parameters, {name: found[name] for name in names}, self._store, self.where,
-                      self.elsewhere)
-
     def forget_stopped(self) -> None:
         """Drops what was stopped before its end: asked for again, it is made anew."""
         with self._reading:
@@ -175,7 +159,7 @@ class Project:
             self._made = kept
 
     def made(self) -> dict[str, Made]:
-        """All results there are, out of date or not: what is saved, and `known` elsewhere."""
+        """All results there are, out of date or not: what is saved, and `known` to other projects."""
         with self._reading:
             return dict(self._made)
 
@@ -195,12 +179,10 @@ class Project:
 
     def run(self, goals: Sequence[str], job: Optional[Job] = None, strict: bool = False,
             note: Optional[Finding] = None, watch: Optional[Callable[[str, Results], object]] = None,
-            expect: Optional[Callable[[Results], object]] = None,
-            enough: Optional[Callable[[Results], bool]] = None) -> Results:
+            expect: Optional[Callable[[Results], object]] = None) -> Results:
         """Makes the goals, each with what it needs, and returns all there is then. watch: told each goal as
-        it is made, with all there is by then. enough: asked the same; true leaves the others out. expect:
-        told, before a stage begins that knows what its result will be unless it finds a fault, all there
-        will be then.
+        it is made, with all there is by then. expect: told, before a stage begins that knows what its result
+        will be unless it finds a fault, all there will be then.
 
         A stage that fails or is stopped where work before it is worth its files ends in a result that
         says so; `strict`: failures are raised. Raises CurveUpsError, and Stopped where there is nothing.
@@ -209,14 +191,12 @@ class Project:
         with self._working:
             with self._reading:
                 run = _Run(self.name, self._parameters, dict(self._given), dict(self._made), self._store,
-                           self.where, job, strict, note, expect, self.elsewhere)
+                           self.where, job, strict, note, expect)
             try:
                 for goal in goals:
                     run.make(goal)
                     if watch is not None:
                         watch(goal, run.results())
-                    if enough is not None and enough(run.results()):
-                        break
             finally:
                 with self._reading:
                     self._made.update(run.lasting)
@@ -246,10 +226,10 @@ class _Run:
 
     def __init__(self, name: str, parameters: Any, given: dict[str, Made], made: dict[str, Made],
                  store: Any, where: str, job: Job, strict: bool, note: Optional[Finding],
-                 expect: Optional[Callable[[Results], object]], elsewhere: Callable[..., Results]):
+                 expect: Optional[Callable[[Results], object]]):
         self.name, self.parameters, self.given, self.before = name, parameters, given, made
         self.store, self.where, self.job, self.strict = store, where, job, strict
-        self.note, self.expect, self.elsewhere = note, expect, elsewhere
+        self.note, self.expect = note, expect
         self.made: dict[str, Made] = dict(given)
         self.records: dict[str, Record] = dict(_records(given))
         self.lasting: dict[str, Made] = {}  # results that may be asked for again
@@ -271,8 +251,7 @@ class _Run:
 
     def _work(self, stage: Stage, key: Key) -> Made:
         inputs = Inputs(_decided(stage.reads, self.records, self.parameters),
-                        {name: self.made[name].result for name in stage.reads}, self.store, self.where,
-                        partial(self.elsewhere, known=self.made))
+                        {name: self.made[name].result for name in stage.reads}, self.store, self.where)
         start = time.perf_counter()
         try:
             with translated(self.where):

@@ -9,11 +9,10 @@ import numpy as np
 
 from ..base.errors import tile_name
 from ..base.findings import Finding
-from ..base.sentences import ESTIMATE, MARGINS
+from ..base.sentences import ESTIMATE
 from ..project.project import Results
-from ..stages.advice import of_check
-from ..stages.feasibility import SAG, TOO_NARROW, TOO_SLACK, Obstacle
-from ..stages.trial import REPAIR_STEPS
+from ..stages.advice import of_limits
+from ..stages.feasibility import Obstacle, TileFigure
 from . import html, tables
 
 FORMAT, VERSION = "curveups-check", 1
@@ -23,11 +22,10 @@ Row = tuple[str, str, str, str, str]
 def build_check(results: Results) -> dict[str, Any]:
     """check.json. Dihedral angles and their margins are in degrees; numbers that there are
     none of (no back face, no flat map) are NaN here and null in the file."""
-    found, sizes, tried = results["feasibility"], results["sizes"], results["trial layout"]
+    found, sizes = results["feasibility"], results["sizes"]
     get = results.parameters.get
     return {
-        "format": FORMAT, "version": VERSION, "name": results.name, "feasible": tried.feasible,
-        "trial": tried.shown or None, "trial_not_valid": list(map(str, tried.beyond)),
+        "format": FORMAT, "version": VERSION, "name": results.name, "feasible": found.feasible,
         "L": get("L"), "H_body": get("H_body"), "H_pin": get("H_pin"),
         "tiles": [{"tile": i, "fold_margin": float(found.least_dihedral_margin[i]),
                    "back_scale": float(found.back_scale[i]),
@@ -41,75 +39,45 @@ def build_check(results: Results) -> dict[str, Any]:
                          found.contacts.tolist(), found.dihedral, found.dihedral_margin,
                          found.interface_share)],
         "blocked": [{"tile": one.tile, "why": str(one.why), "obstacle": one.obstacle, "certain": one.certain}
-                    for one in tried.blocked],
+                    for one in found.blocked],
         "trimmed": found.trimmed.tolist(), "overlapping": found.overlapping.tolist(),
-        "pins_meeting": found.meeting.tolist(),
-        "relieved_pin_sides": found.reached, "mending_would_move_mm": sizes.mending,
-        "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body,
-                        "H_pin": sizes.H_pin,
-                        "together": (dict(zip(("H_body", "H_pin"), sizes.together)) if sizes.together
-                                     else None),
-                        "not_valid": {name: list(map(str, why)) for name, why in sizes.beyond.items()}},
-        "tried": [{"L": L, "H_body": H_body, "H_pin": H_pin, "tiles": tiles, "feasible": feasible}
-                  for L, H_body, H_pin, tiles, feasible in sizes.tried],
+        "pins_meeting": found.meeting.tolist(), "relieved_pin_sides": found.reached,
+        "recommended": {"L": list(sizes.L) if sizes.L else None, "H_body": sizes.H_body},
     }
 
 
 def verdict(results: Results) -> list[Finding]:
     """What is in the way."""
-    found = results["trial layout"]
+    found = results["feasibility"]
     sure = sorted({one.tile for one in found.blocked if one.certain})
     likely = sorted({one.tile for one in found.blocked} - set(sure))
-    said = [Finding.about(kind, tiles, at=tuple(tiles), count=len(tiles), of=len(results["feasibility"].F))
+    said = [Finding.about(kind, tiles, at=tuple(tiles), count=len(tiles), of=len(found.F))
             for kind, tiles in (("check.blocked", sure), ("check.likely", likely)) if tiles]
-    tried = [Finding.about(f"check.{found.shown}", steps=REPAIR_STEPS)] if found.shown else []
-    beyond = [Finding.about("check.passed_beyond", reasons=found.beyond)] if found.beyond else []
-    return [*(said or [Finding("check.clear")]), *tried, *beyond]
+    return said or [Finding("check.clear")]
 
 
 def rows(results: Results) -> list[Row]:
     """What is compared, the worst value, the tile that has it, what is wanted, how many tiles miss that."""
-    found, blocked = results["feasibility"], results["trial layout"].blocked
-    short = {kind: len({one.tile for one in blocked if one.obstacle == kind})
-             for kind in ("fold", "pin", "overlap", "closed", "membrane", "stretch")}
-    least, floor, height = map(results.parameters.get, ("A_pin_min", "A_pin_floor", "H_pin"))
-    with np.errstate(divide="ignore", invalid="ignore"):  # where not even the smallest pins hold a membrane
-        low, high = (found.stretch[:, None] / found.stretch_range).T
-    sides = list(enumerate(("front", "back")))
-    table = [_row(found.least_dihedral_margin, "0", short["fold"]),
-             _row(found.back_scale, "0", short["fold"]),
-             *(_row(found.pin_area_margin[:, side] + least, f"{floor:g}",
-                    sum(one.is_at("pin", name) for one in blocked)) for side, name in sides),
-             *(_row(found.membrane_clearance[:, side], f"{SAG * height:g} *",
-                    sum(one.is_at("membrane", name) for one in blocked)) for side, name in sides),
-             _row(low, f"{TOO_NARROW:g} *", short["stretch"]),
-             _row(high, f"{TOO_SLACK:g} *", short["stretch"], True),
-             (str(len(found.overlapping) + len(found.meeting)), "", "0", str(short["overlap"]))]
-    return [(what, *cells) for what, cells in zip(MARGINS, table)]
+    found = results["feasibility"]
+    return [_row(figure, found.blocked) for figure in found.figures]
 
 
-def _row(values: np.ndarray, wanted: str, short: int, most: bool = False) -> tuple[str, str, str, str]:
-    known = np.flatnonzero(~np.isnan(values))
-    if not len(known):
-        return "-", "", wanted, str(short)
-    worst = int(known[(np.argmax if most else np.argmin)(values[known])])
-    return f"{values[worst]:.3g}", tile_name(worst), wanted, str(short)
+def _row(figure: TileFigure, blocked: tuple[Obstacle, ...]) -> Row:
+    worst, wanted = figure.worst(), f"{figure.needed:g}" + " *" * figure.estimate
+    value, tile = ("-", "") if worst is None else (f"{figure.values[worst]:.3g}", tile_name(worst))
+    return figure.name, value, tile, wanted, str(figure.short(blocked))
 
 
 def advice(results: Results) -> list[Finding]:
-    """On sizes that would do, and on mending."""
+    """On the limits of sizes."""
     get = results.parameters.get
-    return list(of_check(results["sizes"], get("L"), get("H_body")))
+    return list(of_limits(results["sizes"], get("L"), get("H_body")))
 
 
-def _said(results: Results) -> list[str]:
-    return [", ".join(map(str, verdict(results))), *map(str, advice(results))]
-
-
-def _reasons(results: Results) -> list[str]:
+def _reasons(blocked: Sequence[Obstacle]) -> list[str]:
     """The first obstacle of each kind, and how many tiles have one; certain ones before estimates."""
     groups: dict[tuple[bool, str], list[Obstacle]] = {}
-    for one in sorted(results["trial layout"].blocked, key=lambda one: not one.certain):
+    for one in sorted(blocked, key=lambda one: not one.certain):
         groups.setdefault((one.certain, one.obstacle), []).append(one)
     lines = []
     for (certain, _), found in groups.items():
@@ -123,20 +91,21 @@ HEAD = ("", "worst", "tile", "wanted", "tiles short")
 
 
 def table(results: Results) -> list[str]:
-    """Lines for a terminal."""
+    """Lines for a terminal, on margins and what is in the way."""
     found, get = results["feasibility"], results.parameters.get
     lines = [f"{results.name}: {len(found.F)} tiles, L = {get('L'):.4g} mm, H_body = {get('H_body'):g} mm"]
     for what, value, tile, wanted, short in (HEAD, *rows(results)):
         lines.append(f"  {what:<42}{value:>9}  {tile:<8}{wanted:>7}  {short:>11}")
-    met, *more = _said(results)
-    return [*lines, f"  {ESTIMATE}", met, *(f"  {line}" for line in _reasons(results)), *more]
+    return [*lines, f"  {ESTIMATE}", ", ".join(map(str, verdict(results))),
+            *(f"  {line}" for line in _reasons(found.blocked))]
 
 
 def build_page(results: Results) -> str:
     """check.html."""
-    found, blocked = results["feasibility"], results["trial layout"].blocked
+    found = results["feasibility"]
+    blocked = found.blocked
     kind, word = ("valid", "Feasible") if not blocked else ("invalid", "Not feasible")
-    said = "".join(f"<li>{html.escape(line)}</li>" for line in _said(results))
+    said = "".join(f"<li>{html.escape(str(line))}</li>" for line in (*verdict(results), *advice(results)))
     parts = [f"<h1>{html.escape(results.title)}</h1>",
              f'<p><span class="verdict {kind}">{word}</span> &nbsp; {len(found.F)} tiles</p><ul>{said}</ul>',
              *html.pictured("blocked", "The target from both sides: tiles that can't be made in red, those "
@@ -149,11 +118,6 @@ def build_page(results: Results) -> str:
                                 for one in blocked[:_MOST_LISTED]], ("Tile", "Why", ""))]
         if len(blocked) > _MOST_LISTED:
             parts.append(f'<p class="note">and {len(blocked) - _MOST_LISTED} more, in check.json</p>')
-    parts += ["<h2>Sizes tried</h2>",
-              tables.table([(L, H_body, H_pin, tiles or None, feasible)
-                            for L, H_body, H_pin, tiles, feasible in results["sizes"].tried],
-                           ("L, mm", "H_body, mm", "H_pin, mm", "Tiles", "Feasible")),
-              '<p class="note">By estimates, and by trial layouts of what was to be named.</p>']
     return html.page(results.title, parts)
 
 

@@ -2,15 +2,15 @@
 """Lists the stages of the work, one file each, in the order in which reports show their results."""
 
 from . import (actuation, actuation_help, anchoring, clearances, cuts, design, deviation, division,
-               feasibility, layout, parameter_search, pieces, pin_smoothing, repair, settle, sheets, sizes,
-               solids, suggestions, surface, target, target_smoothing, trial_layout, verification)
+               feasibility, layout, pieces, pin_smoothing, repair, settle, sheets, sizes,
+               solids, suggestions, surface, target, target_smoothing, verification)
 
 STAGES = (surface.STAGE, target.STAGE, target_smoothing.STAGE, division.STAGE, feasibility.STAGE,
-          trial_layout.STAGE, sizes.STAGE, cuts.STAGE, suggestions.SEARCH, pin_smoothing.STAGE, layout.STAGE,
+          sizes.STAGE, cuts.STAGE, suggestions.SEARCH, pin_smoothing.STAGE, layout.STAGE,
           verification.OF_LAYOUT, repair.STAGE, design.STAGE, design.FIGURES, deviation.STAGE,
           clearances.STAGE, verification.STAGE, verification.RECHECK, pieces.STAGE, anchoring.STAGE,
           solids.BODIES, sheets.STAGE, solids.STAGE, settle.STAGE, actuation.START, actuation.STAGE,
-          actuation_help.STAGE, solids.CHECK, parameter_search.STAGE, suggestions.STAGE)
+          actuation_help.STAGE, solids.CHECK, suggestions.STAGE)
 
 BY_NAME = {stage.name: stage for stage in STAGES}
 VERDICT = verification.STAGE.name  # there is no verdict without it

@@ -9,7 +9,6 @@ import numpy as np
 
 from ..base.findings import settle
 from ..base.native import native
-from .sizes import with_advice
 from .stage import Inputs, Job, Result, Stage, digest
 
 
@@ -28,11 +27,9 @@ def _run(inputs: Inputs, job: Job) -> Cuts:
     V, F = inputs["target smoothing"].V, inputs["target"].F
     edges = inputs["division"].edges
     errors = [one for one in native.check_target(V, F, edges, inputs.parameters) if one.is_error]
-    with with_advice(inputs, inputs["cut request"], job):
-        settle([error for error in errors if not error.kind.startswith("joint.")], inputs.where)
-    settle(errors, inputs.where)  # other sizes are tried without stitching holes
+    settle(errors, inputs.where)
     return Cuts(edges)
 
 
-STAGE = Stage("cuts", ("target", "target smoothing", "cut request", "division"), frozenset({"tiles"}), _run,
+STAGE = Stage("cuts", ("target", "target smoothing", "division"), frozenset({"tiles"}), _run,
               label="Cuts", asked_by=("solve",), shown=True)

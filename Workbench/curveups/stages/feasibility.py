@@ -5,33 +5,30 @@ Folds, back faces, pins and overlaps of bodies are closed forms of the mesh, the
 refused by: what they block is certain. Where pins run into parts that face them, and where membranes cut
 into tiles or are slack, depends on the layout: that is estimated from pins that stand as near to corners
 as they may, and from the conformal map with which layouts begin. The limits of these estimates are those
-at which designs began to fail. Near them a trial decides (trial_layout.py).
+at which designs began to fail.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Iterator, Optional
 
 import numpy as np
 
 from ..base.findings import Finding
 from ..base.native import native
+from ..base.sentences import MARGINS
 from ..base.value import Value
-from .pin_smoothing import mostly_short, smooth_for_pins
-from .target_smoothing import smooth_target
+from .pin_smoothing import smooth_for_pins
 from .stage import Inputs, Job, Result, Stage, digest
 
 _SIDES = ("front", "back")
+LEAST_BACK_FACE = 1e-3  # of the front face's length
 # Estimates. A membrane sags: it passes this part of H_pin below the tops of the pins around a corner.
 SAG = 0.3
 # Layouts differ from their conformal map: they even out tiles so far beyond the range of stretch, and bear
 # the rest where it is a small share of all tiles.
 TOO_SLACK, TOO_NARROW, SHARE = 1.2, 0.7, 0.05
-# No size is tried with moved vertices where more sides than this share miss A_pin_min (tiles are too small
-# then, not folds too sharp), or a membrane lacks more than this part of L. With 106 sizes of 17 targets no
-# such size became feasible; the lowest membrane gained 0.008 L at most.
-MOST_SMALL, MOST_CLEARED = 1 / 3, 1 / 40
 
 
 @dataclass(frozen=True)
@@ -50,9 +47,31 @@ class Obstacle(Value):
         """"fold", "pin", "overlap", "closed", "membrane", "stretch"."""
         return self.why.group
 
-    def is_at(self, obstacle: str, side: str) -> bool:
-        """Whether it is this one, on this side."""
-        return self.obstacle == obstacle and self.why.figures.get("side") == side
+
+@dataclass(frozen=True)
+class TileFigure(Value):
+    """A figure of every tile (NaN where there is none) beside the value that it needs: at least that, or at
+    most (`most`). obstacle, side: of tiles that miss it, where the figure has a side; estimate: such an
+    obstacle is not certain."""
+
+    name: str
+    values: np.ndarray  # M
+    needed: float
+    obstacle: str
+    side: str = ""
+    estimate: bool = False
+    most: bool = False
+
+    def worst(self) -> Optional[int]:
+        """The tile with the worst value; None where there is no value."""
+        if np.isnan(self.values).all():
+            return None
+        return int(np.nanargmax(self.values) if self.most else np.nanargmin(self.values))
+
+    def short(self, blocked: tuple[Obstacle, ...]) -> int:
+        """How many tiles miss it."""
+        return len({one.tile for one in blocked if one.obstacle == self.obstacle
+                    and self.side in ("", one.why.figures.get("side"))})
 
 
 @dataclass(frozen=True)
@@ -61,8 +80,8 @@ class Feasibility(Result):
 
     V: np.ndarray                 # as pins have made room for themselves
     F: np.ndarray
-    L: float                      # mean edge length, mm
     blocked: tuple[Obstacle, ...]
+    figures: tuple[TileFigure, ...]
     contacts: np.ndarray          # N x 2 tiles
     dihedral: np.ndarray          # N, degrees, convex positive
     dihedral_margin: np.ndarray   # N, degrees by which it could grow before a back face vanishes
@@ -77,7 +96,7 @@ class Feasibility(Result):
     trimmed: np.ndarray           # pairs of tiles without a common vertex that are cut off
     overlapping: np.ndarray       # pairs that no plane parts
     meeting: np.ndarray           # other pairs without a common vertex of which pins run into one another
-    reached: int                  # pin sides for which vertices were moved
+    reached: int = 0              # pin sides for which vertices were moved
 
     @property
     def feasible(self) -> bool:
@@ -85,106 +104,53 @@ class Feasibility(Result):
         return not self.blocked
 
     @property
-    def possible(self) -> bool:
-        """Whether nothing is known to be in the way, estimates aside."""
-        return not any(one.certain for one in self.blocked)
-
-    @property
     def content(self) -> str:
         return digest(self.V, self.F, self.blocked)
 
 
-def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job) -> Feasibility:
-    """The margins of a remeshed target that is cut along `edges` (C x 2), after pins have made room for
-    themselves as before a layout. Raises native errors where it is no mesh of tiles at all."""
-    reached = 0
-    if native.tile_margins(V, F, edges, parameters).shaped:
-        V, moved = smooth_for_pins(V, F, edges, parameters, job)
-        reached = len(moved["pin_sides"]) if moved else 0
-    return _margins(V, F, edges, parameters, reached)
-
-
-def sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job,
-             sag: float = SAG) -> bool:
-    """Whether `examine` finds nothing in the way that depends on sizes, after smoothing where mending is on:
-    closed surfaces stay closed. Room for pins is only made where folds and other parts leave any. `sag`: the
-    part of H_pin by which membranes are to clear tiles."""
-    if _sizes_do(V, F, edges, parameters, job, sag):
-        return True
-    return parameters.get("mend") == "on" and _mends(V, F, edges, parameters, job, sag) is not None
-
-
-def _mends(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job, sag: float = SAG
-           ) -> Optional[float]:
-    """The largest movement (mm) by which smoothing gives way to sizes; None where it does not."""
-    if mostly_short(V, F, edges, parameters):
-        return None
-    made = smooth_target(V, F, parameters, job)
-    largest = max(made.move, default=0.0)
-    return float(largest) if largest > 0 and _sizes_do(made.V, F, edges, parameters, job, sag) else None
-
-
-def mending(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job,
-            sag: float = SAG) -> Optional[float]:
-    """By how much (mm) mend=on would move vertices of a target on which something is in the way so that
-    sizes do by estimates, `sag` as sizes_do has it; None: it is on, or it would not help."""
-    if parameters.get("mend") == "on":
-        return None
-    return _mends(V, F, edges, parameters, Job(lambda _, fraction: job("trying mend=on", fraction)), sag)
-
-
-def _sizes_do(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, job: Job, sag: float) -> bool:
-    def obstacles(V: np.ndarray) -> tuple[Feasibility, list[Obstacle]]:
-        found = _margins(V, F, edges, parameters, 0, sag)
-        return found, [one for one in found.blocked if one.obstacle != "closed"]
-
-    if mostly_short(V, F, edges, parameters):
-        return False
-    found, blocked = obstacles(V)
-    if blocked and not {one.obstacle for one in blocked} & {"fold", "overlap"}:
-        # Vertices of tiles that touch one with a small pin move: an obstacle that has none of them stays.
-        near = np.isin(F, F[(found.pin_area_margin < 0).any(axis=1)]).any(axis=1)
-        moving = np.isin(F, F[near]).any(axis=1)
-        clearance = found.membrane_clearance.min(initial=np.inf)
-        if (not all(moving[one.tile] for one in blocked) or (found.pin_area_margin < 0).mean() > MOST_SMALL
-                or clearance < sag * parameters.get("H_pin") - MOST_CLEARED * found.L):
-            return False
-        there, moved = smooth_for_pins(V, F, edges, parameters, job)
-        return bool(moved) and not obstacles(there)[1]
-    return not blocked
-
-
-def _margins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any, reached: int,
-             sag: float = SAG) -> Feasibility:
+def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) -> Feasibility:
+    """The margins of a remeshed target that is cut along `edges` (C x 2). Raises native errors where it is no
+    mesh of tiles at all."""
+    get, count = parameters.get, len(F)
     margins = native.tile_margins(V, F, edges, parameters)
     maps = native.target_fields(V, F, edges, parameters)
-    count, contacts = len(F), np.asarray(margins.contacts)
+    contacts, dihedral_margin = np.asarray(margins.contacts), np.asarray(margins.dihedral_margin)
+    overlapping = np.array(margins.overlapping, np.int32).reshape(-1, 2)
     if margins.shaped:
         pin_area, share = np.asarray(margins.pin_area), np.asarray(margins.interface_share)
+        clearance = np.asarray(margins.membrane_clearance)
+        meeting = _meeting(V, F, edges, parameters, overlapping)
     else:
         pin_area, share = np.full((count, 2), np.nan), np.full(len(contacts), np.nan)
-    dihedral_margin = np.asarray(margins.dihedral_margin)
+        clearance, meeting = np.full((count, 2), np.nan), overlapping
     least_dihedral_margin = np.full(count, np.inf)
     for side in range(2):
         np.minimum.at(least_dihedral_margin, contacts[:, side], dihedral_margin)
     least_dihedral_margin[np.isinf(least_dihedral_margin)] = np.nan
     stretch = np.asarray(maps["conformal_stretch"])
-    overlapping = np.array(margins.overlapping, np.int32).reshape(-1, 2)
-    meeting = _meeting(V, F, edges, parameters, overlapping) if margins.shaped else overlapping
-    clearance = np.asarray(margins.membrane_clearance) if margins.shaped else np.full((count, 2), np.nan)
     ranges = np.stack([maps["least_stretch"], maps["most_stretch"]], axis=1)
-    blocked = [_obstacle("fold", tile) for tile in np.flatnonzero(margins.back_scale < 1e-3)]
-    blocked += [*_without_pins(pin_area, parameters.get("A_pin_floor")), *_overlapping(overlapping),
-                *_facing(meeting)]
-    blocked += [_obstacle("closed.tile", tile) for tile in np.flatnonzero(np.isnan(stretch))]
-    blocked += [*cut_by_membranes(clearance, sag * parameters.get("H_pin")),
-                *_badly_stretched(stretch, ranges)]
+    blocked = [
+        *(_obstacle("fold", tile) for tile in np.flatnonzero(margins.back_scale < LEAST_BACK_FACE)),
+        *_without_pins(pin_area, get("A_pin_floor")), *_overlapping(overlapping), *_facing(meeting),
+        *(_obstacle("closed.tile", tile) for tile in np.flatnonzero(np.isnan(stretch))),
+        *_cut_by_membranes(clearance, SAG * get("H_pin")), *_badly_stretched(stretch, ranges)]
+    with np.errstate(divide="ignore", invalid="ignore"):  # where not even the smallest pins hold a membrane
+        of_least, of_most = (stretch[:, None] / ranges).T
+    pairs = np.concatenate([overlapping, meeting]).ravel()
+    figures = (
+        (least_dihedral_margin, 0.0, "fold"), (margins.back_scale, LEAST_BACK_FACE, "fold"),
+        (pin_area[:, 0], get("A_pin_floor"), "pin", "front"),
+        (pin_area[:, 1], get("A_pin_floor"), "pin", "back"),
+        (clearance[:, 0], SAG * get("H_pin"), "membrane", "front", True),
+        (clearance[:, 1], SAG * get("H_pin"), "membrane", "back", True),
+        (of_least, TOO_NARROW, "stretch", "", True), (of_most, TOO_SLACK, "stretch", "", True, True),
+        (np.bincount(pairs, minlength=count).astype(float), 0.0, "overlap", "", False, True))
     return Feasibility(
-        V, F, float(native.mean_edge_length(V, F)), tuple(sorted(blocked, key=lambda one: one.tile)),
-        contacts, np.asarray(margins.dihedral), dihedral_margin, least_dihedral_margin,
-        np.asarray(margins.back_scale), share, pin_area - parameters.get("A_pin_min"), clearance,
-        stretch, ranges, np.array(margins.trimmed, np.int32).reshape(-1, 2), overlapping, meeting,
-        reached)
+        V, F, tuple(sorted(blocked, key=lambda one: one.tile)),
+        tuple(TileFigure(name, *figure) for name, figure in zip(MARGINS, figures)), contacts,
+        np.asarray(margins.dihedral), dihedral_margin, least_dihedral_margin, np.asarray(margins.back_scale),
+        share, pin_area - get("A_pin_min"), clearance, stretch, ranges,
+        np.array(margins.trimmed, np.int32).reshape(-1, 2), overlapping, meeting)
 
 
 def _obstacle(kind: str, tile: int, certain: bool = True, **figures: Any) -> Obstacle:
@@ -216,7 +182,7 @@ def _facing(pairs: np.ndarray) -> Iterator[Obstacle]:
         yield _obstacle("overlap.pins", a, certain=False, other=(int(b),))
 
 
-def cut_by_membranes(clearance: np.ndarray, least: float) -> Iterator[Obstacle]:
+def _cut_by_membranes(clearance: np.ndarray, least: float) -> Iterator[Obstacle]:
     with np.errstate(invalid="ignore"):
         low = np.argwhere(clearance < least)
     for tile, side in low:
@@ -245,7 +211,12 @@ def too_stretched(stretch: np.ndarray, ranges: np.ndarray) -> np.ndarray:
 def _run(inputs: Inputs, job: Job) -> Feasibility:
     V, edges, F = inputs["target smoothing"].V, inputs["division"].edges, inputs["target"].F
     job("checking tiles")
-    return examine(V, F, edges, inputs.parameters, job)
+    found = examine(V, F, edges, inputs.parameters)
+    if not any(one.obstacle == "fold" for one in found.blocked):
+        moved_V, moved = smooth_for_pins(V, F, edges, inputs.parameters, job)
+        if moved:
+            return replace(examine(moved_V, F, edges, inputs.parameters), reached=len(moved["pin_sides"]))
+    return found
 
 
 STAGE = Stage("feasibility", ("target", "target smoothing", "division"),

@@ -9,9 +9,7 @@ from typing import Any, Optional, Sequence
 
 from ..base.findings import Finding
 from ..base.native import native
-from .cut_request import CutRequest
 from .design import design_digest
-from .sizes import with_advice
 from .stage import Inputs, Job, Result, Row, Stage
 
 
@@ -61,12 +59,8 @@ def _run(inputs: Inputs, job: Job) -> Layout:
             first.append(time.perf_counter() - start)
         return job(what, fraction)
 
-    try:
-        found = native.solve_layout(smoothed.V, target.F, edges, inputs.parameters, progress,
-                                    job.listener("layout"))
-    except native.InfeasibleDesign:
-        with with_advice(inputs, CutRequest(edges), job):
-            raise
+    found = native.solve_layout(smoothed.V, target.F, edges, inputs.parameters, progress,
+                                job.listener("layout"))
     design = native.Design(inputs["source"].name, inputs.parameters, smoothed.V, target.F, found.T, found.q,
                            edges,
                            None if smoothed.moved is None else (inputs["target smoothing"].V, target.F))

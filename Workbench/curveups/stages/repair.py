@@ -25,7 +25,6 @@ class Repair(Result):
     blocked: tuple[dict, ...] = ()            # contacts that stay weak: reason, obstacle, held tiles
     suggestions: tuple[Finding, ...] = ()
     warned: tuple[Finding, ...] = ()
-    cuts: tuple[Finding, ...] = ()            # where membranes cut in as it ends; none where it did not run
 
     @property
     def content(self) -> str:
@@ -76,7 +75,7 @@ def _run(inputs: Inputs, job: Job) -> Repair:
         "suggestions": list(map(str, suggestions)), "mended": mended,
         "moved_vertices": moved_vertices(before.V, found.design.V, before.F)}
     return Repair(found.design if changed else before, None if changed else verified.verdict, found.status,
-                  block, blocked, suggestions, cuts=all_of(found.cuts))
+                  block, blocked, suggestions)
 
 
 def _failed(error: CurveUpsError, inputs: Inputs) -> Repair:

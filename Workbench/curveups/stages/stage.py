@@ -136,10 +136,6 @@ class Inputs:
     results: Mapping[str, Result]
     store: Any = None  # native SolutionStore: what is solved of a design, for the next who needs it
     where: str = ""    # names the target or file in messages
-    # What a copy of the project makes: with these values of parameters, of these stages (project.Results).
-    # begun=: what a copy with these values has made. enough=: asked with what there is after each stage that
-    # is named, whether the others can be left out.
-    elsewhere: Optional[Callable[..., Mapping[str, Any]]] = None
 
     def __getitem__(self, name: str) -> Any:
         return self.results[name]

@@ -116,14 +116,13 @@ def target_fields(V: np.ndarray, F: np.ndarray, cuts: np.ndarray, parameters: An
               shape=(len(F),))]
 
 
-def check_fields(found: Any, trial: Any, parameters: Any, contacts: np.ndarray) -> list[Field]:
+def check_fields(found: Any, parameters: Any, contacts: np.ndarray) -> list[Field]:
     """Of a target that was checked (stages/feasibility.py): margins, after pins have made room for
-    themselves, and the tiles that something is in the way of, by how many things that are; by estimates
-    where there is no trial layout."""
+    themselves, and the tiles that something is in the way of, by how many things that are."""
     count = len(found.F)
     margins = {"contact_tiles": found.contacts, "dihedral_margin": found.dihedral_margin}
     floor = parameters.get("A_pin_floor") - parameters.get("A_pin_min")
-    tiles = [one.tile for one in (found if trial is None else trial).blocked]
+    tiles = [one.tile for one in found.blocked]
     return [
         Field("Dihedral margin", "deg", CONTACT, lambda: aligned(margins, "dihedral_margin", contacts), "low",
               0.0, shape=(len(contacts),)),

@@ -18,7 +18,7 @@ class State:
 
     def __init__(self, project: Any, of_target: bool):
         self._made = [project.latest(name) for name, stage in BY_NAME.items() if stage.shown]
-        self._values = project.parameters.to_dict(), project.out_of_date("trial layout"), of_target
+        self._values = project.parameters.to_dict(), project.out_of_date("feasibility"), of_target
 
     def same(self, other: Optional["State"]) -> bool:
         return other is not None and self._values == other._values and all(

@@ -165,8 +165,8 @@ def target_scene_of(project: Any) -> Optional[Scene]:
     parameters, target = project.parameters, project.latest("target")
     if target is None:
         return None
-    names = ("feasibility", "trial layout", "pin smoothing", "target smoothing", "division")
-    check, trial, for_pins, smoothed, division = (_current(project, name) for name in names)
+    names = ("feasibility", "pin smoothing", "target smoothing", "division")
+    check, for_pins, smoothed, division = (_current(project, name) for name in names)
     V = next((one.V for one in (check, for_pins, smoothed) if one is not None), target.V)
     edges = np.empty((0, 2), np.int32) if division is None else division.edges
     try:
@@ -176,7 +176,7 @@ def target_scene_of(project: Any) -> Optional[Scene]:
             raise
         shapes = _plates(V, target.F, check.contacts)  # it is to be seen why there are no tiles
     contacts = shapes["contacts"]
-    fields = check_fields(check, trial, parameters, contacts) if check is not None else []
+    fields = check_fields(check, parameters, contacts) if check is not None else []
     known = {one.name for one in fields}
     fields += [one for one in target_fields(V, target.F, edges, parameters, contacts, True)
                if one.name not in known]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of Check: which parts of the target can become tiles, the obstacles, and sizes that work."""
+"""The panel of Check: margins of the target's tiles, what is in their way, and sizes that work."""
 
 from __future__ import annotations
 
@@ -13,11 +13,10 @@ from ...base.sentences import ESTIMATE, MARGINS
 from ...features import actions, document, properties
 from ...features.actions import transaction
 from ...project.project import Results
+from ...project.size_choice import SizeChoice
 from ...project.worker import Status
 from ...report import check as words
 from ...stages import asked_by
-from ...stages.sizes import Recommendation
-from ...stages.trial_layout import FAILED, PASSED
 from .. import runs
 from ..macro import assign
 from ..notice import errors_shown, show_line, shown, words_of
@@ -48,10 +47,9 @@ class CheckPanel(Panel):
         form.margins.header().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
         form.obstacles.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         form.check.clicked.connect(lambda *_: self.check())
+        form.find.clicked.connect(lambda *_: self._find())
         form.use_length.clicked.connect(lambda *_: self._use("L"))
         form.use_thickness.clicked.connect(lambda *_: self._use("H_body"))
-        form.use_pin.clicked.connect(lambda *_: self._use("H_pin"))
-        form.use_mending.clicked.connect(lambda *_: self._set({"mend": "on"}))
         form.choose.clicked.connect(lambda *_: self._choose())
         form.margins.itemSelectionChanged.connect(lambda: self._show_margin())
         form.obstacles.itemSelectionChanged.connect(lambda: self._go())
@@ -76,6 +74,11 @@ class CheckPanel(Panel):
         with errors_shown(translate("CurveUps_Check", "Check")):
             runs.start("check", self.design)
 
+    def _find(self) -> None:
+        self._say("")
+        with errors_shown(translate("CurveUps_Check", "Find Sizes")):
+            runs.start("find_sizes", self.design)
+
     def show(self) -> None:
         """The overlay has changed, which it does with every change of the design."""
         scene, note = self._overlay.scene, self._overlay.note
@@ -92,12 +95,14 @@ class CheckPanel(Panel):
             project = document.project_of(self.design)
         except CurveUpsError:
             return False
-        return all(project.out_of_date(name) == () for name in asked_by("check"))
+        return project.out_of_date("feasibility") == ()
 
     def _fill(self) -> None:
         form, current = self.form, self._is_current()
         if current:
-            self._found = document.project_of(self.design).run(asked_by("check"))  # nothing is made anew
+            project = document.project_of(self.design)
+            goals = asked_by("check", *(("sizes",) if project.out_of_date("sizes") == () else ()))
+            self._found = project.run(goals)  # nothing is made anew
         found = self._found
         for part in (form.sizes, form.margins, form.obstacles, form.note):
             part.setVisible(found is not None)
@@ -106,7 +111,7 @@ class CheckPanel(Panel):
         if found is None:
             form.verdict.setText("")
             return
-        head = translate("CurveUps_Check", "Feasible") if found["trial layout"].feasible else translate(
+        head = translate("CurveUps_Check", "Feasible") if found["feasibility"].feasible else translate(
             "CurveUps_Check", "Not feasible")
         if not current:
             head = translate("CurveUps_Check", "Out of date: check again")
@@ -117,13 +122,14 @@ class CheckPanel(Panel):
         self._fill_obstacles(found)
 
     def _fill_sizes(self, found: Results) -> None:
-        form, get = self.form, found.parameters.get
-        form.advice.setText("\n".join(shown(one, False) for one in words.advice(found)))
-        form.use_mending.setVisible(found["sizes"].mending is not None)
-        for name, button in (("L", form.use_length), ("H_body", form.use_thickness),
-                             ("H_pin", form.use_pin)):
+        form, known = self.form, "sizes" in found
+        form.find.setVisible(not known)
+        form.advice.setVisible(known)
+        form.advice.setText("\n".join(shown(one, False) for one in words.advice(found))
+                            if known else "")
+        for name, button in (("L", form.use_length), ("H_body", form.use_thickness)):
             sizes = sizes_to_use(name, found)
-            button.setVisible(any(not properties.same(value, get(name)) for name, value in sizes.items()))
+            button.setVisible(bool(sizes))
             button.setText(translate("CurveUps_Check", "Use {sizes}", sizes=_words_of_sizes(sizes)))
 
     def _fill_margins(self, found: Results) -> None:
@@ -140,7 +146,7 @@ class CheckPanel(Panel):
         self.form.note.setText(words_of(ESTIMATE))
 
     def _fill_obstacles(self, found: Results) -> None:
-        form, blocked = self.form, found["trial layout"].blocked
+        form, blocked = self.form, found["feasibility"].blocked
         form.obstacles.clear()
         for one in blocked[:_MOST]:
             why = shown(one.why, False)
@@ -215,43 +221,26 @@ _HEAD = (QT_TRANSLATE_NOOP("CurveUps_Check", "Worst"),
 
 
 def choose_sizes(design: Any, names: tuple[str, ...], told: Any = None) -> None:
-    """Starts the search for the largest sizes that can be made; what is found is set, one step of undo, and
-    `told` is called then."""
+    """Starts solving for sizes, the largest first; the first of which a design is valid are set, one step of
+    undo, and `told` is called then."""
     title = translate("CurveUps_Check", "Choose Sizes")
 
-    def finish(obj: Any, found: Any) -> None:
+    def finish(obj: Any, found: SizeChoice) -> None:
         runs.finish("choose_sizes", obj, found, repr(names))
         obj.Document.recompute()
-        values = _words_of_sizes(found.values)
-        why = "; ".join(shown(one, False) for one in found.beyond)
-        show_line(_line_of(found.trial, values, why))
+        show_line("; ".join(shown(one, False) for one in found.findings()))
 
     with errors_shown(title):
         LIVE.start(design, Task(title, actions.sizes_work(design, names), finish, told=told))
 
 
-def _line_of(trial: str, values: str, why: str) -> str:
-    """On sizes that are chosen, and what came of a trial layout with them, as sizes.Chosen has it."""
-    if why:
-        return translate("CurveUps_Check", "{values}: tiles can be made, but the design is not valid, and no "
-                         "smaller sizes were found with which it is: {why}", values=values, why=why)
-    if trial == FAILED:
-        return translate("CurveUps_Check", "{values}: the largest by estimates. A trial layout with these "
-                         "sizes failed, and no smaller sizes were found that pass one.", values=values)
-    if trial == PASSED:
-        return translate("CurveUps_Check", "The largest that works: {values}", values=values)
-    return translate("CurveUps_Check", "The largest that works by estimates: {values}", values=values)
-
-
 def sizes_to_use(name: str, found: Results) -> dict[str, float]:
-    """What the button of L, H_body or H_pin offers where the sizes that are set do not do. Where H_body and
-    H_pin do together, the button of H_body offers both."""
-    sizes: Recommendation = found["sizes"]
-    if sizes.as_set:
+    """What the button of L or H_body offers where something is in the way of the sizes that are set: the
+    limit that is nearest."""
+    if "sizes" not in found or found["feasibility"].feasible:
         return {}
-    if sizes.together and name != "L":
-        return dict(zip(("H_body", "H_pin"), sizes.together)) if name == "H_body" else {}
-    value = {"L": sizes.L and sizes.L[0], "H_body": sizes.H_body, "H_pin": sizes.H_pin}[name]
+    sizes = found["sizes"]
+    value = sizes.H_body if name == "H_body" else sizes.L and sizes.L[0]
     return {} if value is None else {name: value}
 
 

@@ -17,11 +17,11 @@ from ...base.findings import first_of_each_kind
 from ...features import properties
 from ...features.live import stored, warnings_of
 from ...features.status import CURRENT, INVALID, OUT_OF_DATE
+from ...project.size_choice import AUTOMATIC
 from ...project.verdict import HOLDS
 from ...project.worker import Status
 from ...stages import label_of
 from ...stages.settle import Range
-from ...stages.sizes import AUTOMATIC
 from .. import runs
 from ..macro import call, named
 from ..notice import errors_shown, shown
@@ -175,12 +175,12 @@ class SolvePanel(Panel):
         self.show()
 
     def _automatic(self, name: str) -> Any:
-        """The button beside a size that looks for the largest that can be made."""
+        """The button beside a size that looks for the largest of which a design is valid."""
         button = QtWidgets.QToolButton()
         button.setObjectName(f"auto_{name}")
         button.setText(translate("CurveUpsSolve", "Auto"))
-        button.setToolTip(translate("CurveUpsSolve", "Look for the largest value with which all tiles can "
-                                                     "be made. A length also keeps the tiles within "
+        button.setToolTip(translate("CurveUpsSolve", "Solve with a few values, the largest first, until a "
+                                                     "design is valid. A length also keeps the tiles within "
                                                      "MaximumDeviation of the surface"))
         button.clicked.connect(lambda *_: self._choose(name))
         return button

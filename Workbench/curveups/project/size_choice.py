@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Chooses sizes of tiles by solving: the largest first, until a design is valid."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any, Callable, Collection, Mapping, Optional
+
+from ..base.errors import CurveUpsError, Stopped
+from ..base.findings import Finding, failed
+from ..base.parameters import with_values
+from ..stages.sizes import LEAST_TILES, can_remesh, length_of, rounded, unhindered, value_range
+from ..stages.stage import Job
+from .project import Project
+
+AUTOMATIC = ("L", "H_body")  # parameters that may be "auto"
+MOST_TILES = 5000  # a length is chosen as long as there are no more
+MOST_TRIED = 6     # lengths, and thicknesses
+SHORTER = 0.85     # the next length
+# Thicknesses in parts of L; the paper has 3/7.
+THICKNESSES = (6 / 14, 5 / 14, 4 / 14, 3 / 14, 2 / 14, 1 / 14)
+GOALS = ("clearances", "verification", "pieces")
+
+
+@dataclass(frozen=True)
+class Tried:
+    """Values of parameters, mm, and why they do not work; no reason: the design is valid, or lies flat where
+    verification is off."""
+
+    values: Mapping[str, float]
+    why: tuple[Finding, ...] = ()
+
+    @property
+    def finding(self) -> Finding:
+        sizes = tuple(Finding.about("size", name=name, value=value) for name, value in self.values.items())
+        if self.why:
+            return Finding.about("tried.not_valid", sizes=sizes, why=self.why)
+        return Finding.about("tried.valid", sizes=sizes)
+
+
+@dataclass(frozen=True)
+class SizeChoice:
+    """project: with the values that are chosen and the results of trying them. tried: in order; the last ones
+    are chosen where their design is valid, else the first of which a design was made."""
+
+    project: Project
+    values: Mapping[str, float]
+    valid: bool
+    tried: tuple[Tried, ...] = ()
+
+    def findings(self) -> list[Finding]:
+        """What was tried, and whether none of it is valid."""
+        return [*(one.finding for one in self.tried), *(() if self.valid else (Finding("tried.none"),))]
+
+
+def choose(project: Project, names: Collection[str], job: Job) -> SizeChoice:
+    """The first of a short list of values, of those of AUTOMATIC that are named, whose design is valid:
+    lengths at which tiles stay within `maximum_deviation` of the surface, from the largest on, and
+    THICKNESSES. With both, the thicknesses of the first length at which thin tiles can be made. Designs are
+    made only where margins leave nothing in the way. Raises CurveUpsError where there is no such size, and
+    Stopped."""
+    found = project.run(("target",), job)
+    target = found["target"]
+    search = _Search(project, job)
+    if "L" not in names:
+        search.thickness(found.parameters.get("L"), {})
+    elif not can_remesh(target, project.latest("cut request")):
+        raise CurveUpsError("L can't be auto where the mesh is given", project.where,
+                            "give cuts as polylines, or L as a number")
+    elif "H_body" not in names:
+        search.length(target, lambda L: search.solve({"L": L}))
+    else:
+        L = search.length(target, lambda L: search.clear({"L": L, "H_body": rounded(THICKNESSES[-2] * L)})
+                          is not None)
+        if L is not None:
+            search.thickness(L, {"L": L})
+    if search.chosen is None:
+        tried = "; ".join(str(one.finding) for one in search.tried)
+        raise CurveUpsError(f"no size was found that works: {tried}", project.where,
+                            "raise maximum_deviation, or see 'curveups check'")
+    return replace(search.chosen, tried=tuple(search.tried))
+
+
+class _Search:
+    def __init__(self, project: Project, job: Job):
+        self._project, self._job = project, job
+        self.tried: list[Tried] = []
+        self.chosen: Optional[SizeChoice] = None  # valid, or the first of which a design was made
+
+    def thickness(self, L: float, values: Mapping[str, float]) -> None:
+        """Solves for the thicknesses of this length until a design is valid; values: of other parameters."""
+        least, most = value_range("H_body")
+        for part in THICKNESSES:
+            H_body = rounded(part * L)
+            if least <= H_body <= most and self.solve({**values, "H_body": H_body}):
+                return
+
+    def length(self, target: Any, works: Callable[[float], bool]) -> Optional[float]:
+        """The first length, from the largest on, that keeps tiles near the surface and works."""
+        most_far = self._project.parameters.get("maximum_deviation")
+        least, most = value_range("L")
+        L = min(most, length_of(LEAST_TILES, target))
+        if target.chord_error > 0:  # it grows with the square of the length
+            L = min(L, self._project.parameters.get("L") * math.sqrt(most_far / target.chord_error))
+        least = max(least, length_of(MOST_TILES, target))
+        for _ in range(MOST_TRIED):
+            L = rounded(max(L, least))
+            error = self._chord_error(L)
+            if error > most_far:
+                self.tried.append(Tried({"L": L}, (Finding.about("tried.far", distance=error),)))
+                L *= max(0.5, min(SHORTER, math.sqrt(most_far / error)))
+            elif works(L):
+                return L
+            else:
+                L *= SHORTER
+        return None
+
+    def _chord_error(self, L: float) -> float:
+        """Largest distance of the surface from its tiles, mm; infinite where it can't be remeshed."""
+        try:
+            return float(self._with({"L": L}).run(("target",), self._job)["target"].chord_error)
+        except CurveUpsError:
+            return math.inf
+
+    def _with(self, values: Mapping[str, float]) -> Project:
+        named = ", ".join(f"{name} = {value:g} mm" for name, value in values.items())
+        self._job.go_on(f"trying {named}")
+        twin = self._project.copy()
+        twin.parameters = with_values(twin.parameters, values)
+        return twin
+
+    def clear(self, values: Mapping[str, float]) -> Optional[Project]:
+        """A project with these values where margins leave nothing in the way; what is, is noted."""
+        try:
+            twin = self._with(values)
+            found = twin.run(("feasibility",), self._job)["feasibility"]
+        except CurveUpsError as error:
+            self.tried.append(Tried(values, (failed("tried.error", error),)))
+            return None
+        if unhindered(found):
+            return twin
+        tiles = {one.tile for one in found.blocked}
+        self.tried.append(Tried(values, (Finding.about("tried.blocked", tiles, count=len(tiles),
+                                                       of=len(found.F)),)))
+        return None
+
+    def solve(self, values: Mapping[str, float]) -> bool:
+        """Makes and verifies a design with these values; whether it is valid, or not refuted where
+        verification is off."""
+        twin = self.clear(values)
+        if twin is None:
+            return False
+        try:
+            results = twin.run(GOALS, Job(self._job))  # nobody watches its iterates
+        except CurveUpsError as error:
+            self.tried.append(Tried(values, (failed("tried.error", error),)))
+            return False
+        if results.stopped:
+            raise Stopped
+        valid, why = results.verdict.valid is not False, results.verdict.reasons[:1]
+        self.tried.append(Tried(values, () if valid else why))
+        if valid or self.chosen is None:
+            self.chosen = SizeChoice(twin, values, valid)
+        return valid
