@@ -454,40 +454,36 @@
       <translation>Jetzt aufhören und den Entwurf unverändert lassen</translation>
     </message>
     <message>
-      <source>Find out which parts of the target can become tiles, and which sizes work</source>
-      <translation>Herausfinden, welche Teile der Zielfläche Kacheln werden können und welche Größen gehen</translation>
+      <source>Find Sizes</source>
+      <translation>Größen suchen</translation>
     </message>
     <message>
-      <source>Find the length and thickness of the largest tiles that can be made and stay within MaximumDeviation of the surface</source>
-      <translation>Länge und Dicke der größten Kacheln suchen, die sich machen lassen und innerhalb von MaximumDeviation an der Fläche bleiben</translation>
+      <source>Find limits of length and thickness by estimates of the margins</source>
+      <translation>Grenzen von Länge und Dicke mit Schätzungen der Spielräume suchen</translation>
     </message>
     <message>
-      <source>Mend the Target</source>
-      <translation>Zielfläche ausbessern</translation>
+      <source>Find out which parts of the target can become tiles</source>
+      <translation>Herausfinden, welche Teile der Zielfläche Kacheln werden können</translation>
     </message>
     <message>
       <source>Read why tiles can't be made or are likely to fail. Click an entry to go there</source>
       <translation>Lesen, warum sich Kacheln nicht machen lassen oder wohl nicht halten. Ein Klick auf einen Eintrag führt hin</translation>
     </message>
     <message>
-      <source>Set mend to on, which moves vertices of the target until the present sizes work, and check again (one step of undo)</source>
-      <translation>mend auf on setzen und die Machbarkeit neu ermitteln: das verschiebt Ecken der Zielfläche, bis die eingestellten Größen gehen (ein Schritt beim Rückgängigmachen)</translation>
-    </message>
-    <message>
-      <source>Set the height of the pins and check again (one step of undo)</source>
-      <translation>Die Höhe der Zapfen setzen und die Machbarkeit neu ermitteln (ein Schritt beim Rückgängigmachen)</translation>
-    </message>
-    <message>
       <source>Set the length of the tiles and check again (one step of undo)</source>
       <translation>Die Länge der Kacheln setzen und die Machbarkeit neu ermitteln (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
-      <source>Set the thickness of the tiles, with the height of the pins where both are named, and check again (one step of undo)</source>
-      <translation>Die Dicke der Kacheln setzen, mit der Höhe der Pins, wo beide genannt sind, und die Machbarkeit neu ermitteln (ein Schritt beim Rückgängigmachen)</translation>
+      <source>Set the thickness of the tiles and check again (one step of undo)</source>
+      <translation>Die Dicke der Kacheln setzen und die Machbarkeit neu ermitteln (ein Schritt beim Rückgängigmachen)</translation>
     </message>
     <message>
       <source>Sizes that work</source>
       <translation>Größen, die gehen</translation>
+    </message>
+    <message>
+      <source>Solve with a few lengths and thicknesses, the largest first, until a design is valid and its tiles stay within MaximumDeviation of the surface</source>
+      <translation>Mit wenigen Längen und Dicken lösen, die größten zuerst, bis ein Entwurf gültig ist und seine Kacheln innerhalb von MaximumDeviation an der Fläche bleiben</translation>
     </message>
   </context>
   <context>
@@ -758,10 +754,6 @@
       <translation>Abwicklung</translation>
     </message>
     <message>
-      <source>Look for the largest value with which all tiles can be made. A length also keeps the tiles within MaximumDeviation of the surface</source>
-      <translation>Den größten Wert suchen, mit dem sich alle Kacheln machen lassen. Eine Länge hält die Kacheln auch innerhalb von MaximumDeviation an der Fläche</translation>
-    </message>
-    <message>
       <source>Material of tiles</source>
       <translation>Material der Kacheln</translation>
     </message>
@@ -772,10 +764,6 @@
     <message>
       <source>Mending</source>
       <translation>Ausbessern</translation>
-    </message>
-    <message>
-      <source>Other sizes</source>
-      <translation>Andere Maße</translation>
     </message>
     <message>
       <source>Parameters</source>
@@ -814,8 +802,16 @@
       <translation>Hälfte versetzt</translation>
     </message>
     <message>
+      <source>Sizes</source>
+      <translation>Größen</translation>
+    </message>
+    <message>
       <source>Solids</source>
       <translation>Volumenkörper</translation>
+    </message>
+    <message>
+      <source>Solve with a few values, the largest first, until a design is valid. A length also keeps the tiles within MaximumDeviation of the surface</source>
+      <translation>Mit wenigen Werten lösen, die größten zuerst, bis ein Entwurf gültig ist. Eine Länge hält die Kacheln auch innerhalb von MaximumDeviation an der Fläche</translation>
     </message>
     <message>
       <source>Standard</source>
@@ -852,10 +848,6 @@
     <message>
       <source>Tiles</source>
       <translation>Kacheln</translation>
-    </message>
-    <message>
-      <source>Trial layout</source>
-      <translation>Probelayout</translation>
     </message>
     <message>
       <source>Turn of a half</source>
@@ -1051,8 +1043,12 @@
       <translation>Machbar</translation>
     </message>
     <message>
-      <source>Find out which parts of the target can become tiles, and which sizes work, before you solve</source>
-      <translation>Vor dem Lösen herausfinden, welche Teile der Zielfläche Kacheln werden können und welche Größen gehen</translation>
+      <source>Find Sizes</source>
+      <translation>Größen suchen</translation>
+    </message>
+    <message>
+      <source>Find out which parts of the target can become tiles, before you solve</source>
+      <translation>Vor dem Lösen herausfinden, welche Teile der Zielfläche Kacheln werden können</translation>
     </message>
     <message>
       <source>Needed</source>
@@ -1069,14 +1065,6 @@
     <message>
       <source>Out of date: check again</source>
       <translation>Veraltet: bitte erneut ermitteln</translation>
-    </message>
-    <message>
-      <source>The largest that works by estimates: {values}</source>
-      <translation>Die größten nach Schätzungen: {values}</translation>
-    </message>
-    <message>
-      <source>The largest that works: {values}</source>
-      <translation>Der größte Wert, der geht: {values}</translation>
     </message>
     <message>
       <source>Tile</source>
@@ -1097,14 +1085,6 @@
     <message>
       <source>and {count} more</source>
       <translation>und {count} weitere</translation>
-    </message>
-    <message>
-      <source>{values}: the largest by estimates. A trial layout with these sizes failed, and no smaller sizes were found that pass one.</source>
-      <translation>{values}: die größten nach Schätzungen. Ein Probelayout mit diesen Größen ist gescheitert, und keine kleineren wurden gefunden, mit denen eines gelingt.</translation>
-    </message>
-    <message>
-      <source>{values}: tiles can be made, but the design is not valid, and no smaller sizes were found with which it is: {why}</source>
-      <translation>{values}: Kacheln sind möglich, aber der Entwurf ist nicht gültig, und es fanden sich keine kleineren Maße, mit denen er es ist: {why}</translation>
     </message>
   </context>
   <context>
@@ -1397,16 +1377,16 @@
       <translation>FreeCADs Python wurde nicht gefunden</translation>
     </message>
     <message>
-      <source>H_body=auto and L=auto try them with mending, too</source>
-      <translation>H_body=auto und L=auto probieren sie auch mit Ausbessern</translation>
-    </message>
-    <message>
-      <source>H_body={H_body:g} with H_pin={H_pin:g}</source>
-      <translation>H_body={H_body:g} mit H_pin={H_pin:g}</translation>
+      <source>H_body can be up to {H_body:g mm} (at L {L:.4g mm})</source>
+      <translation>H_body kann bis zu {H_body:g mm} sein (bei L {L:.4g mm})</translation>
     </message>
     <message>
       <source>L and the edge of holes must be lengths</source>
       <translation>L und die Kante der Löcher müssen Längen sein</translation>
+    </message>
+    <message>
+      <source>L can be {low:g mm} to {high:g mm} (at H_body {H_body:g mm})</source>
+      <translation>L kann {low:g mm} bis {high:g mm} sein (bei H_body {H_body:g mm})</translation>
     </message>
     <message>
       <source>L can't be auto where the mesh is given</source>
@@ -1589,18 +1569,6 @@
       <translation>eine Toleranz von {0} mm ist außerhalb des Bereichs</translation>
     </message>
     <message>
-      <source>a trial layout cleared the doubts of estimates: membranes pass over all tiles</source>
-      <translation>ein Probelayout hat die Zweifel der Schätzungen ausgeräumt: Die Membranen gehen über alle Kacheln hinweg</translation>
-    </message>
-    <message>
-      <source>a trial layout, made and repaired where estimates were in doubt, ends with this</source>
-      <translation>ein Probelayout, gemacht und repariert, wo Schätzungen unsicher waren, endet damit</translation>
-    </message>
-    <message>
-      <source>a trial layout, made where estimates were in doubt, was not repaired after {steps} steps: the estimates stand</source>
-      <translation>ein Probelayout, gemacht, wo Schätzungen unsicher waren, war nach {steps} Schritten nicht repariert: Es gelten die Schätzungen</translation>
-    </message>
-    <message>
       <source>a vertex does not have three numbers</source>
       <translation>ein Punkt hat nicht drei Zahlen</translation>
     </message>
@@ -1625,8 +1593,8 @@
       <translation>alle Ecken der Fläche liegen in einem Punkt</translation>
     </message>
     <message>
-      <source>allow three or more</source>
-      <translation>drei oder mehr zulassen</translation>
+      <source>all tiles can be made</source>
+      <translation>Alle Kacheln lassen sich herstellen</translation>
     </message>
     <message>
       <source>an export does not verify</source>
@@ -1639,10 +1607,6 @@
     <message>
       <source>an outline of no shapes</source>
       <translation>ein Umriss ohne Formen</translation>
-    </message>
-    <message>
-      <source>anchors of radius {0} mm overlap at a spacing of {1} mm</source>
-      <translation>Anker mit Radius {0} mm überlappen bei einem Abstand von {1} mm</translation>
     </message>
     <message>
       <source>another tau, or a smoother target near the tiles named, changes the membranes' pull there</source>
@@ -1681,12 +1645,8 @@
       <translation>Körper</translation>
     </message>
     <message>
-      <source>bridge_notch ({0} mm) cuts a bridge of {1} mm through</source>
-      <translation>bridge_notch ({0} mm) schneidet eine Brücke von {1} mm durch</translation>
-    </message>
-    <message>
-      <source>bridges enter tiles by {0} mm (bridge_depth): into joint holes, behind {1} mm of wall (p_floor)</source>
-      <translation>Brücken reichen {0} mm in Kacheln hinein (bridge_depth): in Nählöcher hinter {1} mm Wand (p_floor)</translation>
+      <source>bridges enter tiles by {0} mm: into joint holes, behind {1} mm of wall (p_floor)</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>bring tiles that lie far away back to the others</source>
@@ -1719,14 +1679,6 @@
     <message>
       <source>bump_height ({0} mm) does not fit into the flat gap of d_gap_min ({1} mm)</source>
       <translation>bump_height ({0} mm) passt nicht in den flachen Spalt von d_gap_min ({1} mm)</translation>
-    </message>
-    <message>
-      <source>bump_height ({0} mm) is more than half of bump_diameter ({1} mm)</source>
-      <translation>bump_height ({0} mm) ist mehr als die Hälfte von bump_diameter ({1} mm)</translation>
-    </message>
-    <message>
-      <source>bump_rows ({0}) is more than bump_count ({1})</source>
-      <translation>bump_rows ({0}) ist mehr als bump_count ({1})</translation>
     </message>
     <message>
       <source>bumps are {height:g mm} high, less than the {least:g mm} that a {printer} resolves</source>
@@ -1775,10 +1727,6 @@
     <message>
       <source>check its name and permissions</source>
       <translation>Name und Rechte überprüfen</translation>
-    </message>
-    <message>
-      <source>check its unit (scale, fit)</source>
-      <translation>die Einheit überprüfen (scale, fit)</translation>
     </message>
     <message>
       <source>check that the disk has room</source>
@@ -1877,16 +1825,16 @@
       <translation>Abstand der Membran vorn, mm</translation>
     </message>
     <message>
-      <source>coarsening the scan</source>
-      <translation>Scan vergröbern</translation>
-    </message>
-    <message>
       <source>compute the layout again with these parameters, or lower H_body</source>
       <translation>die Abwicklung mit diesen Parametern neu berechnen oder H_body verringern</translation>
     </message>
     <message>
-      <source>compute the layout with joint=holes, so that pins make room</source>
-      <translation>die Abwicklung mit joint=holes berechnen, damit Zapfen Platz machen</translation>
+      <source>compute the layout again, lower A_pin_floor or H_body, raise L, or set joint to none</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>compute the layout again, or set support to breakaway</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>contact {contact} has {share:.2f} of f_min: {why}</source>
@@ -2007,10 +1955,6 @@
     <message>
       <source>edges is no list of pairs of vertex numbers</source>
       <translation>edges ist keine Liste von Paaren von Punktnummern</translation>
-    </message>
-    <message>
-      <source>engrave_depth ({0} mm) pierces the label</source>
-      <translation>engrave_depth ({0} mm) durchstößt das Schild</translation>
     </message>
     <message>
       <source>estimating hours and price</source>
@@ -2289,14 +2233,6 @@
       <translation>seinen Umriss angeben</translation>
     </message>
     <message>
-      <source>give less than its thickness, {0} mm</source>
-      <translation>weniger als seine Dicke angeben, {0} mm</translation>
-    </message>
-    <message>
-      <source>give less than the whole height, {0} mm</source>
-      <translation>weniger als die ganze Höhe angeben, {0} mm</translation>
-    </message>
-    <message>
       <source>give mend_max in mm</source>
       <translation>mend_max in mm angeben</translation>
     </message>
@@ -2561,10 +2497,6 @@
       <translation>--from weglassen</translation>
     </message>
     <message>
-      <source>leave fit at 0</source>
-      <translation>fit auf 0 lassen</translation>
-    </message>
-    <message>
       <source>leave out the cut there, or cut elsewhere</source>
       <translation>den Schnitt dort weglassen oder anderswo schneiden</translation>
     </message>
@@ -2597,10 +2529,6 @@
       <translation>lib3mf hat kein Archiv geschrieben</translation>
     </message>
     <message>
-      <source>libpng could not draw a thumbnail ({0})</source>
-      <translation>libpng konnte kein Vorschaubild zeichnen ({0})</translation>
-    </message>
-    <message>
       <source>list them with 'curveups parameters'</source>
       <translation>„curveups parameters“ führt sie auf</translation>
     </message>
@@ -2617,6 +2545,10 @@
       <translation>Griffe werden gesucht</translation>
     </message>
     <message>
+      <source>lower A_pin_floor or H_body, raise L, or set joint to none</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>lower A_pin_floor or raise A_pin_min</source>
       <translation>A_pin_floor verringern oder A_pin_min erhöhen</translation>
     </message>
@@ -2625,60 +2557,36 @@
       <translation>H_body oder bump_height verringern oder die Falten dort abflachen</translation>
     </message>
     <message>
-      <source>lower H_body or p_min, raise L, or smooth the target there</source>
-      <translation>H_body oder p_min verringern, L erhöhen oder die Zielfläche dort glätten</translation>
+      <source>lower H_body or p_min, raise L, or smooth the target there (mend=on)</source>
+      <translation>H_body oder p_min verringern, L erhöhen oder die Zielfläche dort glätten (mend=on)</translation>
     </message>
     <message>
-      <source>lower H_body or smooth the target there</source>
-      <translation>H_body verringern oder die Zielfläche dort glätten</translation>
+      <source>lower H_body or smooth the target there (mend=on)</source>
+      <translation>H_body verringern oder die Zielfläche dort glätten (mend=on)</translation>
     </message>
     <message>
       <source>lower H_body, or keep parts of the target farther from one another</source>
       <translation>H_body verringern oder Teile der Zielfläche weiter von einander entfernen</translation>
     </message>
     <message>
-      <source>lower H_body, p_min or A_pin_min, raise L or smooth the target there</source>
-      <translation>H_body, p_min oder A_pin_min verringern, L erhöhen oder die Zielfläche dort glätten</translation>
+      <source>lower H_body, p_min or A_pin_min, raise L or smooth the target there (mend=on)</source>
+      <translation>H_body, p_min oder A_pin_min verringern, L erhöhen oder die Zielfläche dort glätten (mend=on)</translation>
     </message>
     <message>
-      <source>lower H_body, raise L or smooth the target there</source>
-      <translation>H_body verringern, L erhöhen oder die Zielfläche dort glätten</translation>
-    </message>
-    <message>
-      <source>lower H_body, raise L, or set joint to none</source>
-      <translation>H_body verringern, L erhöhen oder joint auf none setzen</translation>
+      <source>lower H_body, raise L or smooth the target there (mend=on)</source>
+      <translation>H_body verringern, L erhöhen oder die Zielfläche dort glätten (mend=on)</translation>
     </message>
     <message>
       <source>lower L, or give edges that tiles must meet a crease_angle</source>
       <translation>L verringern, oder mit crease_angle die Kanten halten, denen Kacheln folgen müssen</translation>
     </message>
     <message>
-      <source>lower anchor_radius, anchor_distance or support_margin, or compute the layout again with these</source>
-      <translation>anchor_radius, anchor_distance oder support_margin verringern oder die Abwicklung damit neu berechnen</translation>
-    </message>
-    <message>
-      <source>lower bridge_depth or raise p_floor</source>
-      <translation>bridge_depth verringern oder p_floor erhöhen</translation>
-    </message>
-    <message>
-      <source>lower bridge_notch or raise bridge_thickness</source>
-      <translation>bridge_notch verringern oder bridge_thickness erhöhen</translation>
-    </message>
-    <message>
-      <source>lower bump_height or raise bump_diameter</source>
-      <translation>bump_height verringern oder bump_diameter erhöhen</translation>
+      <source>lower anchor_radius, or compute the layout again</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>lower bump_height or raise d_gap_min</source>
       <translation>bump_height verringern oder d_gap_min erhöhen</translation>
-    </message>
-    <message>
-      <source>lower bump_rows or raise bump_count</source>
-      <translation>bump_rows verringern oder bump_count erhöhen</translation>
-    </message>
-    <message>
-      <source>lower joint_hole to {hole:.3g} or H_body, raise L, or set joint to none</source>
-      <translation>joint_hole auf {hole:.3g} oder H_body verringern, L erhöhen oder joint auf none setzen</translation>
     </message>
     <message>
       <source>lower p_min or raise p_max</source>
@@ -2717,10 +2625,6 @@
       <translation>Membran</translation>
     </message>
     <message>
-      <source>membranes stretched to tau = {value:g} instead of {set:g} would be taut at all weak contacts</source>
-      <translation>Membranen, die auf tau = {value:g} statt {set:g} gedehnt werden, wären an allen schwachen Kontakten straff</translation>
-    </message>
-    <message>
       <source>mend that, or insist on the files</source>
       <translation>das beheben oder auf den Dateien bestehen</translation>
     </message>
@@ -2735,14 +2639,6 @@
     <message>
       <source>mend this measurement</source>
       <translation>diese Messung berichtigen</translation>
-    </message>
-    <message>
-      <source>mend=on</source>
-      <translation>mend=on</translation>
-    </message>
-    <message>
-      <source>mend=on does by estimates, and moves vertices by up to {moved:.2g mm}</source>
-      <translation>nach Schätzungen genügt mend=on, das Ecken um bis zu {moved:.2g mm} verschiebt</translation>
     </message>
     <message>
       <source>mending left {at:6} with too little room for pins or under membranes</source>
@@ -2825,8 +2721,12 @@
       <translation>benachbarte Dreiecke sind an {0} Kanten verschieden ausgerichtet (oder die Fläche hat nur eine Seite)</translation>
     </message>
     <message>
-      <source>no L does that keeps tiles within {0} mm of the surface</source>
-      <translation>kein L genügt, das die Kacheln innerhalb von {0} mm der Fläche hält</translation>
+      <source>no H_body was found at which all tiles can be made (at L {L:.4g mm})</source>
+      <translation>Kein H_body gefunden, mit dem sich alle Kacheln herstellen lassen (bei L {L:.4g mm})</translation>
+    </message>
+    <message>
+      <source>no L was found at which all tiles can be made (at H_body {H_body:g mm})</source>
+      <translation>Kein L gefunden, mit dem sich alle Kacheln herstellen lassen (bei H_body {H_body:g mm})</translation>
     </message>
     <message>
       <source>no back face: its folds are too sharp for tiles of this thickness</source>
@@ -2841,6 +2741,10 @@
       <translation>kein Schnitt fand sich, der sich lohnt</translation>
     </message>
     <message>
+      <source>no design with the sizes that were tried is valid</source>
+      <translation>Kein Entwurf mit den versuchten Größen ist gültig</translation>
+    </message>
+    <message>
       <source>no division into up to {0} pieces lies flat</source>
       <translation>keine Teilung in bis zu {0} Stücke liegt flach</translation>
     </message>
@@ -2853,10 +2757,6 @@
       <translation>keine Datei ist gewählt</translation>
     </message>
     <message>
-      <source>no other H_pin or H_body was found that does, of {tried} that were tried</source>
-      <translation>kein anderes H_pin oder H_body fand sich, das genügt, von {tried} ausprobierten</translation>
-    </message>
-    <message>
       <source>no path of edges joins points {0} and {1} of the polyline</source>
       <translation>kein Weg aus Kanten verbindet die Punkte {0} und {1} des Linienzugs</translation>
     </message>
@@ -2865,16 +2765,16 @@
       <translation>keine Druckdatei heißt .{0}</translation>
     </message>
     <message>
+      <source>no size was found that works: {0}</source>
+      <translation>Keine Größe gefunden, die geht: {0}</translation>
+    </message>
+    <message>
       <source>no small change of layout, pins or vertices lifts it</source>
       <translation>keine kleine Änderung von Abwicklung, Zapfen oder Ecken hebt ihn</translation>
     </message>
     <message>
       <source>no such target</source>
       <translation>diese Zielfläche gibt es nicht</translation>
-    </message>
-    <message>
-      <source>no thickness up to {0} mm does for L = {1} mm</source>
-      <translation>keine Dicke bis {0} mm genügt für L = {1} mm</translation>
     </message>
     <message>
       <source>no touches that were tried bring it home: of {tried}, with up to {force:g N} on every tile, the best leave it {shortfall:.3g mm} short of its shape and {open} of {count} contacts open</source>
@@ -2889,10 +2789,6 @@
       <translation>keine von {tried} probierten Änderungen gibt einen gültigen Entwurf, der seiner Form näher kommt</translation>
     </message>
     <message>
-      <source>none of {tried} other sizes that were tried does</source>
-      <translation>keine von {tried} anderen ausprobierten Größen genügt</translation>
-    </message>
-    <message>
       <source>notch of the bridge</source>
       <translation>Kerbe der Brücke</translation>
     </message>
@@ -2905,20 +2801,12 @@
       <translation>Nichts trägt das Stück von {tile}: es reicht nicht bis zum Boden, auf dem das tiefste Stück ruht</translation>
     </message>
     <message>
-      <source>nothing is in the way of any tile</source>
-      <translation>Keiner Kachel steht etwas im Weg</translation>
-    </message>
-    <message>
       <source>nothing is measured</source>
       <translation>nichts ist gemessen</translation>
     </message>
     <message>
       <source>nothing of the part has {0} {1} {2}</source>
       <translation>nichts am Teil hat {0} {1} {2}</translation>
-    </message>
-    <message>
-      <source>of {tried} other sizes that were tried, {sizes: or } does by estimates ('curveups check' makes trial layouts)</source>
-      <translation>von {tried} anderen ausprobierten Größen genügt nach Schätzungen {sizes: or } ('curveups check' macht Probelayouts)</translation>
     </message>
     <message>
       <source>on a membrane mesh of half the size: {reason}</source>
@@ -2959,10 +2847,6 @@
     <message>
       <source>p_min gives way on {count} edges of pins, where folds leave their pins no room: from {before:.3g mm} to {after:.3g mm} at the {side} of {tile}</source>
       <translation>p_min gibt an {count} Zapfenkanten nach, wo Falten ihren Zapfen keinen Platz lassen: von {before:.3g mm} auf {after:.3g mm} an {tile} ({side})</translation>
-    </message>
-    <message>
-      <source>pairs of tiles that run into one another</source>
-      <translation>Paare von Kacheln, die ineinander laufen</translation>
     </message>
     <message>
       <source>parameter {0} can't be a {1}</source>
@@ -3049,10 +2933,6 @@
       <translation>bitte melden Sie das</translation>
     </message>
     <message>
-      <source>polygons of {0} corners</source>
-      <translation>Polygone mit {0} Ecken</translation>
-    </message>
-    <message>
       <source>polyline {0} has a point {1} mm away from the target</source>
       <translation>Linienzug {0} hat einen Punkt, der {1} mm von der Zielfläche entfernt ist</translation>
     </message>
@@ -3089,24 +2969,12 @@
       <translation>{body} in die Namen setzen</translation>
     </message>
     <message>
-      <source>raise H_body or lower bridge_notch, or choose another support</source>
-      <translation>H_body erhöhen oder bridge_notch verringern, oder einen anderen Stützkörper wählen</translation>
-    </message>
-    <message>
-      <source>raise L or lower H_body</source>
-      <translation>L erhöhen oder H_body verringern</translation>
-    </message>
-    <message>
-      <source>raise anchor_spacing or lower anchor_radius</source>
-      <translation>anchor_spacing erhöhen oder anchor_radius verringern</translation>
+      <source>raise H_body, or choose another support</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>raise d_gap_min, or set support to breakaway</source>
       <translation>d_gap_min erhöhen oder support auf breakaway setzen</translation>
-    </message>
-    <message>
-      <source>raise dimple_clearance, or set bumps to none</source>
-      <translation>dimple_clearance erhöhen oder bumps auf none setzen</translation>
     </message>
     <message>
       <source>raise friction_coefficient, or choose bumps=dimples</source>
@@ -3117,20 +2985,16 @@
       <translation>maximum_deviation erhöhen, oder siehe „curveups check“</translation>
     </message>
     <message>
-      <source>raise mesh_deviation or set mesh_bumps to off</source>
-      <translation>mesh_deviation erhöhen oder mesh_bumps auf off setzen</translation>
+      <source>raise mesh_deviation</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>raise p_floor to {0} mm or more, or set joint to none</source>
       <translation>p_floor auf {0} mm oder mehr erhöhen oder joint auf none setzen</translation>
     </message>
     <message>
-      <source>raise support_drop</source>
-      <translation>support_drop erhöhen</translation>
-    </message>
-    <message>
-      <source>raise support_margin</source>
-      <translation>support_margin erhöhen</translation>
+      <source>raise p_floor, or set support to soluble</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>raise tau, or lower p_max so that pins pull more strongly</source>
@@ -3269,10 +3133,6 @@
       <translation>tools/setup erneut ausführen</translation>
     </message>
     <message>
-      <source>see 'curveups check'</source>
-      <translation>siehe „curveups check“</translation>
-    </message>
-    <message>
       <source>see '{0} --help'</source>
       <translation>siehe „{0} --help“</translation>
     </message>
@@ -3297,6 +3157,10 @@
       <translation>H_body={wall:.3g} setzen</translation>
     </message>
     <message>
+      <source>set bumps to none</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>set bumps to none, or raise bump_height</source>
       <translation>bumps auf none setzen oder bump_height erhöhen</translation>
     </message>
@@ -3307,10 +3171,6 @@
     <message>
       <source>set mend=on ({actions})</source>
       <translation>mend=on setzen ({actions})</translation>
-    </message>
-    <message>
-      <source>set mend_border=on, as some are at the border; or set mend_max above {most:g mm}, or another L or H_body</source>
-      <translation>mend_border=on setzen, da einige am Rand liegen; oder mend_max über {most:g mm} setzen, oder ein anderes L oder H_body</translation>
     </message>
     <message>
       <source>set mend_max above {most:g mm}, or another L or H_body</source>
@@ -3335,10 +3195,6 @@
     <message>
       <source>set support to breakaway</source>
       <translation>support auf breakaway setzen</translation>
-    </message>
-    <message>
-      <source>set {options: or }, so that pins can make room; or raise L or lower H_body</source>
-      <translation>{options: or } setzen, damit Zapfen Platz machen können; oder L erhöhen oder H_body verringern</translation>
     </message>
     <message>
       <source>settle</source>
@@ -3421,16 +3277,8 @@
       <translation>Dehnung / größte, die straff hält</translation>
     </message>
     <message>
-      <source>stroke of the engraving</source>
-      <translation>Strich der Gravur</translation>
-    </message>
-    <message>
       <source>suggested: {what_to_do}</source>
       <translation>Vorschlag: {what_to_do}</translation>
-    </message>
-    <message>
-      <source>support_drop ({0} mm) leaves no support</source>
-      <translation>support_drop ({0} mm) lässt keinen Stützkörper</translation>
     </message>
     <message>
       <source>take a stronger glue, raise A_pin_min or lower tau</source>
@@ -3503,10 +3351,6 @@
     <message>
       <source>the design is {state}: {reasons:; }</source>
       <translation>Der Entwurf ist {state}: {reasons:; }</translation>
-    </message>
-    <message>
-      <source>the design of that layout is not valid all the same: {reasons:; }</source>
-      <translation>der Entwurf dieser Abwicklung ist trotzdem nicht gültig: {reasons:; }</translation>
     </message>
     <message>
       <source>the design was not verified</source>
@@ -3639,14 +3483,6 @@
     <message>
       <source>the glue on the {side} pin of {tile} carries {shear:.3g MPa} of shear, more than glue_strength ({limit:.3g MPa}): raise A_pin_min or lower tau</source>
       <translation>Der Kleber auf dem Zapfen ({side}) von {tile} trägt {shear:.3g MPa} Schub, mehr als glue_strength ({limit:.3g MPa}): A_pin_min erhöhen oder tau verringern</translation>
-    </message>
-    <message>
-      <source>the label of piece {piece} has no room: not the whole name</source>
-      <translation>Die Beschriftung von Stück {piece} hat keinen Platz: nicht den ganzen Namen</translation>
-    </message>
-    <message>
-      <source>the label of piece {piece} says only '{said}': not the whole name</source>
-      <translation>Die Beschriftung von Stück {piece} sagt nur „{said}“: nicht den ganzen Namen</translation>
     </message>
     <message>
       <source>the layout breaks constraints that small steps can't restore</source>
@@ -3829,10 +3665,6 @@
       <translation>Die Form hält nicht: die Kontakte {contacts:8} öffnen sich, wenn die Kacheln sich setzen</translation>
     </message>
     <message>
-      <source>the slab is level with the {side} pins, which are glued first: glue takes it, too</source>
-      <translation>Die Platte liegt auf der Höhe der Zapfen ({side}), die zuerst geklebt werden: auch sie nimmt Kleber an</translation>
-    </message>
-    <message>
       <source>the slab's walls between tiles are as thin as {clearance:.3g mm}; a {printer} makes {least:g mm}</source>
       <translation>Die Wände der Platte zwischen Kacheln sind nur {clearance:.3g mm} dünn; ein {printer} macht {least:g mm}</translation>
     </message>
@@ -3877,10 +3709,6 @@
       <translation>Die Fläche hat keine Dreiecke</translation>
     </message>
     <message>
-      <source>the surface has no size that could be scaled</source>
-      <translation>die Fläche hat keine Größe, die sich skalieren ließe</translation>
-    </message>
-    <message>
       <source>the surface has no vertices, or some that are not finite</source>
       <translation>die Fläche hat keine Punkte, oder welche, die nicht endlich sind</translation>
     </message>
@@ -3909,10 +3737,6 @@
       <translation>die Fläche ist bei Dreieck {0} nicht mannigfaltig</translation>
     </message>
     <message>
-      <source>the surface is too large or too small for tiles</source>
-      <translation>die Fläche ist zu groß oder zu klein für Kacheln</translation>
-    </message>
-    <message>
       <source>the surface is {size:.4g mm} large, smaller than one tile of L = {L:.4g mm}</source>
       <translation>Die Fläche ist {size:.4g mm} groß, kleiner als eine Kachel von L = {L:.4g mm}</translation>
     </message>
@@ -3925,8 +3749,8 @@
       <translation>die Fläche bräuchte etwa {0} Kacheln mit L = {1} mm</translation>
     </message>
     <message>
-      <source>the surplus membrane pulls with {pull:.3g N} at an anchor, whose glue then carries {shear:.3g MPa} of shear, more than glue_strength ({limit:g MPa}): raise anchor_radius or lower anchor_spacing</source>
-      <translation>Die überstehende Membran zieht mit {pull:.3g N} an einem Anker, dessen Kleber dann {shear:.3g MPa} Schub trägt, mehr als glue_strength ({limit:g MPa}): anchor_radius erhöhen oder anchor_spacing verringern</translation>
+      <source>the surplus membrane pulls with {pull:.3g N} at an anchor, whose glue then carries {shear:.3g MPa} of shear, more than glue_strength ({limit:g MPa}): raise anchor_radius</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>the target is in {count} pieces, {asked} are asked for</source>
@@ -3947,6 +3771,10 @@
     <message>
       <source>the tiles are too thin for breakaway bridges</source>
       <translation>die Kacheln sind zu dünn für Brücken zum Wegbrechen</translation>
+    </message>
+    <message>
+      <source>the tiles are up to {distance:.2g mm} from the surface</source>
+      <translation>Die Kacheln sind bis zu {distance:.2g mm} von der Fläche entfernt</translation>
     </message>
     <message>
       <source>the tiles touch along their front edge only</source>
@@ -4065,12 +3893,12 @@
       <translation>der Speicher reicht nicht</translation>
     </message>
     <message>
-      <source>these are estimates: check what you choose of them</source>
-      <translation>das sind Schätzungen: Was davon gewählt wird, ist zu prüfen</translation>
-    </message>
-    <message>
       <source>these are no frames</source>
       <translation>das sind keine Bilder eines Wegs</translation>
+    </message>
+    <message>
+      <source>these limits are estimates: Solve tells whether a design is valid</source>
+      <translation>Diese Grenzen sind geschätzt: Lösen sagt, ob ein Entwurf gültig ist</translation>
     </message>
     <message>
       <source>thin it out</source>
@@ -4125,16 +3953,8 @@
       <translation>Kacheln haben {0} bis {1} mm: für eine andere Einheit scale setzen, oder neu vernetzen</translation>
     </message>
     <message>
-      <source>tiles of H_body = {value:g mm} instead of {set:g mm} give the pins named a quarter more than A_pin_min</source>
-      <translation>Kacheln mit H_body = {value:g mm} statt {set:g mm} geben den genannten Zapfen ein Viertel mehr als A_pin_min</translation>
-    </message>
-    <message>
-      <source>tiles of L = {value:g mm} instead of {set:.3g mm} do so too</source>
-      <translation>Kacheln mit L = {value:g mm} statt {set:.3g mm} tun das auch</translation>
-    </message>
-    <message>
-      <source>tiles of L = {value:g mm} instead of {set:.3g mm} give the pins named a quarter more than A_pin_min</source>
-      <translation>Kacheln mit L = {value:g mm} statt {set:.3g mm} geben den genannten Zapfen ein Viertel mehr als A_pin_min</translation>
+      <source>tiles of other parts that a tile runs into</source>
+      <translation>Kacheln anderer Teile, in die eine Kachel läuft</translation>
     </message>
     <message>
       <source>tiles reach out level by up to {reach:.2g mm} beyond the pin they stand on, {H_pin:g mm} above the bed; a {printer} prints {most:g mm} without supports</source>
@@ -4147,6 +3967,14 @@
     <message>
       <source>too small for three bumps</source>
       <translation>zu klein für drei Noppen</translation>
+    </message>
+    <message>
+      <source>tried {sizes:, }: not valid, {why:; }</source>
+      <translation>Versucht {sizes:, }: nicht gültig, {why:; }</translation>
+    </message>
+    <message>
+      <source>tried {sizes:, }: valid</source>
+      <translation>Versucht {sizes:, }: gültig</translation>
     </message>
     <message>
       <source>trying {0}</source>
@@ -4269,64 +4097,12 @@
       <translation>Ob die Form hält, ist nicht bekannt: {error}</translation>
     </message>
     <message>
-      <source>with H_body = {H_body:g mm}, L = {L:g mm} does</source>
-      <translation>Mit H_body = {H_body:g mm} genügt L = {L:g mm}</translation>
-    </message>
-    <message>
-      <source>with H_body = {H_body:g mm}, L from {low:g mm} to {high:g mm} does</source>
-      <translation>Mit H_body = {H_body:g mm} genügt L von {low:g mm} bis {high:g mm}</translation>
-    </message>
-    <message>
-      <source>with H_body = {H_body:g mm}, no L was found that does</source>
-      <translation>Mit H_body = {H_body:g mm} wurde kein L gefunden, das genügt</translation>
-    </message>
-    <message>
-      <source>with L = {L:.4g mm} and H_body = {H_body:g mm}, H_pin = {H_pin:g mm} does</source>
-      <translation>Mit L = {L:.4g mm} und H_body = {H_body:g mm} genügt H_pin = {H_pin:g mm}</translation>
-    </message>
-    <message>
-      <source>with L = {L:.4g mm} and H_body = {H_body:g mm}, H_pin down to {H_pin:g mm} does</source>
-      <translation>Mit L = {L:.4g mm} und H_body = {H_body:g mm} genügt H_pin bis hinab zu {H_pin:g mm}</translation>
-    </message>
-    <message>
-      <source>with L = {L:.4g mm} and H_body = {H_body:g mm}, no H_pin was found that does</source>
-      <translation>Mit L = {L:.4g mm} und H_body = {H_body:g mm} wurde kein H_pin gefunden, das genügt</translation>
-    </message>
-    <message>
-      <source>with L = {L:.4g mm}, H_body = {H_body:g mm} and H_pin = {H_pin:g mm} together do</source>
-      <translation>Mit L = {L:.4g mm} genügen H_body = {H_body:g mm} und H_pin = {H_pin:g mm} zusammen</translation>
-    </message>
-    <message>
-      <source>with L = {L:.4g mm}, H_body = {H_body:g mm} does</source>
-      <translation>Mit L = {L:.4g mm} genügt H_body = {H_body:g mm}</translation>
-    </message>
-    <message>
-      <source>with L = {L:.4g mm}, H_body up to {H_body:g mm} and more does</source>
-      <translation>Mit L = {L:.4g mm} genügt H_body bis {H_body:g mm} und mehr</translation>
-    </message>
-    <message>
-      <source>with L = {L:.4g mm}, H_body up to {H_body:g mm} does</source>
-      <translation>Mit L = {L:.4g mm} genügt H_body bis {H_body:g mm}</translation>
-    </message>
-    <message>
-      <source>with L = {L:.4g mm}, no H_body was found that does</source>
-      <translation>Mit L = {L:.4g mm} wurde kein H_body gefunden, das genügt</translation>
-    </message>
-    <message>
       <source>with a friction coefficient of {mu:.3g} no pushing forces at bumps' tips balance the tiles: {pull:.3g N} of pull would be needed, first at {contacts:8}{more}</source>
       <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte an den Noppenspitzen die Kacheln im Gleichgewicht: {pull:.3g N} Zug wären nötig, zuerst an {contacts:8}{more}</translation>
     </message>
     <message>
       <source>with a friction coefficient of {mu:.3g} no pushing forces balance the tiles: {pull:.3g N} of pull would be needed, first at {contacts:8}{more}</source>
       <translation>Mit dem Reibungskoeffizienten {mu:.3g} halten keine drückenden Kräfte die Kacheln im Gleichgewicht: {pull:.3g N} Zug wären nötig, zuerst an {contacts:8}{more}</translation>
-    </message>
-    <message>
-      <source>with mend=on, which moves vertices by up to {moved:.2g mm}, the sizes that are set do</source>
-      <translation>Mit mend=on, das Ecken um bis zu {moved:.2g mm} verschiebt, genügen die eingestellten Größen</translation>
-    </message>
-    <message>
-      <source>with {sizes} a design is not valid all the same: {reasons:; }</source>
-      <translation>mit {sizes} ist ein Entwurf trotzdem nicht gültig: {reasons:; }</translation>
     </message>
     <message>
       <source>working</source>
@@ -4497,6 +4273,10 @@
       <translation>{count} von {of} Kacheln lassen sich nicht machen ({at:6})</translation>
     </message>
     <message>
+      <source>{count} of {of} tiles can't be made or are likely to fail</source>
+      <translation>{count} von {of} Kacheln lassen sich nicht herstellen oder misslingen wahrscheinlich</translation>
+    </message>
+    <message>
       <source>{count} pairs of tiles overlap in the target and no plane separates them without losing a contact</source>
       <translation>{count} Paare von Kacheln überlappen in der Zielfläche, und keine Ebene trennt sie, ohne dass ein Kontakt verloren geht</translation>
     </message>
@@ -4557,10 +4337,6 @@
       <translation>{names} hat sich geändert, seit dies gebaut wurde: „Volumenkörper bauen“ bringt es auf den neuesten Stand</translation>
     </message>
     <message>
-      <source>{name} to {value:g}</source>
-      <translation>{name} auf {value:g}</translation>
-    </message>
-    <message>
       <source>{other}, another part of the target, faces it so near that pins between them would meet</source>
       <translation>{other}, ein anderer Teil der Zielfläche, liegt ihr so nah gegenüber, dass Zapfen dazwischen sich träfen</translation>
     </message>
@@ -4571,14 +4347,6 @@
     <message>
       <source>{points} contact points push too weakly: less than f_min = {f_min:.3g N} at {contacts:8}; the weakest has {least:.3g N} at {weakest}</source>
       <translation>{points} Kontaktpunkte drücken zu schwach: weniger als f_min = {f_min:.3g N} an {contacts:8}; der schwächste hat {least:.3g N} an {weakest}</translation>
-    </message>
-    <message>
-      <source>{sizes: or }, with which the estimates of 'curveups check' find nothing in the way</source>
-      <translation>{sizes: or }, womit die Schätzungen von „curveups check“ nichts im Weg sehen</translation>
-    </message>
-    <message>
-      <source>{sizes: }, with which it is valid: that was tried</source>
-      <translation>{sizes: }, womit er gültig ist: das wurde ausprobiert</translation>
     </message>
     <message>
       <source>{which:8} inwards</source>
@@ -4794,12 +4562,8 @@
       <translation>Jede Seite sagt, wie ein Prüfkörper gemessen wird, und hat eine Tabelle für die Ablesungen. Diese dann in {name}-MEASURED.json anstelle von null eintragen, in den Einheiten der Namen. Was null bleibt, wird ausgelassen. Von einer Liste drei Ablesungen oder mehr angeben, oder keine.</translation>
     </message>
     <message>
-      <source>Each piece has a label beside an anchor, on the side that it names: {side}.</source>
-      <translation>Jedes Stück hat neben einem Anker ein Schild, auf der Seite, die es nennt: {side}.</translation>
-    </message>
-    <message>
-      <source>Each piece has its own former, from the left to the right, and its own ribs: P1 is of the piece whose label says P1.</source>
-      <translation>Jedes Stück hat seinen eigenen Formkörper, von links nach rechts, und seine eigenen Rippen: P1 gehört zum Stück, auf dessen Schild P1 steht.</translation>
+      <source>Each piece has its own former, from the left to the right, and its own ribs.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>FDM printer, 0.4 mm nozzle</source>
@@ -4902,8 +4666,8 @@
       <translation>Den Druck mit seiner {first} nach oben hinlegen</translation>
     </message>
     <message>
-      <source>Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3 mm thick, by their numbers ({which}), and press them together. A part without a label fits its pocket with its {first} up alone. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first membrane is glued over all of them at once.</source>
-      <translation>Die {parts} Teile, ihre {first} oben, nach ihren Nummern ({which}) in den Rahmen {name}-frame.dxf legen, der aus einer 3 mm dicken Platte geschnitten ist, und zusammenschieben. Ein Teil ohne Schild passt nur mit seiner {first} oben in seine Tasche. Teile, die schief liegen, lassen mehr als {opening:g} mm Spalt: ihre Kanten feilen. Die erste Membran wird auf einmal über alle geklebt.</translation>
+      <source>Lay the {parts} parts, their {first} up, into the frame {name}-frame.dxf, cut of a plate 3 mm thick, by their numbers ({which}), and press them together. A part fits its pocket with its {first} up alone. Parts that lie askew leave gaps wider than {opening:g} mm: file their edges. The first membrane is glued over all of them at once.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Layer, tolerance</source>
@@ -5002,8 +4766,8 @@
       <translation>Die Prüfkörper drucken, bevor der Entwurf bestellt wird, und so, wie er gedruckt wird: auf demselben Drucker, aus denselben Materialien, mit derselben Seite nach oben. STEP und 3MF haben alle Körper an ihrem Platz, STL hat Kacheln und Stützen getrennt.</translation>
     </message>
     <message>
-      <source>Print the drawing {name}-frame.pdf at 100 %, and hold the {parts} parts on it by thin double-sided tape below them, their {first} up, tile on tile, by their numbers ({which}). A part without a label matches the drawing with its {first} up alone. Gaps between parts are {opening:g} mm wider than those inside of them, and no tile may be more than {error:g} mm off its place. The first membrane is glued over all of them at once.</source>
-      <translation>Die Zeichnung {name}-frame.pdf mit 100 % drucken und die {parts} Teile mit dünnem doppelseitigem Klebeband unter ihnen darauf befestigen, ihre {first} oben, Kachel auf Kachel, nach ihren Nummern ({which}). Ein Teil ohne Schild stimmt nur mit seiner {first} oben mit der Zeichnung überein. Spalte zwischen Teilen sind {opening:g} mm breiter als die in ihnen, und keine Kachel darf mehr als {error:g} mm neben ihrem Platz liegen. Die erste Membran wird auf einmal über alle geklebt.</translation>
+      <source>Print the drawing {name}-frame.pdf at 100 %, and hold the {parts} parts on it by thin double-sided tape below them, their {first} up, tile on tile, by their numbers ({which}). A part matches the drawing with its {first} up alone. Gaps between parts are {opening:g} mm wider than those inside of them, and no tile may be more than {error:g} mm off its place. The first membrane is glued over all of them at once.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Printer compared with</source>
@@ -5030,8 +4794,8 @@
       <translation>{second_cm3:.2f} cm³ Kleber wie zuvor auf Zapfen und Anker der {second} ({second_mm2:.0f} mm²) rollen. Die zweite Membran auflegen, gedehnt auf ihrem Ring, mit den Zähnen nach unten: die Ringe schließen sich Fläche an Fläche, {height:g} mm voneinander, und die Zähne des einen stehen mitten zwischen denen des anderen. Stäbe in den Löchern an den Ecken richten sie aus: dort die Ränder der Folien lochen, an denen nichts zieht. Durch beide Fenster pressen, so lange wie zuvor.</translation>
     </message>
     <message>
-      <source>Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors and labels. Copy the thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off its rings. Where small circles lie on them, punch these first.</source>
-      <translation>Von vorne gesehen, in der Größe der gedehnten Folie. Auf die Folie der Vorderseite legen, bevor sie vom Ring kommt: die dünnen Dreiecke sind die äußeren Zapfen, was um sie herum steht, sind Anker und Schilder. Die dicken roten Linien, {trim:g} mm außerhalb der Zapfen, übertragen und daran entlang schneiden, sobald die Schale von den Ringen ist. Wo kleine Kreise auf ihnen liegen, diese zuerst ausstanzen.</translation>
+      <source>Seen from the front, at the size of the stretched sheet. Lay it on the front sheet before that leaves its ring: the thin triangles are the outer pins, what stands around them are anchors. Copy the thick red lines, {trim:g} mm outside of the pins, and cut along these once the shell is off its rings. Where small circles lie on them, punch these first.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Ship flat, between two stiff boards.</source>
@@ -5458,12 +5222,12 @@
       <translation>{height:g} mm hoch</translation>
     </message>
     <message>
-      <source>{label} There are {bodies} bodies: {counts}. The map at the end of this sheet has the number of each tile. What is missing or broken is printed anew by its number, and laid into its place before gluing: the program CurveUps writes tile 12 by “curveups export design.json --tiles T00012 -o spares”. {weak}</source>
-      <translation>{label} Es sind {bodies} Körper: {counts}. Der Plan am Ende dieser Anleitung hat die Nummer jeder Kachel. Was fehlt oder zerbrochen ist, wird nach seiner Nummer neu gedruckt und vor dem Kleben an seinen Platz gelegt: das Programm CurveUps schreibt Kachel 12 mit „curveups export design.json --tiles T00012 -o spares“. {weak}</translation>
-    </message>
-    <message>
       <source>{layer:g} mm or less, ± {tolerance:g} mm</source>
       <translation>{layer:g} mm oder weniger, ± {tolerance:g} mm</translation>
+    </message>
+    <message>
+      <source>{lies} There are {bodies} bodies: {counts}. The map at the end of this sheet has the number of each tile. What is missing or broken is printed anew by its number, and laid into its place before gluing: the program CurveUps writes tile 12 by “curveups export design.json --tiles T00012 -o spares”. {weak}</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>{low} to {high} mm; {taper_low} to {taper_high} mm more at the front than at the back, each alone</source>

@@ -55,12 +55,12 @@ def project(V, F, remesh=True, **values):
                    {"source": source, "cut request": CutRequest()}, "made")
 
 
-def test_a_filleted_lid_is_checked_without_a_warning(curveups, tmp_path):
-    """Its walls are too sharp for tiles of this length; numpy warned of what has no value."""
+def test_a_filleted_lid_is_checked_without_a_warning(curveups_process, tmp_path):
+    """Membranes would cut into tiles at its fillets; numpy warned of what has no value."""
     lid = cad.make(tmp_path, "lid")["lid"]
-    ran = curveups("check", lid, "--set", "L=16", PYTHONWARNINGS="error")
+    ran = curveups_process("check", lid, "--set", "L=16", PYTHONWARNINGS="error")
     assert ran.status == 1 and ran.out.startswith("lid: "), (ran.out, ran.err)
-    assert "tiles can't be made" in ran.out and "(at L 16 mm)" in ran.out, ran.out
+    assert "tiles are likely to fail" in ran.out and "(at L 16 mm)" in ran.out, ran.out
     said = ran.err.splitlines()
     assert all(line.startswith("curveups: ") for line in said), ran.err
     tried = [line for line in said if "trying L = " in line]
@@ -197,10 +197,10 @@ def test_sizes_within_limits_do_and_those_beyond_do_not(height, as_set):
         return examine(made["target"].V, made["target"].F, NO_CUTS, made.parameters).feasible
 
     low, high = found.L
-    assert works(L=low) and works(L=high) and low < high
+    assert works(L=low) and works(L=high) and low <= high
     assert (low <= 7 <= high) == as_set
-    if low > 7 / 2.5 and as_set or not as_set:
-        assert not works(L=0.96 * low)
+    if low > 2.8:  # 7 / 2.5
+        assert not works(L=float(f"{0.94 * low:.2g}"))
     assert works(H_body=found.H_body) and (found.H_body >= 3) == as_set
     assert not works(H_body=1.06 * found.H_body)
     said = [str(one) for one in check.advice(results)]
@@ -223,7 +223,7 @@ def test_a_limit_is_found_among_round_values():
         return 2.0 <= value <= 5.03
 
     assert limit(3.21, 30.0, works) == 5.0 and limit(3.21, 1.0, works) == 2.0
-    assert all(float(f"{value:.2g}") == value for value in tried) and len(tried) < 14
+    assert all(float(f"{value:.2g}") == value for value in tried) and len(tried) < 16
     assert limit(3.21, 5.02, works) == 5.02 and limit(3.21, 3.21, works) == 3.21
 
 

@@ -78,17 +78,18 @@ def test_arrays_that_do_not_fit_are_refused(design, spoil):
     assert caught.value.remedy
     if spoil[0] != "F":
         with pytest.raises((native.InvalidInput, native.TopologyError)):
-            native.design_fields(native.Design("x", design.parameters, V, F, T, q, cuts))
+            native.evaluate_design(native.Design("x", design.parameters, V, F, T, q, cuts))
 
 
 def test_fields_have_a_value_per_tile_or_contact(design):
     tiles, contacts = len(design.F), len(native.tile_shapes(design).contacts)
-    before = native.target_fields(design.V, design.F, design.cuts, design.parameters)
-    after = native.design_fields(design)
-    assert {name: len(values) for name, values in before.items()} == {
-        "contact_tiles": contacts, "dihedral_angle": contacts, "pin_area_margin": tiles,
-        "conformal_stretch": tiles, "least_stretch": tiles, "most_stretch": tiles}
-    assert {name: len(values) for name, values in after.items()} == {
-        "contact_tiles": contacts, "gap": contacts, "pin_area": tiles}
-    assert (before["dihedral_angle"] > 0).all()  # a dome is convex everywhere
-    assert (after["pin_area"] > 0).all()
+    before = native.target_figures(design.V, design.F, design.cuts, design.parameters)
+    after = native.evaluate_design(design)
+    for values in (before.contacts, before.dihedral, before.dihedral_margin, before.interface_share,
+                   after.contacts, after.gap):
+        assert len(values) == contacts
+    for values in (before.back_scale, before.pin_area, before.membrane_clearance, before.stretch,
+                   before.least_stretch, before.most_stretch, after.pin_area):
+        assert len(values) == tiles
+    assert (before.dihedral > 0).all()  # a dome is convex everywhere
+    assert (after.pin_area > 0).all()

@@ -232,15 +232,15 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     # Its tiles.
     "sharp_fold": ("{count} tiles lie at folds sharper than a tile of thickness {H_body:.3g mm} can have: "
                    "their back faces vanish",
-                   "lower H_body, raise L or smooth the target there"),
+                   "lower H_body, raise L or smooth the target there (mend=on)"),
     "folded_over": ("{count} pairs of tiles overlap in the target and no plane separates them without "
                     "losing a contact",
                     "lower H_body, or keep parts of the target farther from one another"),
     "hinge": ("{count} contacts are only a hinge: truncation leaves no interface",
-              "lower H_body or smooth the target there"),
+              "lower H_body or smooth the target there (mend=on)"),
     "small_pin": ("{count} pin sides can't reach A_pin_min ({A_pin_min:.3g mm2}); the smallest has "
                   "{least:.3g mm2}",
-                  "lower H_body, p_min or A_pin_min, raise L or smooth the target there"),
+                  "lower H_body, p_min or A_pin_min, raise L or smooth the target there (mend=on)"),
     "edge_length": ("{count} tiles are far smaller or larger than L ({L:.3g mm})",
                     "let the target be remeshed"),
     "wall": ("the part is drawn {wall:.3g mm} thick, tiles are {H_body:g mm} thick", "set H_body={wall:.3g}"),
@@ -359,13 +359,6 @@ _TEXTS: dict[str, Union[str, tuple[str, str]]] = {
     "cut.weak_contact": "through the weak contact {contact}",
     "cut.hole": "joins the hole at {tile} to another boundary",
     "cuts": "cuts could not be looked for: {error}",
-    "advice.H_body": "tiles of H_body = {value:g mm} instead of {set:g mm} give the pins named a quarter "
-                     "more than A_pin_min",
-    "advice.L": "tiles of L = {value:g mm} instead of {set:.3g mm} give the pins named a quarter more "
-                "than A_pin_min",
-    "advice.L_too": "tiles of L = {value:g mm} instead of {set:.3g mm} do so too",
-    "advice.tau": "membranes stretched to tau = {value:g} instead of {set:g} would be taut at all weak "
-                  "contacts",
     "advice.mend_surface": "set mend=on ({actions})",
     "size": "{name}={value:g}",
     "check.clear": "all tiles can be made",

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What would help: the one room that turns what stages found by trying into advice."""
+"""Advice: what would help, as findings."""
 
 from __future__ import annotations
 
-from typing import Any, Iterable, Iterator, Mapping, Sequence
+from typing import Any, Iterable, Iterator
 
 from ..base.findings import Finding
-from ..base.native import native
 
 _GAP = "gap"  # of repair's obstacles: all others are pins'
 
@@ -22,21 +21,6 @@ def against(obstacles: Iterable[str]) -> tuple[Finding, ...]:
     kinds = {"advice.cut_gaps": _GAP in met, "advice.pin_room": bool(met - {_GAP, ""}),
              "advice.pull": "" in met}
     return tuple(Finding(kind) for kind, there in kinds.items() if there)
-
-
-def other_parameters(design: Any, small: Iterable[int], blocked: Iterable[Mapping[str, Any]],
-                     weak: Sequence[tuple[int, int]]) -> tuple[Finding, ...]:
-    """Values of parameters for pins without room (small: tiles; blocked: contacts, as Repair has them) and
-    for membranes without tension (weak: contacts)."""
-    pins = {*small, *(tile for contact in blocked if contact["obstacle"] not in ("", _GAP)
-                      for tile in contact["held"])}
-    if not pins and not weak:
-        return ()
-    values = native.find_remedies(design, sorted(pins), list(weak))
-    both = values.H_body is not None
-    return tuple(Finding.about(f"advice.{name}_too" if name == "L" and both else f"advice.{name}",
-                               value=getattr(values, name), set=design.parameters.get(name))
-                 for name in ("H_body", "L", "tau") if getattr(values, name) is not None)
 
 
 def of_limits(limits: Any, L: float, H_body: float) -> Iterator[Finding]:

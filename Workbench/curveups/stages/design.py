@@ -63,7 +63,6 @@ class Figures(Result):
     cuts: int
     figures: dict[str, Any]
     small_pins: tuple[tuple[int, str, float], ...]  # tile, side, mm2: from A_pin_floor to A_pin_min
-    pins_below_floor: tuple[int, ...]  # tiles
     hinges: tuple[int, ...]
     broken: tuple[Finding, ...]  # reasons
     unsettled: Optional[Finding]
@@ -109,7 +108,7 @@ def _evaluate(inputs: Inputs) -> Figures:
     found = native.evaluate_design(design)
     constraints, floor = found.constraints, inputs.parameters.get("A_pin_floor")
     blocks = {
-        "contacts": int(found.contacts),
+        "contacts": len(found.contacts),
         "area": {"actuated_cm2": found.actuated_area_mm2 / 100, "flat_cm2": found.flat_area_mm2 / 100,
                  "ratio": found.flat_area_mm2 / found.actuated_area_mm2},
         "constraints": {
@@ -124,8 +123,7 @@ def _evaluate(inputs: Inputs) -> Figures:
                        "hinges": len(found.hinges)},
     }
     small = tuple(pin for pin in constraints.small_pins if pin[2] >= floor)
-    below = tuple(int(pin[0]) for pin in constraints.small_pins if pin[2] < floor)
-    return Figures(len(design.F), len(design.cuts), blocks, small, below,
+    return Figures(len(design.F), len(design.cuts), blocks, small,
                    tuple(int(k) for k in found.hinges), all_of(found.reasons), finished.unsettled,
                    tuple(constraints.relaxed), tuple((int(a), int(b)) for a, b in found.shortened),
                    (found.flat_clearance_mm, inputs.parameters.get("d_gap_min")))

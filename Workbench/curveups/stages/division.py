@@ -100,11 +100,11 @@ def _count(division: Division) -> int:
 def _worst(division: Division, V: np.ndarray, F: np.ndarray, parameters: Any) -> float:
     """The largest share of a piece's tiles that the flat map stretches too far; 0 where all pieces are within
     what membranes bear, infinite where one has no flat map."""
-    maps = native.target_fields(V, F, division.edges, parameters)
-    stretch = np.asarray(maps["conformal_stretch"])
+    figures = native.target_figures(V, F, division.edges, parameters)
+    stretch = np.asarray(figures.stretch)
     if np.isnan(stretch).any():
         return np.inf
-    ranges = np.stack([maps["least_stretch"], maps["most_stretch"]], axis=1)
+    ranges = np.stack([figures.least_stretch, figures.most_stretch], axis=1)
     pieces = (division.piece == number for number in range(_count(division)))
     return max(float(too_stretched(stretch[own], ranges[own]).mean()) for own in pieces)
 

@@ -112,8 +112,7 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) ->
     """The margins of a remeshed target that is cut along `edges` (C x 2). Raises native errors where it is no
     mesh of tiles at all."""
     get, count = parameters.get, len(F)
-    margins = native.tile_margins(V, F, edges, parameters)
-    maps = native.target_fields(V, F, edges, parameters)
+    margins = native.target_figures(V, F, edges, parameters)
     contacts, dihedral_margin = np.asarray(margins.contacts), np.asarray(margins.dihedral_margin)
     overlapping = np.array(margins.overlapping, np.int32).reshape(-1, 2)
     if margins.shaped:
@@ -127,8 +126,8 @@ def examine(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) ->
     for side in range(2):
         np.minimum.at(least_dihedral_margin, contacts[:, side], dihedral_margin)
     least_dihedral_margin[np.isinf(least_dihedral_margin)] = np.nan
-    stretch = np.asarray(maps["conformal_stretch"])
-    ranges = np.stack([maps["least_stretch"], maps["most_stretch"]], axis=1)
+    stretch = np.asarray(margins.stretch)
+    ranges = np.stack([margins.least_stretch, margins.most_stretch], axis=1)
     blocked = [
         *(_obstacle("fold", tile) for tile in np.flatnonzero(margins.back_scale < LEAST_BACK_FACE)),
         *_without_pins(pin_area, get("A_pin_floor")), *_overlapping(overlapping), *_facing(meeting),

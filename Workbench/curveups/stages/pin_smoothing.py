@@ -60,9 +60,9 @@ def smooth_for_pins(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters:
 
 def mostly_short(V: np.ndarray, F: np.ndarray, edges: np.ndarray, parameters: Any) -> bool:
     """Whether so many pins have no room that moving vertices is of no use."""
-    margins = native.tile_margins(V, F, edges, parameters)
-    return bool(margins.shaped
-                and (np.asarray(margins.pin_area) < parameters.get("A_pin_floor")).mean() > MOST_SHORT)
+    found = native.target_figures(V, F, edges, parameters)
+    return bool(found.shaped
+                and (np.asarray(found.pin_area) < parameters.get("A_pin_floor")).mean() > MOST_SHORT)
 
 
 def _asked(parameters: Any) -> bool:

@@ -22,7 +22,7 @@ class Repair(Result):
     verification: Optional[Result] = None     # of the design, where it is the layout's own
     status: str = ""                          # empty where repair did not run
     block: Optional[dict] = None              # of report.json
-    blocked: tuple[dict, ...] = ()            # contacts that stay weak: reason, obstacle, held tiles
+    blocked: tuple[dict, ...] = ()            # contacts that stay weak: reason, obstacle
     suggestions: tuple[Finding, ...] = ()
     warned: tuple[Finding, ...] = ()
 
@@ -57,8 +57,8 @@ def _run(inputs: Inputs, job: Job) -> Repair:
     found = native.repair_design(design, inputs.store, job, job.listener("repair"))
     changed = design_digest(found.design) != design_digest(design)
     blocked: tuple[dict[str, Any], ...] = tuple(
-        {"tiles": list(contact.tiles), "reason": Finding.of(contact.reason), "obstacle": contact.obstacle,
-         "held": list(contact.held)} for contact in found.blocked)
+        {"tiles": list(contact.tiles), "reason": Finding.of(contact.reason), "obstacle": contact.obstacle}
+        for contact in found.blocked)
     suggestions = against(contact["obstacle"] for contact in blocked)
     if found.breakdown:
         suggestions += (Finding.about("broken_down", said=found.breakdown),)

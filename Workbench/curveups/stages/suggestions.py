@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Suggests cuts and other parameters for a design that does not hold or is badly stretched."""
+"""Suggests cuts for a design that does not hold or is badly stretched."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..base.errors import Stopped
 from ..base.findings import Finding, all_of, failed
 from ..base.native import native
 from ..base.value import Value
-from .advice import other_parameters, suggested
+from .advice import suggested
 from .stage import Inputs, Job, Picture, Result, Row, Stage
 
 # A layout is badly stretched where the conformal map scales its tiles this differently, or where
@@ -102,11 +102,10 @@ def _figures(figures: Any) -> Optional[dict]:
 
 @dataclass(frozen=True)
 class Suggestions(Result):
-    """Cuts that were made because they were asked for, those that are proposed, other remedies."""
+    """Cuts that were made because they were asked for, those that are proposed, what helps in general."""
 
     applied: tuple[SuggestedCut, ...] = ()
     proposed: tuple[SuggestedCut, ...] = ()
-    remedies: tuple[Finding, ...] = ()  # other parameters
     general: tuple[Finding, ...] = ()   # of repair, where nothing better is known
     stretch: Optional[dict] = None    # how far the layout is stretched
     badly: bool = False
@@ -123,8 +122,7 @@ class Suggestions(Result):
         return blocks
 
     def advice(self) -> Sequence[Finding]:
-        known = (*(cut.finding for cut in self.proposed), *self.remedies)
-        return [suggested(one) for one in known] or self.general
+        return [suggested(cut.finding) for cut in self.proposed] or self.general
 
     def warnings(self) -> Sequence[Finding]:
         if self.failure:
@@ -163,10 +161,7 @@ def _run(inputs: Inputs, job: Job) -> Suggestions:
         return Suggestions(applied, general=general, stretch=stretch, design=design)
     proposed, search = _search(inputs["target smoothing"].V, inputs["target"].F, design.cuts,
                                inputs.parameters, UNASKED, verification.weak_contacts, job)
-    remedies = other_parameters(design, inputs["figures"].pins_below_floor, inputs["repair"].blocked,
-                                verification.weak_contacts)
-    return Suggestions(applied, proposed, remedies, general, stretch, badly, True,
-                       bool(search.stopped), design=design)
+    return Suggestions(applied, proposed, general, stretch, badly, True, bool(search.stopped), design=design)
 
 
 def _ended(inputs: Inputs, **how: Any) -> Suggestions:

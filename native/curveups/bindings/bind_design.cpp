@@ -3,8 +3,8 @@
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/design/design_arrays.hpp"
 #include "curveups/design/design_file.hpp"
-#include "curveups/design/target_checks.hpp"
 #include "curveups/design/tile_shapes.hpp"
+#include "curveups/layout/diagnostics.hpp"
 
 namespace curveups::bindings {
 namespace {
@@ -131,7 +131,9 @@ void bind_design(py::module_& module) {
           "Bounds of insets that gave way to folds, mm; the violation is measured against `to`.");
 
   py::class_<DesignFigures>(module, "DesignFigures", "Counts and areas of a design.")
-      .def_readonly("contacts", &DesignFigures::contacts)
+      .def_readonly("contacts", &DesignFigures::contacts, "N x 2 tiles.")
+      .def_readonly("gap", &DesignFigures::gap, "N, mm, flat.")
+      .def_readonly("pin_area", &DesignFigures::pin_area, "M x 2, front and back, mm2.")
       .def_readonly("hinges", &DesignFigures::hinges)
       .def_readonly("three_point_contacts", &DesignFigures::three_point_contacts)
       .def_readonly("truncation_types", &DesignFigures::truncation_types)

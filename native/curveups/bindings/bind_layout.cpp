@@ -2,10 +2,8 @@
 // The coarse optimisation, its figures, and cuts that relieve it.
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/layout/cut_suggestions.hpp"
-#include "curveups/layout/fields.hpp"
+#include "curveups/layout/diagnostics.hpp"
 #include "curveups/layout/layout.hpp"
-#include "curveups/layout/layout_figures.hpp"
-#include "curveups/layout/remedies.hpp"
 
 namespace curveups::bindings {
 namespace {
@@ -72,51 +70,6 @@ void bind_layout(py::module_& module) {
       },
       py::arg("design"), "How far a design's layout is stretched.");
 
-  module.def(
-      "target_fields",
-      [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
-         const Parameters& parameters) {
-        const TriangleMesh mesh = read_mesh(V, F);
-        const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
-        const TargetFields fields = [&] {
-          const py::gil_scoped_release release;
-          return target_fields(mesh, edges, parameters);
-        }();
-        py::dict out;
-        out["contact_tiles"] = fields.contacts;
-        out["dihedral_angle"] = fields.dihedral;
-        out["pin_area_margin"] = fields.pin_area_margin;
-        out["conformal_stretch"] = fields.stretch;
-        out["least_stretch"] = fields.least_stretch;
-        out["most_stretch"] = fields.most_stretch;
-        return out;
-      },
-      py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
-      "What can be said before a layout. Per contact: contact_tiles (N x 2), dihedral_angle "
-      "(degrees, "
-      "convex positive). Per tile: pin_area_margin (M x 2, front and back, mm2: the largest pin's "
-      "area "
-      "less A_pin_min), conformal_stretch (by how much the layout's start scales the tile's place; "
-      "NaN where there is no flat map), least_stretch (below it the start leaves the tile less "
-      "than d_gap_min, which a layout may make up for), most_stretch (above it the start has a "
-      "slack membrane next to the tile).");
-  module.def(
-      "design_fields",
-      [](const Design& design) {
-        const DesignFields fields = [&] {
-          const py::gil_scoped_release release;
-          return design_fields(design);
-        }();
-        py::dict out;
-        out["contact_tiles"] = fields.contacts;
-        out["gap"] = fields.gap;
-        out["pin_area"] = fields.pin_area;
-        return out;
-      },
-      py::arg("design"),
-      "What can be said of a layout without its membranes. Per contact: contact_tiles (N x 2), gap "
-      "(mm, flat). Per tile: pin_area (M x 2, front and back, mm2).");
-
   py::class_<CutSuggestion>(module, "CutSuggestion", "A cut and what it does to the layout.")
       .def_readonly("edges", &CutSuggestion::edges)
       .def_readonly("length_mm", &CutSuggestion::length)
@@ -145,23 +98,6 @@ void bind_layout(py::module_& module) {
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"), py::arg("most"),
       py::arg("weak") = std::vector<std::array<int, 2>>(), py::arg("progress") = py::none(),
       "Cuts that let a target lie flat with less stretch. weak: tile pairs of weak contacts.");
-
-  py::class_<Remedies>(module, "Remedies", "Parameter values that would help weak contacts.")
-      .def_readonly("H_body", &Remedies::H_body)
-      .def_readonly("L", &Remedies::L)
-      .def_readonly("tau", &Remedies::tau);
-  module.def(
-      "find_remedies",
-      [](const Design& design, const std::vector<int>& pins,
-         const std::vector<std::array<int, 2>>& weak) {
-        require_tiles(pins, design.mesh.F.rows(), "pins");
-        require_tiles(weak, design.mesh.F.rows(), "weak");
-        const py::gil_scoped_release release;
-        return find_remedies(design, pins, weak);
-      },
-      py::arg("design"), py::arg("pins"), py::arg("weak"),
-      "Other values of H_body, L and tau: for pins of the tiles `pins` that want room, and "
-      "contacts of the tile pairs `weak`.");
 }
 
 }  // namespace curveups::bindings

@@ -2,8 +2,7 @@
 // What tiles can be of a remeshed target, and what gives them room.
 #include "curveups/bindings/arrays.hpp"
 #include "curveups/bodies/facing_pins.hpp"
-#include "curveups/design/target_checks.hpp"
-#include "curveups/design/tile_margins.hpp"
+#include "curveups/layout/diagnostics.hpp"
 #include "curveups/refinement/pin_smoothing.hpp"
 #include "curveups/refinement/target_smoothing.hpp"
 
@@ -22,35 +21,42 @@ void bind_targets(py::module_& module) {
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
       "What tiles of this thickness and these pins can't do on a remeshed target.");
 
-  py::class_<TileMargins>(module, "TileMargins",
-                          "What tiles (M) and contacts (N) of a target have left before they can't "
-                          "be made.")
-      .def_readonly("contacts", &TileMargins::contacts, "N x 2 tiles.")
-      .def_readonly("dihedral", &TileMargins::dihedral, "N, degrees, convex positive.")
-      .def_readonly("dihedral_margin", &TileMargins::dihedral_margin,
+  using Figures = TargetFigures;
+  py::class_<Figures>(module, "TargetFigures",
+                      "What tiles (M) and contacts (N) of a target have left before they can't be "
+                      "made.")
+      .def_readonly("contacts", &Figures::contacts, "N x 2 tiles.")
+      .def_readonly("dihedral", &Figures::dihedral, "N, degrees, convex positive.")
+      .def_readonly("dihedral_margin", &Figures::dihedral_margin,
                     "N, degrees by which the fold could grow before a back face vanishes.")
-      .def_readonly("back_scale", &TileMargins::back_scale,
-                    "Per tile: length of the back face over that of the front face.")
-      .def_readonly("shaped", &TileMargins::shaped,
-                    "Whether every tile has a back face; what follows is empty otherwise.")
-      .def_readonly("interface_share", &TileMargins::interface_share,
-                    "Per contact: the interface's back edge over its front edge; 0: a hinge.")
-      .def_readonly("pin_area", &TileMargins::pin_area,
+      .def_readonly("back_scale", &Figures::back_scale,
+                    "M: length of the back face over that of the front face.")
+      .def_readonly("pin_area", &Figures::pin_area,
                     "M x 2, front and back, mm2: of the largest pin there.")
-      .def_readonly("membrane_clearance", &TileMargins::membrane_clearance,
+      .def_readonly("stretch", &Figures::stretch,
+                    "M: by how much the layout's start scales the tile's place; NaN: no flat map.")
+      .def_readonly("least_stretch", &Figures::least_stretch,
+                    "M: below it the start leaves the tile less than d_gap_min.")
+      .def_readonly("most_stretch", &Figures::most_stretch,
+                    "M: above it the start has a slack membrane next to the tile.")
+      .def_readonly("shaped", &Figures::shaped,
+                    "Whether every tile has a back face; what follows is empty otherwise.")
+      .def_readonly("interface_share", &Figures::interface_share,
+                    "N: the interface's back edge over its front edge; 0: a hinge.")
+      .def_readonly("membrane_clearance", &Figures::membrane_clearance,
                     "M x 2, front and back, mm: how far pins' tops stand over the tile's corners "
                     "and contacts; negative: a membrane cuts into it.")
-      .def_readonly("trimmed", &TileMargins::trimmed,
+      .def_readonly("trimmed", &Figures::trimmed,
                     "Pairs of tiles without a common vertex that a plane cuts off.")
-      .def_readonly("overlapping", &TileMargins::overlapping, "Pairs that no plane parts.");
+      .def_readonly("overlapping", &Figures::overlapping, "Pairs that no plane parts.");
   module.def(
-      "tile_margins",
+      "target_figures",
       [](const PointsIn& V, const TrianglesIn& F, const EdgesIn& cuts,
          const Parameters& parameters) {
         const TriangleMesh mesh = read_mesh(V, F);
         const Edges edges = read_edges(cuts, mesh.V.rows(), "cuts");
         const py::gil_scoped_release release;
-        return tile_margins(mesh, edges, parameters);
+        return target_figures(mesh, edges, parameters);
       },
       py::arg("V"), py::arg("F"), py::arg("cuts"), py::arg("parameters"),
       "How much every tile and contact has left before it can't be made.");

@@ -181,8 +181,7 @@ void bind_verification(py::module_& module) {
       .def_readonly("least_force", &BlockedContact::least_force, "In units of f_min.")
       .def_readonly("reason", &BlockedContact::reason)
       .def_readonly("obstacle", &BlockedContact::obstacle,
-                    "The kind of constraint that holds it, empty where none does.")
-      .def_readonly("held", &BlockedContact::held);
+                    "The kind of constraint that holds it, empty where none does.");
   py::class_<RepairResult>(module, "RepairResult", "A repaired design and how it was found.")
       .def_readonly("design", &RepairResult::design)
       .def_property_readonly(

@@ -134,7 +134,7 @@ void require_back_faces(const TileMesh& tiles) {
   const std::string count = std::to_string(without.size());
   throw InfeasibleDesign(
       "folds are too sharp for tiles of this thickness: " + count + " back faces vanish",
-      "lower H_body, raise L or smooth the target there", std::move(without));
+      "lower H_body, raise L or smooth the target there (mend=on)", std::move(without));
 }
 
 Edges contact_tiles(const TileMesh& tiles) {

@@ -9,7 +9,7 @@
 
 #include "curveups/core/progress.hpp"
 #include "curveups/layout/cut_candidates.hpp"
-#include "curveups/layout/layout_figures.hpp"
+#include "curveups/layout/diagnostics.hpp"
 #include "curveups/numerics/solve_report.hpp"
 
 namespace curveups {

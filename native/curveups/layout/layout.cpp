@@ -37,10 +37,10 @@ void require_pin_regions(const PinBounds& bounds) {
     }
   }
   if (without.empty()) return;
-  throw InfeasibleDesign("folds and neighbours leave no room for pins on " +
-                             std::to_string(without.size()) +
-                             (without.size() == 1 ? " tile" : " tiles"),
-                         "lower H_body or p_min, raise L, or smooth the target there", without);
+  throw InfeasibleDesign(
+      "folds and neighbours leave no room for pins on " + std::to_string(without.size()) +
+          (without.size() == 1 ? " tile" : " tiles"),
+      "lower H_body or p_min, raise L, or smooth the target there (mend=on)", without);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::vector<BlockedContact> short_contacts(const std::vector<ContactPoint>& poin
       return contact.tiles == tiles;
     });
     if (known == out.end()) {
-      out.push_back({tiles, force, {}, "", {}});
+      out.push_back({tiles, force, {}, ""});
     } else {
       known->least_force = std::min(known->least_force, force);
     }
@@ -70,7 +70,6 @@ std::vector<BlockedContact> explain_weak_contacts(const TileMesh& tiles,
     std::vector<Finding> why = {{"held_by_nothing"}};
     if (found != obstacles.end()) {
       contact.obstacle = found->what;
-      contact.held = found->tiles;
       why = {{"held_by", {}, {{"obstacle", found->what}, {"at", found->tiles}}}};
     }
     contact.reason.figures["why"] = std::move(why);

@@ -17,8 +17,7 @@ struct BlockedContact {
   std::array<int, 2> tiles;
   double least_force;  // in units of f_min
   Finding reason;
-  std::string obstacle;   // Obstacle::what, empty where there is none
-  std::vector<int> held;  // the tiles whose constraints are in the way
+  std::string obstacle;  // Obstacle::what, empty where there is none
 };
 
 // Tiles of the contacts that hold a floor down, by Touching.

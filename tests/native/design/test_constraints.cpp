@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "curveups/design/constraints.hpp"
-#include "curveups/design/target_checks.hpp"
 #include "support/meshes.hpp"
 
 namespace curveups {
@@ -98,32 +97,6 @@ TEST(Constraints, FlatAreaOfAFlatLayoutIsItsRegion) {
   const FlatCorners apart = flat_corners(geometry.tiles, spread(geometry.tiles, f));
   EXPECT_GT(flat_area(geometry, apart), surface_area(mesh) * 1.2);
   EXPECT_LT(flat_area(geometry, apart), surface_area(mesh) * f * f);
-}
-
-TEST(TargetChecks, NameWhatCannotWorkWithItsTiles) {
-  Parameters p;
-  TriangleMesh sharp;
-  sharp.V.resize(4, 3);
-  sharp.V << 0, 0, 12, 4, 0, 0, -2, 3.46, 0, -2, -3.46, 0;
-  sharp.F.resize(3, 3);
-  sharp.F << 0, 1, 2, 0, 2, 3, 0, 3, 1;
-  auto findings = check_target(sharp, no_cuts, p);
-  ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0].kind, "sharp_fold");
-  EXPECT_TRUE(findings[0].is_error);
-  EXPECT_EQ(findings[0].tiles.size(), 3u);
-
-  findings = check_target(test::cone(), no_cuts, p);
-  ASSERT_FALSE(findings.empty());
-  EXPECT_EQ(findings[0].kind, "small_pin");
-  EXPECT_FALSE(findings[0].is_error);
-  EXPECT_FALSE(findings[0].tiles.empty());
-
-  EXPECT_TRUE(check_target(test::dome(6, 7, 60), no_cuts, p).empty());
-  p.L = 30;
-  findings = check_target(test::dome(6, 7, 60), no_cuts, p);
-  ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0].kind, "edge_length");
 }
 
 }  // namespace

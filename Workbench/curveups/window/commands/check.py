@@ -14,8 +14,8 @@ class Check(PanelCommand):
     name = "CurveUps_Check"
     text = QT_TRANSLATE_NOOP("CurveUps_Check", "Check")
     tooltip = QT_TRANSLATE_NOOP("CurveUps_Check",
-                                "Find out which parts of the target can become tiles, and which sizes "
-                                "work, before you solve")
+                                "Find out which parts of the target can become tiles, before you "
+                                "solve")
     shortcut = "C, K"
     panel = CheckPanel
     which = "check"

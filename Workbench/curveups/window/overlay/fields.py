@@ -18,7 +18,7 @@ from ...stages.design import design_digest
 from ...stages.feasibility import SAG
 
 TILE, SIDE, CONTACT, MEMBRANE = "tile", "side", "contact", "membrane"
-_MEASURED: dict[tuple[str, str], Mapping[str, Any]] = {}  # of the latest design
+_MEASURED: dict[tuple[str, str], Any] = {}  # of the latest design
 
 
 @dataclass(frozen=True)
@@ -104,15 +104,15 @@ def target_fields(V: np.ndarray, F: np.ndarray, cuts: np.ndarray, parameters: An
 
     Stretch has no limit: it is that of the start, scaled so that the median tile fits, and half of all
     tiles begin below what leaves them their gaps."""
-    found = cache(lambda: native.target_fields(V, F, cuts, parameters))
+    found = cache(lambda: native.target_figures(V, F, cuts, parameters))
     limits: dict[str, Any] = {"limit": 0.0} if judge else {}
     return [
-        Field("Dihedral angle", "deg", CONTACT, lambda: aligned(found(), "dihedral_angle", contacts),
+        Field("Dihedral angle", "deg", CONTACT, lambda: _by_contact(found(), "dihedral", contacts),
               signed=True, shape=(len(contacts),)),
-        Field("Pin area margin", "mm^2", SIDE, lambda: found()["pin_area_margin"], "low", mark="diamond",
-              problem="tiles with less space for pins than APinMin, before Solve makes space",
+        Field("Pin area margin", "mm^2", SIDE, lambda: found().pin_area - parameters.get("A_pin_min"), "low",
+              mark="diamond", problem="tiles with less space for pins than APinMin, before Solve makes space",
               shape=(len(F), 2), **limits),
-        Field("Conformal stretch", "", TILE, lambda: found()["conformal_stretch"], "low",
+        Field("Conformal stretch", "", TILE, lambda: found().stretch, "low",
               shape=(len(F),))]
 
 
@@ -133,12 +133,12 @@ def check_fields(found: Any, parameters: Any, contacts: np.ndarray) -> list[Fiel
               problem="tiles that can't be made or are likely to fail", shape=(count,))]
 
 
-def measured(design: Any) -> Mapping[str, Any]:
+def measured(design: Any) -> Any:
     """Gaps and pins of a native Design, for any thread: a run's own measures what the window then draws."""
     key = design_digest(design), repr(design.parameters.to_dict())
     found = _MEASURED.get(key)
     if found is None:
-        found = native.design_fields(design)
+        found = native.evaluate_design(design)
         _MEASURED.clear()
         _MEASURED[key] = found
     return found
@@ -149,9 +149,9 @@ def design_fields(design: Any, contacts: np.ndarray) -> list[Field]:
     found = cache(lambda: measured(design))
     get = design.parameters.get
     return [
-        Field("Gap", "mm", CONTACT, lambda: aligned(found(), "gap", contacts), "low", get("d_gap_min"),
+        Field("Gap", "mm", CONTACT, lambda: _by_contact(found(), "gap", contacts), "low", get("d_gap_min"),
               "square", problem="gaps below DGapMin", part="Layout", shape=(len(contacts),)),
-        Field("Pin area", "mm^2", SIDE, lambda: found()["pin_area"], "low", get("A_pin_min"), "diamond",
+        Field("Pin area", "mm^2", SIDE, lambda: found().pin_area, "low", get("A_pin_min"), "diamond",
               problem="tiles with pins below APinMin", part="Layout", shape=(len(design.F), 2))]
 
 
@@ -196,6 +196,11 @@ def path_fields(block: Mapping[str, Any], contacts: np.ndarray) -> list[Field]:
     return [Field("Open contacts", "", CONTACT,
                   lambda: [tuple(sorted(pair)) in still for pair in contacts.tolist()], "high", 0.5, "cross",
                   problem="contacts that stay open", part="Layout")]
+
+
+def _by_contact(figures: Any, name: str, contacts: np.ndarray) -> np.ndarray:
+    """Native figures of contacts in the order of `contacts`."""
+    return aligned({"contact_tiles": figures.contacts, name: getattr(figures, name)}, name, contacts)
 
 
 def aligned(found: Mapping[str, Any], name: str, contacts: np.ndarray) -> np.ndarray:
